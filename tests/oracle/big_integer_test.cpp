@@ -5,8 +5,9 @@
 #include "infinitesimal.hpp"
 #include "random_balls.hpp"
 
-namespace oracle {
 namespace {
+
+using namespace oracle;
 
 BigInteger big(Int128 value) {
   return BigInteger(value);
@@ -73,4 +74,3 @@ TEST(Infinitesimal, OrdersMonomialsBySmallestInfinitesimalFirst) {
 }
 
 }  // namespace
-}  // namespace oracle

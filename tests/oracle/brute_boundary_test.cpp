@@ -10,8 +10,9 @@
 #include "nerve.hpp"
 #include "random_balls.hpp"
 
-namespace oracle {
 namespace {
+
+using namespace oracle;
 
 TEST(BruteBoundary, HasTheTopologyOfTheNerve) {
   RandomSource random(4);
@@ -135,4 +136,3 @@ TEST(BruteBoundary, ArcsRunOutsideAllBalls) {
 }
 
 }  // namespace
-}  // namespace oracle

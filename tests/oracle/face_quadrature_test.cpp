@@ -9,8 +9,9 @@
 #include "random_balls.hpp"
 #include "slice_quadrature.hpp"
 
-namespace oracle {
 namespace {
+
+using namespace oracle;
 
 using Real = long double;
 constexpr Real pi = std::numbers::pi_v<Real>;
@@ -83,4 +84,3 @@ TEST(FaceQuadrature, DoesNotDependOnTheDirection) {
 }
 
 }  // namespace
-}  // namespace oracle

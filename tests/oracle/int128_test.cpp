@@ -7,8 +7,9 @@
 #include "big_integer.hpp"
 #include "random_balls.hpp"
 
-namespace oracle {
 namespace {
+
+using namespace oracle;
 
 using Signed = TwoWords<true>;
 using Unsigned = TwoWords<false>;
@@ -92,4 +93,3 @@ TEST(TwoWords, AreTheCompilersIntegersWithoutASign) {
 #endif
 
 }  // namespace
-}  // namespace oracle

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace oracle {
 namespace {
+
+using namespace oracle;
 
 constexpr double pi = std::numbers::pi;
 
@@ -108,4 +109,3 @@ TEST(PathPainter, KnowsWhatPassesNear) {
 }
 
 }  // namespace
-}  // namespace oracle

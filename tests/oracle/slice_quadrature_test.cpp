@@ -8,8 +8,9 @@
 
 #include "random_balls.hpp"
 
-namespace oracle {
 namespace {
+
+using namespace oracle;
 
 using Real = long double;
 constexpr Real pi = std::numbers::pi_v<Real>;
@@ -101,4 +102,3 @@ TEST(SliceQuadrature, DoesNotDependOnStepAndDirection) {
 }
 
 }  // namespace
-}  // namespace oracle

@@ -9,8 +9,9 @@
 #include "big_integer.hpp"
 #include "random_balls.hpp"
 
-namespace oracle {
 namespace {
+
+using namespace oracle;
 
 using Triple = std::array<BigInteger, 3>;
 
@@ -140,4 +141,3 @@ TEST(SpherePredicates, LowestRankSwallowsItsDuplicates) {
 }
 
 }  // namespace
-}  // namespace oracle

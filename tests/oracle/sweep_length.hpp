@@ -8,7 +8,7 @@
 
 namespace oracle {
 
-// Whether the environment variable HSP_LONG_TESTS asks for the long form of the slow tests.
+// Whether the environment variable HSP_LONG_TESTS asks for the long form of tests that have one.
 inline bool long_tests() {
   const char *asked = std::getenv("HSP_LONG_TESTS");
   return asked != nullptr && *asked != '\0';
@@ -36,9 +36,14 @@ std::vector<Set> some_of(const std::vector<Set> &all) {
   return some;
 }
 
-// The same for slow tests. The usual form tries the first sets of the long one.
+// The same for tests that have a long form, whose first sets the usual form tries.
 inline int rounds(int usual, int many) {
   return long_tests() ? many : sets(usual);
+}
+
+// The length of a sweep over numbers alone, the same in every build, and in the long form four times that.
+inline int numbers(int usual) {
+  return long_tests() ? 4 * usual : usual;
 }
 
 }  // namespace oracle

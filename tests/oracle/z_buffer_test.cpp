@@ -8,8 +8,9 @@
 
 #include "random_balls.hpp"
 
-namespace oracle {
 namespace {
+
+using namespace oracle;
 
 size_t pixels_of(const std::vector<SeenPixel> &image, uint32_t ball) {
   size_t count = 0;
@@ -90,4 +91,3 @@ TEST(ZBuffer, SeesNothingOfBallsOfRadiusZero) {
 }
 
 }  // namespace
-}  // namespace oracle

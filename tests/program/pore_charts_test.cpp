@@ -133,9 +133,9 @@ TEST(PoreCharts, ProfileOfEachTunnel) {
     for (std::sregex_iterator s(svg.begin(), svg.end(), shared), end; s != end; ++s) {
       if (!(std::stod((*s)[1]) > 1.5)) continue;
       const std::vector<double> first = points_of((*s)[2]);
-      const auto same = [&](const std::vector<double> &line) {
-        for (size_t k = 0; k + 3 < line.size(); k += 2) {
-          if (std::equal(first.begin(), first.end(), line.begin() + static_cast<std::ptrdiff_t>(k))) return true;
+      const auto same = [&](const std::vector<double> &other) {
+        for (size_t k = 0; k + 3 < other.size(); k += 2) {
+          if (std::equal(first.begin(), first.end(), other.begin() + static_cast<std::ptrdiff_t>(k))) return true;
         }
         return false;
       };

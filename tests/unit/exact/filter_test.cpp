@@ -108,7 +108,7 @@ void expect_between(const char *name, double worst) {
   EXPECT_GT(worst, 0.01) << name << ": the bound is so wide that the filter passes on what it could answer";
 }
 
-constexpr int starts = 240;
+constexpr int starts = 60;
 constexpr int changes = 4000;
 
 TEST(FilterBounds, DiscriminantD) {

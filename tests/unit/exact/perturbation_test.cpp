@@ -46,7 +46,7 @@ struct Circle {
 
 class Comparison {
  public:
-  Comparison(const FourBalls &four, int gap, oracle::RandomSource &random, Tally &tally)
+  Comparison(const TiedBalls &four, int gap, oracle::RandomSource &random, Tally &tally)
       : four_(four), inflated_(four.ball, gap), given_(four.ball, 0), random_(random), tally_(tally) {}
 
   void run() {
@@ -246,7 +246,7 @@ class Comparison {
   }
   void count_filter(bool sure) { ++(sure ? tally_.filter_sure : tally_.filter_unsure); }
 
-  const FourBalls &four_;
+  const TiedBalls &four_;
   Balls inflated_, given_;
   oracle::RandomSource &random_;
   Tally &tally_;
@@ -261,7 +261,7 @@ Tally compare_sets(Size size, int gap, int sets, uint64_t seed) {
   oracle::RandomSource random(seed);
   Tally tally;
   for (int k = 0; k < sets; ++k) {
-    const FourBalls four = random_tied_balls(random, size);
+    const TiedBalls four = random_tied_balls(random, size);
     Comparison(four, gap, random, tally).run();
   }
   const auto record = [](const char *name, uint64_t value) {
@@ -285,28 +285,31 @@ Tally compare_sets(Size size, int gap, int sets, uint64_t seed) {
   return tally;
 }
 
-// A count that has to be reached, in the builds that try fewer sets.
-uint64_t part_of(int count) {
-  return static_cast<uint64_t>(oracle::sets(count));
+// Of a number of the long form, sets or what has to be found in them.
+int part_of(int number) {
+  return oracle::rounds(number / 4, number);
+}
+uint64_t count(int number) {
+  return static_cast<uint64_t>(part_of(number));
 }
 
 TEST(TieRule, SmallSetsAgreeWithATinyInflation) {
-  const Tally tally = compare_sets(Size::small, 2, oracle::sets(30000), 101);
+  const Tally tally = compare_sets(Size::small, 2, part_of(30000), 101);
   EXPECT_EQ(tally.disagreements, 0U) << tally.first;
-  EXPECT_GT(tally.calls(), part_of(1000000));
-  EXPECT_GT(tally.tied(), part_of(100000));
-  EXPECT_GT(tally.tied_pairs, part_of(10000));
-  EXPECT_GT(tally.tied_crossings, part_of(10000));
-  EXPECT_GT(tally.tied_sides, part_of(1000));
-  EXPECT_GT(tally.tied_points, part_of(50000));
-  EXPECT_GT(tally.tied_with_planes, part_of(10000));
+  EXPECT_GT(tally.calls(), count(1000000));
+  EXPECT_GT(tally.tied(), count(100000));
+  EXPECT_GT(tally.tied_pairs, count(10000));
+  EXPECT_GT(tally.tied_crossings, count(10000));
+  EXPECT_GT(tally.tied_sides, count(1000));
+  EXPECT_GT(tally.tied_points, count(50000));
+  EXPECT_GT(tally.tied_with_planes, count(10000));
 }
 
 TEST(TieRule, SetsNearTheLimitAgreeWithATinyInflation) {
-  const Tally tally = compare_sets(Size::near_limit, 6, oracle::sets(10000), 102);
+  const Tally tally = compare_sets(Size::near_limit, 6, part_of(10000), 102);
   EXPECT_EQ(tally.disagreements, 0U) << tally.first;
-  EXPECT_GT(tally.calls(), part_of(200000));
-  EXPECT_GT(tally.tied(), part_of(20000));
+  EXPECT_GT(tally.calls(), count(200000));
+  EXPECT_GT(tally.tied(), count(20000));
 }
 
 // The integers these tests rely on.

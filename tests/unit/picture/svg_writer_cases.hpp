@@ -323,8 +323,8 @@ inline uint32_t svg_lit_paths_run_along_circles() {
 inline uint32_t svg_names_balls() {
   constexpr const char *classes[] = {"el-C res-A&B", nullptr, "", "chain-1"};
   constexpr const char *titles[] = {nullptr, "a<b", "", "CYS 16 SG"};
-  constexpr hsp::PictureStyle styles[] = {hsp::PictureStyle::flat, hsp::PictureStyle::soft};
-  return first_failing(styles, [&](hsp::PictureStyle style) {
+  constexpr hsp::PictureStyle drawn_styles[] = {hsp::PictureStyle::flat, hsp::PictureStyle::soft};
+  return first_failing(drawn_styles, [&](hsp::PictureStyle style) {
     if (!small_view().succeeds(staggered, 4)) return false;
     hsp::PictureOptions options = two_px_per_step(65);
     options.style = style;

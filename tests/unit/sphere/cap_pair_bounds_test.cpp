@@ -17,7 +17,6 @@
 #include "sphere/cap_pair.hpp"
 #include "sphere/caps.hpp"
 #include "sphere/float_caps.hpp"
-#include "sweep_length.hpp"
 
 namespace {
 
@@ -311,7 +310,7 @@ void search(const char *name, uint64_t seed, double Ratios::*ratio, Extent exten
   oracle::RandomSource random(seed);
   CapsOfFour maker;
   int sets = 0, contradictions = 0, crossing = 0, apart = 0;
-  const double largest = worst(random, oracle::long_tests() ? 120 : 40, 3000, [&](const FourBalls &four) {
+  const double largest = worst(random, 20, 3000, [&](const FourBalls &four) {
     const Ratios ratios = Measurement<Arithmetic>(four, maker, extent).run();
     ++sets;
     contradictions += ratios.contradiction;

@@ -24,14 +24,14 @@ constexpr ArcEnds arc_ends[] = {{1, 1, {5}, 5},          {1, 2, {5, 8}, 8},    {
 inline uint32_t arcs_end_at_the_next_exit() {
   return first_failing(arc_ends, [](const ArcEnds &c) {
     const auto direction = [](uint32_t circle) { return compass[circle]; };
-    struct Arc {
+    struct Candidate {
       uint32_t previous_circle, circle;
     } arcs[6];
-    const auto previous = [](const Arc &arc) { return arc.previous_circle; };
+    const auto previous = [](const Candidate &arc) { return arc.previous_circle; };
     arcs[0] = {c.start, 0};
     arcs[1] = {3, 4};  // on other circles
     for (uint32_t k = 0; k < c.candidates; ++k) arcs[2 + k] = {0, c.end[k]};
-    const uint32_t found = hsp::find_next(hsp::Span<Arc>(arcs, 2 + c.candidates), arcs[0], previous, direction);
+    const uint32_t found = hsp::find_next(hsp::Span<Candidate>(arcs, 2 + c.candidates), arcs[0], previous, direction);
     return found >= 2 && found < 2 + c.candidates && arcs[found].circle == c.expected;
   });
 }

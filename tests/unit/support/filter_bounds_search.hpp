@@ -4,6 +4,7 @@
 
 #include "four_balls.hpp"
 #include "perturbation_determinants.hpp"
+#include "sweep_length.hpp"
 
 namespace filter_bounds {
 
@@ -20,11 +21,12 @@ FourBalls random_balls(oracle::RandomSource &random, Kind kind);
 // A change of one to three numbers, each by anything from one step to its own size.
 FourBalls changed(oracle::RandomSource &random, const FourBalls &four);
 
-// The largest badness(four) found; badness is negative where it has no meaning.
+// The largest badness(four) found; badness is negative where it has no meaning. There are four times as many starts in
+// the long form.
 template <class Badness>
 double worst(oracle::RandomSource &random, int starts, int changes, const Badness &badness) {
   double largest = 0.0;
-  for (int start = 0; start < starts; ++start) {
+  for (int start = 0; start < oracle::numbers(starts); ++start) {
     FourBalls four = random_balls(random, static_cast<Kind>(start % kinds));
     double current = badness(four);
     for (int k = 0; k < changes; ++k) {

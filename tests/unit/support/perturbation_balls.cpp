@@ -120,8 +120,8 @@ void turn(oracle::RandomSource &random, Ball (&ball)[4]) {
 
 }  // namespace
 
-FourBalls random_tied_balls(oracle::RandomSource &random, Size size) {
-  FourBalls four{};
+TiedBalls random_tied_balls(oracle::RandomSource &random, Size size) {
+  TiedBalls four{};
   auto &ball = four.ball;
   fill(random, ball);
   turn(random, ball);

@@ -13,10 +13,10 @@ enum class Size {
   near_limit  // radii up to 2^30 - 1, coordinates up to 2^50
 };
 
-struct FourBalls {
+struct TiedBalls {
   Ball ball[4];
 };
 
-FourBalls random_tied_balls(oracle::RandomSource &random, Size size);
+TiedBalls random_tied_balls(oracle::RandomSource &random, Size size);
 
 }  // namespace perturbation

@@ -116,7 +116,7 @@ bool integers_are(Integers found, Expected expected) {
 const char *check_integers() {
   const uint32_t u[8] = {0, UINT32_MAX, 3, 0x80000000U, 7, 3, 4, 5}, v[8] = {1, 0, 2, 0x7FFFFFFFU, 6, 3, 4, 6};
   const Integers x = Integers::load(u), y = Integers::load(v);
-  const auto with_sign = [](uint32_t a) { return static_cast<int32_t>(a); };
+  const auto with_sign = [](uint32_t bits) { return static_cast<int32_t>(bits); };
   const auto is_greater = [&](uint32_t k) { return with_sign(u[k]) > with_sign(v[k]); };
   if (!integers_are(x + y, [&](uint32_t k) { return u[k] + v[k]; })) return "integers, +";
   if (!integers_are(x - y, [&](uint32_t k) { return u[k] - v[k]; })) return "integers, -";
