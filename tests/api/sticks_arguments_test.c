@@ -357,6 +357,21 @@ static void maps(void) {
   CHECK_EQUAL(hsp_sticks_get_map_info(sticks, &map_info), HSP_OK);
 }
 
+/* Arcs of the outlines of two balls and the stick between them. */
+static uint32_t arcs_with(uint32_t flags) {
+  const hsp_stick stick = {{0, 1}, flags, 0};
+  CHECK_EQUAL(compute(&stick, 1, 0.5), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_info(sticks, &info), HSP_OK);
+  return info.arcs;
+}
+
+/* Each strand has an outline. */
+static void strands(void) {
+  const uint32_t one = arcs_with(0), two = arcs_with(HSP_STICK_DOUBLE), three = arcs_with(HSP_STICK_TRIPLE);
+  CHECK(one < two && two < three);
+  CHECK_EQUAL(three - two, two - one);
+}
+
 /* One path for each ball and part of a stick, with its colour. */
 static void pictures(void) {
   static const uint32_t colours[BALLS] = {0x112233, 0x445566, 0x778899, 0xAABBCC};
@@ -415,6 +430,7 @@ int main(void) {
   without_order();
   bad_ink();
   maps();
+  strands();
   pictures();
   order_of_calls();
   small_limits();
