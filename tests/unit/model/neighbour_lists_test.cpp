@@ -33,14 +33,18 @@ Lists lists_of(const hsp::CubeGrid &grid, hsp::PairRows rows, uint32_t most_cach
   return lists;
 }
 
-// Hundreds of balls in the same cube, and thousands around it: with wide code as without.
+// Hundreds of balls in the same cube, and thousands around it, far along an axis too: with wide code as without.
 TEST(NeighbourLists, OfCrowdedCubes) {
   cases::Random random(6);
-  for (const int64_t extent : {3, 8, 20, 60}) {
+  constexpr int64_t far = INT64_C(1) << 40;
+  constexpr struct {
+    int64_t extent, middle[3];
+  } sets[] = {{3, {}}, {8, {}}, {20, {}}, {60, {}}, {20, {far, 0, 0}}, {20, {0, -far, 0}}, {20, {0, 0, far}}};
+  for (const auto &[extent, middle] : sets) {
     constexpr uint32_t n = 2000;
     support::BallList list;
     for (uint32_t i = 0; i < n; ++i) {
-      for (int axis = 0; axis < 3; ++axis) list.xyz.push_back(static_cast<double>(random.in(-extent, extent)));
+      for (const int64_t along : middle) list.xyz.push_back(static_cast<double>(along + random.in(-extent, extent)));
       list.radius.push_back(static_cast<double>(i == 77 ? 10 : random.in(0, 2)));
     }
     BuiltGrid built(list);

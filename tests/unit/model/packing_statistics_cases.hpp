@@ -59,15 +59,19 @@ inline uint32_t statistics_by_hand() {
   });
 }
 
-// Dense and ever looser sets, so that the closest pair is in a cube, in neighbouring ones, or cubes apart.
+// Dense and ever looser sets, so that the closest pair is in a cube, in neighbouring ones, or cubes apart; and balls
+// near the points of a lattice, where it is among many of one coarse cube.
 inline uint32_t statistics_of_all_pairs() {
   Random random(1);
-  for (uint32_t round = 0; round < 120; ++round) {
+  for (uint32_t round = 0; round < 240; ++round) {
     LatticePoint balls[24];
     const uint32_t n = 2 + random.below(23);
     const int64_t width = INT64_C(30) << (round % 30);
     for (uint32_t i = 0; i < n; ++i) {
       balls[i] = {random.in(-width, width), random.in(-width, width), random.in(-width, width), random.in(1, 20)};
+      if (round < 120) continue;
+      balls[i] = {balls[i].x / 5 + i % 2 * width, balls[i].y / 5 + i / 2 % 3 * width, balls[i].z / 5 + i / 6 * width,
+                  balls[i].r};
     }
     uint32_t overlaps = 0, most = 0;
     double rho = 1e300;
