@@ -183,6 +183,27 @@ inline uint32_t widths_of_lines() {
   });
 }
 
+// The same ball on a page of 100 px: the outer half of a line has room, a quarter of the page at most, and ellipses are
+// lines where they are narrower than an eighth of one, within bounds.
+struct LineRoom {
+  double outline, margin, scale, narrowest_ellipse;
+};
+constexpr LineRoom line_rooms[] = {
+    {0, 0, 5, 1e-4}, {.8, .1, 100 / 24.0, .1}, {8, .1, 100 / 24.0, .2}, {8, 0, 4.6, .2}, {400, 0, 2.5, .2}};
+
+inline uint32_t room_of_lines() {
+  return first_failing(line_rooms, [](const LineRoom &c) {
+    constexpr SmallBall ball{0, 0, 0, 10};
+    hsp::PictureOptions options;
+    options.width = 100;
+    options.outline = c.outline;
+    options.margin = c.margin;
+    if (!small_view().succeeds(&ball, 1)) return false;
+    const hsp::Page page = hsp::lay_out(picture_input(), options);
+    return near(page.scale, c.scale, 1e-12 * c.scale) && near(page.narrowest_ellipse, c.narrowest_ellipse, 1e-15);
+  });
+}
+
 // Decimals whose unit is at most a step, within bounds.
 struct Decimals {
   double step;
@@ -318,6 +339,7 @@ inline constexpr Check picture_page[] = {{"sizes_of_pages", sizes_of_pages},
                                          {"pages_of_fixed_frames", pages_of_fixed_frames},
                                          {"lines_of_fixed_frames", lines_of_fixed_frames},
                                          {"widths_of_lines", widths_of_lines},
+                                         {"room_of_lines", room_of_lines},
                                          {"decimals_of_steps", decimals_of_steps},
                                          {"decimals_of_pages", decimals_of_pages},
                                          {"parts_of_spans", parts_of_spans},

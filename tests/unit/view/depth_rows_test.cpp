@@ -39,10 +39,11 @@ class Cases {
     c.base = 8.0 * unit() - 4.0;
     c.disc = disc(x, y, radius);
     for (float &height : c.before.floor) height = static_cast<float>(c.base + 12.0 * unit() - 4.0);
-    // Hidden for the most part, by now and then one cell is not.
+    // Hidden for the most part, by now and then one cell is not; one that the disc does not meet may be below its base.
     if (unit() < 0.5) {
       for (float &height : c.before.floor) height = static_cast<float>(c.base + 1.01 * radius);
-      c.before.floor[static_cast<size_t>(unit() * columns * rows)] = static_cast<float>(c.base + radius * unit());
+      c.before.floor[static_cast<size_t>(unit() * columns * rows)] =
+          static_cast<float>(c.base + radius * (2.0 * unit() - 1.0));
     }
     return c;
   }
