@@ -14,7 +14,7 @@ using oracle::RandomSource;
 
 TEST(Slow, BoundariesOfDegenerateSets) {
   RandomSource random(71);
-  for (int k = 0; k < oracle::rounds(1000, 40000); ++k) {
+  for (int k = 0; k < oracle::rounds(500, 40000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(3, 14)));
     ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<uint64_t>(k))), "");
   }
@@ -22,7 +22,7 @@ TEST(Slow, BoundariesOfDegenerateSets) {
 
 TEST(Slow, BoundariesOfAnySets) {
   RandomSource random(72);
-  for (int k = 0; k < oracle::rounds(150, 6000); ++k) {
+  for (int k = 0; k < oracle::rounds(75, 6000); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(10, 40)));
     ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<uint64_t>(k))), "");
   }
@@ -30,7 +30,7 @@ TEST(Slow, BoundariesOfAnySets) {
 
 TEST(Slow, BoundariesWithNestedLoops) {
   RandomSource random(73);
-  for (int k = 0; k < oracle::rounds(150, 6000); ++k) {
+  for (int k = 0; k < oracle::rounds(75, 6000); ++k) {
     const Balls balls = oracle::belted_balls(random, static_cast<size_t>(random.in(12, 45)));
     ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<uint64_t>(k))), "");
   }
@@ -38,7 +38,7 @@ TEST(Slow, BoundariesWithNestedLoops) {
 
 TEST(Slow, BoundariesWithNestedLoopsAndTies) {
   RandomSource random(76);
-  for (int k = 0; k < oracle::rounds(100, 3000); ++k) {
+  for (int k = 0; k < oracle::rounds(50, 3000); ++k) {
     const Balls balls = oracle::crowned_balls(random, static_cast<size_t>(random.in(12, 45)));
     ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<uint64_t>(k))), "");
   }
@@ -46,7 +46,7 @@ TEST(Slow, BoundariesWithNestedLoopsAndTies) {
 
 TEST(Slow, TopologyOfTheNerve) {
   RandomSource random(74);
-  for (int k = 0; k < oracle::rounds(2000, 60000); ++k) {
+  for (int k = 0; k < oracle::rounds(1000, 60000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(4, 11)));
     const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
     const hsp_boundary_counts counts = LibraryBoundary(balls).counts();
@@ -58,7 +58,7 @@ TEST(Slow, TopologyOfTheNerve) {
 
 TEST(Slow, MeasuresOfDegenerateSets) {
   RandomSource random(75);
-  for (int k = 0; k < oracle::rounds(100, 3000); ++k) {
+  for (int k = 0; k < oracle::rounds(50, 3000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 12)));
     ASSERT_EQ(complaint_about_smallest(balls, measures_differ), "");
   }

@@ -29,7 +29,7 @@ TEST(Slow, MeshesOfFurtherMolecules) {
 }
 
 TEST(Slow, MeshesOfManySets) {
-  const int sets = oracle::rounds(1500, 7500);
+  const int sets = oracle::rounds(800, 7500);
   int refused = 0;
   for (int k = 0; k < sets; ++k) refused += expect_meshes_of_set(static_cast<uint64_t>(501 + k)) ? 0 : 1;
   std::printf("%d of %d sets without a mesh\n", refused, sets);
@@ -46,7 +46,7 @@ TEST(Slow, VerticesOfManySets) {
 
 TEST(Slow, MeshesOfRandomSetsConverge) {
   ConvergenceTally boundaries, surfaces;
-  const auto seeds = static_cast<uint64_t>(oracle::rounds(300, 1000));
+  const auto seeds = static_cast<uint64_t>(oracle::rounds(150, 1000));
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     if (seed % 4 == 0) expect_converging_boundary(seed, 0.5, boundaries);
     expect_converging_surface(seed, 0.5, surfaces);

@@ -58,7 +58,7 @@ TEST(SlowViews, OfManyBalls) {
 TEST(SlowViews, OfAnySets) {
   oracle::RandomSource random(102);
   const std::vector<Direction> even = even_directions();
-  for (int k = 0; k < oracle::rounds(200, 5000); ++k) {
+  for (int k = 0; k < oracle::rounds(100, 5000); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 30)));
     const Direction towards = k % 3 == 0 ? uneven_directions()[0] : even[static_cast<size_t>(random.in(0, 4))];
     const auto expect = [&](const Complaint &complaint) { ASSERT_EQ(complaint_about_smallest(balls, complaint), ""); };

@@ -61,11 +61,11 @@ TEST(SlowMaps, OfLargeRandomSets) {
 
 TEST(SlowMaps, OfBallsThatTouch) {
   oracle::RandomSource random(202);
-  for (int time = 0; time < oracle::rounds(200000, 2000000); ++time) {
+  for (int time = 0; time < oracle::rounds(100000, 2000000); ++time) {
     const SeenSet set = touching_pair(random);
     ASSERT_EQ(pair_complaint(set), "") << to_text(set);
   }
-  for (int time = 0; time < oracle::rounds(10000, 200000); ++time) {
+  for (int time = 0; time < oracle::rounds(5000, 200000); ++time) {
     const SeenSet set = touching_set(random);
     ASSERT_EQ(set_complaint(set, 40), "") << to_text(set);
   }
