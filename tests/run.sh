@@ -32,6 +32,7 @@ case ${1:-} in
   ?*) presets=("$@") ;;
 esac
 
+mkdir -p build/logs
 # shellcheck source=.ci/install.sh
 . .ci/install.sh
 install_packages "${packages_for_tests[@]}"
@@ -40,10 +41,10 @@ if [ "${presets[*]}" != dev ]; then
   install_optional_packages "${optional_packages_for_all_tests[@]}"
 fi
 if [[ " ${presets[*]} " == *" long "* ]]; then install_optional_packages "${packages_for_long_tests[@]}"; fi
+printf '== packages: %d s\n' $SECONDS | tee build/logs/steps.log
 
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
-mkdir -p build/logs
 # A build folder that was made for another checkout is of no use here.
 for cache in build/*/CMakeCache.txt; do
   if [ -e "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$cache"; then
@@ -60,7 +61,6 @@ step() { # preset, what is done, command
   printf '== %s, %s: %d s\n' "$preset" "$what" $((SECONDS - begun)) | tee -a build/logs/steps.log
   return $status
 }
-: >build/logs/steps.log
 for preset in "${presets[@]}"; do
   echo "== $preset"
   : >"build/logs/$preset.log"
