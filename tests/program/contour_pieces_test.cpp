@@ -24,7 +24,7 @@ class Contours {
     for (size_t k = 0; k < levels.size(); ++k) {
       const double x = length * static_cast<double>(k);
       const auto vertex = static_cast<uint32_t>(first + k);
-      add({{{x, 0}, {x + length, 0}}, {vertex, vertex + 1}, levels[k], outline, {0, 0}, false});
+      add({{{x, 0}, {x + length, 0}}, {vertex, vertex + 1}, levels[k], outline, {0, 0}, 0, false});
     }
   }
   void add(const contour_piece &piece) { contour_pieces_add(&pieces_, &piece); }
@@ -73,7 +73,7 @@ TEST(ContourPieces, OutlinesKeepTheirWidthWhereTheyGoOn) {
   for (const bool outline : {true, false}) {
     Contours contours;
     contours.add_chain(std::vector<double>(20, 8), 0, 10, outline);
-    contours.add({{{0, 0}, {0, 0}}, {20, NO_CONTOUR_VERTEX}, 0, false, {0, 0}, true});
+    contours.add({{{0, 0}, {0, 0}}, {20, NO_CONTOUR_VERTEX}, 0, false, {0, 0}, 0, true});
     contours.set_levels();
     EXPECT_EQ(contours.level(0, 0), 0);
     EXPECT_EQ(contours.level(19, 1), outline ? 8 : 0);
@@ -96,14 +96,14 @@ TEST(ContourPieces, CloseGapsAndDips) {
 TEST(ContourPieces, LeaveNoHairs) {
   Contours contours;
   contours.add_chain(std::vector<double>(40, 8), 0, 10);
-  contours.add({{{200, 0}, {200, 30}}, {20, 500}, 3, false, {0, 0}, false});
-  contours.add({{{200, 30}, {200, 60}}, {500, 501}, 3, false, {0, 0}, false});
-  contours.add({{{100, 0}, {150, 30}}, {10, 600}, 3, false, {0, 0}, false});
-  contours.add({{{150, 30}, {300, 0}}, {600, 30}, 3, false, {0, 0}, false});
-  contours.add({{{500, 0}, {600, 0}}, {700, 701}, 2.9, false, {0, 0}, false});
-  contours.add({{{500, 0}, {600, 0}}, {702, 703}, 3.1, false, {0, 0}, false});
+  contours.add({{{200, 0}, {200, 30}}, {20, 500}, 3, false, {0, 0}, 0, false});
+  contours.add({{{200, 30}, {200, 60}}, {500, 501}, 3, false, {0, 0}, 0, false});
+  contours.add({{{100, 0}, {150, 30}}, {10, 600}, 3, false, {0, 0}, 0, false});
+  contours.add({{{150, 30}, {300, 0}}, {600, 30}, 3, false, {0, 0}, 0, false});
+  contours.add({{{500, 0}, {600, 0}}, {700, 701}, 2.9, false, {0, 0}, 0, false});
+  contours.add({{{500, 0}, {600, 0}}, {702, 703}, 3.1, false, {0, 0}, 0, false});
   contours.add_chain(std::vector<double>(10, 8), 800, 10, true);
-  contours.add({{{100, 0}, {120, 0}}, {810, 811}, 5, false, {0, 0}, false});
+  contours.add({{{100, 0}, {120, 0}}, {810, 811}, 5, false, {0, 0}, 0, false});
   contours.set_levels();
   for (const size_t hair : {40U, 41U, 44U, 56U}) EXPECT_EQ(contours.piece(hair).level, 0) << hair;
   for (const size_t other : {20U, 42U, 43U, 45U, 55U}) EXPECT_GT(contours.piece(other).level, 0) << other;

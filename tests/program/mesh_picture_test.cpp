@@ -390,12 +390,24 @@ TEST(MeshPicture, ColoursMeetWhereTheProbeTouchesTheBalls) {
     }
   }
   size_t borders[2] = {0, 0};
+  const double touching[2] = {1.7 * std::sqrt(1 - std::pow(plane / 3.1, 2)),
+                              1.52 * std::sqrt(1 - std::pow((3 - plane) / 2.92, 2))};
   for (size_t k = 0; k < 2; ++k) {
     const double px = (touched[k] + 1.7 + 0.03 * 6.22) * scale;
     EXPECT_NEAR(high[k], px, 1.5);
     EXPECT_NEAR(low[k + 1], px, 1.5);  // contours are smooth across such edges
-    for (const Line &line : lines_of(svg, true)) borders[k] += std::abs(line.points[0][0] - px) < 1 ? 1 : 0;
+    double least = 0, most = -1e9;
+    for (const Line &line : lines_of(svg, true)) {
+      if (std::abs(line.points[0][0] - px) >= 1) continue;
+      ++borders[k];
+      for (const Point &point : line.points) {
+        least = std::min(least, point[1]);
+        most = std::max(most, point[1]);
+      }
+    }
+    // Circles seen edge-on, each as wide all along: to where they go over into the back.
     EXPECT_GT(borders[k], 0u);
+    EXPECT_NEAR(most - least, 2 * touching[k] * scale, 3);
   }
   EXPECT_EQ(borders[0] + borders[1], lines_of(svg, true).size());
   // The same before a dark page.
@@ -415,10 +427,20 @@ TEST(MeshPicture, CreasesBelongToOneSphere) {
   const TemporaryFile three("three.xyzr", "0 0 0 1.5\n5 0 0 1.5\n2.5 4.330127018922193 0 1.5\n");
   const std::string svg = drawn_text(
       three.path(), {"--probe", "1.4", "--surface", "ses", "--edge", "0.2", "--view", "0,-1,1", "--up", "0,0,1"});
-  const size_t at = svg.find("<path fill=\"none\" stroke=\"url(#");
-  ASSERT_NE(at, std::string::npos);
-  EXPECT_EQ(svg.find("<path fill=\"none\" stroke=\"url(#", at + 1), std::string::npos);
-  const std::string path = svg.substr(at, svg.find('\n', at) - at), stroke = attribute(path, "stroke");
+  std::string path;
+  std::map<std::string, size_t> of_balls;  // s0, s3 and s6, where their colour ends
+  for (size_t at = 0; (at = svg.find("<path fill=\"none\" stroke=\"url(#", at)) != std::string::npos; ++at) {
+    const std::string one = svg.substr(at, svg.find('\n', at) - at), stroke = attribute(one, "stroke");
+    if (stroke.size() == 8) {
+      ++of_balls[stroke];
+    } else {
+      EXPECT_EQ(path, "");
+      path = one;
+    }
+  }
+  EXPECT_EQ(of_balls.size(), 3u);
+  ASSERT_NE(path, "");
+  const std::string stroke = attribute(path, "stroke");
   EXPECT_FALSE(element_of(svg, stroke.substr(5, stroke.size() - 6)).empty());
   std::map<std::string, double> seen;
   for (const Part &part : parts_of(svg)) seen[part.fill] += std::fabs(part.area());

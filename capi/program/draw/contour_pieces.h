@@ -16,6 +16,7 @@ struct contour_piece {
   double level;       /* of its width; 0: none */
   bool outline;       /* nothing is behind it */
   double most[2];     /* the level that its ends may have */
+  uint32_t paint;     /* anything of the caller's */
   bool goes_on;       /* no piece, but where an outline goes on hidden: its first vertex */
 };
 

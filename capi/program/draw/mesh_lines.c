@@ -7,6 +7,7 @@
 #include "draw/contour_pieces.h"
 #include "draw/dot_product.h"
 #include "draw/hidden_lines.h"
+#include "draw/mesh_creases.h"
 #include "hardsphere.h"
 
 /* Shares of the mean radius on the page, and tenths of a px. */
@@ -27,6 +28,9 @@ static const double shortest_contour = 12.0;
  * by the thinnest line, that are no longer than some. */
 static const double taper = 6.0, longest_dip = 3.0, longest_gap = 6.0;
 enum { THINNEST_LEVEL = 2 };
+
+/* Contours of no higher level may be dropped as specks. */
+static const double least_level = 1.0;
 
 /* Such ends are left out that have no more ink than a line of full width as long as so many widths. */
 static const double shortest_end = 3.0;
@@ -69,7 +73,9 @@ struct side {
 struct line_search {
   struct hidden_lines hidden;
   struct contour_pieces contours;
-  uint32_t *root; /* [vertices] the same of those between which contours have no length on the page */
+  struct creases creases;
+  uint32_t *root;   /* [vertices] the same of those between which contours have no length on the page */
+  uint32_t *nearer; /* [vertices], the patch of a contour that is seen there, or NO_PATCH */
 };
 
 static bool is_before(const struct side *a, const struct side *b) {
@@ -167,17 +173,22 @@ static void set_level(const struct mesh_picture *picture, const struct hidden_li
 /* Seen from the side a line on a surface is foreshortened. */
 static uint32_t border_level(const struct mesh_picture *picture, const struct side *side) {
   double towards = 0.0;
+  if (hairline_width(picture) < thinnest_hairline) return 0;
   for (int k = 0; k < 2; ++k) {
     const double *const normal = picture->mesh->normals + 3 * (size_t)(k == 0 ? side->low : side->high);
     towards += fabs(dot(picture->view->axis[2], normal)) / 2.0;
   }
-  const double share = (towards - steepest) / (flattest - steepest);
+  const double *const from = picture->parts.seen + 3 * (size_t)side->low;
+  const double *const to = picture->parts.seen + 3 * (size_t)side->high;
+  const double along[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  const double on_page = along[0] * along[0] + along[1] * along[1];
+  const double seen = sqrt(on_page / (on_page + along[2] * along[2]));
+  const double share = (fmin(towards / seen, 1.0) - steepest) / (flattest - steepest);
   return share > 0.0 ? level_of(share, BORDER_LEVELS) : 0;
 }
 
-static void add_edge_between(struct mesh_picture *picture, const double points[2][2], double from, double to,
+static void add_edge_between(struct painted_edges *edges, const double points[2][2], double from, double to,
                              uint32_t paint) {
-  struct painted_edges *const edges = paint < FIRST_SPHERE ? &picture->lines : &picture->creases;
   struct painted_edge edge = {.layer = 0, .paint = paint};
   for (int axis = 0; axis < 2; ++axis) {
     const double at = points[0][axis], along = points[1][axis] - at;
@@ -187,17 +198,65 @@ static void add_edge_between(struct mesh_picture *picture, const double points[2
   painted_edges_add(edges, &edge);
 }
 
-/* A contour beside the surface that it is of, as far as what else is before it hides it. Its own hides it in places by
- * less than that: edge-on, of flat triangles. */
-static struct seen_line outside_of(const struct seen_line *line) {
+/* A contour so far beside the surface that it is of. */
+static struct seen_line outside_of(const struct seen_line *line, double aside) {
   const double along[2] = {(double)line->at[1][0] - line->at[0][0], (double)line->at[1][1] - line->at[0][1]};
-  const double part = own_surface / sqrt(along[0] * along[0] + along[1] * along[1]);
+  const double part = aside / sqrt(along[0] * along[0] + along[1] * along[1]);
   struct seen_line outside = *line;
   for (int end = 0; end < 2; ++end) {
     outside.at[end][0] -= mesh_rounded(part * along[1]);
     outside.at[end][1] += mesh_rounded(part * along[0]);
   }
   return outside;
+}
+
+static bool is_concave(const struct mesh_picture *picture, uint32_t triangle) {
+  return picture->mesh->kinds[triangle] == HSP_PATCH_CONCAVE;
+}
+
+/* The paint of the area that ends with a contour, if that is of a sphere, or 0: of the side that is seen there. A ball
+ * has a contour seen from outside, a probe's place from inside, and where two of these meet from outside. */
+static uint32_t contour_paint(const struct mesh_picture *picture, const struct seen_line *line) {
+  const struct triangle_mesh *const mesh = picture->mesh;
+  const bool one = mesh->patches[line->beside[0]] == mesh->patches[line->beside[1]];
+  const bool concave[2] = {is_concave(picture, line->beside[0]), is_concave(picture, line->beside[1])};
+  if (!one && !(concave[0] && concave[1])) return 0;
+  const bool outside = !one || !concave[0];
+  const uint32_t triangle = line->beside[picture->faces[line->beside[0]] == outside ? 0 : 1];
+  return mesh_is_of_sphere(picture, triangle) ? mesh_sphere_paint(picture, triangle, mesh_side_of(picture, triangle))
+                                              : 0;
+}
+
+/* Where something crosses a line, from where it crosses it aside and twice as far aside, if it does. */
+static double crossing(double aside, double twice) {
+  const bool crosses = aside > 0.0 && aside < 1.0 && twice > 0.0 && twice < 1.0;
+  return crosses ? fmin(fmax(2.0 * aside - twice, 0.0), 1.0) : aside;
+}
+
+/* The spans of a contour that nothing but its own surface hides. That is before it in places, edge-on, of flat
+ * triangles, so that it is looked for beside it; where it is crossed at a small angle that is far from there. */
+enum { MOST_SPANS = 4 }; /* an edge is short: of more than so many ends stay where they are */
+static bool find_seen_of_contour(struct hidden_lines *hidden, const struct seen_line *line) {
+  struct span aside[MOST_SPANS];
+  const struct seen_line near = outside_of(line, own_surface), far = outside_of(line, 2.0 * own_surface);
+  bool crossed = false;
+  if (!hidden_lines_find_seen(hidden, &near)) return false;
+  const size_t spans = hidden->spans;
+  if (spans > MOST_SPANS) return true;
+  for (size_t i = 0; i < spans; ++i) {
+    aside[i] = hidden->span[i];
+    crossed = crossed || aside[i].from > 0.0 || aside[i].to < 1.0;
+  }
+  if (!crossed) return true;
+  if (!hidden_lines_find_seen(hidden, &far)) return false;
+  const bool same = hidden->spans == spans;
+  hidden->spans = 0;
+  for (size_t i = 0; i < spans; ++i) {
+    const struct span twice = same ? hidden->span[i] : aside[i];
+    const struct span span = {crossing(aside[i].from, twice.from), crossing(aside[i].to, twice.to)};
+    if (span.from < span.to) hidden->span[hidden->spans++] = span;
+  }
+  return true;
 }
 
 /* Where the spans that are seen of a contour do not begin or end with it. */
@@ -211,29 +270,48 @@ static void add_hidden_ends(struct line_search *search, const struct seen_line *
   }
 }
 
-/* The seen part of a line behind the plane. paint: or 0 of a contour, whose paint depends on where, or FIRST_SPHERE and
- * more of a crease. */
+/* The patch of a contour, if that is seen for the most part: where one begins or ends that is hidden a bit is not. */
+static void set_nearer(const struct mesh_picture *picture, const struct line_search *search,
+                       const struct seen_line *line) {
+  double seen = 0.0;
+  for (size_t i = 0; i < search->hidden.spans; ++i) seen += search->hidden.span[i].to - search->hidden.span[i].from;
+  for (int end = 0; end < 2 && seen > 0.5; ++end) {
+    search->nearer[line->vertex[end]] = picture->mesh->patches[line->beside[0]];
+  }
+}
+
+/* The part of a line behind the plane. False if there is none. */
+static bool find_behind(const struct seen_line *line, double plane, double range[2]) {
+  const bool behind[2] = {line->depth[0] <= plane, line->depth[1] <= plane};
+  if (!behind[0] && !behind[1]) return false;
+  range[0] = behind[0] ? 0.0 : share_at(line, plane);
+  range[1] = behind[1] ? 1.0 : share_at(line, plane);
+  return true;
+}
+
+/* The seen part of a line behind the plane. paint: or 0 of a contour, whose paint depends on where. */
 static bool add_line(struct mesh_picture *picture, struct line_search *search, const struct seen_line *line,
                      double plane, uint32_t paint) {
   const struct hidden_lines *const hidden = &search->hidden;
   const double ends[2][2] = {{line->at[0][0], line->at[0][1]}, {line->at[1][0], line->at[1][1]}};
-  const bool behind[2] = {line->depth[0] <= plane, line->depth[1] <= plane};
-  if (!behind[0] && !behind[1]) return true;
-  const double first = behind[0] ? 0.0 : share_at(line, plane), last = behind[1] ? 1.0 : share_at(line, plane);
-  const struct seen_line outside = paint == 0 ? outside_of(line) : *line;
-  if (!hidden_lines_find_seen(&search->hidden, &outside)) return false;
+  double range[2];
+  if (!find_behind(line, plane, range)) return true;
+  const bool enough =
+      paint == 0 ? find_seen_of_contour(&search->hidden, line) : hidden_lines_find_seen(&search->hidden, line);
+  if (!enough) return false;
   if (paint == 0) add_hidden_ends(search, line);
+  if (paint == 0) set_nearer(picture, search, line);
   for (size_t i = 0; i < hidden->spans; ++i) {
-    const double from = hidden->span[i].from > first ? hidden->span[i].from : first;
-    const double to = hidden->span[i].to < last ? hidden->span[i].to : last;
+    const double from = fmax(hidden->span[i].from, range[0]), to = fmin(hidden->span[i].to, range[1]);
     if (from >= to) continue;
     if (paint > 0) {
-      add_edge_between(picture, ends, from, to, paint);
+      add_edge_between(&picture->lines, ends, from, to, paint);
       continue;
     }
     struct contour_piece piece = {
         .vertex = {from > 0.0 ? NO_CONTOUR_VERTEX : line->vertex[0], to < 1.0 ? NO_CONTOUR_VERTEX : line->vertex[1]}};
     set_level(picture, hidden, line, from, to, &piece);
+    piece.paint = contour_paint(picture, line);
     for (int k = 0; k < 4; ++k) {
       const int axis = k % 2;
       piece.at[k / 2][axis] = ends[0][axis] + (k < 2 ? from : to) * (ends[1][axis] - ends[0][axis]);
@@ -243,21 +321,47 @@ static bool add_line(struct mesh_picture *picture, struct line_search *search, c
   return true;
 }
 
+/* Where a contour has no line, or hardly one, its area has a line, as beside creases, as otherwise the areas of farther
+ * triangles go on over its edge in places. Where the contour's own line begins that ends with the area itself. drawn
+ * [vertices]: where contours end that have lines. */
+static void add_area_line(struct mesh_picture *picture, const struct contour_piece *piece, const bool *drawn) {
+  const double along[2] = {piece->at[1][0] - piece->at[0][0], piece->at[1][1] - piece->at[0][1]};
+  const double length = contour_piece_length(piece);
+  double line[2][2];
+  for (int end = 0; end < 2; ++end) {
+    const bool meets = piece->vertex[end] != NO_CONTOUR_VERTEX && drawn[piece->vertex[end]];
+    const double by = meets && length > 0.0 ? (CREASE_LINE - AREA_LINE) / 2.0 / length : 0.0;
+    line[end][0] = piece->at[end][0] + by * along[1];
+    line[end][1] = piece->at[end][1] - by * along[0];
+  }
+  add_edge_between(&picture->creases, (const double(*)[2])line, 0.0, 1.0, piece->paint);
+}
+
 /* In parts of one level each. */
-static void add_contours(struct mesh_picture *picture, const struct contour_pieces *contours, double slope) {
+static bool add_contours(struct mesh_picture *picture, const struct contour_pieces *contours, double slope) {
+  bool *const drawn = calloc((size_t)picture->mesh->vertices + 1, sizeof *drawn);
+  if (drawn == NULL) return false;
+  for (size_t i = 0; i < 2 * contours->count; ++i) {
+    const struct contour_piece *const piece = &contours->piece[i / 2];
+    const uint32_t vertex = piece->vertex[i % 2];
+    if (piece->level > least_level && vertex != NO_CONTOUR_VERTEX) drawn[vertex] = true;
+  }
   for (size_t i = 0; i < contours->count; ++i) {
     const struct contour_piece *const piece = &contours->piece[i];
+    if (piece->level <= least_level && piece->paint > 0) add_area_line(picture, piece, drawn);
     const double steps = ceil(slope * contour_piece_length(piece));
     const double *const most = piece->most;
     const uint32_t parts = piece->level > fmin(most[0], most[1]) && steps > 1.0 ? (uint32_t)steps : 1;
     for (uint32_t part = 0; part < parts && piece->level > 0.0; ++part) {
       const double from = (double)part / parts, to = (part + 1.0) / parts;
       const uint32_t level = (uint32_t)(contour_piece_level(piece, slope, from / 2.0 + to / 2.0) + 0.5);
-      add_edge_between(picture, (const double(*)[2])piece->at, from, to,
+      add_edge_between(&picture->lines, (const double(*)[2])piece->at, from, to,
                        (piece->outline && picture->view->dark ? FIRST_OUTLINE : FIRST_CONTOUR) +
                            (level > THINNEST_LEVEL ? level : THINNEST_LEVEL));
     }
   }
+  free(drawn);
+  return true;
 }
 
 /* The paint of a line between two triangles of which the same side is seen; 0: there is none. */
@@ -274,16 +378,92 @@ static uint32_t border_paint(const struct mesh_picture *picture, const struct si
     return FIRST_RIM + (uint32_t)pocket[first ? 0 : 1];
   }
   if (picture->mesh->patches[side[0].triangle] == picture->mesh->patches[side[1].triangle]) return 0;
-  const uint32_t *const kinds = picture->mesh->kinds;
-  const bool concave = kinds[side[0].triangle] == HSP_PATCH_CONCAVE && kinds[side[1].triangle] == HSP_PATCH_CONCAVE;
-  if (concave && mesh_is_of_sphere(picture, side[0].triangle)) {
-    const uint32_t patch[2] = {picture->mesh->patches[side[0].triangle], picture->mesh->patches[side[1].triangle]};
-    const uint64_t points[2] = {picture->patch_points[patch[0]], picture->patch_points[patch[1]]};
-    const int first = points[0] != points[1] ? points[0] < points[1] : patch[0] > patch[1];
-    return mesh_sphere_paint(picture, side[first].triangle, seen_as[first]);
-  }
-  const uint32_t level = hairline_width(picture) < thinnest_hairline ? 0 : border_level(picture, side);
+  const bool concave = is_concave(picture, side[0].triangle) && is_concave(picture, side[1].triangle);
+  if (concave && mesh_is_of_sphere(picture, side[0].triangle)) return 0;
+  const uint32_t level = border_level(picture, side);
   return level > 0 ? FIRST_BORDER + level : 0;
+}
+
+static uint32_t colour_at(struct mesh_picture *picture, uint32_t triangle) {
+  const bool convex = picture->mesh->kinds[triangle] == HSP_PATCH_CONVEX;
+  return mesh_colour_of(picture, convex ? picture->mesh->balls[triangle] : BETWEEN_ATOMS,
+                        mesh_side_of(picture, triangle));
+}
+
+/* Whether the spheres of two patches meet along an edge, or two colours, of which one is a sphere's: what goes on over
+ * the other is seen there. */
+static bool is_crease(struct mesh_picture *picture, const struct side *side) {
+  const uint32_t triangle[2] = {side[0].triangle, side[1].triangle};
+  if (picture->mesh->patches[triangle[0]] == picture->mesh->patches[triangle[1]]) return false;
+  const int spheres = mesh_is_of_sphere(picture, triangle[0]) + mesh_is_of_sphere(picture, triangle[1]);
+  return spheres == 2 || (spheres == 1 && colour_at(picture, triangle[0]) != colour_at(picture, triangle[1]));
+}
+
+/* An edge of a crease, with the patch with the lower number on the side that struct crease has it on: on the other one
+ * of inner sides, which are seen the other way round. */
+static struct seen_line crease_line(const struct mesh_picture *picture, const struct side *side) {
+  const struct seen_line line = line_of(picture, side);
+  const bool first = picture->mesh->patches[side[0].triangle] < picture->mesh->patches[side[1].triangle];
+  if (first == picture->faces[side->triangle]) return line;
+  struct seen_line turned = line;
+  for (int end = 0; end < 2; ++end) {
+    memcpy(turned.at[end], line.at[1 - end], sizeof turned.at[end]);
+    turned.depth[end] = line.depth[1 - end];
+    turned.vertex[end] = line.vertex[1 - end];
+  }
+  return turned;
+}
+
+/* Whether one triangle beside an edge of a crease is. */
+static bool is_painted_later(const struct mesh_picture *picture, const struct side *side, int k) {
+  const uint32_t own = side[k].triangle, other = side[1 - k].triangle;
+  const uint32_t layer[2] = {picture->layer[own] + 1, picture->layer[other] + 1}; /* 0: not painted */
+  if (layer[0] != layer[1]) return layer[0] > layer[1];
+  if (!mesh_is_of_sphere(picture, own) || !mesh_is_of_sphere(picture, other)) return mesh_is_of_sphere(picture, own);
+  return mesh_sphere_paint(picture, own, mesh_side_of(picture, own)) >
+         mesh_sphere_paint(picture, other, mesh_side_of(picture, other));
+}
+
+/* Which patch of a crease goes on over the other is known when all contours are. */
+static void add_crease(const struct mesh_picture *picture, const struct side *side, size_t edge,
+                       struct creases *creases) {
+  const struct seen_line line = crease_line(picture, side);
+  const uint32_t patch[2] = {picture->mesh->patches[side[0].triangle], picture->mesh->patches[side[1].triangle]};
+  const int first = patch[0] < patch[1] ? 0 : 1;
+  const bool spheres[2] = {mesh_is_of_sphere(picture, side[first].triangle),
+                           mesh_is_of_sphere(picture, side[1 - first].triangle)};
+  const struct crease crease = {.vertex = {line.vertex[0], line.vertex[1]},
+                                .patch = {patch[first], patch[1 - first]},
+                                .at = {{line.at[0][0], line.at[0][1]}, {line.at[1][0], line.at[1][1]}},
+                                .painted = is_painted_later(picture, side, first) ? 0 : 1,
+                                .edge = edge,
+                                .known = spheres[0] != spheres[1],
+                                .over = spheres[0] ? 0 : 1};
+  creases_add(creases, &crease);
+}
+
+static bool add_creases(struct mesh_picture *picture, struct line_search *search, const struct side *sides) {
+  const struct hidden_lines *const hidden = &search->hidden;
+  const double width[2] = {CREASE_LINE, AREA_LINE};
+  if (!creases_choose(&search->creases, search->nearer, picture->patch_points, width)) return false;
+  for (size_t i = 0; i < search->creases.count; ++i) {
+    const struct crease *const crease = &search->creases.crease[i];
+    const struct side *const side = &sides[crease->edge];
+    const struct seen_line line = crease_line(picture, side);
+    const bool of_void = mesh_parts_is_of_void(&picture->parts, side->low);
+    double range[2];
+    if (crease->known && crease->painted == crease->over && border_level(picture, side) == BORDER_LEVELS) continue;
+    if (!find_behind(&line, of_void ? INFINITY : picture->parts.cut, range)) continue;
+    if (!hidden_lines_find_seen(&search->hidden, &line)) return false;
+    const bool first = picture->mesh->patches[side[0].triangle] == crease->patch[crease->over];
+    const uint32_t triangle = side[first ? 0 : 1].triangle;
+    const uint32_t paint = mesh_sphere_paint(picture, triangle, mesh_side_of(picture, triangle));
+    for (size_t n = 0; n < hidden->spans; ++n) {
+      const double from = fmax(hidden->span[n].from, range[0]), to = fmin(hidden->span[n].to, range[1]);
+      if (from < to) add_edge_between(&picture->creases, crease->line, from, to, paint);
+    }
+  }
+  return true;
 }
 
 static bool is_edge(const struct side *side) {
@@ -295,7 +475,8 @@ static bool is_of_contour(const struct mesh_picture *picture, const struct side 
 }
 
 /* Of two sides of one edge. */
-static bool add_edge(struct mesh_picture *picture, struct line_search *search, const struct side *side) {
+static bool add_edge(struct mesh_picture *picture, struct line_search *search, const struct side *sides, size_t edge) {
+  const struct side *const side = &sides[edge];
   const bool shown[2] = {picture->shown[side[0].triangle], picture->shown[side[1].triangle]};
   const bool of_void = mesh_parts_is_of_void(&picture->parts, side->low);
   const double plane = of_void ? INFINITY : picture->parts.cut;
@@ -308,7 +489,9 @@ static bool add_edge(struct mesh_picture *picture, struct line_search *search, c
     if (!any) search->root[mesh_parts_root(search->root, side->low)] = mesh_parts_root(search->root, side->high);
     return !any || !(shown[0] || shown[1]) || add_line(picture, search, &line, plane, 0);
   }
-  const uint32_t paint = shown[0] && shown[1] ? border_paint(picture, side) : 0;
+  if (!shown[0] || !shown[1]) return true;
+  if (is_crease(picture, side)) add_crease(picture, side, edge, &search->creases);
+  const uint32_t paint = border_paint(picture, side);
   if (paint == 0) return true;
   const struct seen_line line = line_of(picture, side);
   return add_line(picture, search, &line, plane, paint);
@@ -333,24 +516,30 @@ bool mesh_lines_find(struct mesh_picture *picture, const struct seen_triangle *s
   const struct contour_limits limits = {longest_dip * width, THINNEST_LEVEL, longest_gap * width,
                                         CONTOUR_LEVELS / (taper * width), shortest_end * width * CONTOUR_LEVELS};
   struct line_search search = {.contours = CONTOUR_PIECES_NONE,
-                               .root = calloc((size_t)mesh->vertices + 1, sizeof *search.root)};
+                               .creases = CREASES_NONE,
+                               .root = calloc((size_t)mesh->vertices + 1, sizeof *search.root),
+                               .nearer = calloc((size_t)mesh->vertices + 1, sizeof *search.nearer)};
   const size_t found = 3 * (size_t)mesh->triangles;
-  bool enough =
-      hidden_lines_begin(seen, count, picture->parts.cut, &search.hidden) && sides != NULL && search.root != NULL;
-  for (uint32_t v = 0; v < mesh->vertices && search.root != NULL; ++v) search.root[v] = v;
+  bool enough = hidden_lines_begin(seen, count, picture->parts.cut, &search.hidden) && sides != NULL &&
+                search.root != NULL && search.nearer != NULL;
+  for (uint32_t v = 0; v < mesh->vertices && enough; ++v) search.root[v] = v;
+  for (uint32_t v = 0; v < mesh->vertices && enough; ++v) search.nearer[v] = NO_PATCH;
   enough = enough && count_points(picture, seen, count);
   for (size_t i = 0; enough && i + 1 < found; ++i) {
-    if (is_edge(&sides[i])) enough = add_edge(picture, &search, &sides[i]);
+    if (is_edge(&sides[i])) enough = add_edge(picture, &search, sides, i);
   }
+  enough = enough && add_creases(picture, &search, sides);
   for (size_t i = 0; enough && i < 2 * search.contours.count; ++i) {
     uint32_t *const vertex = &search.contours.piece[i / 2].vertex[i % 2];
     if (*vertex != NO_CONTOUR_VERTEX) *vertex = mesh_parts_root(search.root, *vertex);
   }
   enough = enough && contour_pieces_level(&search.contours, mesh->vertices, &limits);
-  if (enough) add_contours(picture, &search.contours, limits.slope);
+  enough = enough && add_contours(picture, &search.contours, limits.slope);
   hidden_lines_free(&search.hidden);
   contour_pieces_free(&search.contours);
+  creases_free(&search.creases);
   free(search.root);
+  free(search.nearer);
   free(sides);
   painted_edges_cancel(&picture->lines);
   painted_edges_cancel(&picture->creases);

@@ -12,6 +12,10 @@
  * pocket. */
 enum { BORDER_LEVELS = 4, CONTOUR_LEVELS = 8, FIRST_BORDER = 0, FIRST_RIM = 8, FIRST_CONTOUR = 16, FIRST_OUTLINE = 32 };
 
+/* The widths of lines of areas, and of creases: more, as no edge may lie on the edge of another line. */
+#define AREA_LINE 6.0
+#define CREASE_LINE 9.0
+
 /* Add those that are seen to picture->lines: where a side that is seen meets one that turns away there is a contour,
  * and elsewhere a border where patches meet, or the rim of a pocket. They lie over all areas, and end where a nearer
  * triangle hides them. The less lies between a contour and what is behind it, the thinner it is, and it ends in a

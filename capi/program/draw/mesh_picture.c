@@ -105,11 +105,13 @@ static bool paint_triangles(struct mesh_picture *picture) {
     const double area = seen_triangle_area(one);
     if (picture->faces[t] ? area < 0.0 : area > 0.0) ++count; /* y is down */
   }
-  const bool enough = mesh_layers_find(seen, count, slack) && mesh_layers_find_seen(seen, count, step_of_points) &&
-                      mesh_lines_find(picture, seen, count);
+  bool enough = mesh_layers_find(seen, count, slack) && mesh_layers_find_seen(seen, count, step_of_points);
+  for (uint32_t i = 0; enough && i < count; ++i) {
+    if (seen[i].points > 0) picture->layer[seen[i].number] = seen[i].layer;
+  }
+  enough = enough && mesh_lines_find(picture, seen, count);
   for (uint32_t i = 0; enough && i < count; ++i) {
     if (seen[i].points == 0) continue;
-    picture->layer[seen[i].number] = seen[i].layer;
     if (seen[i].whole) picture->points[seen[i].number] = seen[i].points;
     add_triangle(picture, seen[i].number);
   }

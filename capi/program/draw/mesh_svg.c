@@ -13,10 +13,6 @@
 
 static const double section_line = 22.0;
 
-/* Halves of units. Lines of creases are wider, as no edge may lie on the edge of another line. */
-#define AREA_LINE "12"
-#define CREASE_LINE "18"
-
 #define LEGEND_CIRCLE 0.4 /* of the light, on which the colours of legends are */
 
 enum { HYDROGEN = 1, CARBON = 6, ELEMENTS = 119 };
@@ -76,10 +72,9 @@ static bool add_creases(const struct mesh_picture *picture, struct text_buffer *
   for (size_t i = 0, end = 0; enough && i < creases->count; i = end) {
     const uint32_t sphere = creases->edge[i].paint - FIRST_SPHERE;
     end = painted_edges_end(creases, i);
-    text_buffer_add(out,
-                    "<path fill=\"none\" stroke=\"url(#s%" PRIu32 ")\" stroke-width=\"" CREASE_LINE
-                    "\" stroke-linecap=\"butt\" d=\"",
-                    sphere);
+    text_buffer_add(
+        out, "<path fill=\"none\" stroke=\"url(#s%" PRIu32 ")\" stroke-width=\"%.0f\" stroke-linecap=\"butt\" d=\"",
+        sphere, 2.0 * CREASE_LINE);
     enough = painted_edges_write(creases, i, end, false, true, out);
     text_buffer_add(out, "\"/>\n");
     paints[(*spheres)++] = sphere;
@@ -261,8 +256,10 @@ bool mesh_add_svg(struct mesh_picture *picture, const char *title, struct text_b
                   frame->width, height, mesh_page_colour(picture));
   for (size_t i = 0; i < spheres; ++i) add_sphere(picture, out, paints[i]);
   /* Outlines are in halves of units. */
-  text_buffer_add(out, "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"" AREA_LINE
-                       "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
+  text_buffer_add(
+      out,
+      "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"%.0f\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n",
+      2.0 * AREA_LINE);
   enough = enough && add_section_area(picture, out);
   text_buffer_append(out, areas.text, areas.length);
   enough = enough && add_lines(picture, out);
