@@ -239,6 +239,25 @@ TEST(Annotations, LabelsOfBridgesAreApart) {
   }
 }
 
+// A line that ends on another ball than its own seems to name that one.
+TEST(Annotations, LinesEndBesideOtherBalls) {
+  const std::string svg = drawn(crambin(), {"--as", "ball-and-stick", "--highlight", "residue:CYS", "--view",
+                                            "highlight", "--label", "residue", "--style", "flat", "--look", "paper"});
+  size_t ends = 0;
+  for (const Text &text : texts_of(svg)) {
+    for (const Line &line : leaders_of(svg, text.size)) {
+      const bool level = std::fabs(line.from[1] - (text.y - 0.36 * text.size)) < 1;
+      if (!level || std::fabs(line.from[0] - text.x) > 0.3 * text.size) continue;
+      ++ends;
+      for (const std::string &ball : elements(svg, "<circle data-ball=")) {
+        const double x = number_after(ball, " cx=\"") - line.from[0], y = number_after(ball, " cy=\"") - line.from[1];
+        EXPECT_GT(std::hypot(x, y), number_after(ball, " r=\"") - 2) << text.text;
+      }
+    }
+  }
+  EXPECT_GE(ends, 3u);
+}
+
 TEST(Annotations, OnlyWhatIsHighlightedIsNamed) {
   const std::string svg = drawn(crambin(), {"--label", "residue", "--highlight", "residue:CYS"});
   const std::vector<Text> texts = texts_of(svg);

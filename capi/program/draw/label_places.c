@@ -15,6 +15,7 @@ static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5,
 static const double near_by = 4.0, cost_of_far = 8.0; /* a name farther away is looked for: for each length beyond */
 static const double cost_across[2] = {15.0, 400.0};   /* for a length across what is not selected, and what is */
 static const double across_ball = 2.0;                /* times as much: a bond under a line is still a bond */
+static const double cost_of_end = 8.0;                /* on another body, which it seems to name then */
 static const double cost_of_cover[2] = {300.0, 6e3};  /* for a label all over them */
 
 enum { PASSES = 4, MOST_PAIRED = 24 };
@@ -178,6 +179,8 @@ static void offer(struct search *search, const struct placed_label *label, doubl
   find_cover(search->taken, label->box, 0.0, letters);
   find_cover(search->taken, label->box, label->has_line ? clear * page->size : 0.0, cover);
   for (int k = 0; k < 2; ++k) cost += cost_of_cover[k] * (letters[k] + cover[k]) / 2.0;
+  const uint32_t end = front_grid_owner(page->front, label->from[0], label->from[1]);
+  if (label->has_line && end != FRONT_GRID_NOTHING && end != label->atom) cost += cost_of_end;
   if (!(cost < search->cost)) return;
   if (box_is_marked(&search->marks, label->box)) return;
   search->best = *label;
