@@ -158,4 +158,23 @@ TEST(MeshFacing, CreasesHaveTwoSides) {
   EXPECT_EQ(crease.mesh.triangles, 4u);
 }
 
+// Where the probe is in its place the surface turns to the probe's centre, whatever its vertices have for normals.
+TEST(MeshFacing, PlacesOfTheProbe) {
+  Mesh place(3, 1);
+  const std::array<double, 9> at{1, 0, 0, 0, 1, 0, -1, -1, 0};
+  std::copy(at.begin(), at.end(), place.mesh.xyz);
+  for (uint32_t k = 0; k < 3; ++k) {
+    place.mesh.corners[k] = k;
+    place.mesh.normals[3 * k] = 1;
+  }
+  place.mesh.kinds[0] = HSP_PATCH_CONCAVE;
+  mesh_patch patch{};
+  patch.probe[2] = 1;
+  mesh_view view{};
+  view.patches = &patch;
+  view.axis[2][2] = 1;
+  const molecule none{};
+  EXPECT_NEAR(mesh_facing(&place.mesh, &view, &none, 0), 2 / std::sqrt(2) + 1 / std::sqrt(3), 1e-12);
+}
+
 }  // namespace
