@@ -179,8 +179,10 @@ static void offer(struct search *search, const struct placed_label *label, doubl
   find_cover(search->taken, label->box, 0.0, letters);
   find_cover(search->taken, label->box, label->has_line ? clear * page->size : 0.0, cover);
   for (int k = 0; k < 2; ++k) cost += cost_of_cover[k] * (letters[k] + cover[k]) / 2.0;
-  const uint32_t end = front_grid_owner(page->front, label->from[0], label->from[1]);
-  if (label->has_line && end != FRONT_GRID_NOTHING && end != label->atom) cost += cost_of_end;
+  if (label->has_line) {
+    const uint32_t end = front_grid_owner(page->front, label->from[0], label->from[1]);
+    if (end != FRONT_GRID_NOTHING && end != label->atom) cost += cost_of_end;
+  }
   if (!(cost < search->cost)) return;
   if (box_is_marked(&search->marks, label->box)) return;
   search->best = *label;
