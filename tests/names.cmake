@@ -9,6 +9,16 @@ function(hsp_name_test result file)
   set(${result} ${name} PARENT_SCOPE)
 endfunction()
 
+# Tests that take longer than a few seconds: those of the names that this build has. They start first, so that no core
+# waits for another at the end.
+function(hsp_slow_tests)
+  foreach(name ${ARGN})
+    if(TEST ${name})
+      set_tests_properties(${name} PROPERTIES LABELS slow COST 1000)
+    endif()
+  endforeach()
+endfunction()
+
 # A script that is a test; further arguments are the script's. VARIANT: one of several tests by the same script.
 function(hsp_script_test file)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "VARIANT" "")
