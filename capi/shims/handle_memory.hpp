@@ -12,8 +12,10 @@
 
 namespace hsp::capi {
 
+// Once for each handle: a function of its own, and short, as it is compiled for every kind of them.
 template <class Handle, class Limits>
-Handle *carve(Workspace &workspace, const Limits &limits, typename Handle::Builder &builder) {
+[[gnu::noinline, gnu::cold]] Handle *carve(Workspace &workspace, const Limits &limits,
+                                           typename Handle::Builder &builder) {
   const Span<Handle> handle = workspace.take<Handle>(1);
   builder.carve(workspace, limits);
   return handle.data();

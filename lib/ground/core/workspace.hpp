@@ -56,7 +56,9 @@ class Workspace {
   size_t bytes() const { return overflow_ || used_ > SIZE_MAX - alignment ? 0 : used_ + alignment; }
 
  private:
-  void *reserve(uint64_t count, size_t size) {
+  // The bytes of an array, and of the pad behind it; null while measuring, or where the block ends before they do. Not
+  // inlined: handles are carved of dozens of arrays.
+  [[gnu::noinline]] void *reserve(uint64_t count, size_t size) {
     if (used_ > SIZE_MAX / 2 || count > (SIZE_MAX / 2 - used_) / size) {  // padding can exceed half of SIZE_MAX
       overflow_ = true;
       return nullptr;
