@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "read/growing_array.h"
+
 /* The nearest ball of any point of the void has a face on it, and a sphere that meets none of these balls lies either
  * in the void or outside it: the balls of the wall are all that counts. The largest empty sphere touches four of them
  * in independent directions. Boxes are halved until few balls can be the nearest ones there, and then the spheres that
@@ -76,13 +78,9 @@ static bool offer(struct search *search, const double point[3], double clearance
 }
 
 static bool push_box(struct search *search, const struct box *box, struct failure *failure) {
-  if (search->box_count == search->box_capacity) {
-    const size_t capacity = search->box_capacity == 0 ? 64 : 2 * search->box_capacity;
-    struct box *boxes = realloc(search->boxes, capacity * sizeof *boxes);
-    if (boxes == NULL) return failure_of_memory(failure);
-    search->boxes = boxes;
-    search->box_capacity = capacity;
-  }
+  struct box *const grown = array_with_room(search->boxes, sizeof *grown, search->box_count, &search->box_capacity);
+  if (grown == NULL) return failure_of_memory(failure);
+  search->boxes = grown;
   search->boxes[search->box_count++] = *box;
   return true;
 }

@@ -3,16 +3,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "read/growing_array.h"
+
 void contour_pieces_add(struct contour_pieces *pieces, const struct contour_piece *piece) {
   if (pieces->out_of_memory) return;
-  if (pieces->count == pieces->room) {
-    const size_t room = 2 * pieces->room + 1024;
-    struct contour_piece *const grown = realloc(pieces->piece, room * sizeof *grown);
-    pieces->out_of_memory = grown == NULL;
-    if (grown == NULL) return;
-    pieces->piece = grown;
-    pieces->room = room;
-  }
+  struct contour_piece *const grown = array_with_room(pieces->piece, sizeof *grown, pieces->count, &pieces->room);
+  pieces->out_of_memory = grown == NULL;
+  if (grown == NULL) return;
+  pieces->piece = grown;
   pieces->piece[pieces->count++] = *piece;
 }
 

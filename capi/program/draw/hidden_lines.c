@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "read/growing_array.h"
+
 bool hidden_lines_begin(const struct seen_triangle *triangle, uint32_t count, double plane,
                         struct hidden_lines *lines) {
   *lines = (struct hidden_lines){.triangle = triangle, .plane = plane, .squares = MESH_SQUARES_NONE};
@@ -58,13 +60,9 @@ static int compare(const void *left, const void *right) {
 
 /* One more than is asked for, as between n hidden parts there are n + 1 others. */
 static bool make_room(struct hidden_lines *lines) {
-  if (lines->spans + 1 < lines->room) return true;
-  const size_t room = 2 * lines->room + 64;
-  struct span *const grown = realloc(lines->span, room * sizeof *grown);
-  if (grown == NULL) return false;
-  lines->span = grown;
-  lines->room = room;
-  return true;
+  struct span *const grown = array_with_room(lines->span, sizeof *grown, lines->spans + 1, &lines->room);
+  if (grown != NULL) lines->span = grown;
+  return grown != NULL;
 }
 
 /* In place: the gap before a hidden part is written where an earlier one was read, as there is one more at the end. */

@@ -3,19 +3,17 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "read/growing_array.h"
+
 /* A line is moved from where it ends on, along so many of its widths. */
 static const double taper = 6.0;
 
 void creases_add(struct creases *creases, const struct crease *crease) {
   if (creases->out_of_memory) return;
-  if (creases->count == creases->room) {
-    const size_t room = 2 * creases->room + 256;
-    struct crease *const grown = realloc(creases->crease, room * sizeof *grown);
-    creases->out_of_memory = grown == NULL;
-    if (grown == NULL) return;
-    creases->crease = grown;
-    creases->room = room;
-  }
+  struct crease *const grown = array_with_room(creases->crease, sizeof *grown, creases->count, &creases->room);
+  creases->out_of_memory = grown == NULL;
+  if (grown == NULL) return;
+  creases->crease = grown;
   creases->crease[creases->count++] = *crease;
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "draw/mesh_squares.h"
+#include "read/growing_array.h"
 
 static int compare(const void *left, const void *right) {
   const struct seen_triangle *a = left;
@@ -78,13 +79,9 @@ struct pairs {
 };
 
 static bool add_pair(struct pairs *pairs, uint32_t lower, uint32_t upper) {
-  if (pairs->count == pairs->room) {
-    const size_t room = 2 * pairs->room + 1024;
-    uint32_t(*const grown)[2] = realloc(pairs->pair, room * sizeof *grown);
-    if (grown == NULL) return false;
-    pairs->pair = grown;
-    pairs->room = room;
-  }
+  uint32_t(*const grown)[2] = array_with_room(pairs->pair, sizeof *grown, pairs->count, &pairs->room);
+  if (grown == NULL) return false;
+  pairs->pair = grown;
   pairs->pair[pairs->count][0] = lower;
   pairs->pair[pairs->count++][1] = upper;
   return true;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "draw/mesh_parts.h"
+#include "read/growing_array.h"
 
 static const double thinnest = 1.0; /* of areas, in units */
 
@@ -15,14 +16,10 @@ static const double slack_squared[2] = {1.0, 30.0}, slack_squared_of_lines = 0.5
 
 void painted_edges_add(struct painted_edges *edges, const struct painted_edge *edge) {
   if (memcmp(edge->from, edge->to, sizeof edge->from) == 0 || edges->out_of_memory) return;
-  if (edges->count == edges->room) {
-    const size_t room = 2 * edges->room + 1024;
-    struct painted_edge *const grown = realloc(edges->edge, room * sizeof *grown);
-    edges->out_of_memory = grown == NULL;
-    if (grown == NULL) return;
-    edges->edge = grown;
-    edges->room = room;
-  }
+  struct painted_edge *const grown = array_with_room(edges->edge, sizeof *grown, edges->count, &edges->room);
+  edges->out_of_memory = grown == NULL;
+  if (grown == NULL) return;
+  edges->edge = grown;
   edges->edge[edges->count++] = *edge;
 }
 

@@ -3,18 +3,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "read/growing_array.h"
 #include "read/line_reader.h"
 #include "read/molecule.h"
 #include "read/number.h"
 
 static bool begin_group(struct index_file *file, struct field name, struct failure *failure) {
-  if (file->count == file->capacity) {
-    const size_t capacity = file->capacity == 0 ? 16 : 2 * file->capacity;
-    struct index_group *const group = realloc(file->group, capacity * sizeof *group);
-    if (group == NULL) return failure_of_memory(failure);
-    file->group = group;
-    file->capacity = capacity;
-  }
+  struct index_group *const grown = array_with_room(file->group, sizeof *grown, file->count, &file->capacity);
+  if (grown == NULL) return failure_of_memory(failure);
+  file->group = grown;
   struct index_group *const group = &file->group[file->count++];
   memset(group, 0, sizeof *group);
   label_copy(group->name, sizeof group->name, name);
@@ -22,13 +19,9 @@ static bool begin_group(struct index_file *file, struct field name, struct failu
 }
 
 static bool add_atom(struct index_group *group, uint32_t place, struct failure *failure) {
-  if (group->count == group->capacity) {
-    const size_t capacity = group->capacity == 0 ? 64 : 2 * group->capacity;
-    uint32_t *const grown = realloc(group->place, capacity * sizeof *grown);
-    if (grown == NULL) return failure_of_memory(failure);
-    group->place = grown;
-    group->capacity = capacity;
-  }
+  uint32_t *const grown = array_with_room(group->place, sizeof *grown, group->count, &group->capacity);
+  if (grown == NULL) return failure_of_memory(failure);
+  group->place = grown;
   group->place[group->count++] = place;
   return true;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "hardsphere.h"
+#include "read/growing_array.h"
 #include "read/residue_kinds.h"
 #include "read/text_buffer.h"
 
@@ -109,14 +110,10 @@ struct atom_extra *molecule_last_extra(const struct molecule *molecule) {
 }
 
 bool molecule_add_bond(struct molecule *molecule, const struct stated_bond *bond, struct failure *failure) {
-  if (molecule->bonds == molecule->bond_capacity) {
-    const size_t capacity = molecule->bond_capacity == 0 ? 64 : 2 * molecule->bond_capacity;
-    if (capacity > SIZE_MAX / sizeof *molecule->bond) return failure_of_memory(failure);
-    struct stated_bond *grown = realloc(molecule->bond, capacity * sizeof *grown);
-    if (grown == NULL) return failure_of_memory(failure);
-    molecule->bond = grown;
-    molecule->bond_capacity = capacity;
-  }
+  struct stated_bond *const grown =
+      array_with_room(molecule->bond, sizeof *grown, molecule->bonds, &molecule->bond_capacity);
+  if (grown == NULL) return failure_of_memory(failure);
+  molecule->bond = grown;
   molecule->bond[molecule->bonds++] = *bond;
   return true;
 }

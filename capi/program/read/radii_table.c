@@ -6,6 +6,7 @@
 
 #include "read/characters.h"
 #include "read/fields.h"
+#include "read/growing_array.h"
 #include "read/line_reader.h"
 #include "read/words.h"
 
@@ -54,28 +55,18 @@ static bool names_hydrogen(const char *atom) {
   return *atom == 'H' || *atom == 'D';
 }
 
-/* Room for one more of `size` bytes; false when memory is short. */
-static bool make_room(void **items, size_t count, size_t *capacity, size_t size, struct failure *failure) {
-  if (count < *capacity) return true;
-  const size_t larger = *capacity == 0 ? 64 : 2 * *capacity;
-  void *moved = larger > SIZE_MAX / size ? NULL : realloc(*items, larger * size);
-  if (moved == NULL) return failure_of_memory(failure);
-  *items = moved;
-  *capacity = larger;
-  return true;
-}
-
 /* An entry that has neither type nor radius yet; NULL: it cannot be added. */
 static hsp_residue_atom *add_entry(struct reading *reading, struct field residue, struct field atom) {
   struct radii_table *table = reading->table;
-  void *entries = table->entries;
-  void *sources = reading->sources;
-  const bool room =
-      make_room(&entries, table->count, &table->capacity, sizeof *table->entries, reading->failure) &&
-      make_room(&sources, table->count, &reading->source_capacity, sizeof *reading->sources, reading->failure);
-  table->entries = entries;
-  reading->sources = sources;
-  if (!room) return NULL;
+  void *const entries = array_with_room(table->entries, sizeof *table->entries, table->count, &table->capacity);
+  if (entries != NULL) table->entries = entries;
+  void *const sources =
+      array_with_room(reading->sources, sizeof *reading->sources, table->count, &reading->source_capacity);
+  if (sources != NULL) reading->sources = sources;
+  if (entries == NULL || sources == NULL) {
+    failure_of_memory(reading->failure);
+    return NULL;
+  }
   hsp_residue_atom *entry = &table->entries[table->count];
   *entry = (hsp_residue_atom){"", "", 0.0};
   const struct field any = {"ANY", 3};
@@ -165,11 +156,10 @@ bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *f
 static bool read_type(struct reading *reading, const struct field *part, size_t count) {
   const uint64_t line = reading->reader->number;
   if (count != 2 && count != 3) return failure_in_input(reading->failure, line, "expected a type and its radius");
-  void *types = reading->types;
-  const bool room =
-      make_room(&types, reading->type_count, &reading->type_capacity, sizeof *reading->types, reading->failure);
-  reading->types = types;
-  if (!room) return false;
+  struct radii_type *const grown =
+      array_with_room(reading->types, sizeof *grown, reading->type_count, &reading->type_capacity);
+  if (grown == NULL) return failure_of_memory(reading->failure);
+  reading->types = grown;
   struct radii_type *type = &reading->types[reading->type_count];
   if (!copy_name(type->name.text, sizeof type->name.text, part[0])) {
     return failure_in_input(reading->failure, line, "a name of more than %d characters",

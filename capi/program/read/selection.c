@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "read/characters.h"
+#include "read/growing_array.h"
 #include "read/number.h"
 
 enum key { KEY_CHAIN, KEY_RESIDUE, KEY_ELEMENT, KEY_ATOM, KEY_GROUP, KEY_WATER, KEY_HETATM, KEY_HYDROGEN };
@@ -28,13 +29,10 @@ struct selection_item {
 };
 
 static bool add_item(struct selection *selection, const struct selection_item *item, struct failure *failure) {
-  if (selection->count == selection->capacity) {
-    const size_t capacity = selection->capacity == 0 ? 8 : 2 * selection->capacity;
-    struct selection_item *items = realloc(selection->items, capacity * sizeof *items);
-    if (items == NULL) return failure_of_memory(failure);
-    selection->items = items;
-    selection->capacity = capacity;
-  }
+  struct selection_item *const grown =
+      array_with_room(selection->items, sizeof *grown, selection->count, &selection->capacity);
+  if (grown == NULL) return failure_of_memory(failure);
+  selection->items = grown;
   selection->items[selection->count++] = *item;
   return true;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "read/characters.h"
+#include "read/growing_array.h"
 #include "read/number.h"
 
 /* Digits behind the point of coordinates in PDB files: three. A point and its image are each rounded by up to half of
@@ -21,14 +22,10 @@ static bool give_up(struct symmetry *symmetry) {
 
 static bool add_operator(struct symmetry *symmetry, const struct symmetry_operator *added, struct failure *failure) {
   if (symmetry->count == MOST_OPERATORS) return give_up(symmetry);
-  if (symmetry->count == symmetry->capacity) {
-    const size_t capacity = symmetry->capacity == 0 ? 8 : 2 * symmetry->capacity;
-    struct symmetry_operator *grown =
-        capacity > SIZE_MAX / sizeof *grown ? NULL : realloc(symmetry->operators, capacity * sizeof *grown);
-    if (grown == NULL) return failure_of_memory(failure);
-    symmetry->operators = grown;
-    symmetry->capacity = capacity;
-  }
+  struct symmetry_operator *const grown =
+      array_with_room(symmetry->operators, sizeof *grown, symmetry->count, &symmetry->capacity);
+  if (grown == NULL) return failure_of_memory(failure);
+  symmetry->operators = grown;
   symmetry->operators[symmetry->count++] = *added;
   return true;
 }

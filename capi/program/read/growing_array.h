@@ -1,0 +1,15 @@
+/* Arrays that grow as items are added: an address, how many items it has room for, and how many there are. */
+#ifndef HARDSPHERE_TOOL_GROWING_ARRAY_H
+#define HARDSPHERE_TOOL_GROWING_ARRAY_H
+
+#include <stddef.h>
+
+/* The array with twice the room, at first 64 items of `size` bytes. NULL: memory is short; the array stays as it was. */
+void *array_grown(void *array, size_t size, size_t *room);
+
+/* The array with room for one more than `count` items; NULL as above. */
+static inline void *array_with_room(void *array, size_t size, size_t count, size_t *room) {
+  return count < *room ? array : array_grown(array, size, room);
+}
+
+#endif
