@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-/* The array with twice the room, at first 64 items of `size` bytes. NULL: memory is short; the array stays as it was. */
+/* The array with twice the room, at first 64 items of `size` bytes. NULL: memory is short, and it stays as it was. */
 void *array_grown(void *array, size_t size, size_t *room);
 
 /* The array with room for one more than `count` items; NULL as above. */
