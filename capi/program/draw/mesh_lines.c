@@ -8,6 +8,7 @@
 #include "draw/dot_product.h"
 #include "draw/hidden_lines.h"
 #include "draw/mesh_creases.h"
+#include "draw/mesh_sides.h"
 #include "hardsphere.h"
 
 /* Shares of the mean radius on the page, and tenths of a px. */
@@ -63,12 +64,6 @@ static uint32_t level_of(double share, uint32_t levels) {
   return share < 1.0 ? (uint32_t)(share * levels + 0.5) : levels;
 }
 
-/* Of a triangle, in the direction in which it is counter-clockwise on the page, or `back`. */
-struct side {
-  uint32_t low, high, triangle;
-  bool back;
-};
-
 /* Lines while they are found. */
 struct line_search {
   struct hidden_lines hidden;
@@ -78,41 +73,8 @@ struct line_search {
   uint32_t *nearer; /* [vertices], the patch of a contour that is seen there, or NO_PATCH */
 };
 
-static bool is_before(const struct side *a, const struct side *b) {
-  return a->high != b->high ? a->high < b->high : a->triangle < b->triangle;
-}
-
-/* By their ends, those of one edge side by side: by the lower one they are counted, of each of which there are few. To
- * be freed; NULL for want of memory. */
-static struct side *find_sides(const struct triangle_mesh *mesh) {
-  const size_t corners = 3 * (size_t)mesh->triangles;
-  struct side *sides = calloc(corners + 1, sizeof *sides);
-  size_t *begin = calloc((size_t)mesh->vertices + 2, sizeof *begin);
-  for (int pass = 0; pass < 2 && sides != NULL && begin != NULL; ++pass) {
-    for (size_t corner = 0; corner < corners; ++corner) {
-      const uint32_t from = mesh->corners[corner], to = mesh->corners[corner % 3 == 2 ? corner - 2 : corner + 1];
-      const struct side side = {from < to ? from : to, from < to ? to : from, (uint32_t)(corner / 3), from > to};
-      if (pass == 0) {
-        ++begin[side.low + 2];
-        continue;
-      }
-      size_t at = begin[side.low + 1]++;
-      while (at > 0 && sides[at - 1].low == side.low && is_before(&side, &sides[at - 1])) {
-        sides[at] = sides[at - 1];
-        --at;
-      }
-      sides[at] = side;
-    }
-    for (size_t v = 2; v < (size_t)mesh->vertices + 2 && pass == 0; ++v) begin[v] += begin[v - 1];
-  }
-  if (begin == NULL) free(sides);
-  if (begin == NULL) return NULL;
-  free(begin);
-  return sides;
-}
-
 /* The ends of an edge, in the direction of the first side. */
-static struct seen_line line_of(const struct mesh_picture *picture, const struct side *side) {
+static struct seen_line line_of(const struct mesh_picture *picture, const struct mesh_side *side) {
   struct seen_line line = {.beside = {side[0].triangle, side[1].triangle}};
   for (int k = 0; k < 2; ++k) {
     const uint32_t vertex = (k == 0) != side->back ? side->low : side->high;
@@ -156,12 +118,12 @@ static bool has_strip(const struct mesh_picture *picture, const struct hidden_li
 /* Of the part of a contour, by the least gap just outside its line: as in contours of balls (ink.hpp) widths grow with
  * the power 5/8 of the gap in mean radii. 0 where it doubles another one. */
 static void set_level(const struct mesh_picture *picture, const struct hidden_lines *hidden,
-                      const struct seen_line *line, double from, double to, struct contour_piece *piece) {
+                      const struct seen_line *line, struct span span, struct contour_piece *piece) {
   const double full = full_gap * picture->mean_radius;
   double gap = INFINITY;
   bool doubles = true;
   for (int half = 0; half <= 2; ++half) {
-    const double share = from + (to - from) * half / 2.0;
+    const double share = span.from + (span.to - span.from) * half / 2.0;
     gap = fmin(gap, gap_outside(hidden, line, share, contour_width(picture) / 2.0));
     doubles = doubles && has_strip(picture, hidden, line, share);
   }
@@ -171,7 +133,7 @@ static void set_level(const struct mesh_picture *picture, const struct hidden_li
 }
 
 /* Seen from the side a line on a surface is foreshortened. */
-static uint32_t border_level(const struct mesh_picture *picture, const struct side *side) {
+static uint32_t border_level(const struct mesh_picture *picture, const struct mesh_side *side) {
   double towards = 0.0;
   if (hairline_width(picture) < thinnest_hairline) return 0;
   for (int k = 0; k < 2; ++k) {
@@ -187,13 +149,12 @@ static uint32_t border_level(const struct mesh_picture *picture, const struct si
   return share > 0.0 ? level_of(share, BORDER_LEVELS) : 0;
 }
 
-static void add_edge_between(struct painted_edges *edges, const double points[2][2], double from, double to,
-                             uint32_t paint) {
+static void add_edge_between(struct painted_edges *edges, const double points[2][2], struct span span, uint32_t paint) {
   struct painted_edge edge = {.layer = 0, .paint = paint};
   for (int axis = 0; axis < 2; ++axis) {
     const double at = points[0][axis], along = points[1][axis] - at;
-    edge.from[axis] = mesh_rounded(at + from * along);
-    edge.to[axis] = mesh_rounded(at + to * along);
+    edge.from[axis] = mesh_rounded(at + span.from * along);
+    edge.to[axis] = mesh_rounded(at + span.to * along);
   }
   painted_edges_add(edges, &edge);
 }
@@ -289,6 +250,11 @@ static bool find_behind(const struct seen_line *line, double plane, double range
   return true;
 }
 
+/* The part of a span within a range; empty unless `from` is less than `to`. */
+static struct span clipped(struct span span, const double range[2]) {
+  return (struct span){fmax(span.from, range[0]), fmin(span.to, range[1])};
+}
+
 /* The seen part of a line behind the plane. paint: or 0 of a contour, whose paint depends on where. */
 static bool add_line(struct mesh_picture *picture, struct line_search *search, const struct seen_line *line,
                      double plane, uint32_t paint) {
@@ -302,19 +268,19 @@ static bool add_line(struct mesh_picture *picture, struct line_search *search, c
   if (paint == 0) add_hidden_ends(search, line);
   if (paint == 0) set_nearer(picture, search, line);
   for (size_t i = 0; i < hidden->spans; ++i) {
-    const double from = fmax(hidden->span[i].from, range[0]), to = fmin(hidden->span[i].to, range[1]);
-    if (from >= to) continue;
+    const struct span span = clipped(hidden->span[i], range);
+    if (span.from >= span.to) continue;
     if (paint > 0) {
-      add_edge_between(&picture->lines, ends, from, to, paint);
+      add_edge_between(&picture->lines, ends, span, paint);
       continue;
     }
-    struct contour_piece piece = {
-        .vertex = {from > 0.0 ? NO_CONTOUR_VERTEX : line->vertex[0], to < 1.0 ? NO_CONTOUR_VERTEX : line->vertex[1]}};
-    set_level(picture, hidden, line, from, to, &piece);
+    struct contour_piece piece = {.vertex = {span.from > 0.0 ? NO_CONTOUR_VERTEX : line->vertex[0],
+                                             span.to < 1.0 ? NO_CONTOUR_VERTEX : line->vertex[1]}};
+    set_level(picture, hidden, line, span, &piece);
     piece.paint = contour_paint(picture, line);
     for (int k = 0; k < 4; ++k) {
       const int axis = k % 2;
-      piece.at[k / 2][axis] = ends[0][axis] + (k < 2 ? from : to) * (ends[1][axis] - ends[0][axis]);
+      piece.at[k / 2][axis] = ends[0][axis] + (k < 2 ? span.from : span.to) * (ends[1][axis] - ends[0][axis]);
     }
     contour_pieces_add(&search->contours, &piece);
   }
@@ -334,7 +300,7 @@ static void add_area_line(struct mesh_picture *picture, const struct contour_pie
     line[end][0] = piece->at[end][0] + by * along[1];
     line[end][1] = piece->at[end][1] - by * along[0];
   }
-  add_edge_between(&picture->creases, (const double(*)[2])line, 0.0, 1.0, piece->paint);
+  add_edge_between(&picture->creases, (const double(*)[2])line, (struct span){0.0, 1.0}, piece->paint);
 }
 
 /* In parts of one level each. */
@@ -353,9 +319,9 @@ static bool add_contours(struct mesh_picture *picture, const struct contour_piec
     const double *const most = piece->most;
     const uint32_t parts = piece->level > fmin(most[0], most[1]) && steps > 1.0 ? (uint32_t)steps : 1;
     for (uint32_t part = 0; part < parts && piece->level > 0.0; ++part) {
-      const double from = (double)part / parts, to = (part + 1.0) / parts;
-      const uint32_t level = (uint32_t)(contour_piece_level(piece, slope, from / 2.0 + to / 2.0) + 0.5);
-      add_edge_between(&picture->lines, (const double(*)[2])piece->at, from, to,
+      const struct span span = {(double)part / parts, (part + 1.0) / parts};
+      const uint32_t level = (uint32_t)(contour_piece_level(piece, slope, span.from / 2.0 + span.to / 2.0) + 0.5);
+      add_edge_between(&picture->lines, (const double(*)[2])piece->at, span,
                        (piece->outline && picture->view->dark ? FIRST_OUTLINE : FIRST_CONTOUR) +
                            (level > THINNEST_LEVEL ? level : THINNEST_LEVEL));
     }
@@ -365,7 +331,7 @@ static bool add_contours(struct mesh_picture *picture, const struct contour_piec
 }
 
 /* The paint of a line between two triangles of which the same side is seen; 0: there is none. */
-static uint32_t border_paint(const struct mesh_picture *picture, const struct side *side) {
+static uint32_t border_paint(const struct mesh_picture *picture, const struct mesh_side *side) {
   int pocket[2], seen_as[2];
   for (int k = 0; k < 2; ++k) {
     const uint32_t triangle = side[k].triangle;
@@ -392,7 +358,7 @@ static uint32_t colour_at(struct mesh_picture *picture, uint32_t triangle) {
 
 /* Whether the spheres of two patches meet along an edge, or two colours, of which one is a sphere's: what goes on over
  * the other is seen there. */
-static bool is_crease(struct mesh_picture *picture, const struct side *side) {
+static bool is_crease(struct mesh_picture *picture, const struct mesh_side *side) {
   const uint32_t triangle[2] = {side[0].triangle, side[1].triangle};
   if (picture->mesh->patches[triangle[0]] == picture->mesh->patches[triangle[1]]) return false;
   const int spheres = mesh_is_of_sphere(picture, triangle[0]) + mesh_is_of_sphere(picture, triangle[1]);
@@ -401,7 +367,7 @@ static bool is_crease(struct mesh_picture *picture, const struct side *side) {
 
 /* An edge of a crease, with the patch with the lower number on the side that struct crease has it on: on the other one
  * of inner sides, which are seen the other way round. */
-static struct seen_line crease_line(const struct mesh_picture *picture, const struct side *side) {
+static struct seen_line crease_line(const struct mesh_picture *picture, const struct mesh_side *side) {
   const struct seen_line line = line_of(picture, side);
   const bool first = picture->mesh->patches[side[0].triangle] < picture->mesh->patches[side[1].triangle];
   if (first == picture->faces[side->triangle]) return line;
@@ -415,7 +381,7 @@ static struct seen_line crease_line(const struct mesh_picture *picture, const st
 }
 
 /* Whether one triangle beside an edge of a crease is. */
-static bool is_painted_later(const struct mesh_picture *picture, const struct side *side, int k) {
+static bool is_painted_later(const struct mesh_picture *picture, const struct mesh_side *side, int k) {
   const uint32_t own = side[k].triangle, other = side[1 - k].triangle;
   const uint32_t layer[2] = {picture->layer[own] + 1, picture->layer[other] + 1}; /* 0: not painted */
   if (layer[0] != layer[1]) return layer[0] > layer[1];
@@ -425,7 +391,7 @@ static bool is_painted_later(const struct mesh_picture *picture, const struct si
 }
 
 /* Which patch of a crease goes on over the other is known when all contours are. */
-static void add_crease(const struct mesh_picture *picture, const struct side *side, size_t edge,
+static void add_crease(const struct mesh_picture *picture, const struct mesh_side *side, size_t edge,
                        struct creases *creases) {
   const struct seen_line line = crease_line(picture, side);
   const uint32_t patch[2] = {picture->mesh->patches[side[0].triangle], picture->mesh->patches[side[1].triangle]};
@@ -442,13 +408,13 @@ static void add_crease(const struct mesh_picture *picture, const struct side *si
   creases_add(creases, &crease);
 }
 
-static bool add_creases(struct mesh_picture *picture, struct line_search *search, const struct side *sides) {
+static bool add_creases(struct mesh_picture *picture, struct line_search *search, const struct mesh_side *sides) {
   const struct hidden_lines *const hidden = &search->hidden;
   const double width[2] = {CREASE_LINE, AREA_LINE};
   if (!creases_choose(&search->creases, search->nearer, picture->patch_points, width)) return false;
   for (size_t i = 0; i < search->creases.count; ++i) {
     const struct crease *const crease = &search->creases.crease[i];
-    const struct side *const side = &sides[crease->edge];
+    const struct mesh_side *const side = &sides[crease->edge];
     const struct seen_line line = crease_line(picture, side);
     const bool of_void = mesh_parts_is_of_void(&picture->parts, side->low);
     double range[2];
@@ -459,30 +425,27 @@ static bool add_creases(struct mesh_picture *picture, struct line_search *search
     const uint32_t triangle = side[first ? 0 : 1].triangle;
     const uint32_t paint = mesh_sphere_paint(picture, triangle, mesh_side_of(picture, triangle));
     for (size_t n = 0; n < hidden->spans; ++n) {
-      const double from = fmax(hidden->span[n].from, range[0]), to = fmin(hidden->span[n].to, range[1]);
-      if (from < to) add_edge_between(&picture->creases, crease->line, from, to, paint);
+      const struct span span = clipped(hidden->span[n], range);
+      if (span.from < span.to) add_edge_between(&picture->creases, crease->line, span, paint);
     }
   }
   return true;
 }
 
-static bool is_edge(const struct side *side) {
-  return side[0].low == side[1].low && side[0].high == side[1].high;
-}
-
-static bool is_of_contour(const struct mesh_picture *picture, const struct side *side) {
+static bool is_of_contour(const struct mesh_picture *picture, const struct mesh_side *side) {
   return mesh_faces_viewer(picture, side[0].triangle) != mesh_faces_viewer(picture, side[1].triangle);
 }
 
 /* Of two sides of one edge. */
-static bool add_edge(struct mesh_picture *picture, struct line_search *search, const struct side *sides, size_t edge) {
-  const struct side *const side = &sides[edge];
+static bool add_edge(struct mesh_picture *picture, struct line_search *search, const struct mesh_side *sides,
+                     size_t edge) {
+  const struct mesh_side *const side = &sides[edge];
   const bool shown[2] = {picture->shown[side[0].triangle], picture->shown[side[1].triangle]};
   const bool of_void = mesh_parts_is_of_void(&picture->parts, side->low);
   const double plane = of_void ? INFINITY : picture->parts.cut;
   if (is_of_contour(picture, side)) {
     const bool front = mesh_faces_viewer(picture, side->triangle);
-    struct side turned[2] = {side[front ? 0 : 1], side[front ? 1 : 0]};
+    struct mesh_side turned[2] = {side[front ? 0 : 1], side[front ? 1 : 0]};
     if (of_void) turned[0].back = !turned[0].back;
     struct seen_line line = line_of(picture, turned);
     const bool any = line.at[0][0] != line.at[1][0] || line.at[0][1] != line.at[1][1];
@@ -511,7 +474,7 @@ static bool count_points(struct mesh_picture *picture, const struct seen_triangl
 
 bool mesh_lines_find(struct mesh_picture *picture, const struct seen_triangle *seen, uint32_t count) {
   const struct triangle_mesh *mesh = picture->mesh;
-  struct side *sides = find_sides(mesh);
+  struct mesh_side *sides = mesh_sides_find(mesh);
   const double width = contour_width(picture);
   const struct contour_limits limits = {longest_dip * width, THINNEST_LEVEL, longest_gap * width,
                                         CONTOUR_LEVELS / (taper * width), shortest_end * width * CONTOUR_LEVELS};
@@ -526,7 +489,7 @@ bool mesh_lines_find(struct mesh_picture *picture, const struct seen_triangle *s
   for (uint32_t v = 0; v < mesh->vertices && enough; ++v) search.nearer[v] = NO_PATCH;
   enough = enough && count_points(picture, seen, count);
   for (size_t i = 0; enough && i + 1 < found; ++i) {
-    if (is_edge(&sides[i])) enough = add_edge(picture, &search, sides, i);
+    if (mesh_sides_share_edge(&sides[i])) enough = add_edge(picture, &search, sides, i);
   }
   enough = enough && add_creases(picture, &search, sides);
   for (size_t i = 0; enough && i < 2 * search.contours.count; ++i) {
