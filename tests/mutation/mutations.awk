@@ -63,7 +63,14 @@ function finish_mutation(  why, whole, first, last) {
   finish_mutation()
   current = $1
   file = $2
+  ended = 0
   part = before = after = ""
+  next
+}
+# A blank line ends a mutation.
+part == "+" && $0 == "" { ended = 1; next }
+part == "+" && ended {
+  complain("behind it stands a line without a name: " $0)
   next
 }
 /^- / && part == "" { part = "-"; before = substr($0, 3) "\n"; next }
