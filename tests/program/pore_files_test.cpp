@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <sstream>
 #include <string>
@@ -481,6 +482,30 @@ TEST(PoreFiles, TunnelsAsProgramsExchangeThem) {
   const TemporaryFile again("again.cif", read_file(file.path()));
   EXPECT_NEAR(run_json({"measure", again.path()})["area"].number, run_json({"measure", crambin()})["area"].number,
               1e-6);
+}
+
+// Two rings of a tube lie so close to each other that the bottlenecks in them and the maximum between have the same share
+// of the length, which is the key of a row.
+TEST(PoreFiles, PointsOfATunnelWithOneKeyHaveOneRow) {
+  std::ostringstream balls;
+  balls.precision(17);
+  for (const double z : {-1e-6, 1e-6, 3.0, 6.0, 9.0}) {
+    for (int k = 0; k < 6; ++k)
+      balls << 2.4 * std::cos(k * std::numbers::pi / 3) << " " << 2.4 * std::sin(k * std::numbers::pi / 3) << " " << z
+            << " 1.5\n";
+  }
+  balls << "0 0 11 1.5\n";
+  const TemporaryFile tube("tube.xyzr", balls.str()), file("tunnels.cif");
+  const Json json =
+      run_json({"pores", tube.path(), "--tunnels-from", "0,0,7.5", "--tunnels", "1", "--tunnels-out", file.path()});
+  std::set<std::string> keys;
+  for (const Json &point : json["tunnel_points"].items) {
+    const double share = point["length"].number / json["tunnel_list"].items.at(0)["length"].number;
+    keys.insert(std::to_string(std::lround(1e6 * share)));
+  }
+  EXPECT_EQ(keys.size() + 2, json["tunnel_points"].items.size());
+  std::map<std::string, Rows> loops = loops_of(read_file(file.path()));
+  EXPECT_EQ(loops["sb_ncbr_channel_profile"].size(), keys.size());
 }
 
 void expect_charges_of_layers(const char *name_of_lysine) {

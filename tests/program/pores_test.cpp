@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "json_outcome.hpp"
@@ -107,6 +108,19 @@ TEST(Pores, ARoomWithEightWindows) {
     EXPECT_NEAR(tunnel["radius"].number, window, 1e-8);
     EXPECT_NEAR(tunnel["length"].number, std::sqrt(1.0 / 3), 1e-7);
     EXPECT_NEAR(tunnel["cost"].number, std::sqrt(1.0 / 3) / (0.3 * window), 1e-6);
+  }
+}
+
+// A class that lives for just as long as is asked for is listed.
+TEST(Pores, TheLeastPersistence) {
+  const TemporaryFile file("open.xyzr", cage_with_windows);
+  const Json maximum = run_json({"pores", file.path()})["maximum_list"].items.at(0);
+  const double life = maximum["radius"].number - maximum["death"].number;
+  for (const auto &[least, listed] : {std::pair{life, 1U}, std::pair{std::nextafter(life, 1.0), 0U}}) {
+    std::ostringstream text;
+    text.precision(17);
+    text << least;
+    EXPECT_EQ(run_json({"pores", file.path(), "--least", text.str()})["maximum_list"].items.size(), listed);
   }
 }
 
