@@ -484,8 +484,8 @@ TEST(PoreFiles, TunnelsAsProgramsExchangeThem) {
               1e-6);
 }
 
-// Two rings of a tube lie so close to each other that the bottlenecks in them and the maximum between have the same share
-// of the length, which is the key of a row.
+// Two rings of a tube lie so close to each other that the bottlenecks in them and the maximum between have the same
+// share of the length, which is the key of a row.
 TEST(PoreFiles, PointsOfATunnelWithOneKeyHaveOneRow) {
   std::ostringstream balls;
   balls.precision(17);
