@@ -6,7 +6,7 @@
 void *array_grown(void *array, size_t size, size_t *room) {
   if (*room > SIZE_MAX / 2 / size) return NULL;
   const size_t more = *room == 0 ? 64 : 2 * *room;
-  void *const grown = more > SIZE_MAX / size ? NULL : realloc(array, more * size);
+  void *const grown = realloc(array, more * size);
   if (grown != NULL) *room = more;
   return grown;
 }
