@@ -8,6 +8,7 @@
 #include "handle_tag.hpp"
 #include "hardsphere.h"
 #include "lanes/floating_point.hpp"
+#include "library_arithmetic.hpp"
 
 namespace hsp::capi {
 

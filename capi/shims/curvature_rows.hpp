@@ -28,8 +28,10 @@ struct CurvatureArrays {
 
 // The questions about a morphometric energy.
 struct MorphometryRequest {
+  explicit MorphometryRequest(LibraryArithmetic &arithmetic) : executor(arithmetic) {}
+
   hsp_morphometry_request given{};
-  Executor executor{};
+  Executor executor;
 
   int32_t read(const hsp_morphometry_request *request) { return read_request(request, given, executor); }
   template <class Outputs>

@@ -41,8 +41,10 @@ int32_t read_question(const Handle *handle, const Request *request, Asked &asked
 // A request in which balls that touch are as it says.
 template <class Request>
 struct TangentRequest {
+  explicit TangentRequest(LibraryArithmetic &arithmetic) : executor(arithmetic) {}
+
   Request given{};
-  Executor executor{};
+  Executor executor;
 
   int32_t read(const Request *request) {
     if (const int32_t status = read_request(request, given); status != HSP_OK) return status;
@@ -53,6 +55,8 @@ using DerivativesRequest = TangentRequest<hsp_derivatives_request>;
 
 // The questions about an energy of areas and volume.
 struct GradientRequest : TangentRequest<hsp_gradient_request> {
+  using TangentRequest::TangentRequest;
+
   template <class Outputs>
   int32_t check(uint32_t n, bool wanted, Outputs &outputs) const {
     if (const int32_t status = check_outputs(n, given.sigma, wanted, outputs); status != HSP_OK) return status;

@@ -4,6 +4,7 @@
 
 using hsp::capi::check_handle;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 using hsp::capi::name_none;
 
 namespace {
@@ -115,6 +116,7 @@ int32_t hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **bod
 }
 
 int32_t hsp_body_set(hsp_body *body, const hsp_model *model) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(body); status != HSP_OK) return status;
   body->tree.clear();
   if (const int32_t status = check_handle(model); status != HSP_OK) return status;
@@ -122,6 +124,7 @@ int32_t hsp_body_set(hsp_body *body, const hsp_model *model) {
 }
 
 int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hsp_pose *pose) {
+  LibraryArithmetic arithmetic;
   if (matrix == nullptr || translation == nullptr || pose == nullptr) return HSP_E_ARGUMENT;
   hsp_pose found;
   const hsp::Status status = hsp::quaternion_of_rotation(matrix, found.quaternion);
@@ -136,36 +139,43 @@ int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hs
 
 int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, uint32_t *hit,
                       uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
   return find_hits(fixed, posed, poses, pose, hit, first_bad);
 }
 
 int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
   return find_hits(fixed, posed, poses, pose, hit, first_bad);
 }
 
 int32_t hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                             double margin, uint32_t *hit, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic(margin);
   return find_hits_along(fixed, posed, poses, pose, margin, hit, first_bad);
 }
 
 int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                      const hsp_rational_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic(margin);
   return find_hits_along(fixed, posed, poses, pose, margin, hit, first_bad);
 }
 
 int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                       hsp_body_gap *gap, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
   return find_gaps(fixed, posed, poses, pose, gap, first_bad);
 }
 
 int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
   return find_gaps(fixed, posed, poses, pose, gap, first_bad);
 }
 
 int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                           hsp_body_overlap *overlap, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
   return for_each_pose(fixed, posed, poses, pose, overlap, first_bad, [&](uint32_t k, const hsp::Pose &at) {
     const hsp::Overlap found = hsp::sum_overlaps(fixed->tree, posed->tree, at);
     overlap[k] = {fixed->tree.lattice().volume(found.volume), hsp::clamped_count(found.pairs), 0};
@@ -174,10 +184,12 @@ int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t
 
 int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair,
                        uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   return list_pairs(fixed, posed, pose, pair, capacity, needed);
 }
 
 int32_t hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose,
                                 uint32_t *pair, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   return list_pairs(fixed, posed, pose, pair, capacity, needed);
 }

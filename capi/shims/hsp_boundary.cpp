@@ -8,6 +8,7 @@ using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -74,10 +75,11 @@ int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp
 
 int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request *request,
                                   hsp_boundary_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   boundary->complete = false;
   hsp_boundary_request asked;
-  hsp::capi::Executor executor;
+  hsp::capi::Executor executor(arithmetic);
   if (const int32_t status =
           first_failure(check_handle(model), hsp::capi::read_request(request, asked, executor), check_struct(limits));
       status != HSP_OK)
@@ -110,6 +112,7 @@ int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_count
 }
 
 int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status = check_request(boundary, out, capacity, needed,
                                        [](const hsp_boundary &b) { return b.structure().vertex_count(); });
   if (status != HSP_OK) return status;
@@ -129,6 +132,7 @@ int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out,
 }
 
 int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.structure().arc_count(); });
   if (status != HSP_OK) return status;
@@ -152,6 +156,7 @@ int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32
 }
 
 int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status = check_request(boundary, out, capacity, needed,
                                        [](const hsp_boundary &b) { return b.structure().circle_count(); });
   if (status != HSP_OK) return status;
@@ -245,6 +250,7 @@ int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint
 }
 
 int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t *id) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(boundary, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   const hsp::BallSet &balls = boundary->balls();

@@ -14,6 +14,7 @@ using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
 using hsp::capi::is_live;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -63,6 +64,7 @@ int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limit
 }
 
 int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(cells); status != HSP_OK) return status;
   cells->complete = false;
   if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
@@ -80,6 +82,7 @@ int32_t hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts) {
 }
 
 int32_t hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint32_t count, hsp_free_cell *out) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_range(cells, first, count, out, [](const hsp_cells &handle) { return handle.structure().cell_count(); });
   if (status != HSP_OK) return status;
@@ -132,6 +135,7 @@ int32_t hsp_cells_get_pairs(const hsp_cells *cells, uint32_t first, uint32_t cou
 }
 
 int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *cell) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(cells, xyz == nullptr || cell == nullptr); status != HSP_OK) return status;
   hsp::LatticeQuery point;
   const hsp::Status status = hsp::round_query(cells->balls(), xyz, 0.0, point);
@@ -141,6 +145,7 @@ int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *ce
 }
 
 int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t *invariant, uint32_t *id) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(cells, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   if (topology != nullptr && !is_live(topology)) return HSP_E_HANDLE;
@@ -157,6 +162,7 @@ int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t
 
 int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,
                               uint32_t *scratch, uint32_t words, uint32_t *words_needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(model, scratch == nullptr && words > 0); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = model->grid;
   uint64_t needed = 0;

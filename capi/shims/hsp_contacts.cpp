@@ -10,6 +10,7 @@ using hsp::capi::check_request;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -74,6 +75,7 @@ int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits 
 }
 
 int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(contacts); status != HSP_OK) return status;
   contacts->complete = false;
   if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
@@ -86,6 +88,7 @@ int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundar
 }
 
 int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status = check_request(contacts, out, capacity, needed,
                                        [](const hsp_contacts &c) { return c.structure().contact_count(); });
   if (status != HSP_OK) return status;
@@ -104,6 +107,7 @@ int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, u
 
 int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
                              uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(contacts, out == nullptr && capacity > 0); status != HSP_OK) return status;
   if (ball >= contacts->balls().n) return HSP_E_ID;
   const hsp::Span<const uint32_t> row = contacts->structure().row(contacts->grid().grid_index(ball));
@@ -115,6 +119,7 @@ int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_co
 
 int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume,
                              double *contact_area, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(contacts); status != HSP_OK) return status;
   const hsp::BallSet &balls = contacts->balls();
   const bool wanted = share_volume != nullptr || contact_area != nullptr;
@@ -135,6 +140,7 @@ int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, d
 
 int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t capacity,
                            uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(contacts, group == nullptr || (out == nullptr && capacity > 0));
       status != HSP_OK)
     return status;
@@ -186,6 +192,7 @@ int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimens
 }
 
 int32_t hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(contacts, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   const hsp::ContactViolation violation =

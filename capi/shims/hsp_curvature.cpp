@@ -3,9 +3,11 @@
 #include "measure/tangency.hpp"
 
 using hsp::capi::check_results;
+using hsp::capi::LibraryArithmetic;
 
 int32_t hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean,
                                int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(boundary); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const hsp::capi::CurvatureArrays arrays{totals, mean, gauss_thirds};
@@ -16,7 +18,8 @@ int32_t hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *tot
 
 int32_t hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request,
                                      hsp_morphometry_outputs *outputs) {
-  hsp::capi::MorphometryRequest asked;
+  LibraryArithmetic arithmetic;
+  hsp::capi::MorphometryRequest asked(arithmetic);
   hsp_morphometry_outputs out;
   if (const int32_t status = hsp::capi::read_question(boundary, request, asked, outputs, out); status != HSP_OK)
     return status;

@@ -5,6 +5,7 @@
 
 using hsp::capi::GradientArrays;
 using hsp::capi::is_tangency;
+using hsp::capi::LibraryArithmetic;
 using hsp::capi::put_vector;
 using hsp::capi::read_parts;
 using hsp::capi::to_touching_balls;
@@ -55,7 +56,8 @@ int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct
 
 int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
                                   hsp_gradient_outputs *outputs) {
-  hsp::capi::GradientRequest asked;
+  LibraryArithmetic arithmetic;
+  hsp::capi::GradientRequest asked(arithmetic);
   hsp_gradient_outputs out;
   if (const int32_t status = read_parts(boundary, request, asked, outputs, out); status != HSP_OK) return status;
   if (!boundary->has_areas() || (boundary->of_some && asked.given.pressure != 0.0)) return HSP_E_STATE;
@@ -81,7 +83,8 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
 
 int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request,
                                      hsp_derivatives_outputs *outputs) {
-  hsp::capi::DerivativesRequest asked;
+  LibraryArithmetic arithmetic;
+  hsp::capi::DerivativesRequest asked(arithmetic);
   hsp_derivatives_outputs out;
   if (const int32_t status = read_parts(boundary, request, asked, outputs, out); status != HSP_OK) return status;
   const bool of_volume = out.volume_centre != nullptr || out.volume_radius != nullptr;
@@ -110,6 +113,7 @@ int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_der
 
 int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
                                   hsp_area_derivative *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK) return status;
   if ((out == nullptr && capacity > 0) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
   if (!boundary->has_areas()) return HSP_E_STATE;
@@ -128,7 +132,8 @@ int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, u
 int32_t hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request,
                                    uint32_t *first, uint32_t *ball, double *d_centre, double *d_radius,
                                    uint32_t capacity, uint32_t *needed) {
-  hsp::capi::DerivativesRequest asked;
+  LibraryArithmetic arithmetic;
+  hsp::capi::DerivativesRequest asked(arithmetic);
   if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK) return status;
   if (first == nullptr || (capacity > 0 && (ball == nullptr || d_centre == nullptr))) return HSP_E_ARGUMENT;
   if (const int32_t status = asked.read(request); status != HSP_OK) return status;

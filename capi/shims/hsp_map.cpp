@@ -9,6 +9,7 @@ using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
 using hsp::capi::is_live;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -33,6 +34,7 @@ int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, h
 }
 
 int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(map); status != HSP_OK) return status;
   map->complete = false;
   hsp_view_options wanted;
@@ -71,6 +73,7 @@ uint32_t hsp_map_left(const hsp_map *map, uint32_t h) {
 }
 
 int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight) {
+  LibraryArithmetic arithmetic(x, y);
   if (const int32_t status = check_results(map, sight == nullptr); status != HSP_OK) return status;
   if (!hsp::is_finite(x) || !hsp::is_finite(y)) return HSP_E_NOT_FINITE;
   hsp::capi::put_sight(*map, map->structure(), map->builder.discs(), x, y, *sight);
@@ -78,16 +81,19 @@ int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sigh
 }
 
 int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point) {
+  LibraryArithmetic arithmetic(t);
   if (const int32_t status = check_results(map, point == nullptr); status != HSP_OK) return status;
   return hsp::capi::get_point(*map, map->structure(), edge, t, *point);
 }
 
 int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(map, pole == nullptr); status != HSP_OK) return status;
   return hsp::capi::get_pole(*map, map->structure(), face, *pole);
 }
 
 int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(map, invariant == nullptr || id == nullptr); status != HSP_OK) return status;
   return hsp::capi::report(hsp::check_map(map->structure(), map->builder.scratch()), invariant, id);
 }

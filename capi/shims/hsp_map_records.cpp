@@ -2,6 +2,7 @@
 #include "map_records.hpp"
 
 using hsp::capi::check_results;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -11,6 +12,7 @@ using hsp::capi::check_request;
 }  // namespace
 
 int32_t hsp_map_get_info(const hsp_map *map, hsp_map_info *info) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(map, info == nullptr); status != HSP_OK) return status;
   hsp::capi::put_map_info(*map, map->structure(), *info);
   info->balls = map->structure().owners;
@@ -18,6 +20,7 @@ int32_t hsp_map_get_info(const hsp_map *map, hsp_map_info *info) {
 }
 
 int32_t hsp_map_get_vertices(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_vertex *out) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_range(map, first, count, out, [](const hsp_map &m) { return m.structure().vertices.size(); });
   if (status == HSP_OK) hsp::capi::put_vertices(*map, map->structure(), first, count, out);
@@ -25,6 +28,7 @@ int32_t hsp_map_get_vertices(const hsp_map *map, uint32_t first, uint32_t count,
 }
 
 int32_t hsp_map_get_edges(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_edge *out) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_range(map, first, count, out, [](const hsp_map &m) { return m.structure().edges.size(); });
   if (status == HSP_OK) hsp::capi::put_edges(*map, map->structure(), first, count, out);
@@ -32,6 +36,7 @@ int32_t hsp_map_get_edges(const hsp_map *map, uint32_t first, uint32_t count, hs
 }
 
 int32_t hsp_map_get_faces(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_face *out) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_range(map, first, count, out, [](const hsp_map &m) { return m.structure().faces.size(); });
   if (status == HSP_OK) hsp::capi::put_faces(*map, map->structure(), first, count, out);
@@ -39,6 +44,7 @@ int32_t hsp_map_get_faces(const hsp_map *map, uint32_t first, uint32_t count, hs
 }
 
 int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status = check_request(map, area, capacity, needed, [](const hsp_map &m) { return m.balls().n; });
   if (status != HSP_OK) return status;
   hsp::capi::put_areas(*map, map->structure(), {area, map->balls().n});

@@ -5,9 +5,11 @@
 using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 
 int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double *area,
                              double *volume_term, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(boundary); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const bool wanted = area != nullptr || volume_term != nullptr;
@@ -19,10 +21,11 @@ int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *select
 
 int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
                                   hsp_measure_outputs *outputs) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   hsp_measure_request asked;
   hsp_measure_outputs out;
-  hsp::capi::Executor executor;
+  hsp::capi::Executor executor(arithmetic);
   if (const int32_t status =
           first_failure(hsp::capi::read_request(request, asked, executor), hsp::capi::read_struct(outputs, {}, out));
       status != HSP_OK)
@@ -45,6 +48,7 @@ int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measur
 
 int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term, uint32_t capacity,
                                    uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(boundary); status != HSP_OK) return status;
   const hsp::Boundary &structure = boundary->structure();
   const bool wanted = area != nullptr || volume_term != nullptr;

@@ -4,6 +4,7 @@ using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -92,6 +93,7 @@ void share_areas_of_patches(const hsp::Mesh &mesh, const double *area, double *w
 
 int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary,
                              double edge_length) {
+  LibraryArithmetic arithmetic(edge_length);
   return init_limits(limits, struct_size, boundary, edge_length, [boundary](double steps, hsp::MeshLimits &enough) {
     return hsp::expected_mesh_limits(boundary->balls(), boundary->structure(), steps, enough);
   });
@@ -99,6 +101,7 @@ int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, cons
 
 int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
                                      double edge_length) {
+  LibraryArithmetic arithmetic(edge_length);
   return init_limits(limits, struct_size, surface, edge_length, [surface](double steps, hsp::MeshLimits &enough) {
     const hsp_boundary &boundary = *surface->boundary;
     return hsp::expected_mesh_limits(boundary.balls(), boundary.structure(), surface->structure(), steps, enough);
@@ -114,6 +117,7 @@ int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits,
 }
 
 int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits *limits) {
+  LibraryArithmetic arithmetic(edge_length);
   return compute(mesh, boundary, edge_length, limits, [mesh, boundary](double steps) {
     mesh->boundary.set(boundary);
     return mesh->builder.build(boundary->balls(), boundary->structure(), steps);
@@ -122,6 +126,7 @@ int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double ed
 
 int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
                                  hsp_mesh_limits *limits) {
+  LibraryArithmetic arithmetic(edge_length);
   return compute(mesh, surface, edge_length, limits, [mesh, surface](double steps) {
     const hsp_boundary &boundary = *surface->boundary;
     mesh->boundary.set(&boundary);
@@ -138,6 +143,7 @@ int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts) {
 
 int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas, uint32_t *balls,
                               uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(mesh); status != HSP_OK) return status;
   const hsp::Mesh &found = mesh->builder.mesh();
   const bool wanted = xyz != nullptr || normals != nullptr || areas != nullptr || balls != nullptr;
@@ -157,6 +163,7 @@ int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals
 
 int32_t hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights,
                              uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const bool bad = area == nullptr || (weights == nullptr && capacity > 0);
   if (const int32_t status = check_results(mesh, bad); status != HSP_OK) return status;
   const hsp::Mesh &found = mesh->builder.mesh();

@@ -3,6 +3,7 @@
 #include "model_options.hpp"
 
 using hsp::capi::check_handle;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -21,6 +22,7 @@ int32_t hsp_model_bytes(uint32_t balls, size_t *bytes) {
 }
 
 int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **model) {
+  LibraryArithmetic arithmetic;
   if (memory == nullptr || model == nullptr) return HSP_E_ARGUMENT;
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
   const int32_t status = hsp::capi::init(memory, bytes, balls, model);
@@ -35,6 +37,7 @@ int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size)
 
 int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                       const hsp_model_options *options, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(model); status != HSP_OK) return status;
   uint32_t ignored = 0;
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
@@ -53,6 +56,7 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
 }
 
 int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(model, info == nullptr); status != HSP_OK) return status;
   const hsp::BallSet &balls = model->balls();
   const hsp::CubeSlots &slots = model->grid.slots();
@@ -67,6 +71,7 @@ int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
 }
 
 int32_t hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(model); status != HSP_OK) return status;
   const hsp::BallSet &balls = model->balls();
   const bool wanted = xyz != nullptr || radius != nullptr;
@@ -81,6 +86,7 @@ int32_t hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius,
 }
 
 int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(model, figures == nullptr); status != HSP_OK) return status;
   const hsp::PackingStatistics found = hsp::packing_statistics(model->grid);
   *figures = {};

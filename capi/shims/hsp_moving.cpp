@@ -8,6 +8,7 @@ using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -49,6 +50,7 @@ int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *lim
 
 int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure,
                        uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic(tension, pressure);
   if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   moving->complete = false;
   const int32_t refused = first_failure(check_handle(model, !hsp::capi::is_tangency(tangency)), check_struct(limits));
@@ -62,6 +64,7 @@ int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double 
 
 int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
                         const double *radius, hsp_moving_limits *limits, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
   const int32_t refused = first_failure(check_handle(moving, ball == nullptr && count > 0), check_struct(limits));
   if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
   if (!moving->has_results()) return HSP_E_STATE;
@@ -73,11 +76,13 @@ int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball
 }
 
 int32_t hsp_moving_undo(hsp_moving *moving) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   return moving->has_results() ? hsp::capi::to_c(moving->builder.undo()) : HSP_E_STATE;
 }
 
 int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(moving, info == nullptr); status != HSP_OK) return status;
   const hsp::MovingBalls &balls = moving->builder;
   const hsp::MovingCounts &counts = balls.counts();
@@ -101,6 +106,7 @@ int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info) {
 
 int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term,
                            uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(moving); status != HSP_OK) return status;
   const hsp::MovingBalls &balls = moving->builder;
   const bool wanted = area != nullptr || volume_term != nullptr;
@@ -119,6 +125,7 @@ int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double 
 
 int32_t hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius,
                             uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(moving); status != HSP_OK) return status;
   const hsp::MovingBalls &balls = moving->builder;
   const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};
@@ -129,6 +136,7 @@ int32_t hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double
 }
 
 int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball, hsp_moving_ball *out) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(moving, count > 0 && (ball == nullptr || out == nullptr)); status != HSP_OK)
     return status;
   const hsp::MovingBalls &balls = moving->builder;
@@ -150,6 +158,7 @@ int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *balls, uint32
 }
 
 int32_t hsp_moving_get_model(const hsp_moving *moving, hsp_model *model) {
+  LibraryArithmetic arithmetic;
   if (const int32_t refused = first_failure(check_handle(moving), check_handle(model)); refused != HSP_OK)
     return refused;
   if (!moving->has_results()) return HSP_E_STATE;

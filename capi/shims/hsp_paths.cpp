@@ -8,6 +8,7 @@ using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 using hsp::capi::round_point;
 
 namespace {
@@ -31,6 +32,7 @@ int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limit
 }
 
 int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
   paths->complete = false;
   if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
@@ -41,6 +43,7 @@ int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_li
 
 int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
                        hsp_paths_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
   paths->builder.forget_path();
   if (from == nullptr || to == nullptr || path == nullptr) return HSP_E_ARGUMENT;
@@ -61,6 +64,7 @@ int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, h
 }
 
 int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status = hsp::capi::check_request(
       paths, points, capacity, needed, [](const hsp_paths &handle) { return handle.builder.points().size(); });
   if (status != HSP_OK) return status;
@@ -89,6 +93,7 @@ int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits,
 
 int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
                          hsp_gate_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(gate); status != HSP_OK) return status;
   gate->complete = false;
   if (const int32_t status = first_failure(check_handle(model, from == nullptr), check_struct(limits));
@@ -104,6 +109,7 @@ int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *f
 }
 
 int32_t hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(gate, widest == nullptr); status != HSP_OK) return status;
   const hsp::WidestProbe &found = gate->widest;
   *widest = {gate->model->balls().lattice.length(found.radius),

@@ -12,6 +12,7 @@ using hsp::capi::check_request;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 using hsp::capi::put_shift;
 using hsp::capi::shift_comes_before;
 
@@ -75,6 +76,7 @@ int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *x
 int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
                                   const double *box, const hsp_periodic_request *request, hsp_periodic_limits *limits,
                                   uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(periodic); status != HSP_OK) return status;
   periodic->complete = false;
   uint32_t ignored = 0;
@@ -82,7 +84,7 @@ int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const doub
   bad = HSP_NONE;
   hsp::BallInput input;
   hsp_periodic_request asked;
-  hsp::capi::Executor executor;
+  hsp::capi::Executor executor(arithmetic);
   if (box == nullptr) return HSP_E_ARGUMENT;
   if (const int32_t status = first_failure(hsp::capi::read_request(request, asked), check_struct(limits));
       status != HSP_OK)
@@ -119,6 +121,7 @@ int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_count
 
 int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
                              double *share_volume, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(periodic); status != HSP_OK) return status;
   if (!periodic->has_areas() || (share_volume != nullptr && !periodic->has_results())) return HSP_E_STATE;
   const bool wanted = area != nullptr || share_volume != nullptr;
@@ -136,6 +139,7 @@ int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *
 
 int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
                                   uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().contacts; });
   if (status != HSP_OK) return status;
@@ -156,6 +160,7 @@ int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_con
 
 int32_t hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
                                     uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(periodic, group == nullptr || (out == nullptr && capacity > 0));
       status != HSP_OK)
     return status;
@@ -184,7 +189,8 @@ int32_t hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *comp
 
 int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
                                   hsp_periodic_gradient_outputs *outputs) {
-  hsp::capi::GradientRequest asked;
+  LibraryArithmetic arithmetic;
+  hsp::capi::GradientRequest asked(arithmetic);
   hsp_periodic_gradient_outputs out;
   if (const int32_t status = hsp::capi::read_parts(periodic, request, asked, outputs, out); status != HSP_OK)
     return status;
@@ -209,6 +215,7 @@ int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradie
 }
 
 int32_t hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(periodic, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   return hsp::capi::report(hsp::check_periodic(periodic->builder), invariant, id);

@@ -6,6 +6,7 @@
 
 using hsp::capi::check_request;
 using hsp::capi::for_each_half_edge;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -52,6 +53,7 @@ uint32_t side_in_box(const hsp::PeriodicUnion &periodic, uint32_t own, uint32_t 
 
 int32_t hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity,
                                   uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().vertices; });
   if (status != HSP_OK) return status;
@@ -72,6 +74,7 @@ int32_t hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_ver
 
 int32_t hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity,
                               uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().arcs; });
   if (status != HSP_OK) return status;
@@ -96,6 +99,7 @@ int32_t hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *ou
 
 int32_t hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity,
                                  uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().circles; });
   if (status != HSP_OK) return status;

@@ -3,9 +3,11 @@
 #include "periodic/periodic_morphometry.hpp"
 
 using hsp::capi::check_results;
+using hsp::capi::LibraryArithmetic;
 
 int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
                                int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(periodic); status != HSP_OK) return status;
   const hsp::capi::CurvatureArrays arrays{totals, mean, gauss_thirds};
   if (!hsp::capi::fits(arrays.any(), capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
@@ -17,7 +19,8 @@ int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *tot
 
 int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request,
                                      hsp_periodic_morphometry_outputs *outputs) {
-  hsp::capi::MorphometryRequest asked;
+  LibraryArithmetic arithmetic;
+  hsp::capi::MorphometryRequest asked(arithmetic);
   hsp_periodic_morphometry_outputs out;
   if (const int32_t status = hsp::capi::read_question(periodic, request, asked, outputs, out); status != HSP_OK)
     return status;

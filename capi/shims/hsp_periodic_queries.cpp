@@ -5,6 +5,7 @@
 #include "periodic_shifts.hpp"
 
 using hsp::capi::check_results;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -117,16 +118,19 @@ int32_t ask_in_box(const hsp_periodic *periodic, const double *xyz, double radiu
 
 int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t capacity,
                                  uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   return ask_in_box(periodic, xyz, 0.0, out, capacity, needed);
 }
 
 int32_t hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out,
                                 uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic(radius);
   return ask_in_box(periodic, xyz, radius, out, capacity, needed);
 }
 
 int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t capacity,
                                       uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(periodic, out == nullptr && capacity > 0); status != HSP_OK) return status;
   if (ball >= periodic->balls()) return HSP_E_ID;
   const hsp::PeriodicUnion &structure = periodic->builder;
@@ -136,6 +140,7 @@ int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t bal
 
 int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out,
                                  uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(
           periodic, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || (out == nullptr && capacity > 0));
       status != HSP_OK)

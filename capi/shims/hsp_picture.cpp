@@ -6,6 +6,7 @@
 #include "picture/picture.hpp"
 
 using hsp::capi::check_handle;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -123,6 +124,7 @@ hsp::PictureOptions from_c(const hsp_picture_options &options) {
 
 // Of one call: all but where its paths are from.
 struct Call {
+  LibraryArithmetic &arithmetic;
   const uint32_t *colour;
   const hsp_picture_options *options;
   const char *title;
@@ -130,6 +132,13 @@ struct Call {
   hsp_sink sink;
   void *context;
   uint64_t *bytes;
+
+  // A sink, whose context is the call: the caller's, in the caller's floating-point environment.
+  static int32_t hand_on(void *call, const char *bytes, size_t count) {
+    const Call &of = *static_cast<const Call *>(call);
+    const hsp::capi::CallersArithmetic callers(of.arithmetic);
+    return of.sink(of.context, bytes, count);
+  }
 };
 
 // Ink, if there is any, is of a map that shows what a handle with results shows.
@@ -214,33 +223,38 @@ int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_s
 }
 
 uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain) {
+  LibraryArithmetic arithmetic;
   const bool known = palette <= HSP_PALETTE_CHAIN;
   return hsp::palette_colour(known ? static_cast<hsp::Palette>(palette) : hsp::Palette::soft, atomic_number, chain);
 }
 
 int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char *title,
                           const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
-  const Call call{colour, options, title, description, sink, context, bytes};
+  LibraryArithmetic arithmetic;
+  Call call{arithmetic, colour, options, title, description, sink, context, bytes};
   return write_checked(view, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
-    return hsp::write_picture(contents.with(hsp::paths_of(view->structure())), wanted, view->builder.scratch(), sink,
-                              context, taken);
+    return hsp::write_picture(contents.with(hsp::paths_of(view->structure())), wanted, view->builder.scratch(),
+                              Call::hand_on, &call, taken);
   });
 }
 
 int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options,
                               const char *title, const char *description, hsp_sink sink, void *context,
                               uint64_t *bytes) {
-  const Call call{colour, options, title, description, sink, context, bytes};
+  LibraryArithmetic arithmetic;
+  Call call{arithmetic, colour, options, title, description, sink, context, bytes};
   return write_checked(map, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
     const hsp::MapPaths paths(map->balls(), map->structure(), map->builder.scratch());
-    return hsp::write_picture(contents.with(paths.paths()), wanted, map->builder.more_scratch(), sink, context, taken);
+    return hsp::write_picture(contents.with(paths.paths()), wanted, map->builder.more_scratch(), Call::hand_on, &call,
+                              taken);
   });
 }
 
 int32_t hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options,
                                  const char *title, const char *description, hsp_sink sink, void *context,
                                  uint64_t *bytes) {
-  const Call call{colour, options, title, description, sink, context, bytes};
+  LibraryArithmetic arithmetic;
+  Call call{arithmetic, colour, options, title, description, sink, context, bytes};
   return write_checked(sticks, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
     return hsp::write_picture(contents.with(sticks->builder.paths()), wanted, sticks->builder.scratch(), sink, context,
                               taken);

@@ -11,6 +11,7 @@ using hsp::capi::floor_of;
 using hsp::capi::get_list;
 using hsp::capi::highest_level;
 using hsp::capi::is_level;
+using hsp::capi::LibraryArithmetic;
 using hsp::capi::put_place;
 using hsp::capi::put_shift;
 using hsp::capi::winding_of;
@@ -191,6 +192,7 @@ int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size)
 
 int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
                           hsp_pores_limits *limits) {
+  LibraryArithmetic arithmetic;
   return compute_from(pores, model, options, limits, [&](double floor) {
     pores->in_box = false;
     pores->model.set(model);
@@ -200,6 +202,7 @@ int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_po
 
 int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options *options,
                                    hsp_pores_limits *limits) {
+  LibraryArithmetic arithmetic;
   return compute_from(pores, periodic, options, limits, [&](double floor) {
     pores->in_box = true;
     pores->periodic.set(periodic);
@@ -217,6 +220,7 @@ int32_t hsp_pores_get_counts(const hsp_pores *pores, hsp_pores_counts *counts) {
 }
 
 int32_t hsp_pores_get_maxima(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_maximum *out) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_range(pores, first, count, out, [](const hsp_pores &handle) { return handle.maxima().size(); });
   if (status != HSP_OK) return status;
@@ -235,6 +239,7 @@ int32_t hsp_pores_get_maxima(const hsp_pores *pores, uint32_t first, uint32_t co
 }
 
 int32_t hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate *out) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_range(pores, first, count, out, [](const hsp_pores &handle) { return handle.gates().size(); });
   if (status != HSP_OK) return status;
@@ -290,6 +295,7 @@ int32_t hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_ima
 }
 
 int32_t hsp_pores_get_percolation(const hsp_pores *pores, hsp_pore_percolation *percolation) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(pores, percolation == nullptr); status != HSP_OK) return status;
   const hsp::PorePassages &passages = pores->builder.pores().passages();
   const auto radius_at = [&](const auto &points, uint32_t k) {
@@ -310,6 +316,7 @@ int32_t hsp_pores_get_percolation(const hsp_pores *pores, hsp_pore_percolation *
 
 int32_t hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity,
                                uint32_t *needed) {
+  LibraryArithmetic arithmetic(radius);
   if (const int32_t status = check_results(pores, out == nullptr && capacity > 0); status != HSP_OK) return status;
   if (!hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
   const double level = pores->lattice().steps(radius);
@@ -327,6 +334,7 @@ int32_t hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel
 }
 
 int32_t hsp_pores_class_at(const hsp_pores *pores, uint32_t maximum, double radius, uint32_t *member) {
+  LibraryArithmetic arithmetic(radius);
   if (const int32_t status = check_results(pores, member == nullptr); status != HSP_OK) return status;
   if (!is_class(*pores, maximum)) return HSP_E_ID;
   if (!hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
@@ -344,12 +352,14 @@ int32_t hsp_pores_gate_between(const hsp_pores *pores, uint32_t maximum, uint32_
 }
 
 int32_t hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_place *place) {
+  LibraryArithmetic arithmetic;
   hsp_pore_place_shifts shifts;
   return hsp_pores_locate_with_shifts(pores, xyz, place, &shifts);
 }
 
 int32_t hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place,
                                      hsp_pore_place_shifts *shifts) {
+  LibraryArithmetic arithmetic;
   const int32_t refused = check_results(pores, xyz == nullptr || place == nullptr || shifts == nullptr);
   if (refused != HSP_OK) return refused;
   hsp::PorePlace found;
@@ -361,6 +371,7 @@ int32_t hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, 
 }
 
 int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage *passage) {
+  LibraryArithmetic arithmetic;
   const int32_t refused = check_results(pores, from == nullptr || passage == nullptr);
   if (refused != HSP_OK) return refused;
   hsp::exact::Vector start, end;
@@ -382,15 +393,18 @@ int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const doubl
 
 int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
                               uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+  LibraryArithmetic arithmetic;
   return find_tunnel(pores, from, to, avoided, count, false, tunnel, limits);
 }
 
 int32_t hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
                                        uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+  LibraryArithmetic arithmetic;
   return find_tunnel(pores, from, to, avoided, count, true, tunnel, limits);
 }
 
 int32_t hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *route) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(pores, route == nullptr); status != HSP_OK) return status;
   const hsp::TunnelSummary &found = pores->builder.tunnel().summary();
   route->cost = found.cost / pores->lattice().step();
@@ -401,6 +415,7 @@ int32_t hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *rou
 
 int32_t hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity,
                                     uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   return get_list(
       pores, 0, points, capacity, needed, [](const hsp_pores &) { return 1U; },
       [](const hsp_pores &handle) { return handle.builder.tunnel().points(); },

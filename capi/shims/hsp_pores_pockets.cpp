@@ -12,6 +12,7 @@ using hsp::capi::floor_of;
 using hsp::capi::get_list;
 using hsp::capi::highest_level;
 using hsp::capi::is_level;
+using hsp::capi::LibraryArithmetic;
 using hsp::capi::PluggedBalls;
 using hsp::capi::put_place;
 using hsp::capi::winding_of;
@@ -82,6 +83,7 @@ hsp::Status find_regions(hsp_pores &pores, const hsp_boundary *boundary, uint32_
 }  // namespace
 
 int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets) {
+  LibraryArithmetic arithmetic(narrow, wide);
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   forget_pockets(*pores);
   if (pockets == nullptr) return HSP_E_ARGUMENT;
@@ -97,6 +99,7 @@ int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uin
 }
 
 int32_t hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_pocket *out) {
+  LibraryArithmetic arithmetic;
   const int32_t status = check_range(pores, first, count, out,
                                      [](const hsp_pores &handle) { return handle.builder.pockets().pockets().size(); });
   if (status != HSP_OK) return status;
@@ -133,6 +136,7 @@ int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint
 
 int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity,
                                     uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(pores, false); status != HSP_OK) return status;
   const PluggedBalls balls(*pores);
   const bool wanted = xyz != nullptr || radius != nullptr;
@@ -148,6 +152,7 @@ int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double 
 
 int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
                                uint32_t *regions) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->builder.forget_regions();
   if (!pores->has_results()) return HSP_E_STATE;
@@ -168,6 +173,7 @@ int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, h
 }
 
 int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out) {
+  LibraryArithmetic arithmetic;
   const int32_t status = check_range(pores, first, count, out,
                                      [](const hsp_pores &handle) { return handle.builder.regions().regions().size(); });
   if (status != HSP_OK) return status;
@@ -177,6 +183,7 @@ int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t c
 
 int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
                                   hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged)); status != HSP_OK) return status;
   if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
   if (!pores->has_results() || !plugged->has_results()) return HSP_E_STATE;

@@ -4,6 +4,7 @@
 #include "model/ray_query.hpp"
 
 using hsp::capi::check_handle;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -21,15 +22,18 @@ int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *
 }  // namespace
 
 int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   return ask(model, xyz, 0.0, ids, capacity, needed);
 }
 
 int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity,
                        uint32_t *needed) {
+  LibraryArithmetic arithmetic(radius);
   return ask(model, xyz, radius, ids, capacity, needed);
 }
 
 int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, uint32_t *meets) {
+  LibraryArithmetic arithmetic(radius);
   if (const int32_t status = check_handle(model, xyz == nullptr || meets == nullptr); status != HSP_OK) return status;
   hsp::LatticeQuery query;
   const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
@@ -40,6 +44,7 @@ int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius
 
 int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                              uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(model, ids == nullptr && capacity > 0); status != HSP_OK) return status;
   if (ball >= model->balls().n) return HSP_E_ID;
   hsp::QueryResult result{ids, capacity, 0};
@@ -49,6 +54,7 @@ int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *id
 
 int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t capacity,
                         uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status =
           check_handle(model, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || (ids == nullptr && capacity > 0));
       status != HSP_OK)
@@ -63,6 +69,7 @@ int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first,
 }
 
 int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(model, origin == nullptr || direction == nullptr || hit == nullptr);
       status != HSP_OK)
     return status;

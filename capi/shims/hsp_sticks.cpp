@@ -8,6 +8,7 @@ using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -104,16 +105,19 @@ int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limits *lim
 int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                            const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
                            hsp_sticks_limits *limits) {
+  LibraryArithmetic arithmetic(radius);
   return compute(sticks, model, options, {stick, count, radius, false}, conflict, limits);
 }
 
 int32_t hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                                const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
                                hsp_sticks_limits *limits) {
+  LibraryArithmetic arithmetic(radius);
   return compute(sticks, model, options, {stick, count, radius, true}, conflict, limits);
 }
 
 int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(sticks, info == nullptr); status != HSP_OK) return status;
   const hsp::StickView &of = sticks->structure();
   const hsp::capi::ViewLengths length{sticks->balls().lattice};

@@ -4,6 +4,7 @@
 #include "maps/map_check.hpp"
 
 using hsp::capi::check_handle;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -21,6 +22,7 @@ int32_t check_records(const hsp_sticks *sticks, uint32_t first, uint32_t count, 
 }  // namespace
 
 int32_t hsp_sticks_get_map_info(const hsp_sticks *sticks, hsp_map_info *info) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(sticks, info == nullptr); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   const hsp::StickMap &of = sticks->map();
@@ -30,6 +32,7 @@ int32_t hsp_sticks_get_map_info(const hsp_sticks *sticks, hsp_map_info *info) {
 }
 
 int32_t hsp_sticks_get_vertices(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_vertex *out) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
   const hsp::StickMap &of = sticks->map();
   const int32_t status = check_records(sticks, first, count, out, of.vertices.size());
@@ -38,6 +41,7 @@ int32_t hsp_sticks_get_vertices(const hsp_sticks *sticks, uint32_t first, uint32
 }
 
 int32_t hsp_sticks_get_edges(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_edge *out) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
   const hsp::StickMap &of = sticks->map();
   const int32_t status = check_records(sticks, first, count, out, of.edges.size());
@@ -46,6 +50,7 @@ int32_t hsp_sticks_get_edges(const hsp_sticks *sticks, uint32_t first, uint32_t 
 }
 
 int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_face *out) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
   const hsp::StickMap &of = sticks->map();
   const int32_t status = check_records(sticks, first, count, out, of.faces.size());
@@ -54,6 +59,7 @@ int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, uint32_t 
 }
 
 int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(sticks, area == nullptr && capacity > 0); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   const uint32_t bodies = sticks->bodies();
@@ -64,6 +70,7 @@ int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t ca
 }
 
 int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp_map_sight *sight) {
+  LibraryArithmetic arithmetic(x, y);
   if (const int32_t status = check_handle(sticks, sight == nullptr); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   if (!hsp::is_finite(x) || !hsp::is_finite(y)) return HSP_E_NOT_FINITE;
@@ -80,18 +87,21 @@ int32_t hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t
 }
 
 int32_t hsp_sticks_get_point(const hsp_sticks *sticks, uint32_t edge, double t, hsp_map_point *point) {
+  LibraryArithmetic arithmetic(t);
   if (const int32_t status = check_handle(sticks, point == nullptr); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   return hsp::capi::get_point(*sticks, sticks->map(), edge, t, *point);
 }
 
 int32_t hsp_sticks_get_pole(const hsp_sticks *sticks, uint32_t face, hsp_map_pole *pole) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(sticks, pole == nullptr); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   return hsp::capi::get_pole(*sticks, sticks->map(), face, *pole);
 }
 
 int32_t hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_t *id) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(sticks, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   if (!has_map(sticks)) return HSP_E_STATE;

@@ -8,6 +8,7 @@ using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -66,12 +67,14 @@ int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *l
 }
 
 int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = begin(surface, boundary, limits); status != HSP_OK) return status;
   return finish(*surface, *boundary, surface->builder.build(boundary->balls(), boundary->structure()), limits);
 }
 
 int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
                                    uint32_t count, hsp_surface_limits *limits) {
+  LibraryArithmetic arithmetic;
   const int32_t status = begin(surface, boundary, limits, shells == nullptr && count > 0);
   if (status != HSP_OK) return status;
   const hsp::Span<const uint32_t> chosen(shells, count);
@@ -94,6 +97,7 @@ int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *c
 
 int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
                             uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(surface); status != HSP_OK) return status;
   const hsp_boundary &boundary = *surface->boundary;
   const hsp::CubeGrid &grid = boundary.model->grid;
@@ -108,7 +112,8 @@ int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *tota
 
 int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
                                  hsp_gradient_outputs *outputs) {
-  hsp::capi::GradientRequest asked;
+  LibraryArithmetic arithmetic;
+  hsp::capi::GradientRequest asked(arithmetic);
   hsp_gradient_outputs out;
   if (const int32_t status = hsp::capi::read_question(surface, request, asked, outputs, out); status != HSP_OK)
     return status;

@@ -5,6 +5,7 @@
 
 using hsp::capi::check_results;
 using hsp::capi::is_live;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -204,22 +205,26 @@ uint32_t hsp_surface_left(const hsp_surface *surface, uint32_t h) {
 }
 
 int32_t hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_patch *out) {
+  LibraryArithmetic arithmetic;
   const auto patches = [](const hsp::SurfaceMap &map) { return map.patch_count(); };
   return get_range(surface, first, count, out, patches, patch_record);
 }
 
 int32_t hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_edge *out) {
+  LibraryArithmetic arithmetic;
   const auto edges = [](const hsp::SurfaceMap &map) { return map.edge_count(); };
   return get_range(surface, first, count, out, edges, edge_record);
 }
 
 int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_corner *out) {
+  LibraryArithmetic arithmetic;
   const auto corners = [](const hsp::SurfaceMap &map) { return map.corner_count(); };
   return get_range(surface, first, count, out, corners, corner_record);
 }
 
 int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
                                uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(surface, out == nullptr && capacity > 0); status != HSP_OK) return status;
   if (!surface->structure().is_closed()) return HSP_E_OPEN_SURFACE;
   const uint32_t shells = surface->structure().shells().count();
@@ -246,6 +251,7 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
 }
 
 int32_t hsp_surface_check(const hsp_surface *surface, uint32_t *invariant, uint32_t *id) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(surface, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   const SurfaceResults results(*surface);

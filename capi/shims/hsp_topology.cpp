@@ -6,6 +6,7 @@ using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
 using hsp::capi::is_live;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -51,6 +52,7 @@ int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits 
 }
 
 int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(topology); status != HSP_OK) return status;
   topology->complete = false;
   if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
@@ -103,6 +105,7 @@ int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first
 }
 
 int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t *id) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(topology, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   const hsp::Boundary &boundary = topology->boundary->structure();

@@ -4,6 +4,7 @@
 namespace {
 
 using hsp::capi::check_range;
+using hsp::capi::LibraryArithmetic;
 
 // Records of a topology with results.
 struct TopologyResults {
@@ -94,11 +95,13 @@ int32_t get_topology_range(const hsp_topology *topology, uint32_t first, uint32_
 
 int32_t hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count,
                                   hsp_topology_vertex *out) {
+  LibraryArithmetic arithmetic;
   const auto vertices = [](const hsp_topology &handle) { return handle.structure().vertex_count; };
   return get_topology_range(topology, first, count, out, vertices, topology_vertex);
 }
 
 int32_t hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_edge *out) {
+  LibraryArithmetic arithmetic;
   const auto edges = [](const hsp_topology &handle) { return handle.structure().quads.edges; };
   return get_topology_range(topology, first, count, out, edges, topology_edge);
 }

@@ -4,6 +4,7 @@
 #include "topology/shell_volumes.hpp"
 
 using hsp::capi::check_results;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -20,6 +21,7 @@ int32_t check_list(const hsp_topology *topology, uint32_t id, uint32_t hsp::Topo
 }  // namespace
 
 int32_t hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status = check_request(topology, out, capacity, needed,
                                        [](const hsp_topology &handle) { return handle.structure().shell_count; });
   if (status != HSP_OK) return status;
@@ -65,6 +67,7 @@ int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component 
 }
 
 int32_t hsp_topology_get_regions(hsp_topology *topology, hsp_region *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status = check_request(topology, out, capacity, needed,
                                        [](const hsp_topology &handle) { return handle.structure().region_count; });
   if (status != HSP_OK) return status;
@@ -113,6 +116,7 @@ int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint3
 }
 
 int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(topology, xyz == nullptr || region == nullptr); status != HSP_OK)
     return status;
   const hsp::CubeGrid &grid = topology->boundary->model->grid;

@@ -6,6 +6,7 @@
 using hsp::capi::check_handle;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::LibraryArithmetic;
 
 namespace {}  // namespace
 
@@ -26,6 +27,7 @@ int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size) {
 }
 
 int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z) {
+  LibraryArithmetic arithmetic(x, y, z);
   if (options == nullptr) return HSP_E_ARGUMENT;
   if (const int32_t status = check_struct(options); status != HSP_OK) return status;
   hsp::ViewDirection direction;
@@ -40,6 +42,7 @@ int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, dou
 
 int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
                          const hsp_view_options *options, hsp_view_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(view); status != HSP_OK) return status;
   view->complete = false;
   hsp_view_options wanted;

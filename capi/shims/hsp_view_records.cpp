@@ -5,6 +5,7 @@
 #include "view_options.hpp"
 
 using hsp::capi::check_results;
+using hsp::capi::LibraryArithmetic;
 
 namespace {
 
@@ -34,6 +35,7 @@ hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::ProjectedArc &arc, uint3
 }  // namespace
 
 int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(view, info == nullptr); status != HSP_OK) return status;
   const hsp::BallSet &balls = view->balls();
   const hsp::View &structure = view->structure();
@@ -55,6 +57,7 @@ int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
 
 // The library keeps loops and arcs in the order of the grid; here they come in the order of the pieces.
 int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status = check_request(view, out, capacity, needed,
                                        [](const hsp_view &handle) { return handle.structure().pieces.size(); });
   if (status != HSP_OK) return status;
@@ -99,6 +102,7 @@ int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t ca
 }
 
 int32_t hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
   const int32_t status =
       check_request(view, out, capacity, needed, [](const hsp_view &handle) { return handle.structure().arcs.size(); });
   if (status != HSP_OK) return status;
