@@ -29,20 +29,20 @@ struct ChordKernel {
     const Real wx = L::all(gamma * chord.nx.v), wy = L::all(gamma * chord.ny.v), wz = L::all(gamma * chord.nz.v);
     const Real slope = L::all(CapColumns::least_slope);
     const Real twice = L::all(2 * CapColumns::least_slope);
-    const Real none = L::all(CapColumns::none);
+    const Real none = L::all(CapColumns::none), start = L::all(CapColumns::start), shift = L::all(CapColumns::shift);
     constexpr int64_t numbers = CapColumns::most_caps - 1;
     Mask number{};
     for (uint32_t lane = 0; lane < n; ++lane) number[lane] = lane;
     number += first;
-    Real best = none, second = none;
+    Real best = none + shift, second = best;
     Mask unclear{};
     for (uint32_t t = first; t < last; t += n) {
       const Real ux = L::load(caps.ux + t), uy = L::load(caps.uy + t), uz = L::load(caps.uz + t);
       const Real depth = L::fused(mz, uz, L::fused(my, uy, L::fused(mx, ux, L::load(caps.b + t))));  // -f
       const Real slant = L::fused(wz, uz, L::fused(wy, uy, wx * ux));                                // g
       unclear += L::larger(depth, L::absolute(slant)) <= twice;
-      const Real quotient = L::select(slant > slope, depth / slant, none);
-      const Real s = L::number((L::bits(quotient) & ~(Mask{} + numbers)) | number);
+      const Real quotient = L::select(slant > slope, depth / L::larger(slant, slope), none);
+      const Real s = L::number((L::bits(L::larger(quotient, start) + shift) & ~(Mask{} + numbers)) | number);
       second = L::smaller(second, L::larger(best, s));
       best = L::smaller(s, best);
       number += n;
@@ -54,10 +54,12 @@ struct ChordKernel {
       next = larger < other ? larger : other;
       least = least < best[lane] ? least : best[lane];
     }
-    const double gap = chord.error.v * (8 / CapColumns::least_slope) + 0x1p-34;
+    const double gap = chord.error.v * (8 / CapColumns::least_slope) + 0x1p-29;
     uint64_t bits = 0;
     std::memcpy(&bits, &least, sizeof bits);
-    return L::count(unclear) == 2 && least < 2.0 && next - least > gap ? static_cast<uint32_t>(bits & numbers) : no_cut;
+    return L::count(unclear) == 2 && least < 2.0 + CapColumns::shift && next - least > gap
+               ? static_cast<uint32_t>(bits & numbers)
+               : no_cut;
   }
 };
 

@@ -20,6 +20,7 @@ bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32
   const Floats far = Floats::all(16.0F * radius * radius);
   const Floats below = Floats::all(1.0F - 0x1p-19F);
   const Floats above = Floats::all(1.0F + 0x1p-19F);
+  const Floats one = Floats::all(1.0F);
   LaneBits unsure = 0;
   for (uint32_t k = 0; k < count; k += Floats::lanes) {
     const uint32_t *const ids = near + k;
@@ -32,7 +33,8 @@ bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32
     const LaneBits circles =
         greater(sum * sum * below, squared) & greater(squared, difference * difference * above) & greater(far, squared);
     unsure |= first_lanes(count - k) & ~circles;
-    const Floats inverse = Floats::all(1.0F) / square_root(squared);
+    // Of the ball itself, which fills the end, and of others with its centre no quotient is taken; those are not sure.
+    const Floats inverse = one / square_root(larger(squared, one));
     const Floats h = minus_fused(difference, sum, squared);
     (dx * inverse).store(caps.x + k);
     (dy * inverse).store(caps.y + k);
