@@ -29,6 +29,7 @@ from write.python import python_module
 from write.registry import registry
 from write.workspace import workspace_header
 from write.workspace_fortran import workspace_module
+from write.wrapped_calls import wrapped_calls
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -50,6 +51,7 @@ GENERATED = {
     "capi/bindings/hardsphere.rs": rust_declarations,
     "capi/bindings/hardsphere.jl": julia_declarations,
     "tests/laws/support/registry.c": registry,
+    "tests/support/host/wrapped_calls.c": wrapped_calls,
 }
 
 
