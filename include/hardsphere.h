@@ -142,6 +142,15 @@
  *   A result of a handle whose memory was given back, or is used for something else, must not be read any
  *   more: the library cannot know. hsp_X_compute with NULL for the model or boundary drops results.
  *
+ * FLOATING POINT
+ *   A program may round to another direction, flush subnormal numbers to zero, as -ffast-math and -Ofast make it, and
+ *   trap exceptions, as with -ffpe-trap: results are the same bits, and nothing traps. Every function that calculates
+ *   sets the default environment for its thread, to nearest with neither flushing nor traps, and puts back the caller's
+ *   with the flags that it had; so does every task of an executor in its thread. Functions of the caller's, such as the
+ *   loop of an executor and a sink, run in the caller's environment, and what they change of it stays. It is that of
+ *   MXCSR on x86, FPCR and FPSR on 64-bit Arm, FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC on s390x, FCSR on MIPS.
+ *   WebAssembly and arithmetic in software have none; on other processors the library computes in that of the caller.
+ *
  * LIMITS
  *   All handles but models take in what some numbers allow, which fix their memory. Every hsp_X_limits is an array of
  *   uint32_t, of which struct_size is the first, and grows at its end: so programs in any language may take it.

@@ -8,6 +8,10 @@ add_executable(interface_bits ${HSP_PORTABILITY_HERE}/interface_bits.c ${HSP_POR
   ${HSP_PORTABILITY_HERE}/print_maps.c)
 set_target_properties(interface_bits PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
 target_link_libraries(interface_bits PRIVATE hsp_interface_checks hardsphere_warnings)
+if(NOT COMMAND hsp_in_host_environments)
+  add_subdirectory(${HSP_PORTABILITY_HERE}/../support/host host)
+endif()
+hsp_in_host_environments(interface_bits)
 # The ball sets are computed, too, and have to be the same.
 target_compile_options(hsp_interface_checks PRIVATE -ffp-contract=off)
 

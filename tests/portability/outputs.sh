@@ -34,6 +34,22 @@ succeed() { # name, command
   fi
 }
 
+# What the interface answers to a program in that floating-point environment is what it answers to others, if there is
+# such an environment here (tests/support/host).
+same_in() { # environment
+  local status=0
+  [[ interface_bits_of_some =~ $names ]] || return 0
+  # shellcheck disable=SC2086
+  HSP_HOST_ENVIRONMENT=$1 $emulator "$interface_bits" 4 >"$outputs/$1" 2>&1 </dev/null || status=$?
+  echo "exit status $status" >>"$outputs/$1"
+  if [ $status -eq 77 ]; then
+    echo "there is no environment $1 here"
+  elif ! cmp "$outputs/interface_bits_of_some" "$outputs/$1"; then
+    failed=1
+  fi
+  rm "$outputs/$1"
+}
+
 both_commands() { # record or succeed, name, options
   local how=$1 name=$2
   shift 2
@@ -50,6 +66,7 @@ draw() { # name with the format's ending, options
 
 succeed interface_bits "$interface_bits"
 succeed interface_bits_of_some "$interface_bits" 4
+for environment in flushing traps upward downward to_zero; do same_in $environment; done
 succeed arc_tangent_bits "$arc_tangent_bits"
 
 for molecule in crambin caffeine acetyl_coa; do
