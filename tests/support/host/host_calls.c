@@ -6,9 +6,14 @@
 
 #include "host_environment.h"
 
-/* Read once; threads that are the first at the same time read the same. */
+static int which = -1;
+
+void host_calls_choose(int environment) {
+  which = environment;
+}
+
+/* The variable is read once; threads that are the first at the same time read the same. */
 static int chosen(void) {
-  static int which = -1;
   if (which < 0) {
     const char *const name = getenv("HSP_HOST_ENVIRONMENT");
     int k = HOST_default;

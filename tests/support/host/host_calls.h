@@ -6,6 +6,10 @@
 
 #include <fenv.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct host_call {
   const char *name;
   int which, flag;
@@ -15,3 +19,10 @@ typedef struct host_call {
 /* The program's own environment comes back when the call has ended. */
 void host_call_begins(host_call *call, const char *name);
 void host_call_ends(const host_call *call);
+
+/* From now on calls are made in this one instead, which exists. */
+void host_calls_choose(int environment);
+
+#ifdef __cplusplus
+}
+#endif
