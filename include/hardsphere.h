@@ -147,8 +147,8 @@
  *   trap exceptions, as with -ffpe-trap: results are the same bits, and nothing traps. Every function that calculates
  *   sets the default environment for its thread, to nearest with neither flushing nor traps, and puts back the caller's
  *   with the flags that it had; so does every task of an executor in its thread. Functions of the caller's, such as the
- *   loop of an executor and a sink, run in the caller's environment, and what they change of it stays. It is that of
- *   MXCSR on x86, FPCR and FPSR on 64-bit Arm, FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC on s390x, FCSR on MIPS.
+ *   loop of an executor and a sink, run in the caller's environment, and what they change of it stays. It is in MXCSR
+ *   on x86, FPCR and FPSR on 64-bit Arm, FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC on s390x, FCSR on MIPS.
  *   WebAssembly and arithmetic in software have none; on other processors the library computes in that of the caller.
  *
  * LIMITS

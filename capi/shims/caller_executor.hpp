@@ -12,8 +12,8 @@ namespace hsp::capi {
 static_assert(std::is_same_v<hsp_task, hsp::Executor::Task>);
 static_assert(max_tasks == HSP_MAX_WORKERS);
 
-// An executor of the caller's, or null for none. Its loop runs in the caller's floating-point environment, each task in the
-// library's: a thread has registers of its own.
+// An executor of the caller's, or null for none. Its loop runs in the caller's floating-point environment, each task in
+// the library's: a thread has registers of its own.
 class Executor : public hsp::Executor {
  public:
   explicit Executor(LibraryArithmetic &arithmetic) : arithmetic_(arithmetic) {}

@@ -1,14 +1,14 @@
-// The floating-point environment of a thread: how it rounds, whether it flushes subnormal numbers to zero, which exceptions
-// trap, and the flags of those that have occurred. A program sets it as it likes, or its compiler does (-ffast-math,
-// -ffpe-trap); the library computes in the default one: to nearest, nothing flushed, no traps.
+// The floating-point environment of a thread: how it rounds, whether it flushes subnormal numbers to zero, which
+// exceptions trap, and the flags of those that have occurred. A program sets it as it likes, or its compiler does
+// (-ffast-math, -ffpe-trap); the library computes in the default one: to nearest, nothing flushed, no traps.
 //
 //   int32_t hsp_noun_verb(hsp_noun *noun, double value) {
 //     LibraryArithmetic arithmetic(value);   // first of all: comparisons raise exceptions, too
 //     ..
 //   }                                        // the caller's environment again, with the flags that it had
 //
-// A function without any of it has no arithmetic that could raise, round or flush; copies of doubles have not. A test reads
-// the code that the compiler has made of them (tests/packaging/floating_point.sh).
+// A function without any of it has no arithmetic that could raise, round or flush; copies of doubles have not. A test
+// reads the code that the compiler has made of them (tests/packaging/floating_point.sh).
 #pragma once
 
 #include <cstdint>
@@ -130,7 +130,7 @@ struct FloatingPoint {
     return FloatingPoint{__builtin_bit_cast(uint64_t, found)}.without_conditions();
   }
   void set() const { asm volatile("mtfsf 255, %0" : : "d"(__builtin_bit_cast(double, fpscr)) : "memory"); }
-  // What the last operation was rounded to, and what class its result is of.
+  // How the last operation was rounded, and the class of its result.
   FloatingPoint without_conditions() const { return {fpscr & ~UINT64_C(0x7F000)}; }
   // Traps, flushing, rounding.
   FloatingPoint of_library() const { return {fpscr & ~UINT64_C(0xFF)}; }
@@ -152,8 +152,8 @@ struct FloatingPoint {
 // The library's environment, for as long as this lives.
 class LibraryArithmetic {
  public:
-  // Doubles that the caller has passed by value: what is computed of them stays behind this, for compilers do not know that
-  // operations depend on the environment. They do not move what is in memory.
+  // Doubles that the caller has passed by value: nothing is computed of them before this. Compilers do not know that
+  // operations depend on the environment, but they do not move what is in memory.
   template <class... Double>
   explicit LibraryArithmetic(Double &...by_value) : callers_(FloatingPoint::now()) {
     enter();
@@ -179,7 +179,7 @@ class LibraryArithmetic {
   FloatingPoint callers_;
 };
 
-// The caller's environment again, while a function of the caller's runs. The flags that it raises, and what it sets, stay.
+// The caller's environment again, while a function of the caller's runs. Flags that it raises, and what it sets, stay.
 class CallersArithmetic {
  public:
   explicit CallersArithmetic(LibraryArithmetic &library) : library_(library) { library_.leave(); }

@@ -29,9 +29,10 @@ typedef struct hsp_executor {
   uint32_t workers;     /**< how many threads there are for the tasks */
   void *context;        /**< or NULL: handed to run */
   /** Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads, and returns when all
-   *  have returned. It runs in the caller's floating-point environment, and tasks in the library's, whatever that of
-   *  their thread is (FLOATING POINT in hardsphere.h). Their results must be visible to the caller's thread then, as after a join. tasks may be larger
-   *  than workers, HSP_MAX_WORKERS at most. Not NULL with more than one worker. */
+   *  have returned. Their results must be visible to the caller's thread then, as after a join. tasks may be larger
+   *  than workers, HSP_MAX_WORKERS at most. Not NULL with more than one worker. The loop runs in the caller's
+   *  floating-point environment, and tasks in the library's, whatever that of their thread is (FLOATING POINT in
+   *  hardsphere.h). */
   void (*run)(void *context, uint32_t tasks, hsp_task *task, void *data);
 } hsp_executor;
 

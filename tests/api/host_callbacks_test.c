@@ -1,5 +1,5 @@
-/* Functions of the caller's run in the caller's floating-point environment, tasks of an executor in the library's on any
- * thread, whose own environment comes back: hardsphere.h, FLOATING POINT. */
+/* Functions of the caller's run in the caller's floating-point environment, tasks of an executor in the library's on
+ * any thread, whose own environment comes back: hardsphere.h, FLOATING POINT. */
 #define _POSIX_C_SOURCE 200112L
 #include <fenv.h>
 #include <hardsphere.h>

@@ -1,6 +1,6 @@
 /* A program that is linked with -ffast-math: compilers add code that flushes subnormal numbers from its first line on.
- * Balls on integers, many of which tie, have the same contacts and complex as where nothing is flushed, in free space and
- * in a box. */
+ * Balls on integers, many of which tie, have the same contacts and complex as where nothing is flushed, in free space
+ * and in a box. */
 #include <fenv.h>
 #include <hardsphere_workspace.h>
 #include <stdio.h>

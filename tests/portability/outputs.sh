@@ -34,8 +34,8 @@ succeed() { # name, command
   fi
 }
 
-# What the interface answers to a program in that floating-point environment is what it answers to others, if there is
-# such an environment here (tests/support/host).
+# A program in that floating-point environment has the same answers of the interface, if there is such an environment
+# here (tests/support/host).
 same_in() { # environment
   local status=0
   [[ interface_bits_of_some =~ $names ]] || return 0

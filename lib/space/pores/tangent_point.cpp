@@ -492,7 +492,7 @@ CurveShape::CurveShape(const BallSet &balls, const TangentCurve &curve) {
 }
 
 CurvePiece::CurvePiece(const CurveShape &curve, double lower, double upper)
-    : shape(&curve), from(lower), to(upper), error(curve.error_at(upper)) {
+    : shape(&curve), from(lower), to(upper), error(curve.error_up_to(upper)) {
   const double h0 = curve.height(from), h1 = curve.height(to);
   low = h0 < h1 ? h0 : h1;
   high = h0 < h1 ? h1 : h0;

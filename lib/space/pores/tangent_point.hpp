@@ -168,7 +168,9 @@ bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint
 int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball, bool &beyond_reach);
 
 // A curve in doubles: y = p + q z + h e with e across it and h^2 = -(A z^2 + 2 b z + c), seen from its base.
-// error_at(z): how far y may be off; infinite if nothing is known.
+// error_at(z): how far y may be off; infinite if nothing is known. error_up_to(z): as far as z, and grows with it.
+// With h^2 off by d, h is off by d/(h + true h), hence by d/h at most, and by sqrt(d) at most, which is less near h = 0
+// alone.
 struct CurveShape {
   Vec3 p, q, e;
   double A, b, c;
@@ -180,8 +182,14 @@ struct CurveShape {
     return squared > 0.0 ? std::sqrt(squared) : 0.0;
   }
   double error_at(double z) const {
-    return 1.001 * (error_p + error_q * z + std::sqrt((error_A * z + 2.0 * error_b) * z + error_c)) + 1e-12 * z;
+    const double h = height(z), squared = error_of_square(z), most = std::sqrt(squared);
+    return error_with(z, h > most ? squared / h : most);
   }
+  double error_up_to(double z) const { return error_with(z, std::sqrt(error_of_square(z))); }
+
+ private:
+  double error_of_square(double z) const { return (error_A * z + 2.0 * error_b) * z + error_c; }
+  double error_with(double z, double error_h) const { return 1.001 * (error_p + error_q * z + error_h) + 1e-12 * z; }
 };
 
 // A piece of a curve, between two z, and how far off its line it is there.

@@ -177,7 +177,7 @@ Status WayUp::gather(const CurveShape &shape, const TangentCurve &curve, double 
   const BallSet &balls = *balls_;
   const uint32_t base = curve.base;
   const double level = static_cast<double>(to), z = 2.0 * (balls.r[base] + level);
-  const double error = shape.error_at(z);
+  const double error = shape.error_up_to(z);
   LatticeQuery query{balls.ball(base).centre, 0};
   // From the base's centre, from which no point is further than z / 2.
   double reach = 0.5 * z;

@@ -4,8 +4,8 @@
 // g = u.w a cap is entered at s = -f/g where g > 0. Errors of f and g together are below E <= most_error (cap_pair.hpp,
 // UnitChord). So where g > least_slope and s <= 2 the quotient is off by at most (E + 2 E)/(g - E) and its rounding,
 // together less than 4 E/least_slope; and what is found beyond 2 lies beyond 1.9. Numbers of caps take the place of the
-// last 16 bits of s + 64, where all that lies before -60 is taken for -60: from 4 to 68, so that no number is lost with a
-// subnormal one that a processor takes for 0. That makes s less exact by 2^-30. Where |g| <= least_slope a cap cuts
+// last 16 bits of s + 64, where all that lies before -60 is taken for -60: from 4 to 68, so that no number is lost with
+// a subnormal one that a processor takes for 0. That makes s less exact by 2^-30. Where |g| <= least_slope a cap cuts
 // nothing up to s = 1 if -f is more than that; the others, and some with twice the slope, are not decided. The chord's
 // own two are among them.
 #pragma once

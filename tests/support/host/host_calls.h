@@ -1,7 +1,7 @@
 /* Every call of the interface that a program makes, in another floating-point environment than the program's own. The
- * program is linked with wrapped_calls.c and the options of hsp_in_host_environments (CMakeLists.txt): it runs as it is, and its
- * calls run in the environment that the variable HSP_HOST_ENVIRONMENT of the process names. A call that does not put it
- * back, with its flags, ends the program. */
+ * program is linked with wrapped_calls.c and the options of hsp_in_host_environments (CMakeLists.txt). It runs as it
+ * is; its calls run in the environment that the variable HSP_HOST_ENVIRONMENT of the process names. A call that does
+ * not put it back, with its flags, ends the program. */
 #pragma once
 
 #include <fenv.h>

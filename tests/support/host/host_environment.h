@@ -22,8 +22,8 @@ const char *host_environment_name(int which);
 /* Whether this processor and this C library have it. */
 int host_environment_exists(int which);
 
-/* Sets it for the calling thread, with no exception flag set but that of overflow if `flag` is not 0 and none trap: with
- * traps a flag would end the program later. */
+/* Sets it for the calling thread, with no exception flag set but that of overflow if `flag` is not 0 and none trap:
+ * with traps a flag would end the program later. */
 void host_environment_set(int which, int flag);
 
 /* NULL, or what is not as host_environment_set has made it. */

@@ -147,9 +147,12 @@ int32_t __wrap_hsp_model_options_init(hsp_model_options *options, uint32_t struc
   return result;
 }
 
-int32_t __real_hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options, uint32_t *first_bad);
-int32_t __wrap_hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options, uint32_t *first_bad);
-int32_t __wrap_hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options, uint32_t *first_bad) {
+int32_t __real_hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius, const
+    hsp_model_options *options, uint32_t *first_bad);
+int32_t __wrap_hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius, const
+    hsp_model_options *options, uint32_t *first_bad);
+int32_t __wrap_hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius, const
+    hsp_model_options *options, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_model_set");
@@ -169,9 +172,12 @@ int32_t __wrap_hsp_model_get_info(const hsp_model *model, hsp_model_info *info) 
   return result;
 }
 
-int32_t __real_hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_model_get_balls");
@@ -191,9 +197,12 @@ int32_t __wrap_hsp_model_get_packing(hsp_model *model, hsp_packing *figures) {
   return result;
 }
 
-int32_t __real_hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_query_point");
@@ -202,9 +211,12 @@ int32_t __wrap_hsp_query_point(const hsp_model *model, const double *xyz, uint32
   return result;
 }
 
-int32_t __real_hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_query_ball");
@@ -224,9 +236,12 @@ int32_t __wrap_hsp_query_meets(const hsp_model *model, const double *xyz, double
   return result;
 }
 
-int32_t __real_hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_query_neighbours");
@@ -235,9 +250,12 @@ int32_t __wrap_hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint3
   return result;
 }
 
-int32_t __real_hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_query_pairs");
@@ -301,9 +319,12 @@ int32_t __wrap_hsp_pose_from_matrix(const double *matrix, const double *translat
   return result;
 }
 
-int32_t __real_hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, uint32_t *hit, uint32_t *first_bad);
-int32_t __wrap_hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, uint32_t *hit, uint32_t *first_bad);
-int32_t __wrap_hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, uint32_t *hit, uint32_t *first_bad) {
+int32_t __real_hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    uint32_t *hit, uint32_t *first_bad);
+int32_t __wrap_hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    uint32_t *hit, uint32_t *first_bad);
+int32_t __wrap_hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    uint32_t *hit, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_body_hits");
@@ -312,9 +333,12 @@ int32_t __wrap_hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint3
   return result;
 }
 
-int32_t __real_hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad);
-int32_t __wrap_hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad);
-int32_t __wrap_hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad) {
+int32_t __real_hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    double margin, uint32_t *hit, uint32_t *first_bad);
+int32_t __wrap_hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    double margin, uint32_t *hit, uint32_t *first_bad);
+int32_t __wrap_hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    double margin, uint32_t *hit, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_body_hits_along");
@@ -323,9 +347,12 @@ int32_t __wrap_hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed,
   return result;
 }
 
-int32_t __real_hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
-int32_t __wrap_hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
-int32_t __wrap_hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, hsp_body_gap *gap, uint32_t *first_bad) {
+int32_t __real_hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    hsp_body_gap *gap, uint32_t *first_bad);
+int32_t __wrap_hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    hsp_body_gap *gap, uint32_t *first_bad);
+int32_t __wrap_hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    hsp_body_gap *gap, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_body_gaps");
@@ -334,9 +361,12 @@ int32_t __wrap_hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint3
   return result;
 }
 
-int32_t __real_hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, hsp_body_overlap *overlap, uint32_t *first_bad);
-int32_t __wrap_hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, hsp_body_overlap *overlap, uint32_t *first_bad);
-int32_t __wrap_hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, hsp_body_overlap *overlap, uint32_t *first_bad) {
+int32_t __real_hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    hsp_body_overlap *overlap, uint32_t *first_bad);
+int32_t __wrap_hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    hsp_body_overlap *overlap, uint32_t *first_bad);
+int32_t __wrap_hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
+    hsp_body_overlap *overlap, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_body_overlaps");
@@ -345,9 +375,12 @@ int32_t __wrap_hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, u
   return result;
 }
 
-int32_t __real_hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair,
+    uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_body_pairs");
@@ -356,9 +389,12 @@ int32_t __wrap_hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, cons
   return result;
 }
 
-int32_t __real_hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
-int32_t __wrap_hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
-int32_t __wrap_hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad) {
+int32_t __real_hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const
+    hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
+int32_t __wrap_hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const
+    hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
+int32_t __wrap_hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const
+    hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_body_rational_hits");
@@ -367,9 +403,12 @@ int32_t __wrap_hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *pos
   return result;
 }
 
-int32_t __real_hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_rational_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad);
-int32_t __wrap_hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_rational_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad);
-int32_t __wrap_hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_rational_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad) {
+int32_t __real_hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const
+    hsp_rational_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad);
+int32_t __wrap_hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const
+    hsp_rational_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad);
+int32_t __wrap_hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const
+    hsp_rational_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_body_rational_hits_along");
@@ -378,9 +417,12 @@ int32_t __wrap_hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_bod
   return result;
 }
 
-int32_t __real_hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
-int32_t __wrap_hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
-int32_t __wrap_hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad) {
+int32_t __real_hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const
+    hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
+int32_t __wrap_hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const
+    hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
+int32_t __wrap_hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const
+    hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_body_rational_gaps");
@@ -389,9 +431,12 @@ int32_t __wrap_hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *pos
   return result;
 }
 
-int32_t __real_hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose, uint32_t *pair, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose, uint32_t *pair, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose, uint32_t *pair, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose,
+    uint32_t *pair, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose,
+    uint32_t *pair, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose,
+    uint32_t *pair, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_body_rational_pairs");
@@ -422,9 +467,12 @@ int32_t __wrap_hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *byt
   return result;
 }
 
-int32_t __real_hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary **boundary);
-int32_t __wrap_hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary **boundary);
-int32_t __wrap_hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary **boundary) {
+int32_t __real_hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary
+    **boundary);
+int32_t __wrap_hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary
+    **boundary);
+int32_t __wrap_hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary **boundary)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_init");
@@ -444,9 +492,12 @@ int32_t __wrap_hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *mod
   return result;
 }
 
-int32_t __real_hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request *request, hsp_boundary_limits *limits);
-int32_t __wrap_hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request *request, hsp_boundary_limits *limits);
-int32_t __wrap_hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request *request, hsp_boundary_limits *limits) {
+int32_t __real_hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request
+    *request, hsp_boundary_limits *limits);
+int32_t __wrap_hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request
+    *request, hsp_boundary_limits *limits);
+int32_t __wrap_hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request
+    *request, hsp_boundary_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_compute_with");
@@ -466,9 +517,12 @@ int32_t __wrap_hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundar
   return result;
 }
 
-int32_t __real_hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_vertices");
@@ -488,9 +542,12 @@ int32_t __wrap_hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out,
   return result;
 }
 
-int32_t __real_hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_circles");
@@ -501,7 +558,8 @@ int32_t __wrap_hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle
 
 int32_t __real_hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed);
 int32_t __wrap_hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed) {
+int32_t __wrap_hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_faces");
@@ -512,7 +570,8 @@ int32_t __wrap_hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *ou
 
 int32_t __real_hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity, uint32_t *needed);
 int32_t __wrap_hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity, uint32_t *needed) {
+int32_t __wrap_hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity, uint32_t *needed)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_loops");
@@ -521,9 +580,12 @@ int32_t __wrap_hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *ou
   return result;
 }
 
-int32_t __real_hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_loop_arcs");
@@ -534,7 +596,8 @@ int32_t __wrap_hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop
 
 int32_t __real_hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity, uint32_t *needed);
 int32_t __wrap_hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity, uint32_t *needed) {
+int32_t __wrap_hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity, uint32_t *needed)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_balls");
@@ -565,9 +628,12 @@ int32_t __wrap_hsp_areas_bytes(uint32_t n, size_t *bytes) {
   return result;
 }
 
-int32_t __real_hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes, double *area, hsp_totals *totals);
-int32_t __wrap_hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes, double *area, hsp_totals *totals);
-int32_t __wrap_hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes, double *area, hsp_totals *totals) {
+int32_t __real_hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes,
+    double *area, hsp_totals *totals);
+int32_t __wrap_hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes,
+    double *area, hsp_totals *totals);
+int32_t __wrap_hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes,
+    double *area, hsp_totals *totals) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_areas");
@@ -576,9 +642,12 @@ int32_t __wrap_hsp_areas(uint32_t n, const double *xyz, const double *radius, do
   return result;
 }
 
-int32_t __real_hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double *area, double *volume_term, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double *area, double *volume_term, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double *area, double *volume_term, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double
+    *area, double *volume_term, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double
+    *area, double *volume_term, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double
+    *area, double *volume_term, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_measure");
@@ -587,9 +656,12 @@ int32_t __wrap_hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t 
   return result;
 }
 
-int32_t __real_hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request, hsp_measure_outputs *outputs);
-int32_t __wrap_hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request, hsp_measure_outputs *outputs);
-int32_t __wrap_hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request, hsp_measure_outputs *outputs) {
+int32_t __real_hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
+    hsp_measure_outputs *outputs);
+int32_t __wrap_hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
+    hsp_measure_outputs *outputs);
+int32_t __wrap_hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
+    hsp_measure_outputs *outputs) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_measures");
@@ -598,9 +670,12 @@ int32_t __wrap_hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp
   return result;
 }
 
-int32_t __real_hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_measure_faces");
@@ -620,9 +695,12 @@ int32_t __wrap_hsp_gradient_request_init(hsp_gradient_request *request, uint32_t
   return result;
 }
 
-int32_t __real_hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request, hsp_gradient_outputs *outputs);
-int32_t __wrap_hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request, hsp_gradient_outputs *outputs);
-int32_t __wrap_hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request, hsp_gradient_outputs *outputs) {
+int32_t __real_hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
+    hsp_gradient_outputs *outputs);
+int32_t __wrap_hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
+    hsp_gradient_outputs *outputs);
+int32_t __wrap_hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
+    hsp_gradient_outputs *outputs) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_gradient");
@@ -631,9 +709,12 @@ int32_t __wrap_hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp
   return result;
 }
 
-int32_t __real_hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request, hsp_derivatives_outputs *outputs);
-int32_t __wrap_hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request, hsp_derivatives_outputs *outputs);
-int32_t __wrap_hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request, hsp_derivatives_outputs *outputs) {
+int32_t __real_hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request,
+    hsp_derivatives_outputs *outputs);
+int32_t __wrap_hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request,
+    hsp_derivatives_outputs *outputs);
+int32_t __wrap_hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request,
+    hsp_derivatives_outputs *outputs) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_derivatives");
@@ -642,9 +723,12 @@ int32_t __wrap_hsp_boundary_get_derivatives(const hsp_boundary *boundary, const 
   return result;
 }
 
-int32_t __real_hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency, hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency, hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency, hsp_area_derivative *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
+    hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
+    hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
+    hsp_area_derivative *out, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_area_row");
@@ -653,9 +737,12 @@ int32_t __wrap_hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t 
   return result;
 }
 
-int32_t __real_hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request, uint32_t *first, uint32_t *ball, double *d_centre, double *d_radius, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request, uint32_t *first, uint32_t *ball, double *d_centre, double *d_radius, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request, uint32_t *first, uint32_t *ball, double *d_centre, double *d_radius, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request, uint32_t
+    *first, uint32_t *ball, double *d_centre, double *d_radius, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request, uint32_t
+    *first, uint32_t *ball, double *d_centre, double *d_radius, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request, uint32_t
+    *first, uint32_t *ball, double *d_centre, double *d_radius, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_area_rows");
@@ -697,9 +784,12 @@ int32_t __wrap_hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limi
   return result;
 }
 
-int32_t __real_hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure, uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad);
-int32_t __wrap_hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure, uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad);
-int32_t __wrap_hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure, uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad) {
+int32_t __real_hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double
+    pressure, uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double
+    pressure, uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double
+    pressure, uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_moving_set");
@@ -708,9 +798,12 @@ int32_t __wrap_hsp_moving_set(hsp_moving *moving, const hsp_model *model, const 
   return result;
 }
 
-int32_t __real_hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const double *radius, hsp_moving_limits *limits, uint32_t *first_bad);
-int32_t __wrap_hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const double *radius, hsp_moving_limits *limits, uint32_t *first_bad);
-int32_t __wrap_hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const double *radius, hsp_moving_limits *limits, uint32_t *first_bad) {
+int32_t __real_hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const double
+    *radius, hsp_moving_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const double
+    *radius, hsp_moving_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const double
+    *radius, hsp_moving_limits *limits, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_moving_move");
@@ -741,9 +834,12 @@ int32_t __wrap_hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *in
   return result;
 }
 
-int32_t __real_hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term,
+    uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_moving_measure");
@@ -752,9 +848,12 @@ int32_t __wrap_hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, 
   return result;
 }
 
-int32_t __real_hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius,
+    uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius,
+    uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius,
+    uint32_t *flags, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_moving_gradient");
@@ -763,9 +862,12 @@ int32_t __wrap_hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy,
   return result;
 }
 
-int32_t __real_hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball, hsp_moving_ball *out);
-int32_t __wrap_hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball, hsp_moving_ball *out);
-int32_t __wrap_hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball, hsp_moving_ball *out) {
+int32_t __real_hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball, hsp_moving_ball
+    *out);
+int32_t __wrap_hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball, hsp_moving_ball
+    *out);
+int32_t __wrap_hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball, hsp_moving_ball
+    *out) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_moving_get_balls");
@@ -796,9 +898,12 @@ int32_t __wrap_hsp_moving_get_model(const hsp_moving *moving, hsp_model *model) 
   return result;
 }
 
-int32_t __real_hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean, int32_t
+    *gauss_thirds, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean, int32_t
+    *gauss_thirds, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean, int32_t
+    *gauss_thirds, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_curvature");
@@ -807,9 +912,12 @@ int32_t __wrap_hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatur
   return result;
 }
 
-int32_t __real_hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request, hsp_morphometry_outputs *outputs);
-int32_t __wrap_hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request, hsp_morphometry_outputs *outputs);
-int32_t __wrap_hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request, hsp_morphometry_outputs *outputs) {
+int32_t __real_hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request,
+    hsp_morphometry_outputs *outputs);
+int32_t __wrap_hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request,
+    hsp_morphometry_outputs *outputs);
+int32_t __wrap_hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request,
+    hsp_morphometry_outputs *outputs) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_boundary_get_morphometry");
@@ -818,9 +926,12 @@ int32_t __wrap_hsp_boundary_get_morphometry(const hsp_boundary *boundary, const 
   return result;
 }
 
-int32_t __real_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary *boundary);
-int32_t __wrap_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary *boundary);
-int32_t __wrap_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
+int32_t __real_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary
+    *boundary);
+int32_t __wrap_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary
+    *boundary);
+int32_t __wrap_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary *boundary)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_contacts_limits_init");
@@ -840,9 +951,12 @@ int32_t __wrap_hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *byt
   return result;
 }
 
-int32_t __real_hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits, hsp_contacts **contacts);
-int32_t __wrap_hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits, hsp_contacts **contacts);
-int32_t __wrap_hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits, hsp_contacts **contacts) {
+int32_t __real_hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits, hsp_contacts
+    **contacts);
+int32_t __wrap_hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits, hsp_contacts
+    **contacts);
+int32_t __wrap_hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits, hsp_contacts **contacts)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_contacts_init");
@@ -862,9 +976,12 @@ int32_t __wrap_hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *
   return result;
 }
 
-int32_t __real_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_contacts_get_pairs");
@@ -873,9 +990,12 @@ int32_t __wrap_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact 
   return result;
 }
 
-int32_t __real_hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_contacts_get_row");
@@ -884,9 +1004,12 @@ int32_t __wrap_hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball,
   return result;
 }
 
-int32_t __real_hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume, double *contact_area, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume, double *contact_area, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume, double *contact_area, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume, double
+    *contact_area, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume, double
+    *contact_area, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume, double
+    *contact_area, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_contacts_measure");
@@ -895,9 +1018,12 @@ int32_t __wrap_hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *to
   return result;
 }
 
-int32_t __real_hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_contacts_group");
@@ -917,9 +1043,12 @@ int32_t __wrap_hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_comple
   return result;
 }
 
-int32_t __real_hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_contacts_get_simplices");
@@ -961,9 +1090,12 @@ int32_t __wrap_hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *byt
   return result;
 }
 
-int32_t __real_hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits, hsp_periodic **periodic);
-int32_t __wrap_hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits, hsp_periodic **periodic);
-int32_t __wrap_hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits, hsp_periodic **periodic) {
+int32_t __real_hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits, hsp_periodic
+    **periodic);
+int32_t __wrap_hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits, hsp_periodic
+    **periodic);
+int32_t __wrap_hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits, hsp_periodic **periodic)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_init");
@@ -972,9 +1104,12 @@ int32_t __wrap_hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_
   return result;
 }
 
-int32_t __real_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options, const double *box, hsp_periodic_limits *limits, uint32_t *first_bad);
-int32_t __wrap_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options, const double *box, hsp_periodic_limits *limits, uint32_t *first_bad);
-int32_t __wrap_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options, const double *box, hsp_periodic_limits *limits, uint32_t *first_bad) {
+int32_t __real_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const
+    hsp_model_options *options, const double *box, hsp_periodic_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const
+    hsp_model_options *options, const double *box, hsp_periodic_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const
+    hsp_model_options *options, const double *box, hsp_periodic_limits *limits, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_compute");
@@ -983,9 +1118,12 @@ int32_t __wrap_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const do
   return result;
 }
 
-int32_t __real_hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const double *box, const hsp_periodic_request *request, hsp_periodic_limits *limits, uint32_t *first_bad);
-int32_t __wrap_hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const double *box, const hsp_periodic_request *request, hsp_periodic_limits *limits, uint32_t *first_bad);
-int32_t __wrap_hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const double *box, const hsp_periodic_request *request, hsp_periodic_limits *limits, uint32_t *first_bad) {
+int32_t __real_hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
+    const double *box, const hsp_periodic_request *request, hsp_periodic_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
+    const double *box, const hsp_periodic_request *request, hsp_periodic_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
+    const double *box, const hsp_periodic_request *request, hsp_periodic_limits *limits, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_compute_with");
@@ -1005,9 +1143,12 @@ int32_t __wrap_hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodi
   return result;
 }
 
-int32_t __real_hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area, double *share_volume, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area, double *share_volume, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area, double *share_volume, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area, double
+    *share_volume, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area, double
+    *share_volume, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area, double
+    *share_volume, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_measure");
@@ -1016,9 +1157,12 @@ int32_t __wrap_hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_t
   return result;
 }
 
-int32_t __real_hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean, int32_t
+    *gauss_thirds, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean, int32_t
+    *gauss_thirds, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean, int32_t
+    *gauss_thirds, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_curvature");
@@ -1027,9 +1171,12 @@ int32_t __wrap_hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatur
   return result;
 }
 
-int32_t __real_hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request, hsp_periodic_morphometry_outputs *outputs);
-int32_t __wrap_hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request, hsp_periodic_morphometry_outputs *outputs);
-int32_t __wrap_hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request, hsp_periodic_morphometry_outputs *outputs) {
+int32_t __real_hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request,
+    hsp_periodic_morphometry_outputs *outputs);
+int32_t __wrap_hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request,
+    hsp_periodic_morphometry_outputs *outputs);
+int32_t __wrap_hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request,
+    hsp_periodic_morphometry_outputs *outputs) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_morphometry");
@@ -1038,9 +1185,12 @@ int32_t __wrap_hsp_periodic_get_morphometry(const hsp_periodic *periodic, const 
   return result;
 }
 
-int32_t __real_hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_contacts");
@@ -1049,9 +1199,12 @@ int32_t __wrap_hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_perio
   return result;
 }
 
-int32_t __real_hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
+    uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_group_contacts");
@@ -1060,9 +1213,12 @@ int32_t __wrap_hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_
   return result;
 }
 
-int32_t __real_hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_windings");
@@ -1071,9 +1227,12 @@ int32_t __wrap_hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_windi
   return result;
 }
 
-int32_t __real_hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_components");
@@ -1082,9 +1241,12 @@ int32_t __wrap_hsp_periodic_get_components(const hsp_periodic *periodic, uint32_
   return result;
 }
 
-int32_t __real_hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request, hsp_periodic_gradient_outputs *outputs);
-int32_t __wrap_hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request, hsp_periodic_gradient_outputs *outputs);
-int32_t __wrap_hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request, hsp_periodic_gradient_outputs *outputs) {
+int32_t __real_hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
+    hsp_periodic_gradient_outputs *outputs);
+int32_t __wrap_hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
+    hsp_periodic_gradient_outputs *outputs);
+int32_t __wrap_hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
+    hsp_periodic_gradient_outputs *outputs) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_gradient");
@@ -1093,9 +1255,12 @@ int32_t __wrap_hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp
   return result;
 }
 
-int32_t __real_hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_query_point");
@@ -1104,9 +1269,12 @@ int32_t __wrap_hsp_periodic_query_point(const hsp_periodic *periodic, const doub
   return result;
 }
 
-int32_t __real_hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out,
+    uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_query_ball");
@@ -1115,9 +1283,12 @@ int32_t __wrap_hsp_periodic_query_ball(const hsp_periodic *periodic, const doubl
   return result;
 }
 
-int32_t __real_hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_query_neighbours");
@@ -1126,9 +1297,12 @@ int32_t __wrap_hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint3
   return result;
 }
 
-int32_t __real_hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out,
+    uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_query_pairs");
@@ -1148,9 +1322,12 @@ int32_t __wrap_hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invari
   return result;
 }
 
-int32_t __real_hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_vertices");
@@ -1159,9 +1336,12 @@ int32_t __wrap_hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_perio
   return result;
 }
 
-int32_t __real_hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_arcs");
@@ -1170,9 +1350,12 @@ int32_t __wrap_hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_
   return result;
 }
 
-int32_t __real_hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_circles");
@@ -1181,9 +1364,12 @@ int32_t __wrap_hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_period
   return result;
 }
 
-int32_t __real_hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_faces");
@@ -1192,9 +1378,12 @@ int32_t __wrap_hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic
   return result;
 }
 
-int32_t __real_hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_loops");
@@ -1203,9 +1392,12 @@ int32_t __wrap_hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic
   return result;
 }
 
-int32_t __real_hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_loop_arcs");
@@ -1216,7 +1408,8 @@ int32_t __wrap_hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_peri
 
 int32_t __real_hsp_periodic_get_balls(const hsp_periodic *periodic, hsp_ball *out, uint32_t capacity, uint32_t *needed);
 int32_t __wrap_hsp_periodic_get_balls(const hsp_periodic *periodic, hsp_ball *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_periodic_get_balls(const hsp_periodic *periodic, hsp_ball *out, uint32_t capacity, uint32_t *needed) {
+int32_t __wrap_hsp_periodic_get_balls(const hsp_periodic *periodic, hsp_ball *out, uint32_t capacity, uint32_t *needed)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_balls");
@@ -1269,9 +1462,12 @@ int32_t __wrap_hsp_surface_compute(hsp_surface *surface, const hsp_boundary *bou
   return result;
 }
 
-int32_t __real_hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells, uint32_t count, hsp_surface_limits *limits);
-int32_t __wrap_hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells, uint32_t count, hsp_surface_limits *limits);
-int32_t __wrap_hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells, uint32_t count, hsp_surface_limits *limits) {
+int32_t __real_hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
+    uint32_t count, hsp_surface_limits *limits);
+int32_t __wrap_hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
+    uint32_t count, hsp_surface_limits *limits);
+int32_t __wrap_hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
+    uint32_t count, hsp_surface_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_surface_compute_shells");
@@ -1291,9 +1487,12 @@ int32_t __wrap_hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_co
   return result;
 }
 
-int32_t __real_hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
+    uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_surface_measure");
@@ -1302,9 +1501,12 @@ int32_t __wrap_hsp_surface_measure(const hsp_surface *surface, hsp_surface_total
   return result;
 }
 
-int32_t __real_hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request, hsp_gradient_outputs *outputs);
-int32_t __wrap_hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request, hsp_gradient_outputs *outputs);
-int32_t __wrap_hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request, hsp_gradient_outputs *outputs) {
+int32_t __real_hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
+    hsp_gradient_outputs *outputs);
+int32_t __wrap_hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
+    hsp_gradient_outputs *outputs);
+int32_t __wrap_hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
+    hsp_gradient_outputs *outputs) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_surface_get_gradient");
@@ -1379,9 +1581,12 @@ uint32_t __wrap_hsp_surface_left(const hsp_surface *surface, uint32_t h) {
   return result;
 }
 
-int32_t __real_hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_patch *out);
-int32_t __wrap_hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_patch *out);
-int32_t __wrap_hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_patch *out) {
+int32_t __real_hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_patch
+    *out);
+int32_t __wrap_hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_patch
+    *out);
+int32_t __wrap_hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_patch
+    *out) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_surface_get_patches");
@@ -1392,7 +1597,8 @@ int32_t __wrap_hsp_surface_get_patches(const hsp_surface *surface, uint32_t firs
 
 int32_t __real_hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_edge *out);
 int32_t __wrap_hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_edge *out);
-int32_t __wrap_hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_edge *out) {
+int32_t __wrap_hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_edge *out)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_surface_get_edges");
@@ -1401,9 +1607,12 @@ int32_t __wrap_hsp_surface_get_edges(const hsp_surface *surface, uint32_t first,
   return result;
 }
 
-int32_t __real_hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_corner *out);
-int32_t __wrap_hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_corner *out);
-int32_t __wrap_hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_corner *out) {
+int32_t __real_hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_corner
+    *out);
+int32_t __wrap_hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_corner
+    *out);
+int32_t __wrap_hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count, hsp_surface_corner
+    *out) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_surface_get_corners");
@@ -1412,9 +1621,12 @@ int32_t __wrap_hsp_surface_get_corners(const hsp_surface *surface, uint32_t firs
   return result;
 }
 
-int32_t __real_hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_surface_get_shells");
@@ -1434,9 +1646,12 @@ int32_t __wrap_hsp_surface_check(const hsp_surface *surface, uint32_t *invariant
   return result;
 }
 
-int32_t __real_hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary, double edge_length);
-int32_t __wrap_hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary, double edge_length);
-int32_t __wrap_hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary, double edge_length) {
+int32_t __real_hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary, double
+    edge_length);
+int32_t __wrap_hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary, double
+    edge_length);
+int32_t __wrap_hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary, double
+    edge_length) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_mesh_limits_init");
@@ -1445,9 +1660,12 @@ int32_t __wrap_hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_siz
   return result;
 }
 
-int32_t __real_hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface, double edge_length);
-int32_t __wrap_hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface, double edge_length);
-int32_t __wrap_hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface, double edge_length) {
+int32_t __real_hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
+    double edge_length);
+int32_t __wrap_hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
+    double edge_length);
+int32_t __wrap_hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
+    double edge_length) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_mesh_limits_init_surface");
@@ -1478,9 +1696,12 @@ int32_t __wrap_hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *
   return result;
 }
 
-int32_t __real_hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits *limits);
-int32_t __wrap_hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits *limits);
-int32_t __wrap_hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits *limits) {
+int32_t __real_hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits
+    *limits);
+int32_t __wrap_hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits
+    *limits);
+int32_t __wrap_hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits
+    *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_mesh_compute");
@@ -1489,9 +1710,12 @@ int32_t __wrap_hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, do
   return result;
 }
 
-int32_t __real_hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, hsp_mesh_limits *limits);
-int32_t __wrap_hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, hsp_mesh_limits *limits);
-int32_t __wrap_hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, hsp_mesh_limits *limits) {
+int32_t __real_hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, hsp_mesh_limits
+    *limits);
+int32_t __wrap_hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, hsp_mesh_limits
+    *limits);
+int32_t __wrap_hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, hsp_mesh_limits
+    *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_mesh_compute_surface");
@@ -1511,9 +1735,12 @@ int32_t __wrap_hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts
   return result;
 }
 
-int32_t __real_hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas, uint32_t *balls, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas, uint32_t *balls,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas, uint32_t *balls,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas, uint32_t *balls,
+    uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_mesh_get_vertices");
@@ -1522,9 +1749,12 @@ int32_t __wrap_hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *
   return result;
 }
 
-int32_t __real_hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights,
+    uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights,
+    uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_mesh_get_weights");
@@ -1533,9 +1763,12 @@ int32_t __wrap_hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, ui
   return result;
 }
 
-int32_t __real_hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches, uint32_t *balls, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches,
+    uint32_t *balls, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches,
+    uint32_t *balls, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches,
+    uint32_t *balls, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_mesh_get_triangles");
@@ -1555,9 +1788,12 @@ int32_t __wrap_hsp_mesh_get_patch(const hsp_mesh *mesh, uint32_t patch, uint32_t
   return result;
 }
 
-int32_t __real_hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary);
-int32_t __wrap_hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary);
-int32_t __wrap_hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
+int32_t __real_hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary
+    *boundary);
+int32_t __wrap_hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary
+    *boundary);
+int32_t __wrap_hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_limits_init");
@@ -1577,9 +1813,12 @@ int32_t __wrap_hsp_topology_bytes(const hsp_topology_limits *limits, size_t *byt
   return result;
 }
 
-int32_t __real_hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology **topology);
-int32_t __wrap_hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology **topology);
-int32_t __wrap_hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology **topology) {
+int32_t __real_hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology
+    **topology);
+int32_t __wrap_hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology
+    **topology);
+int32_t __wrap_hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology **topology)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_init");
@@ -1654,9 +1893,12 @@ uint32_t __wrap_hsp_topology_left(const hsp_topology *topology, uint32_t q) {
   return result;
 }
 
-int32_t __real_hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first, uint32_t count, uint32_t *onext, uint32_t *origin);
-int32_t __wrap_hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first, uint32_t count, uint32_t *onext, uint32_t *origin);
-int32_t __wrap_hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first, uint32_t count, uint32_t *onext, uint32_t *origin) {
+int32_t __real_hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first, uint32_t count, uint32_t
+    *onext, uint32_t *origin);
+int32_t __wrap_hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first, uint32_t count, uint32_t
+    *onext, uint32_t *origin);
+int32_t __wrap_hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first, uint32_t count, uint32_t
+    *onext, uint32_t *origin) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_get_quad_edges");
@@ -1665,9 +1907,12 @@ int32_t __wrap_hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_
   return result;
 }
 
-int32_t __real_hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_vertex *out);
-int32_t __wrap_hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_vertex *out);
-int32_t __wrap_hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_vertex *out) {
+int32_t __real_hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count,
+    hsp_topology_vertex *out);
+int32_t __wrap_hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count,
+    hsp_topology_vertex *out);
+int32_t __wrap_hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count,
+    hsp_topology_vertex *out) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_get_vertices");
@@ -1676,9 +1921,12 @@ int32_t __wrap_hsp_topology_get_vertices(const hsp_topology *topology, uint32_t 
   return result;
 }
 
-int32_t __real_hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_edge *out);
-int32_t __wrap_hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_edge *out);
-int32_t __wrap_hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_edge *out) {
+int32_t __real_hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_edge
+    *out);
+int32_t __wrap_hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_edge
+    *out);
+int32_t __wrap_hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_edge
+    *out) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_get_edges");
@@ -1687,9 +1935,12 @@ int32_t __wrap_hsp_topology_get_edges(const hsp_topology *topology, uint32_t fir
   return result;
 }
 
-int32_t __real_hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_simple_face *out);
-int32_t __wrap_hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_simple_face *out);
-int32_t __wrap_hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_simple_face *out) {
+int32_t __real_hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count,
+    hsp_simple_face *out);
+int32_t __wrap_hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count,
+    hsp_simple_face *out);
+int32_t __wrap_hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count,
+    hsp_simple_face *out) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_get_simple_faces");
@@ -1709,9 +1960,12 @@ int32_t __wrap_hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, u
   return result;
 }
 
-int32_t __real_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_get_components");
@@ -1731,9 +1985,12 @@ int32_t __wrap_hsp_topology_get_regions(hsp_topology *topology, hsp_region *out,
   return result;
 }
 
-int32_t __real_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_get_region_shells");
@@ -1742,9 +1999,12 @@ int32_t __wrap_hsp_topology_get_region_shells(const hsp_topology *topology, uint
   return result;
 }
 
-int32_t __real_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_get_region_balls");
@@ -1753,9 +2013,12 @@ int32_t __wrap_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t re
   return result;
 }
 
-int32_t __real_hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_get_traversal");
@@ -1852,9 +2115,12 @@ int32_t __wrap_hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint3
   return result;
 }
 
-int32_t __real_hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_cells_get_neighbours");
@@ -1896,9 +2162,12 @@ int32_t __wrap_hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, u
   return result;
 }
 
-int32_t __real_hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball, uint32_t *scratch, uint32_t words, uint32_t *words_needed);
-int32_t __wrap_hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball, uint32_t *scratch, uint32_t words, uint32_t *words_needed);
-int32_t __wrap_hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball, uint32_t *scratch, uint32_t words, uint32_t *words_needed) {
+int32_t __real_hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball, uint32_t
+    *scratch, uint32_t words, uint32_t *words_needed);
+int32_t __wrap_hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball, uint32_t
+    *scratch, uint32_t words, uint32_t *words_needed);
+int32_t __wrap_hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball, uint32_t
+    *scratch, uint32_t words, uint32_t *words_needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_model_arrangement");
@@ -1951,9 +2220,12 @@ int32_t __wrap_hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_p
   return result;
 }
 
-int32_t __real_hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path, hsp_paths_limits *limits);
-int32_t __wrap_hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path, hsp_paths_limits *limits);
-int32_t __wrap_hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path, hsp_paths_limits *limits) {
+int32_t __real_hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path, hsp_paths_limits
+    *limits);
+int32_t __wrap_hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path, hsp_paths_limits
+    *limits);
+int32_t __wrap_hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path, hsp_paths_limits
+    *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_paths_find");
@@ -2006,9 +2278,12 @@ int32_t __wrap_hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *
   return result;
 }
 
-int32_t __real_hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to, hsp_gate_limits *limits);
-int32_t __wrap_hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to, hsp_gate_limits *limits);
-int32_t __wrap_hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to, hsp_gate_limits *limits) {
+int32_t __real_hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
+    hsp_gate_limits *limits);
+int32_t __wrap_hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
+    hsp_gate_limits *limits);
+int32_t __wrap_hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
+    hsp_gate_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_gate_compute");
@@ -2072,9 +2347,12 @@ int32_t __wrap_hsp_pores_options_init(hsp_pores_options *options, uint32_t struc
   return result;
 }
 
-int32_t __real_hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options, hsp_pores_limits *limits);
-int32_t __wrap_hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options, hsp_pores_limits *limits);
-int32_t __wrap_hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options, hsp_pores_limits *limits) {
+int32_t __real_hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
+    hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
+    hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
+    hsp_pores_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_compute");
@@ -2083,9 +2361,12 @@ int32_t __wrap_hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const
   return result;
 }
 
-int32_t __real_hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options *options, hsp_pores_limits *limits);
-int32_t __wrap_hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options *options, hsp_pores_limits *limits);
-int32_t __wrap_hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options *options, hsp_pores_limits *limits) {
+int32_t __real_hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options
+    *options, hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options
+    *options, hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options
+    *options, hsp_pores_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_compute_periodic");
@@ -2127,9 +2408,12 @@ int32_t __wrap_hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint3
   return result;
 }
 
-int32_t __real_hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate_shifts *out);
-int32_t __wrap_hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate_shifts *out);
-int32_t __wrap_hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate_shifts *out) {
+int32_t __real_hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate_shifts
+    *out);
+int32_t __wrap_hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate_shifts
+    *out);
+int32_t __wrap_hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate_shifts
+    *out) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_gate_shifts");
@@ -2138,9 +2422,12 @@ int32_t __wrap_hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first,
   return result;
 }
 
-int32_t __real_hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_maximum_balls");
@@ -2149,9 +2436,12 @@ int32_t __wrap_hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maxi
   return result;
 }
 
-int32_t __real_hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_gate_balls");
@@ -2160,9 +2450,12 @@ int32_t __wrap_hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, u
   return result;
 }
 
-int32_t __real_hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_maximum_images");
@@ -2171,9 +2464,12 @@ int32_t __wrap_hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t max
   return result;
 }
 
-int32_t __real_hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_gate_images");
@@ -2193,9 +2489,12 @@ int32_t __wrap_hsp_pores_get_percolation(const hsp_pores *pores, hsp_pore_percol
   return result;
 }
 
-int32_t __real_hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_channels");
@@ -2237,9 +2536,12 @@ int32_t __wrap_hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_p
   return result;
 }
 
-int32_t __real_hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place, hsp_pore_place_shifts *shifts);
-int32_t __wrap_hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place, hsp_pore_place_shifts *shifts);
-int32_t __wrap_hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place, hsp_pore_place_shifts *shifts) {
+int32_t __real_hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place,
+    hsp_pore_place_shifts *shifts);
+int32_t __wrap_hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place,
+    hsp_pore_place_shifts *shifts);
+int32_t __wrap_hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place,
+    hsp_pore_place_shifts *shifts) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_locate_with_shifts");
@@ -2248,9 +2550,12 @@ int32_t __wrap_hsp_pores_locate_with_shifts(const hsp_pores *pores, const double
   return result;
 }
 
-int32_t __real_hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage *passage);
-int32_t __wrap_hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage *passage);
-int32_t __wrap_hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage *passage) {
+int32_t __real_hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage
+    *passage);
+int32_t __wrap_hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage
+    *passage);
+int32_t __wrap_hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage *passage)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_widest");
@@ -2259,9 +2564,12 @@ int32_t __wrap_hsp_pores_widest(const hsp_pores *pores, const double *from, cons
   return result;
 }
 
-int32_t __real_hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
-int32_t __wrap_hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
-int32_t __wrap_hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+int32_t __real_hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
+    uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
+    uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
+    uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_find_tunnel");
@@ -2270,9 +2578,12 @@ int32_t __wrap_hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const
   return result;
 }
 
-int32_t __real_hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
-int32_t __wrap_hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
-int32_t __wrap_hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+int32_t __real_hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t
+    *avoided, uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t
+    *avoided, uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t
+    *avoided, uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_find_cheapest_tunnel");
@@ -2292,9 +2603,12 @@ int32_t __wrap_hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_rou
   return result;
 }
 
-int32_t __real_hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_tunnel_points");
@@ -2303,9 +2617,12 @@ int32_t __wrap_hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_po
   return result;
 }
 
-int32_t __real_hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points, uint32_t
+    capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_tunnel_point_shifts");
@@ -2336,9 +2653,12 @@ int32_t __wrap_hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uin
   return result;
 }
 
-int32_t __real_hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_pocket_maxima");
@@ -2347,9 +2667,12 @@ int32_t __wrap_hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pock
   return result;
 }
 
-int32_t __real_hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_pocket_mouths");
@@ -2358,9 +2681,12 @@ int32_t __wrap_hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pock
   return result;
 }
 
-int32_t __real_hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_pocket_balls");
@@ -2369,9 +2695,12 @@ int32_t __wrap_hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocke
   return result;
 }
 
-int32_t __real_hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity,
+    uint32_t *needed);
+int32_t __wrap_hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity,
+    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_get_plugged_balls");
@@ -2380,9 +2709,12 @@ int32_t __wrap_hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, 
   return result;
 }
 
-int32_t __real_hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access, uint32_t *regions);
-int32_t __wrap_hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access, uint32_t *regions);
-int32_t __wrap_hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access, uint32_t *regions) {
+int32_t __real_hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access, uint32_t
+    *regions);
+int32_t __wrap_hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access, uint32_t
+    *regions);
+int32_t __wrap_hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access, uint32_t
+    *regions) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_find_regions");
@@ -2402,9 +2734,12 @@ int32_t __wrap_hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uin
   return result;
 }
 
-int32_t __real_hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary, hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary, hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary, hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+    hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+    hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+    hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_pores_measure_pockets");
@@ -2468,9 +2803,12 @@ int32_t __wrap_hsp_view_options_turn(hsp_view_options *options, double x, double
   return result;
 }
 
-int32_t __real_hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary, const hsp_view_options *options, hsp_view_limits *limits);
-int32_t __wrap_hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary, const hsp_view_options *options, hsp_view_limits *limits);
-int32_t __wrap_hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary, const hsp_view_options *options, hsp_view_limits *limits) {
+int32_t __real_hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary, const
+    hsp_view_options *options, hsp_view_limits *limits);
+int32_t __wrap_hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary, const
+    hsp_view_options *options, hsp_view_limits *limits);
+int32_t __wrap_hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary, const
+    hsp_view_options *options, hsp_view_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_view_compute");
@@ -2556,9 +2894,12 @@ int32_t __wrap_hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *li
   return result;
 }
 
-int32_t __real_hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits *limits);
-int32_t __wrap_hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits *limits);
-int32_t __wrap_hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits *limits) {
+int32_t __real_hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits
+    *limits);
+int32_t __wrap_hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits
+    *limits);
+int32_t __wrap_hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits
+    *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_map_compute");
@@ -2679,7 +3020,8 @@ int32_t __wrap_hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capa
 
 int32_t __real_hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed);
 int32_t __wrap_hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed) {
+int32_t __wrap_hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed)
+    {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_map_get_outline");
@@ -2765,9 +3107,12 @@ int32_t __wrap_hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limi
   return result;
 }
 
-int32_t __real_hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
-int32_t __wrap_hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
-int32_t __wrap_hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits) {
+int32_t __real_hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const
+    hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
+int32_t __wrap_hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const
+    hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
+int32_t __wrap_hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const
+    hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_sticks_compute");
@@ -2776,9 +3121,12 @@ int32_t __wrap_hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, co
   return result;
 }
 
-int32_t __real_hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
-int32_t __wrap_hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
-int32_t __wrap_hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits) {
+int32_t __real_hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const
+    hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
+int32_t __wrap_hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const
+    hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
+int32_t __wrap_hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const
+    hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict, hsp_sticks_limits *limits) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_sticks_compute_map");
@@ -2864,9 +3212,12 @@ int32_t __wrap_hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp
   return result;
 }
 
-int32_t __real_hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed) {
+int32_t __real_hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t
+    *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_sticks_get_outline");
@@ -2930,9 +3281,12 @@ uint32_t __wrap_hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uin
   return result;
 }
 
-int32_t __real_hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
-int32_t __wrap_hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
-int32_t __wrap_hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
+int32_t __real_hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char
+    *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
+int32_t __wrap_hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char
+    *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
+int32_t __wrap_hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char
+    *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_picture_write");
@@ -2941,9 +3295,12 @@ int32_t __wrap_hsp_picture_write(hsp_view *view, const uint32_t *colour, const h
   return result;
 }
 
-int32_t __real_hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options, const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
-int32_t __wrap_hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options, const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
-int32_t __wrap_hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options, const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
+int32_t __real_hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options, const
+    char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
+int32_t __wrap_hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options, const
+    char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
+int32_t __wrap_hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options, const
+    char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_picture_write_map");
@@ -2952,9 +3309,12 @@ int32_t __wrap_hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const
   return result;
 }
 
-int32_t __real_hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options, const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
-int32_t __wrap_hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options, const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
-int32_t __wrap_hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options, const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
+int32_t __real_hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options,
+    const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
+int32_t __wrap_hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options,
+    const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes);
+int32_t __wrap_hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options,
+    const char *title, const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_picture_write_sticks");
