@@ -61,13 +61,14 @@ struct places {
 };
 
 /* The pocket of a probe with a centre about there: a chord of the way of a probe runs through the ball that it touches,
- * and is lifted out of that. NO_AREA: in no place. */
+ * and is lifted out of that. NO_AREA: in no place, as beyond the lattice. */
 static int32_t locate(const struct places *places, const double xyz[3], uint8_t *pocket) {
   double at[3] = {xyz[0], xyz[1], xyz[2]};
   hsp_pore_place place;
   *pocket = NO_AREA;
   for (int tries = 0; tries < MOST_LIFTS; ++tries) {
     const int32_t status = hsp_pores_locate(places->pores, at, &place);
+    if (status == HSP_E_RANGE) return HSP_OK;
     if (status != HSP_OK) return status;
     if (place.maximum != HSP_NONE) {
       *pocket = place.maximum == HSP_PORE_OUTSIDE ? 0 : places->of_maximum[place.maximum];
