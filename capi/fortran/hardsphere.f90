@@ -860,7 +860,9 @@ module hardsphere
     integer(c_int32_t) :: cut_patches      ! of the concave patches, those that other probes cut
     integer(c_int32_t) :: hidden_patches   ! of these, those of which nothing is left
     integer(c_int32_t) :: rounded_patches  ! of the concave patches, those decided in integers after rounding
-    integer(c_int32_t) :: open_joints      ! corners, creases and pieces of cut patches that do not fit: see above
+    ! corners, creases and pieces of cut patches that do not fit, and vertices where balls touch and others pass: see
+    ! above
+    integer(c_int32_t) :: open_joints
   end type
 
   type, bind(C) :: hsp_surface_totals

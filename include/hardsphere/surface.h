@@ -38,11 +38,13 @@
  *
  * OPEN JOINTS   Where several ties of different kinds come together, patches may fail to fit: one has a corner or a
  * crease that another lacks, a crease ends elsewhere in one of its patches than in the other, or pieces do not sum to
- * what is left of their patch. Such a joint is open. Areas and volumes hold nevertheless, but the surface cannot be
- * read as patches, edges and corners, nor has it triangles. Of 18,000 sets of up to 14 balls, most full of ties, none
- * is so; of 70,000 more fewer than 10 are. Of sets of five points on a small lattice 6 of 100 are; 10 of 100 if points,
- * or balls tiny against the probe, are 1e-7 off such positions. Where balls touch in a vertex areas may be 1e-7 p^2
- * off.
+ * what is left of their patch. Such a joint is open. The surface cannot be read as patches, edges and corners then, nor
+ * has it triangles. Of 18,000 sets of up to 14 balls, most full of ties, none is so; of 70,000 more fewer than 10 are.
+ * Of sets of five points on a small lattice 6 of 100 are; 10 of 100 if points, or balls tiny against the probe, are
+ * 1e-7 off such positions. Areas and volumes hold nevertheless, and are at most 1e-7 p^2 off where balls touch in a
+ * vertex. But where two balls touch in a point that others pass, and vertices of others are left there, or two of the
+ * same balls in directions less than a quarter of a radian apart, they are not known: hsp_surface_measure and
+ * hsp_surface_get_gradient are HSP_E_OPEN_SURFACE, and each such vertex counts as an open joint.
  *
  * NUMBERS   Patches, edges and corners are numbered by the boundary, which has F faces, A arcs, C circles and V
  * vertices; f, a, c and v are its ids. The balls 0 and 1 of an arc or circle are those of hsp_arc and hsp_circle.
@@ -170,7 +172,8 @@ typedef struct hsp_surface_counts {
   uint32_t cut_patches;     /**< of the concave patches, those that other probes cut */
   uint32_t hidden_patches;  /**< of these, those of which nothing is left */
   uint32_t rounded_patches; /**< of the concave patches, those decided in integers after rounding */
-  uint32_t open_joints;     /**< corners, creases and pieces of cut patches that do not fit: see above */
+  uint32_t open_joints;     /**< corners, creases and pieces of cut patches that do not fit, and vertices where balls
+                                 touch and others pass: see above */
 } hsp_surface_counts;
 
 /** How many patches of each kind there are, and how many meet themselves or others. Without a probe all patches but the
@@ -202,9 +205,10 @@ typedef struct hsp_surface_totals {
  *
  *  Accuracy: about 1e-13 of the total for molecules.
  *  Cost: O(n + size of the boundary).
- *  @retval HSP_E_ARGUMENT  surface is NULL
- *  @retval HSP_E_CAPACITY  balls is given and capacity < n; nothing but *needed is written
- *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+ *  @retval HSP_E_ARGUMENT      surface is NULL
+ *  @retval HSP_E_CAPACITY      balls is given and capacity < n; nothing but *needed is written
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
+ *  @retval HSP_E_OPEN_SURFACE  two balls touch in a point that others pass: OPEN JOINTS above */
 HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
                                     uint32_t capacity, uint32_t *needed);
 
@@ -242,6 +246,7 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
+ *  @retval HSP_E_OPEN_SURFACE  as for hsp_surface_measure
  *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
 HSP_API int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
                                          hsp_gradient_outputs *outputs);

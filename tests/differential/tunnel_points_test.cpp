@@ -1,5 +1,5 @@
-// The points of tunnels: as near to each other as hsp_pores_get_tunnel_points, property 1, says, by distances of our own,
-// in free space and in boxes, and the same way on lattices of other steps.
+// The points of tunnels: as near to each other as hsp_pores_get_tunnel_points, property 1, says, by distances of our
+// own, in free space and in boxes, and the same way on lattices of other steps.
 #include <gtest/gtest.h>
 #include <hardsphere_workspace.h>
 

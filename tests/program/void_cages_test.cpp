@@ -1,5 +1,5 @@
-// The void of symmetric cages, turned and rounded, as fullerenes, zeolites and coordination cages have them: one, of the
-// volume that a ball laid into it adds to the union.
+// The void of symmetric cages, turned and rounded, as fullerenes, zeolites and coordination cages have them: one, of
+// the volume that a ball laid into it adds to the union.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,8 +24,8 @@ double length(const Point &p) {
   return std::hypot(p[0], p[1], p[2]);
 }
 
-// All points with these coordinates in any order and of any sign, but `few`: in cyclic order alone, or with an even number
-// of signs alone.
+// All points with these coordinates in any order and of any sign, but `few`: in cyclic order alone, or with an even
+// number of signs alone.
 enum class Few { none, cyclic, even_signs };
 void add_corners(const Point &point, Few few, std::vector<Point> &corners) {
   std::array<size_t, 3> order{0, 1, 2};

@@ -57,8 +57,8 @@ static double clearance_of(const struct void_wall *wall, const double point[3], 
   return least;
 }
 
-/* Whether the point lies in the void, by the library's integers. The centre of a sphere that touches four balls nearly in
- * one plane may be anywhere: beyond the lattice there is no void. */
+/* Whether the point lies in the void, by the library's integers. The centre of a sphere that touches four balls nearly
+ * in one plane may be anywhere: beyond the lattice there is no void. */
 static bool lies_inside(const struct search *search, const double point[3], bool *inside, struct failure *failure) {
   uint32_t region = HSP_NONE;
   const int32_t status = hsp_topology_locate(search->geometry->work.topology, point, &region);

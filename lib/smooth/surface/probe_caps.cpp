@@ -7,10 +7,6 @@
 namespace hsp {
 namespace {
 
-bool lies_on(const VertexRecord &vertex, uint32_t ball) {
-  return vertex.ball[0] == ball || vertex.ball[1] == ball || vertex.ball[2] == ball;
-}
-
 double squared(const Vec3 &a) {
   return dot(a, a);
 }
@@ -111,7 +107,7 @@ bool ProbeCaps::touches(const BallSet &balls, const Boundary &boundary, uint32_t
   if (misses(axis, 1.0, error + side_error_ + 0x1p-30)) return false;
   const VertexRecord &record = boundary.vertex(vertex_);
   const VertexRecord &mirrored = boundary.vertex(other);
-  if (!lies_on(mirrored, record.ball[0]) || !lies_on(mirrored, record.ball[1]) || !lies_on(mirrored, record.ball[2])) {
+  if (!mirrored.has(record.ball[0]) || !mirrored.has(record.ball[1]) || !mirrored.has(record.ball[2])) {
     return same_circle_rule(balls, boundary, other, false) == Rule::keep;
   }
   const exact::LatticeBall own = balls.ball(record.ball[0]);
@@ -169,7 +165,7 @@ ProbeCaps::Rule ProbeCaps::same_circle_rule(const BallSet &balls, const Boundary
     // Every half-edge that starts here lies on another one of the vertex's three circles.
     const uint32_t half_edge = boundary.half_edge_at(vertex_, slot);
     const uint32_t ball = own.ball[slot];
-    if (!lies_on(record, ball) || !lies_on(record, boundary.half_edge(half_edge).circle)) continue;
+    if (!record.has(ball) || !record.has(boundary.half_edge(half_edge).circle)) continue;
     if (!gap_known_[slot]) find_gap(balls, boundary, slot);
     if (across_[slot] != other) return Rule::drop;
     if (coincident && angle_of_gap(balls, boundary, ball, half_edge, {other, gap_edge_[slot]}) <= pi) hides = true;

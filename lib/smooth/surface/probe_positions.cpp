@@ -16,8 +16,7 @@ bool has_mirror_image(const Boundary &boundary, uint32_t vertex, uint32_t a, uin
     if (boundary.half_edge(e).circle != b) continue;
     const uint32_t ends[2] = {boundary.half_edge(e).vertex, boundary.end_vertex(e)};
     for (const uint32_t end : ends) {
-      const uint32_t *const ball = boundary.vertex(end).ball;
-      if (end != vertex && (ball[0] == third || ball[1] == third || ball[2] == third)) return true;
+      if (end != vertex && boundary.vertex(end).has(third)) return true;
     }
   }
   return false;
@@ -25,13 +24,19 @@ bool has_mirror_image(const Boundary &boundary, uint32_t vertex, uint32_t a, uin
 
 }  // namespace
 
-Vec3 way_off_touching_point(const BallSet &balls, const Boundary &boundary, uint32_t vertex) {
-  constexpr Vec3 none{0.0, 0.0, 0.0};
-  if (boundary.root_discriminant(vertex) != 0.0) return none;
+uint32_t third_of_touching(const BallSet &balls, const Boundary &boundary, uint32_t vertex) {
+  if (boundary.root_discriminant(vertex) != 0.0) return 3;
   const VertexRecord &record = boundary.vertex(vertex);
   uint32_t third = 0;
   while (third < 3 && !touch_from_outside(balls, record.ball[(third + 1) % 3], record.ball[(third + 2) % 3])) ++third;
+  return third;
+}
+
+Vec3 way_off_touching_point(const BallSet &balls, const Boundary &boundary, uint32_t vertex) {
+  constexpr Vec3 none{0.0, 0.0, 0.0};
+  const uint32_t third = third_of_touching(balls, boundary, vertex);
   if (third == 3) return none;
+  const VertexRecord &record = boundary.vertex(vertex);
   const Vec3 normal =
       cross(balls.difference(record.ball[0], record.ball[1]), balls.difference(record.ball[0], record.ball[2]));
   const double length = std::sqrt(dot(normal, normal));

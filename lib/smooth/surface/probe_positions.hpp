@@ -18,6 +18,9 @@ inline constexpr double radius_of_touching = 0x1p-23;
 // third ball alone covers the rest of the circle: then the patch has no area (flat_patches.hpp).
 Vec3 way_off_touching_point(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
 
+// The slot of the third ball of a vertex of which two balls touch from outside, in that very point; 3 for all others.
+uint32_t third_of_touching(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
+
 Position position_of_probe(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
 
 }  // namespace hsp

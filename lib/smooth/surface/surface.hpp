@@ -38,6 +38,7 @@ struct SurfaceCounts {
   uint32_t hidden_patches = 0;   // of these, those of which nothing is left
   uint32_t cusped_arcs = 0;      // arcs and circles whose saddle patch its axis cuts
   uint32_t rounded_patches = 0;  // patches decided in integers, after rounding
+  uint32_t crowded_points = 0;   // vertices where two balls touch and others pass
   PatchJoints joints;            // of cut patches
 };
 
@@ -59,6 +60,8 @@ class Surface {
   // Whether everything that meets is found from all sides. Not so where several ties come together that no rule
   // decides for all patches at once (settled_circles.hpp); areas are not concerned.
   bool is_closed() const { return counts_.joints.open == 0; }
+  // Whether areas and volumes are known: not where two balls touch and vertices of others are left (PROOFS.md, 11).
+  bool has_totals() const { return counts_.crowded_points == 0; }
 
  private:
   friend class SurfaceBuilder;

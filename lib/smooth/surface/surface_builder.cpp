@@ -12,6 +12,9 @@ namespace {
 // Areas on the unit sphere that differ by less are the same up to rounding.
 constexpr double least_steradians = 1e-6;
 
+// An angle between two vertices on the circle of balls that touch. Areas are off by twice as much if they count as one.
+constexpr double least_turn = 0x1p-26;
+
 }  // namespace
 
 // The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph; so many
@@ -78,6 +81,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     }
     if (status != Status::ok) return status;
   }
+  surface_.counts_.joints.open += surface_.counts_.crowded_points;
   surface_.touching_.count();
   surface_.concave_.measure(balls, boundary, grid_.positions(), cut);
   surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
@@ -98,6 +102,7 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
     cut.begin_vertex(v);
     const ProbeState state = probe_.gather(balls, boundary, chosen, grid_, v);
     if (probe_.touches()) surface_.touching_.set(v);
+    if (is_crowded(balls, boundary, v)) ++surface_.counts_.crowded_points;
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
     if (state == ProbeState::crossed) {
       if (probe_.overflowed()) continue;
@@ -161,6 +166,36 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
     }
   }
   return Status::ok;
+}
+
+// Of a vertex in which two balls touch: whether in that point there are vertices of others, not of both, or one of both
+// in a direction so near to its own that they count as one vertex.
+bool SurfaceBuilder::is_crowded(const BallSet &balls, const Boundary &boundary, uint32_t vertex) const {
+  const uint32_t third = third_of_touching(balls, boundary, vertex);
+  if (third == 3) return false;
+  const VertexRecord &record = boundary.vertex(vertex);
+  const uint32_t a = record.ball[(third + 1) % 3], b = record.ball[(third + 2) % 3];
+  const Position here = position_of_vertex(balls, boundary, vertex);
+  const double most = coincident_distance * static_cast<double>(balls.probe_steps);
+  const double least = least_turn * radius_of_touching * static_cast<double>(balls.probe_steps);
+  ProbeSearch search;
+  grid_.start_search(balls, vertex, search);
+  for (uint32_t r = 0; r < search.ranges; ++r) {
+    for (uint32_t k = search.range[r].first; k < search.range[r].last; ++k) {
+      const uint32_t other = search.vertex[k];
+      const VertexRecord &others = boundary.vertex(other);
+      if (others.has(a) && others.has(b)) {
+        const Vec3 between = grid_.difference(balls, vertex, other);
+        const double square = dot(between, between);
+        if (square < most * most && square > least * least) return true;
+        continue;
+      }
+      const Position there = position_of_vertex(balls, boundary, other);
+      const Vec3 apart = balls.difference(here.ball, there.ball) + (there.offset - here.offset);
+      if (dot(apart, apart) < most * most) return true;
+    }
+  }
+  return false;
 }
 
 // Of a whole patch: whether some side has a crease with a vertex at the same position.

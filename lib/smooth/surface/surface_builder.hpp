@@ -25,6 +25,7 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
   // Of each concave patch on its own, or such that all patches that meet in a point share them (settled_circles.hpp).
   enum class Decisions : uint8_t { of_each_patch, shared };
   Status cut_patches(const BallSet &balls, const Boundary &boundary, Decisions decisions);
+  bool is_crowded(const BallSet &balls, const Boundary &boundary, uint32_t vertex) const;
   bool has_opposite_probes(const BallSet &balls, const Boundary &boundary);
   bool store_flat_patch(FlatPatches &flat, uint32_t vertex);
   bool settle(const SettledCircles &circles, double steradians, const Vec3 &vector_area, const SurfaceCounts &before);

@@ -22,6 +22,7 @@ struct VertexRecord {
   bool tied() const { return (code & tied_bit) != 0; }
   // Which of its three balls this is.
   uint32_t slot_of(uint32_t b) const { return ball[0] == b ? 0 : ball[1] == b ? 1 : 2; }
+  bool has(uint32_t b) const { return ball[0] == b || ball[1] == b || ball[2] == b; }
 };
 
 // A vertex with its balls in another order. The sign is that of p+ or p- of the circles of ball[1] and ball[2] on

@@ -3257,10 +3257,10 @@ const function registry[] = {
   {"hsp_surface_get_counts", "surface", RESULT_status, 2, of_hsp_surface_get_counts, call_hsp_surface_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_surface_measure", "surface", RESULT_status, 5, of_hsp_surface_measure, call_hsp_surface_measure, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE)},
   {"hsp_surface_get_gradient", "surface", RESULT_status, 16, of_hsp_surface_get_gradient, call_hsp_surface_get_gradient,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_surface_get_part_counts", "surface", RESULT_status, 2, of_hsp_surface_get_part_counts,
       call_hsp_surface_get_part_counts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
       BIT(HSP_E_OPEN_SURFACE)},
