@@ -364,7 +364,6 @@ void CriticalPoints::settle_ties(Cube &cube) {
     bool tie = !flat && find_far_apart(balls, tied, four) &&
                all.find(balls, {four[0], four[1], four[2]}, four[3], rising) && all.level_against(floor_) > 0;
     for (uint32_t k = 0; tie && k < size; ++k) tie = all.nearness(tied[k]) == 0;
-    beyond_reach_ = beyond_reach_ || all.beyond_reach();
     if (!tie) {
       if (size <= CubeDirections::room) {
         directions_[0].set(target_, near_arrays(tied), to_double(left.centre), left.half + 2.0);

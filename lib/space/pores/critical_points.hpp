@@ -47,7 +47,7 @@ class CriticalPoints {
 
   void carve(Workspace &workspace, const CriticalLimits &limits);
   // Of balls none of which lies inside another one; points have their numbers there. Status::capacity: a limit is too
-  // small, needed() tells what suffices as far as it is known. Status::range: balls of one question are too far apart.
+  // small, needed() tells what suffices as far as it is known. Status::range: an image is too many boxes away.
   Status find(PoreBalls &balls, int64_t floor);
 
   // Room for records, whose points alone are set. To be brought into order. Of a gate `directions` is the translation

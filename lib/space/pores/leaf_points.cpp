@@ -124,7 +124,6 @@ bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &bl
     if (!(16.0 * apart < nearest_centre)) continue;
     bool tie = true;
     for (uint32_t k = 0; tie && k < near.size(); ++k) tie = point.nearness(near[k]) == 0;
-    beyond_reach_ = beyond_reach_ || point.beyond_reach();
     if (!tie) continue;
     if (point.level_against(floor_) > 0 && is_in(point, block) && is_in(point, other)) {
       for (uint32_t k = 0; k < near.size(); ++k) at_point_[k] = near[k];
@@ -135,7 +134,6 @@ bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &bl
       constexpr uint32_t unnamed[4] = {no_id, no_id, no_id, no_id};
       if (kind != PointKind::passing) add(point, unnamed, kind, tied);
     }
-    beyond_reach_ = beyond_reach_ || point.beyond_reach();
     point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising);
     see_directions(near, middle);
     try_flat_sets(point, near, block, other, 8.0 * apart / nearest_centre + 1e-12);
@@ -175,7 +173,6 @@ void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32
       }
     }
   }
-  beyond_reach_ = beyond_reach_ || common.beyond_reach();
 }
 
 // All sets of three and four with points in both of two cubes, as seen from the first one; alone: of which kind a point
@@ -250,10 +247,7 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
   const BallSet &balls = *balls_;
   TangentPoint point(lines());
   const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
-  if (!found) {
-    beyond_reach_ = beyond_reach_ || point.beyond_reach();
-    return false;
-  }
+  if (!found) return false;
   // Most are elsewhere.
   if (may_be_in(point, block) < 0 || may_be_in(point, other) < 0) return false;
   bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
@@ -285,7 +279,6 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
     known.set[known.size++] = ties;
   }
   if (kept) add(point, ids, kind, at_point_.part(0, tied));
-  beyond_reach_ = beyond_reach_ || point.beyond_reach();
   return kept && tied == near.size();
 }
 

@@ -39,7 +39,7 @@ class PoresBuilder {
   void carve(Workspace &workspace, const PoreLimits &limits);
 
   // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits().
-  // Status::range: balls that touch one probe are more than 2^35 steps apart. Status::check cannot happen.
+  // Status::range: a way up leads to probes of 2^50 steps. Status::check cannot happen.
   Status build(const CubeGrid &grid, int64_t floor);
   // The same in a periodic box. Status::range also if it is more than a hundred times longer than wide.
   Status build(const PeriodicImages &images, int64_t floor);

@@ -71,17 +71,6 @@ int compare_with_fixed(const TangentLines::Line &line, const Integer &zeta, cons
   return sign_at_root(line, D * line.p - Long(there) * line.D, D * line.q) * line.D.sign() * delta.sign();
 }
 
-bool is_beyond_reach(const BallSet &balls, uint32_t base, uint32_t ball) {
-  constexpr double reach = 0x1p35;
-  const Vec3 d = balls.difference(base, ball);
-  return std::fabs(d.x) > reach || std::fabs(d.y) > reach || std::fabs(d.z) > reach;
-}
-bool is_beyond_reach(const BallSet &balls, const TangentCurve &curve, uint32_t ball) {
-  return is_beyond_reach(balls, curve.base, curve.second) || is_beyond_reach(balls, curve.base, curve.third) ||
-         is_beyond_reach(balls, curve.second, curve.third) ||
-         (ball != no_id && is_beyond_reach(balls, curve.base, ball));
-}
-
 // x 2^exponent, by steps that are doubles.
 double scaled(double x, int exponent) {
   while (exponent != 0) {
@@ -125,7 +114,6 @@ void TangentPoint::begin(const BallSet &balls, const TangentCurve &curve, uint32
   last_ = last;
   rising_ = rising;
   number_ = lines_->next_point();
-  beyond_reach_ = false;
 }
 
 bool TangentPoint::find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
@@ -147,10 +135,6 @@ void TangentPoint::find_both(const BallSet &balls, const TangentCurve &curve, ui
 bool TangentPoint::is_there(int known) {
   if (known != 0) return known > 0;
   if (!is_steep_ && is_of_equal_balls_in_plane()) return false;
-  if (is_beyond_reach(*balls_, curve_, last_)) {
-    beyond_reach_ = true;
-    return false;
-  }
   const Line &line = exact_line();
   return line.there && has_root(line) && sign_at_root(line, line.p, line.q) * line.D.sign() > 0;
 }
@@ -209,10 +193,6 @@ int TangentPoint::sign_of(const Make &make) const {
   if (certain != 0) return certain;
   AffineForm<Integer> form;
   make_exactly(make, form);
-  if (beyond_reach_ || is_beyond_reach(*balls_, curve_, last_) || is_beyond_reach(*balls_, curve_.base, form.origin)) {
-    beyond_reach_ = true;
-    return 0;
-  }
   const Line &line = exact_line();
   if (!line.there) return 0;
   const AffineForm<Integer> own = moved(*balls_, form, curve_.base);
@@ -224,13 +204,6 @@ int TangentPoint::sign_of(const Make &make) const {
 int TangentPoint::nearness(uint32_t ball) const {
   const uint32_t base = curve_.base;
   if (ball == base || ball == curve_.second || (!curve_.in_plane && ball == curve_.third) || ball == last_) return 0;
-  if (is_beyond_reach(*balls_, base, ball)) {
-    // Doubles suffice if anything does.
-    const Row<Bounded> row = row_of<Bounded>(*balls_, base, ball);
-    const int certain = (row.w - dot(row.v, y_) - row.e * z_).sign();
-    beyond_reach_ = beyond_reach_ || certain == 0;
-    return certain;
-  }
   return sign_of([&]<class Number>() {
     const Row<Number> row = row_of<Number>(*balls_, base, ball);
     return AffineForm<Number>{-row.v, -row.e, row.w, base};
@@ -269,7 +242,7 @@ int TangentPoint::departure(const TangentCurve &curve, int side, uint32_t ball) 
   });
   if (turn != 0) return -side * turn;
   // Tangent: the curve is convex, so that the ball stays on the side that it is on.
-  return side * side_of_centre(*balls_, curve, ball, beyond_reach_);
+  return side * side_of_centre(*balls_, curve, ball);
 }
 
 int TangentPoint::against(uint32_t axis, int64_t bound, double part) const {
@@ -279,8 +252,9 @@ int TangentPoint::against(uint32_t axis, int64_t bound, double part) const {
     const double scale = part == static_cast<double>(static_cast<int64_t>(part)) ? 1.0 : 0x1p10;
     const Number zero = number<Number>(0.0), one = number<Number>(scale);
     const Triple<Number> direction{axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero};
-    return AffineForm<Number>{direction, zero,
-                              number<Number>(2.0 * scale * (centre - static_cast<double>(bound) - part)), curve_.base};
+    const Number from_bound = number<Number>(centre - static_cast<double>(bound));
+    return AffineForm<Number>{
+        direction, zero, number<Number>(2.0 * scale) * from_bound - number<Number>(2.0 * scale * part), curve_.base};
   });
 }
 
@@ -296,9 +270,6 @@ int TangentPoint::compare_levels(const TangentPoint &other) const {
   const double shift = 2.0 * (balls_->r[other.curve_.base] - balls_->r[curve_.base]);
   const int certain = (z_ - other.z_ + Bounded(shift)).sign();
   if (certain != 0) return certain;
-  if (is_beyond_reach(*balls_, curve_, last_) || is_beyond_reach(*balls_, other.curve_, other.last_))
-    beyond_reach_ = true;
-  if (beyond_reach_) return 0;
   const Line &own = exact_line(), &others = other.exact_line();
   if (!own.there || !others.there) return 0;
   // z of this one less that of the other one, as seen from there, and `shift` more.
@@ -345,8 +316,7 @@ double TangentPoint::estimate_closely(Vec3 &off, double &level) {
   if (is_good()) return doubt;
   const CurveRows<Bounded> rows(*balls_, curve_);
   estimate(SteepLine<Bounded>(rows, last_row(*balls_, curve_, rows, last_)));
-  if (is_good() || beyond_reach_) return doubt;
-  if (is_beyond_reach(*balls_, curve_, last_)) return doubt;
+  if (is_good()) return doubt;
   const Line &line = exact_line();
   if (!line.there) return doubt;
   const auto number_of = [](const Integer &a) {
@@ -380,8 +350,8 @@ double TangentPoint::estimate_closely(Vec3 &off, double &level) {
   // z to 2^-24 of a step, by halves: 2^24 z lies in [least, least + 2^size).
   const Integer unit(INT64_C(1) << 24);
   Integer least;
-  for (int size = 62; size-- > 0;) {
-    const Integer next = least + Integer(INT64_C(1) << size);
+  for (int size = 80; size-- > 0;) {
+    const Integer next = least + Integer(INT64_C(1) << size / 2) * Integer(INT64_C(1) << (size + 1) / 2);
     if (sign_at_root(line, -next, unit) >= 0) least = next;
   }
   const Integer D = line.D * unit;
@@ -504,16 +474,14 @@ CurvePiece::CurvePiece(const CurveShape &curve, double lower, double upper)
   span = 4.0 * (std::sqrt(dot(curve.p, curve.p)) + std::sqrt(dot(curve.q, curve.q)) * to + high + to);
 }
 
-int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball, bool &beyond_reach) {
-  if (is_beyond_reach(balls, curve, ball)) beyond_reach = true;
+int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball) {
   return sign_of_number([&]<class Number>() {
     return dot(CurveRows<Number>(balls, curve).normal, difference<Number>(balls, curve.base, ball));
   });
 }
 
-int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball,
-                          bool &beyond_reach) {
-  const int off = side_of_centre(balls, curve, ball, beyond_reach);
+int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball) {
+  const int off = side_of_centre(balls, curve, ball);
   if (off != 0) return -side * off;
   // Of w - C.y - e z the part that grows with z, in the plane or line of the curve's centres.
   return sign_of_number([&]<class Number>() {
@@ -530,8 +498,7 @@ bool turn_alike(const BallSet &balls, const TangentCurve &a, const TangentCurve 
          }) > 0;
 }
 
-bool is_unbounded(const BallSet &balls, const TangentCurve &curve, const CurveShape &shape, bool &beyond_reach) {
-  if (is_beyond_reach(balls, curve, no_id)) beyond_reach = true;
+bool is_unbounded(const BallSet &balls, const TangentCurve &curve, const CurveShape &shape) {
   if (curve.in_plane) return true;
   if (std::fabs(shape.A) > shape.error_A) return shape.A < 0.0;
   return sign_of_number([&]<class Number>() {

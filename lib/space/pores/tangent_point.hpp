@@ -12,9 +12,8 @@
 // the two roots one has W' < 0, the other W' > 0. Only the first can be a maximum or a gate: filtration needs no other,
 // ways up do. Sign of a form F + G l at the root with W' < 0: by W and W' at its zero -F/G, never by a square root.
 //
-// The filter stage has all of this in doubles with error bounds; the exact stage in integers. Lengths below 2^36
-// between the balls of a question (beyond_reach otherwise) give polynomials of degree 44 and below, less than 1620
-// bits:
+// The filter stage has all of this in doubles with error bounds; the exact stage in integers. Lengths below 2^52, those
+// between any points of the lattice, give polynomials of degree 44 and below, less than 2330 bits:
 //            D       P       Q       A, b, c       forms of degree       at the root
 //   4 balls  3       4       3       6, 7, 8       1 .. 5                up to 22
 //   3 balls  4       5       4       8, 9, 10      1 .. 5                up to 26
@@ -56,8 +55,8 @@ struct AffineForm {
 class TangentLines {
  public:
   // Of the rows, lines and forms, of degree 18 and below; of what is made of their products at a root.
-  using Integer = LongInteger<704>;
-  using Long = LongInteger<1856>;
+  using Integer = LongInteger<1024>;
+  using Long = LongInteger<2368>;
   struct Line {
     uint64_t point = 0;  // whose line this is
     NumberTriple<Integer> P, Q;
@@ -129,9 +128,6 @@ class TangentPoint {
   bool is_of_four() const { return is_steep_ && last_ != no_id && !curve_.in_plane; }
   bool is_rising() const { return rising_; }
 
-  // Whether a question was asked of balls that are too far apart for the exact stage; its answer means nothing then.
-  bool beyond_reach() const { return beyond_reach_; }
-
  private:
   using Line = TangentLines::Line;
   double estimate_closely(Vec3 &off, double &level);
@@ -155,7 +151,6 @@ class TangentPoint {
   NumberTriple<BoundedDouble> y_;
   BoundedDouble z_;
   uint64_t number_ = 0;  // of its line
-  mutable bool beyond_reach_ = false;
 };
 
 // Whether the centres of three balls are on one line; or, with four, in one plane.
@@ -165,7 +160,7 @@ bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint
 // Going up a curve of three balls, or of two in a plane, from the point nearest to their centres: whether a ball that
 // is tied there and whose centre is in the plane or on the line of those of the curve gets farther (+1) or nearer (-1),
 // or stays tied (0). The side is that which is gone up on, for a ball that is off the plane or the line.
-int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball, bool &beyond_reach);
+int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball);
 
 // A curve in doubles: y = p + q z + h e with e across it and h^2 = -(A z^2 + 2 b z + c), seen from its base.
 // error_at(z): how far y may be off; infinite if nothing is known. error_up_to(z): as far as z, and grows with it.
@@ -210,12 +205,12 @@ struct CurvePiece {
 };
 
 // Sign of det(v1, v2, C) of a curve and the centre of a ball.
-int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball, bool &beyond_reach);
+int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball);
 
 // Whether the centres of two curves in one plane turn alike.
 bool turn_alike(const BallSet &balls, const TangentCurve &a, const TangentCurve &b);
 
 // Whether a curve of that shape goes on for ever.
-bool is_unbounded(const BallSet &balls, const TangentCurve &curve, const CurveShape &shape, bool &beyond_reach);
+bool is_unbounded(const BallSet &balls, const TangentCurve &curve, const CurveShape &shape);
 
 }  // namespace hsp

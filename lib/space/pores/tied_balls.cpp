@@ -308,8 +308,7 @@ bool is_in_triangle(const BallSet &balls, const TangentPoint &point, uint32_t i,
 bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const uint32_t *ids, bool &on_side) {
   const PlainSides sides(balls, point, 1.0);
   on_side = false;
-  bool beyond_reach = false;
-  int turn = side_of_centre(balls, {ids[0], ids[1], ids[2]}, ids[3], beyond_reach);
+  int turn = side_of_centre(balls, {ids[0], ids[1], ids[2]}, ids[3]);
   for (uint32_t c = 0; c < 4; ++c) {
     // Without corner 3, 2, 1, 0: each exchange of two corners is a turn the other way.
     const uint32_t left_out = 3 - c;

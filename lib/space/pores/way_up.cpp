@@ -74,7 +74,7 @@ bool WayUp::is_open(const Way &way) {
 }
 bool WayUp::is_open_from_lowest(const Way &way) {
   for (const uint32_t ball : tied_.items()) {
-    if (!is_of_curve(way.curve, ball) && departure_from_lowest(*balls_, way.curve, way.side, ball, beyond_reach_) < 0) {
+    if (!is_of_curve(way.curve, ball) && departure_from_lowest(*balls_, way.curve, way.side, ball) < 0) {
       return false;
     }
   }
@@ -216,7 +216,6 @@ bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &e
     bool there[2], above[2], certain[2];
     TangentPoint::find_both(*balls_, way.curve, ball, at, there);
     for (const uint32_t root : {0U, 1U}) {
-      beyond_reach_ = beyond_reach_ || at[root].beyond_reach();
       const double difference = at[root].level_estimate() - point_.level_estimate();
       const double doubt = at[root].level_error() + point_.level_error();
       certain[root] = !there[root] || std::fabs(difference) > doubt;
@@ -238,7 +237,6 @@ bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &e
       const bool beside = any && is_near_event(root) && !is_near_event(1 - root);
       const bool tied = beside && event.nearness(ball) == 0;
       const bool later = any && !tied && at[root].compare_levels(event) >= 0;
-      beyond_reach_ = beyond_reach_ || event.beyond_reach() || at[root].beyond_reach();
       if (tied || later) continue;
       event = at[root];
       any = true;
@@ -265,9 +263,9 @@ bool WayUp::is_beyond_box(const CurveShape &shape, uint32_t base, double z) cons
 Status WayUp::follow(const Way &way, bool &outside) {
   const BallSet &balls = *balls_;
   CurveShape shape(balls, way.curve);
-  const bool unbounded = is_unbounded(balls, way.curve, shape, beyond_reach_);
+  const bool unbounded = is_unbounded(balls, way.curve, shape);
   TangentPoint top(lines_[0]);
-  if (!unbounded && !top.find(balls, way.curve, no_id, true)) return beyond_reach_ ? Status::range : Status::check;
+  if (!unbounded && !top.find(balls, way.curve, no_id, true)) return Status::check;
   if (way.side < 0) shape.e = -shape.e;
   const double radius = balls.r[way.curve.base];
   Vec3 place{};
@@ -306,7 +304,6 @@ Status WayUp::follow(const Way &way, bool &outside) {
       if (!far && point_.nearness(near_[k]) == 0) tied_.push(near_[k]);
     }
     sort_in_place(tied_.items(), [&](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
-    beyond_reach_ = beyond_reach_ || point_.beyond_reach();
     return beyond_reach_ ? Status::range : Status::ok;
   }
   return Status::check;
@@ -423,7 +420,7 @@ WayUp::KnownEnd &WayUp::known_end(const Vertex &vertex) {
 }
 
 Status WayUp::name_end(End &end) {
-  if (beyond_reach_ || point_.beyond_reach()) return Status::range;
+  if (beyond_reach_) return Status::range;
   uint32_t four[4];
   name_of(*balls_, point_, tied_.items(), PointKind::maximum, directions_, four);
   end.shift = shift_of(four[0]);

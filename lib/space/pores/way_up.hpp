@@ -28,8 +28,8 @@ class WayUp {
     BoxShift shift{};  // which of its copies in a box
   };
   // From a gate, all of whose balls are given, on the side where its three turn counter-clockwise or on the other one.
-  // Status::capacity: near is too small. Status::range: balls of one question are too far apart. Status::check would
-  // mean that a point was neither a maximum nor left upwards.
+  // Status::capacity: near is too small. Status::range: an image is too many boxes away, or the way leaves the lattice.
+  // Status::check would mean that a point was neither a maximum nor left upwards.
   Status climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<const SmallShift> shifts, bool other_side,
                End &end);
 

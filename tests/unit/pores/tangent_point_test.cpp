@@ -69,7 +69,6 @@ void check_signs(const hsp::BallSet &balls, const TiedSet &set, const TangentPoi
     for (const int step : {-1, 0, 1}) ASSERT_EQ(point.against(axis, set.point[axis] + step), -step);
   }
   for (const int step : {-1, 0, 1}) ASSERT_EQ(point.level_against(set.level + step), -step);
-  ASSERT_FALSE(point.beyond_reach());
 }
 
 // A ball more, one step larger or smaller than one that ties.
@@ -230,16 +229,28 @@ TEST(TangentPoint, DepartureAlongCurves) {
   EXPECT_GT(checked, 1000);
 }
 
-TEST(TangentPoint, BallsTooFarApartAreReported) {
-  const int64_t far = INT64_C(1) << 40;
-  // Four centres in one plane and a fifth one off it by a hair: doubles know nothing.
-  const PlainBallSet balls({{0, 0, 0, 10}, {far, 0, 0, 10}, {0, far, 0, 10}, {far, far, 0, 10}});
-  TangentPoint point(lines);
-  EXPECT_FALSE(point.find(balls.set(), {0, 1, 2}, 3, false) && point.nearness(3) != 0);
-  TangentPoint centre(lines);
-  ASSERT_TRUE(centre.find(balls.set(), {0, 1, 2}, no_id, false));
-  EXPECT_EQ(centre.nearness(3), 0);
-  EXPECT_TRUE(centre.beyond_reach());
+// Across the whole lattice: equal balls at the corners of a rectangle, and the last one off it by a step.
+TEST(TangentPoint, BallsFarApartAreDecided) {
+  for (const int power : {20, 34, 36, 40, 50}) {
+    const int64_t far = INT64_C(1) << power, near = far - 12345;
+    for (const int64_t off : {-1, 0, 1}) {
+      const PlainBallSet balls({{-far, -near, 7, 10},
+                                {far, -near, 7, 10},
+                                {-far, near, 7, 10},
+                                {far - 1, near, 7, 10},
+                                {far - 1, near + off, 7, 10},
+                                {far, near, 7, 10 - off}});
+      TangentPoint centre(lines);
+      ASSERT_TRUE(centre.find(balls.set(), {0, 1, 2}, no_id, false));
+      EXPECT_EQ(centre.nearness(3), -1) << power;
+      EXPECT_EQ(centre.nearness(4), -1) << power;
+      EXPECT_EQ(centre.nearness(5), static_cast<int>(off)) << power;
+      TangentPoint other(lines);  // that of a rectangle whose height is 2 off larger
+      const PlainBallSet wider({{-far, -near - off, 7, 10}, {far, -near - off, 7, 10}, {-far, near + off, 7, 10}});
+      ASSERT_TRUE(other.find(wider.set(), {0, 1, 2}, no_id, false));
+      EXPECT_EQ(other.compare_levels(centre), static_cast<int>(off)) << power;
+    }
+  }
 }
 
 }  // namespace
