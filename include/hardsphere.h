@@ -124,10 +124,12 @@
  *   The library never allocates. For a handle X: hsp_X_bytes tells the size, hsp_X_init carves the handle out of memory
  *   of any alignment that the caller owns. A handle dies with its memory; there is nothing to free; initialising the
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
- *   be read by any number of threads at a time. Besides what makes, moves or drops results, these take a handle that is
- *   not const, as they work in its own memory: hsp_model_get_packing, hsp_X_check of boundary, topology, cells, map and
- *   sticks, hsp_topology_get_shells, _get_regions, _get_region_balls and _get_traversal, hsp_contacts_group,
- *   hsp_periodic_group_contacts, and hsp_picture_write, _write_map and _write_sticks. They leave results as they are.
+ *   be read by any number of threads at a time. Not const is the handle of what makes, moves or drops results, of names
+ *   with _set, _compute, _find, _move, _undo; and that of these, which work in its own memory: hsp_model_get_packing;
+ *   hsp_boundary_check; hsp_topology_check, _get_shells, _get_regions, _get_region_balls, _get_traversal;
+ *   hsp_cells_check; hsp_map_check; hsp_sticks_check; hsp_contacts_group; hsp_periodic_group_contacts;
+ *   hsp_pores_get_channels, _measure_pockets; hsp_picture_write, _write_map, _write_sticks. These leave results as they
+ *   are, but that _measure_pockets finds mouths.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
  *   no handle any more are refused with HSP_E_HANDLE, also where a language has one type for all pointers.
  *
@@ -208,9 +210,11 @@
  *
  * HANDLES AFTER A FAILURE
  *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for whatever
- *   reason, leaves the handle as hsp_X_init makes it. A model is empty (hsp_model_get_info says so: 0 balls, step
- *   1e-8), and so is a body. A boundary, surface, mesh, topology, view, map, contacts, cells, paths, a gate, pores,
- *   sticks, a periodic union or balls that move hold no results, and reading them yields HSP_E_STATE.
+ *   reason, leaves the handle without contents: what reads these is HSP_E_STATE. So a model or body whose set has
+ *   failed is not an empty one, as hsp_X_init makes it: queries and every hsp_X_compute of it are HSP_E_STATE, and
+ *   hsp_model_get_info alone still answers: 0 balls, step 1e-8. A boundary, surface, mesh, topology, view, map,
+ *   contacts, cells, paths, a gate, pores, sticks, a periodic union or balls that move hold no results, and reading
+ *   them yields HSP_E_STATE.
  *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H

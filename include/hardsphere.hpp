@@ -93,7 +93,8 @@ class threads {
     };
     std::vector<std::jthread> others;  // joined at the end
     try {
-      while (others.size() + 1 < reinterpret_cast<uintptr_t>(number)) others.emplace_back(work);
+      const uintptr_t most = reinterpret_cast<uintptr_t>(number);
+      while (others.size() + 1 < most && others.size() + 1 < tasks) others.emplace_back(work);
     } catch (const std::exception &) {  // fewer will do
     }
     work();
@@ -156,15 +157,16 @@ class workspace {
   hsp_workspace *operator->() noexcept { return &work_; }
   uint32_t size() const noexcept { return size_; }
 
+  // One that throws leaves no balls: what asks for them throws, too.
   workspace &set(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
-    if (xyz.size() != 3 * radius.size() || radius.size() > HSP_MAX_BALLS) throw error(HSP_E_ARGUMENT);
     hsp_model_options c{};
     check(hsp_model_options_init(&c, sizeof c));
     c.probe = how.probe, c.step = how.step, c.largest_radius = how.largest_radius;
-    const auto n = static_cast<uint32_t>(radius.size());
+    const bool matching = xyz.size() == 3 * radius.size() && radius.size() <= HSP_MAX_BALLS;
+    const auto n = matching ? static_cast<uint32_t>(radius.size()) : 1;
     uint32_t bad = HSP_NONE;
     computed_ = size_ = 0;
-    const int32_t status = hsp_workspace_set(&work_, n, xyz.data(), radius.data(), &c, &bad);
+    const int32_t status = hsp_workspace_set(&work_, n, matching ? xyz.data() : nullptr, radius.data(), &c, &bad);
     check(status, bad);
     size_ = n;
     return *this;

@@ -437,13 +437,17 @@ static inline int32_t hsp_workspace_grow_periodic(hsp_workspace *work, const hsp
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
  *  contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
- *  are. */
+ *  are. If it fails there are no balls to ask for, not those of before either: HSP_E_STATE, HSP_E_ARGUMENT without
+ *  memory for a model. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
     size_t bytes = 0;
     int32_t status = hsp_model_bytes(n, &bytes);
-    if (status != HSP_OK) return status;
+    if (status != HSP_OK) { /* as it fails in the model itself: the balls of before are no answer to what comes now */
+      if (work->model != NULL) (void)hsp_model_set(work->model, n, xyz, radius, options, first_bad);
+      return status;
+    }
     hsp_workspace_drop_of_model(work);
     work->model = NULL;
     work->most_balls = 0;

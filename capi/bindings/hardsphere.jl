@@ -163,6 +163,8 @@ struct hsp_model_info
     step::Cdouble
     probe::Cdouble
     largest_radius::Cdouble
+    largest_rounding::Cdouble
+    reserved::NTuple{2, UInt64}
 end
 
 struct hsp_packing

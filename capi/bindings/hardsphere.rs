@@ -235,6 +235,8 @@ pub struct hsp_model_info {
     pub step: f64,
     pub probe: f64,
     pub largest_radius: f64,
+    pub largest_rounding: f64,
+    pub reserved: [u64; 2],
 }
 
 #[repr(C)]

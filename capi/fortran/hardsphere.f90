@@ -310,7 +310,7 @@ module hardsphere
     real(c_double) :: probe
     ! length, > 0: the lattice step; 0 means the smallest power of ten with r_max/step < 2^30
     real(c_double) :: step
-    ! length, > 0: r_max less the probe, for balls of which none may be larger; 0: that of the balls
+    ! length, > 0: r_max less the probe, for balls of which none may be larger on the lattice; 0: that of the balls
     real(c_double) :: largest_radius
   end type
 
@@ -322,6 +322,10 @@ module hardsphere
     real(c_double) :: step               ! the lattice step, length
     real(c_double) :: probe              ! the probe as rounded to the lattice, length
     real(c_double) :: largest_radius     ! r_max, probe included, as rounded to the lattice, length
+    ! half a step as a part of the smallest radius above 0, probe included, which no coordinate is moved by more than,
+    ! and no radius but with a probe; 1 if a radius above 0 is rounded to 0; 0 if there is none above 0
+    real(c_double) :: largest_rounding
+    integer(c_int64_t) :: reserved(2)    ! 0
   end type
 
   type, bind(C) :: hsp_packing
@@ -480,7 +484,8 @@ module hardsphere
     integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
     integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
     integer(c_int32_t) :: reserved = 0_c_int32_t                          ! 0
-    type(c_ptr) :: totals = c_null_ptr                                    ! or NULL
+    ! or NULL; volume is NaN for a boundary of selected balls
+    type(c_ptr) :: totals = c_null_ptr
     type(c_ptr) :: area = c_null_ptr                                      ! [n], or NULL: free area of each ball
     ! [n], or NULL: each ball's term of the volume, which is no volume of an atom
     type(c_ptr) :: volume_term = c_null_ptr
@@ -491,7 +496,7 @@ module hardsphere
   type, bind(C) :: hsp_energy
     real(c_double) :: value    ! E = tension * sum_i sigma_i A_i + pressure * V
     real(c_double) :: area     ! sum_i sigma_i A_i
-    real(c_double) :: volume   ! V
+    real(c_double) :: volume   ! V; NaN for a boundary of selected balls
     real(c_double) :: d_probe  ! dE/d(probe) = sum of all dE/dr_i
   end type
 

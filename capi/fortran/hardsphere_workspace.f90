@@ -119,11 +119,15 @@ contains
     real(c_double), intent(in) :: xyz(3, *), radius(*)
     type(hsp_model_options), intent(in), optional :: options
     integer(c_int32_t), intent(inout), optional :: first_bad
-    integer(c_int32_t) :: status
+    integer(c_int32_t) :: status, refused
     integer(c_size_t) :: bytes
     if (.not. c_associated(self%model) .or. n > self%most_balls) then
       status = hsp_model_bytes(n, bytes)
-      if (status /= HSP_OK) return
+      if (status /= HSP_OK) then
+        ! The balls of before are no answer to what comes now.
+        if (c_associated(self%model)) refused = hsp_model_set(self%model, n, xyz, radius, options, first_bad)
+        return
+      end if
       call drop_of_model(self)
       self%model = c_null_ptr
       self%most_balls = 0

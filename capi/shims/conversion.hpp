@@ -1,6 +1,8 @@
 // How values cross the C interface: statuses, vectors, output arrays, violations.
 #pragma once
 
+#include <limits>
+
 #include "core/id_range.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
@@ -46,6 +48,9 @@ int32_t check_results(const Handle *handle, bool bad = false) {
   const int32_t status = check_handle(handle, bad);
   return status == HSP_OK && !handle->has_results() ? HSP_E_STATE : status;
 }
+
+// The volume where only some balls were looked at.
+inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 inline void to_array(const Vec3 &v, double out[3]) {
   out[0] = v.x;

@@ -3,6 +3,7 @@
 #include "poses/pose_queries.hpp"
 
 using hsp::capi::check_handle;
+using hsp::capi::check_results;
 using hsp::capi::first_failure;
 using hsp::capi::LibraryArithmetic;
 using hsp::capi::name_none;
@@ -31,7 +32,7 @@ struct PoseOf<hsp_rational_pose> {
 };
 
 int32_t check_bodies(const hsp_body *fixed, const hsp_body *posed, bool bad) {
-  return first_failure(check_handle(fixed), check_handle(posed, bad));
+  return first_failure(check_results(fixed), check_results(posed, bad));
 }
 
 // Checks all poses before anything is written, then calls answer(k, pose) for each.
@@ -119,8 +120,11 @@ int32_t hsp_body_set(hsp_body *body, const hsp_model *model) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(body); status != HSP_OK) return status;
   body->tree.clear();
-  if (const int32_t status = check_handle(model); status != HSP_OK) return status;
-  return hsp::capi::to_c(body->tree.build(model->balls()));
+  body->complete = false;
+  if (const int32_t status = check_results(model); status != HSP_OK) return status;
+  const hsp::Status status = body->tree.build(model->balls());
+  body->complete = status == hsp::Status::ok;
+  return hsp::capi::to_c(status);
 }
 
 int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hsp_pose *pose) {

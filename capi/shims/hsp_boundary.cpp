@@ -81,7 +81,7 @@ int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model
   hsp_boundary_request asked;
   hsp::capi::Executor executor(arithmetic);
   if (const int32_t status =
-          first_failure(check_handle(model), hsp::capi::read_request(request, asked, executor), check_struct(limits));
+          first_failure(check_results(model), hsp::capi::read_request(request, asked, executor), check_struct(limits));
       status != HSP_OK)
     return status;
   boundary->model.set(model);

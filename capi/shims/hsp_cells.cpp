@@ -67,7 +67,7 @@ int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_li
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(cells); status != HSP_OK) return status;
   cells->complete = false;
-  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
+  if (const int32_t status = first_failure(check_results(model), check_struct(limits)); status != HSP_OK) return status;
   const hsp::Status status = cells->builder.build(model->grid);
   cells->model.set(model);
   return hsp::capi::finish(*cells, status, limits);
@@ -163,7 +163,7 @@ int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t
 int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,
                               uint32_t *scratch, uint32_t words, uint32_t *words_needed) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(model, scratch == nullptr && words > 0); status != HSP_OK) return status;
+  if (const int32_t status = check_results(model, scratch == nullptr && words > 0); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = model->grid;
   uint64_t needed = 0;
   for (uint32_t i = 0; i < grid.balls().n; ++i) {

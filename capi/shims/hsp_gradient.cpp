@@ -74,7 +74,7 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
   if (!hsp::differentiate_energy(asked.executor, grid, structure, terms, found, put)) return HSP_E_EXECUTOR;
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (boundary->of_some) {
-    found.volume = 0.0;
+    found.volume = hsp::capi::not_known;
     clear_flags_of_left_out(*boundary, out.flags);
   }
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);

@@ -42,7 +42,7 @@ int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measur
   } else if (!hsp::measure_in_parts(executor, grid, structure, asked.selected, out.area, out.volume_term, total)) {
     return HSP_E_EXECUTOR;
   }
-  if (out.totals != nullptr) *out.totals = {total.area, boundary->of_some ? 0.0 : total.volume};
+  if (out.totals != nullptr) *out.totals = {total.area, boundary->of_some ? hsp::capi::not_known : total.volume};
   return HSP_OK;
 }
 

@@ -3,6 +3,7 @@
 #include "model_options.hpp"
 
 using hsp::capi::check_handle;
+using hsp::capi::check_results;
 using hsp::capi::LibraryArithmetic;
 
 namespace {
@@ -44,6 +45,7 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
   hsp::BallInput input;
   const auto refuse = [&](int32_t status) {
     clear(*model);
+    model->complete = false;
     bad = HSP_NONE;
     return status;
   };
@@ -52,6 +54,7 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
   if (n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
   const hsp::Status status = model->grid.build(input, bad);
   model->take_digest();
+  model->complete = status == hsp::Status::ok;
   return hsp::capi::to_c(status);
 }
 
@@ -67,12 +70,15 @@ int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
   info->step = balls.lattice.step();
   info->probe = balls.lattice.length(static_cast<double>(balls.probe_steps));
   info->largest_radius = balls.lattice.length(static_cast<double>(balls.largest_radius));
+  const int64_t smallest = balls.smallest_radius;
+  info->largest_rounding = smallest == hsp::no_radius ? 0.0 : smallest == 0 ? 1.0 : 0.5 / static_cast<double>(smallest);
+  info->reserved[0] = info->reserved[1] = 0;
   return HSP_OK;
 }
 
 int32_t hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(model); status != HSP_OK) return status;
+  if (const int32_t status = check_results(model); status != HSP_OK) return status;
   const hsp::BallSet &balls = model->balls();
   const bool wanted = xyz != nullptr || radius != nullptr;
   if (!hsp::capi::fits(wanted, capacity, balls.n, needed)) return HSP_E_CAPACITY;
@@ -87,7 +93,7 @@ int32_t hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius,
 
 int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(model, figures == nullptr); status != HSP_OK) return status;
+  if (const int32_t status = check_results(model, figures == nullptr); status != HSP_OK) return status;
   const hsp::PackingStatistics found = hsp::packing_statistics(model->grid);
   *figures = {};
   figures->k = found.k;

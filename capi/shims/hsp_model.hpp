@@ -11,11 +11,15 @@ struct hsp_model {
 
   uintptr_t tag;
   Builder grid;
-  uint64_t digest = 0;  // of the grid
+  uint64_t digest = 0;   // of the grid
+  bool complete = true;  // whether the grid holds what was asked for; without balls if not
 
   // To be called whenever the grid is another one.
-  void take_digest() { digest = hsp::digest_of(grid); }
+  void take_digest() {
+    digest = hsp::digest_of(grid);
+    complete = true;
+  }
   uint64_t version() const { return digest; }
-  static constexpr bool has_results() { return true; }  // of no ball at least
+  bool has_results() const { return complete; }
   const hsp::BallSet &balls() const { return grid.balls(); }
 };

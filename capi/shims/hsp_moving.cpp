@@ -53,7 +53,7 @@ int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double 
   LibraryArithmetic arithmetic(tension, pressure);
   if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   moving->complete = false;
-  const int32_t refused = first_failure(check_handle(model, !hsp::capi::is_tangency(tangency)), check_struct(limits));
+  const int32_t refused = first_failure(check_results(model, !hsp::capi::is_tangency(tangency)), check_struct(limits));
   if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
   const hsp::IdRange all{0, model->balls().n};
   if (const int32_t status = hsp::capi::check_weights(sigma, all, first_bad); status != HSP_OK) return status;

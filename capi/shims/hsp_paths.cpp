@@ -35,7 +35,7 @@ int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_li
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
   paths->complete = false;
-  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
+  if (const int32_t status = first_failure(check_results(model), check_struct(limits)); status != HSP_OK) return status;
   const hsp::Status status = paths->builder.build(model->grid);
   paths->model.set(model);
   return hsp::capi::finish(*paths, status, limits);
@@ -96,7 +96,7 @@ int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *f
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(gate); status != HSP_OK) return status;
   gate->complete = false;
-  if (const int32_t status = first_failure(check_handle(model, from == nullptr), check_struct(limits));
+  if (const int32_t status = first_failure(check_results(model, from == nullptr), check_struct(limits));
       status != HSP_OK)
     return status;
   hsp::exact::Vector start, end;

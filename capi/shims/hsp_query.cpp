@@ -3,7 +3,7 @@
 #include "model/queries.hpp"
 #include "model/ray_query.hpp"
 
-using hsp::capi::check_handle;
+using hsp::capi::check_results;
 using hsp::capi::LibraryArithmetic;
 
 namespace {
@@ -11,7 +11,7 @@ namespace {
 // Rounds the query, asks, and reports as every output array is reported.
 int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity,
             uint32_t *needed) {
-  if (const int32_t status = check_handle(model, xyz == nullptr || (ids == nullptr && capacity > 0)); status != HSP_OK)
+  if (const int32_t status = check_results(model, xyz == nullptr || (ids == nullptr && capacity > 0)); status != HSP_OK)
     return status;
   hsp::QueryResult result{ids, capacity, 0};
   const hsp::Status status = hsp::find_balls(model->grid, xyz, radius, result);
@@ -34,7 +34,7 @@ int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double radius,
 
 int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, uint32_t *meets) {
   LibraryArithmetic arithmetic(radius);
-  if (const int32_t status = check_handle(model, xyz == nullptr || meets == nullptr); status != HSP_OK) return status;
+  if (const int32_t status = check_results(model, xyz == nullptr || meets == nullptr); status != HSP_OK) return status;
   hsp::LatticeQuery query;
   const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
@@ -45,7 +45,7 @@ int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius
 int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                              uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(model, ids == nullptr && capacity > 0); status != HSP_OK) return status;
+  if (const int32_t status = check_results(model, ids == nullptr && capacity > 0); status != HSP_OK) return status;
   if (ball >= model->balls().n) return HSP_E_ID;
   hsp::QueryResult result{ids, capacity, 0};
   hsp::find_neighbours(model->grid, model->grid.grid_index(ball), result);
@@ -56,7 +56,7 @@ int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first,
                         uint32_t *needed) {
   LibraryArithmetic arithmetic;
   if (const int32_t status =
-          check_handle(model, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || (ids == nullptr && capacity > 0));
+          check_results(model, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || (ids == nullptr && capacity > 0));
       status != HSP_OK)
     return status;
   const uint32_t n = model->balls().n;
@@ -70,7 +70,7 @@ int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first,
 
 int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(model, origin == nullptr || direction == nullptr || hit == nullptr);
+  if (const int32_t status = check_results(model, origin == nullptr || direction == nullptr || hit == nullptr);
       status != HSP_OK)
     return status;
   const hsp::BallSet &balls = model->balls();

@@ -66,7 +66,7 @@ int32_t compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_optio
   sticks->complete = false;
   hsp_view_options wanted;
   if (const int32_t status =
-          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+          first_failure(check_results(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
       status != HSP_OK)
     return status;
   if (!are_valid(given.stick, given.count)) return HSP_E_ARGUMENT;

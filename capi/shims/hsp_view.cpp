@@ -4,6 +4,7 @@
 #include "view_options.hpp"
 
 using hsp::capi::check_handle;
+using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
 using hsp::capi::LibraryArithmetic;
@@ -47,7 +48,7 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   view->complete = false;
   hsp_view_options wanted;
   if (const int32_t status =
-          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+          first_failure(check_results(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
       status != HSP_OK)
     return status;
   hsp::ViewRequest request;

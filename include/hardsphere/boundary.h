@@ -84,7 +84,8 @@ HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst.
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
- *  @retval HSP_E_CAPACITY  a limit is too small */
+ *  @retval HSP_E_CAPACITY  a limit is too small
+ *  @retval HSP_E_STATE     hsp_model_set has failed */
 HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits);
 
 /** How a boundary is computed. Zero means default in every field but the first. */
@@ -102,8 +103,12 @@ typedef struct hsp_boundary_request {
  *  worker, HSP_MAX_WORKERS at most. The executor runs a few times, one after the other.
  *  With selected only what lies on the selected balls is found, in the time that these take: for codes with ghosts. The
  *  boundary then answers hsp_boundary_get_measures, hsp_boundary_get_gradient, hsp_boundary_get_derivatives,
- *  hsp_boundary_get_area_row and hsp_boundary_get_area_rows alone, for these balls; all else is HSP_E_STATE, and so are
- *  volumes, their derivatives and a pressure, since they take the whole.
+ *  hsp_boundary_get_area_row and hsp_boundary_get_area_rows alone, for these balls; all else is HSP_E_STATE. So are
+ *  terms of the volume, its derivatives and a pressure, since they take the whole, and hsp_totals.volume and
+ *  hsp_energy.volume are NaN. hsp_energy.value and .area are sums over the selected balls, but d_centre and d_radius
+ *  are derivatives of the energy of all balls by the selected ones' centres and radii, d_probe is the sum of these
+ *  d_radius, and those of other balls are 0. So d_centre is not the gradient of value, and adds up to that of the
+ *  whole.
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
  *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but of a
  *    selected ball and an equal one that is not the flag may be set without need.
@@ -111,6 +116,7 @@ typedef struct hsp_boundary_request {
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
  *  @retval HSP_E_CAPACITY  a limit is too small, as for hsp_boundary_compute, or that of workers
+ *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once */
 HSP_API int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model,
                                           const hsp_boundary_request *request, hsp_boundary_limits *limits);

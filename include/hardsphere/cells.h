@@ -87,6 +87,7 @@ HSP_API int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limit
  *  @retval HSP_E_ARGUMENT  cells or model is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
 HSP_API int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits);
 
@@ -195,6 +196,7 @@ typedef struct hsp_arrangement {
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^2) for a sphere that meets m others.
  *  @retval HSP_E_ARGUMENT  model is NULL; scratch is NULL with words above 0
  *  @retval HSP_E_CAPACITY  words is less than *words_needed; nothing else is written
+ *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_RANGE     a ball meets 2^31 others or more */
 HSP_API int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,
                                       uint32_t *scratch, uint32_t words, uint32_t *words_needed);

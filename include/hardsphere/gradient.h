@@ -35,7 +35,7 @@ extern "C" {
 typedef struct hsp_energy {
   double value;   /**< E = tension * sum_i sigma_i A_i + pressure * V */
   double area;    /**< sum_i sigma_i A_i */
-  double volume;  /**< V */
+  double volume;  /**< V; NaN for a boundary of selected balls */
   double d_probe; /**< dE/d(probe) = sum of all dE/dr_i */
 } hsp_energy;
 

@@ -85,6 +85,7 @@ HSP_API int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *l
  *  @retval HSP_E_ARGUMENT    map or model is NULL; unknown pieces or flags
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite
  *  @retval HSP_E_CHECK       roundings could not be overcome by moving balls three times */
 HSP_API int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options,

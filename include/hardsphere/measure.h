@@ -42,11 +42,12 @@ HSP_API int32_t hsp_areas_bytes(uint32_t n, size_t *bytes);
  *
  *  Cost: that of hsp_model_set, hsp_boundary_compute and hsp_boundary_measure; where hsp_areas_bytes does not suffice,
  *  some of it several times.
- *  @retval HSP_E_ARGUMENT    memory or bytes is NULL; xyz or radius is NULL with n > 0
+ *  @retval HSP_E_ARGUMENT    bytes is NULL, or memory with *bytes above 0; xyz or radius is NULL with n > 0
  *  @retval HSP_E_CAPACITY    the memory does not suffice; nothing but *bytes and the memory is written
  *  @retval HSP_E_NOT_FINITE  a coordinate, a radius or the probe is NaN or infinite; hsp_model_set names the ball
  *  @retval HSP_E_NEGATIVE    a radius or the probe is negative
- *  @retval HSP_E_RANGE       a coordinate or radius lies beyond the lattice; more balls than hsp_areas_bytes allows */
+ *  @retval HSP_E_RANGE       a coordinate or radius lies beyond the lattice, or all lengths are below 1.05e-16; more
+ *                            balls than hsp_areas_bytes allows */
 HSP_API int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory,
                           size_t *bytes, double *area, hsp_totals *totals);
 
@@ -83,7 +84,7 @@ typedef struct hsp_measure_outputs {
   uint32_t capacity;    /**< entries that each array [n] has room for */
   uint32_t needed;      /**< becomes n */
   uint32_t reserved;    /**< 0 */
-  hsp_totals *totals;   /**< or NULL */
+  hsp_totals *totals;   /**< or NULL; volume is NaN for a boundary of selected balls */
   double *area;         /**< [n], or NULL: free area of each ball */
   double *volume_term;  /**< [n], or NULL: each ball's term of the volume, which is no volume of an atom */
 } hsp_measure_outputs;
@@ -96,7 +97,8 @@ typedef struct hsp_measure_outputs {
  *  @retval HSP_E_ARGUMENT  boundary or outputs is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION   bad struct_size of request, outputs or executor, or reserved is not 0
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but outputs->needed is written
- *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since; of selected balls, and volume_term is
+ *                          given
  *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once; the arrays may have been written */
 HSP_API int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
                                           hsp_measure_outputs *outputs);

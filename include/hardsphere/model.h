@@ -51,7 +51,7 @@ typedef struct hsp_model_options {
   uint32_t reserved;    /**< 0 */
   double probe;         /**< length, >= 0: added to every radius, for the solvent-accessible surface; default 0 */
   double step;          /**< length, > 0: the lattice step; 0 means the smallest power of ten with r_max/step < 2^30 */
-  /** length, > 0: r_max less the probe, for balls of which none may be larger; 0: that of the balls */
+  /** length, > 0: r_max less the probe, for balls of which none may be larger on the lattice; 0: that of the balls */
   double largest_radius;
 } hsp_model_options;
 
@@ -64,16 +64,22 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *  trajectory); results of other contents cannot be read then (RESULTS in hardsphere.h).
  *  xyz [n][3] and radius [n], in length units, may be NULL only if n is 0; options may be NULL (defaults);
  *  first_bad may be NULL, else it is set to the index of the first ball that is refused, or HSP_NONE if none is, or if
- *  the options are at fault: a step that is too small for every radius, too.
+ *  the options are at fault: a step that is too small for every radius, too; or if all lengths are too small.
  *
  *  The lattice: coordinate x becomes the integer nearest to x/step, radius r becomes the integer nearest to r/step
  *  plus the integer nearest to probe/step. The default step is a power of ten between 1e-22 and 1e22 chosen from
- *  the largest radius plus probe (1e-8 if that is 0). Limits: radius plus probe below 2^30 steps, every coordinate at
- *  most 2^50 steps. Centres that coincide, balls inside others, and balls that touch are all valid.
- *  With options.largest_radius lattice and cubes no longer depend on the balls: models with the same options have the
- *  same grid, and a ball and its neighbours give the same bits whatever else there is. A larger ball is HSP_E_RANGE.
+ *  the largest radius plus probe, never from coordinates, with one exception: points, of which all radii and the probe
+ *  are 0, without largest_radius. Theirs is the smallest power of ten with which no coordinate has 2^30 steps, or 1e-8
+ *  if that is less and no coordinate has more than 2^50 of them; so parts of a set of points have to be given the
+ *  step. Limits: radius plus probe below 2^30 steps, every coordinate at most 2^50 steps. Without a step of the
+ *  caller's, the largest length from which it is chosen has 2^20 steps at least: what is smaller than 1.05e-16
+ *  altogether needs other units. Centres that coincide, balls inside others, and balls that touch are all valid. With
+ *  options.largest_radius lattice and cubes no longer depend on the balls: models with the same options have the same
+ *  grid, and a ball and its neighbours give the same bits whatever else there is. A ball that is larger on the lattice
+ *  is HSP_E_RANGE; what hsp_model_get_info says of the balls, less the probe, is large enough for them.
  *
- *  On failure the model is empty (0 balls), as hsp_model_init makes it.
+ *  On failure the model holds nothing, and all questions to it but hsp_model_get_info are HSP_E_STATE, until balls are
+ *  taken again.
  *  - Property 1: the order of the balls has no effect but on the ids.
  *
  *  Cost: O(n) for sets as in Theorem 2.1, wherever the balls are; O(n log n) at worst, with many centres in one cube.
@@ -86,7 +92,7 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *  @retval HSP_E_NOT_FINITE  a coordinate, a radius or an option is NaN or infinite
  *  @retval HSP_E_NEGATIVE    a radius or an option is negative
  *  @retval HSP_E_RANGE       a coordinate, a radius or an option lies beyond the lattice, or a radius beyond
- *                            options.largest_radius */
+ *                            options.largest_radius; no step is given, and all lengths are below 1.05e-16 */
 HSP_API int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                               const hsp_model_options *options, uint32_t *first_bad);
 
@@ -99,9 +105,14 @@ typedef struct hsp_model_info {
   double step;            /**< the lattice step, length */
   double probe;           /**< the probe as rounded to the lattice, length */
   double largest_radius;  /**< r_max, probe included, as rounded to the lattice, length */
+  /** half a step as a part of the smallest radius above 0, probe included, which no coordinate is moved by more than,
+   *  and no radius but with a probe; 1 if a radius above 0 is rounded to 0; 0 if there is none above 0 */
+  double largest_rounding;
+  uint64_t reserved[2]; /**< 0 */
 } hsp_model_info;
 
-/** Describe the model. Without balls the step is the one that hsp_model_set was given, else 1e-8.
+/** Describe the model. Without balls the step is the one that hsp_model_set was given, else 1e-8. One large radius
+ *  makes a coarse lattice for all: look at largest_rounding, some 1e-9 for molecules, where radii differ a lot.
  *  @retval HSP_E_ARGUMENT  a null pointer */
 HSP_API int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 
@@ -112,7 +123,8 @@ HSP_API int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info)
  *  - Property 2: a model that is made of them with the same step and no probe decides everything alike.
  *
  *  @retval HSP_E_ARGUMENT  model is NULL
- *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written */
+ *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
+ *  @retval HSP_E_STATE     hsp_model_set has failed */
 HSP_API int32_t hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity,
                                     uint32_t *needed);
 
@@ -133,7 +145,8 @@ typedef struct hsp_packing {
 /** The figures of Section 2, and by flags whether the set meets the conditions of Theorem 2.1 at all. A set that does
  *  not is still handled exactly; only the time and memory bounds are lost. Uses the model's scratch memory, hence not
  *  const. Cost: O(n) for sets with bounded figures.
- *  @retval HSP_E_ARGUMENT  a null pointer */
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     hsp_model_set has failed */
 HSP_API int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures);
 
 #ifdef __cplusplus

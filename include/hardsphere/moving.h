@@ -18,9 +18,9 @@
  *
  * SAME BITS   Every number is, bit for bit, what hsp_boundary_compute, hsp_boundary_measure and
  * hsp_boundary_get_gradient say of a new model of the balls as they are, whatever moves led there: one with the same
- * lattice step, probe and largest radius (hsp_model_options; hsp_moving_get_info tells them), or the one of
- * hsp_moving_get_model. Results that only a boundary has are to be computed from that model: ids of vertices, arcs and
- * faces, shells, voids and all that follows.
+ * lattice step, probe and largest radius less the probe (hsp_model_options; hsp_moving_get_info tells them), or the one
+ * of hsp_moving_get_model. Results that only a boundary has are to be computed from that model: ids of vertices, arcs
+ * and faces, shells, voids and all that follows.
  *
  * REFUSED   The lattice is that of the model, and so is the largest radius: twice of it is the side of the
  * cubes in which balls are looked up. A move of a ball beyond the lattice, or to a radius above that, is refused. Set
@@ -88,6 +88,7 @@ HSP_API int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_lim
  *  @retval HSP_E_ARGUMENT    moving or model is NULL; unknown tangency
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
 HSP_API int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension,
                                double pressure, uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad);

@@ -85,6 +85,7 @@ HSP_API int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limit
  *  @retval HSP_E_ARGUMENT  paths or model is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
 HSP_API int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits);
 
@@ -185,6 +186,7 @@ HSP_API int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits 
  *  @retval HSP_E_ARGUMENT    gate, model or from is NULL
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_CHECK       cells contradict each other, which cannot happen: please report it
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or a probe passes with which the largest ball has

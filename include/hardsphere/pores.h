@@ -101,8 +101,10 @@ HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t stru
  *  @retval HSP_E_ARGUMENT    pores or model is NULL
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
- *  @retval HSP_E_RANGE       balls that touch one probe are more than 2^35 lattice steps apart
+ *  @retval HSP_E_RANGE       a way up between balls leads to probes of 2^50 lattice steps: set the model with a larger
+ *                            step, ten times hsp_model_info.step or more
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
                                   hsp_pores_limits *limits);
@@ -121,8 +123,8 @@ HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, cons
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE       the box holds no results, or areas alone
  *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
- *  @retval HSP_E_RANGE       balls that touch one probe are more than 2^35 lattice steps apart; the box is more than a
- *                            hundred times longer than wide, or a way leads farther than 511 boxes
+ *  @retval HSP_E_RANGE       the box is more than a hundred times longer than wide, or a way leads farther than 511
+ *                            boxes
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic,
                                            const hsp_pores_options *options, hsp_pores_limits *limits);
@@ -156,7 +158,8 @@ typedef struct hsp_pore_maximum {
 
 /** The maxima first .. first + count - 1, exactly count records, of hsp_pores_counts.maxima in all, the widest first;
  *  out may be NULL with count 0.
- *  - Property 1: radius > death, and the parent has a lower number.
+ *  - Property 1: radius >= death, as doubles: the levels that they are rounded from are different, the birth above the
+ *    death. The parent has a lower number.
  *
  *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since

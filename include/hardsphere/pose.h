@@ -51,12 +51,14 @@ HSP_API int32_t hsp_body_bytes(uint32_t balls, size_t *bytes);
  *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **body);
 
-/** Take the balls of a model. May be called any number of times. On failure the body has no balls.
+/** Take the balls of a model. May be called any number of times. On failure the body holds nothing, and questions to it
+ *  are HSP_E_STATE, until balls are taken again.
  *  - Property 1: the order of the balls has no effect but on the ids.
  *
  *  Cost: O(n log n).
  *  @retval HSP_E_ARGUMENT  a null pointer
- *  @retval HSP_E_CAPACITY  the body has room for fewer balls */
+ *  @retval HSP_E_CAPACITY  the body has room for fewer balls
+ *  @retval HSP_E_STATE     hsp_model_set has failed */
 HSP_API int32_t hsp_body_set(hsp_body *body, const hsp_model *model);
 
 /** Where a body is: x goes to R x + t. Frozen. */
@@ -79,6 +81,7 @@ HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *transla
  *  Cost: some two microseconds for free poses of a hundred atoms at contact, nearly independent of the size of the body
  *  at rest.
  *  @retval HSP_E_ARGUMENT    a null pointer with poses > 0, or lattices of different steps
+ *  @retval HSP_E_STATE       a body holds nothing: its hsp_body_set has failed
  *  @retval HSP_E_NOT_FINITE  a number of a pose is NaN or infinite
  *  @retval HSP_E_RANGE       a quaternion has length 0, or its largest component is not within 2^-300 and 2^300; a
  *                            pose moves balls by more than 2^50 steps, or may move one farther than 2^51 steps */
@@ -93,6 +96,7 @@ HSP_API int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint
  *
  *  Cost: that of hsp_body_hits where bodies meet or come near each other, else a tenth of a microsecond.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+ *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits, or the margin is NaN or infinite
  *  @retval HSP_E_RANGE       as for hsp_body_hits, or the margin is negative */
 HSP_API int32_t hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
@@ -108,6 +112,7 @@ typedef struct hsp_body_gap {
 /** The least gap for each pose [poses]: gap [poses]. Of equal gaps that of the first ball at rest, then of the first
  *  posed one. Otherwise as hsp_body_hits; a gap is off by at most 2^-51 of the distance of the two centres.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
+ *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits */
 HSP_API int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
@@ -123,6 +128,7 @@ typedef struct hsp_body_overlap {
 /** How much the bodies overlap, the penalty that docking codes want, for each pose [poses]: overlap [poses].
  *  Otherwise as hsp_body_hits.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; overlap is NULL with poses > 0
+ *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits */
 HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
@@ -132,6 +138,7 @@ HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, 
  *  @retval HSP_E_ARGUMENT    fixed, posed or pose is NULL; pair is NULL with a capacity above 0; lattices of different
  *                            steps
  *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
+ *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits, or more than 2^32 - 2 pairs */
 HSP_API int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair,
@@ -151,6 +158,7 @@ typedef struct hsp_rational_pose {
  *
  *  Cost: as hsp_body_hits but where balls nearly touch.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+ *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  a number of a translation is NaN or infinite
  *  @retval HSP_E_RANGE       a quaternion is 0; a pose moves balls by more than 2^50 steps, or may move one farther
  *                            than 2^51 steps */
@@ -161,6 +169,7 @@ HSP_API int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *po
  *  - Property 1: the margin has no effect on hit.
  *
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+ *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits, or the margin is NaN or infinite
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or the margin is negative */
 HSP_API int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
@@ -169,6 +178,7 @@ HSP_API int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_bo
 
 /** As hsp_body_gaps, for each rational pose [poses]: of the ideal balls.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
+ *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits */
 HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
@@ -178,6 +188,7 @@ HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *po
  *  @retval HSP_E_ARGUMENT    fixed, posed or pose is NULL; pair is NULL with a capacity above 0; lattices of different
  *                            steps
  *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
+ *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or more than 2^32 - 2 pairs */
 HSP_API int32_t hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose,

@@ -24,6 +24,7 @@ extern "C" {
  *  @retval HSP_OK            ids holds the hits; or there are none, also with capacity 0
  *  @retval HSP_E_ARGUMENT    model or xyz is NULL; ids is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY    more hits than capacity: *needed is their number, and nothing is written to ids
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a coordinate is NaN or infinite
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps */
 HSP_API int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity,
@@ -35,6 +36,7 @@ HSP_API int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint3
  *  @retval HSP_OK            ids holds the hits; or there are none, also with capacity 0
  *  @retval HSP_E_ARGUMENT    model or xyz is NULL; ids is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY    more hits than capacity: *needed is their number, and nothing is written to ids
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
  *  @retval HSP_E_NEGATIVE    the radius is negative
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the radius beyond 2^51 */
@@ -46,6 +48,7 @@ HSP_API int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double
  *
  *  Cost: O(1) expected for radius <= r_max; for larger radii proportional to the cubes within reach, at most to n.
  *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
  *  @retval HSP_E_NEGATIVE    the radius is negative
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the radius beyond 2^51 */
@@ -58,6 +61,7 @@ HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, doubl
  *  @retval HSP_OK          ids holds the neighbours; or there are none, also with capacity 0
  *  @retval HSP_E_ARGUMENT  model is NULL; ids is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  more neighbours than capacity: *needed is their number, and nothing is written to ids
+ *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_ID        the model has no ball `ball` */
 HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                                      uint32_t *needed);
@@ -80,6 +84,7 @@ HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint
  *  @retval HSP_OK          ids holds all rows; or there is no pair, also with capacity 0
  *  @retval HSP_E_ARGUMENT  model or first is NULL; ids is NULL with a capacity above 0; unknown flag
  *  @retval HSP_E_CAPACITY  more ids than capacity: first and *needed are set, and nothing is written to ids
+ *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_RANGE     more than 2^32 - 1 ids; first becomes 0 everywhere */
 HSP_API int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids,
                                 uint32_t capacity, uint32_t *needed);
@@ -106,6 +111,7 @@ typedef struct hsp_ray_hit {
  *  sets as in Theorem 2.1 that fill their box.
  *  @retval HSP_OK            *hit is set, whether or not there is one
  *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a coordinate or a component is NaN or infinite
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the direction is 0 0 0 */
 HSP_API int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit);

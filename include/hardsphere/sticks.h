@@ -131,6 +131,7 @@ typedef struct hsp_sticks_conflict {
  *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
  *  @retval HSP_E_NEGATIVE    radius is negative
  *  @retval HSP_E_RANGE       radius is 0
@@ -149,6 +150,7 @@ HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, c
  *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
+ *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
  *  @retval HSP_E_NEGATIVE    radius is negative
  *  @retval HSP_E_RANGE       radius is 0

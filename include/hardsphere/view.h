@@ -117,7 +117,7 @@ HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, doubl
  *                            another model
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
- *  @retval HSP_E_STATE       the boundary holds no results, or the model has changed since
+ *  @retval HSP_E_STATE       the boundary holds no results, or the model has changed since; hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite */
 HSP_API int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
                                  const hsp_view_options *options, hsp_view_limits *limits);

@@ -127,18 +127,24 @@ static void refusals(void) {
   CHECK_EQUAL(hsp_model_set(model, 5, xyz, radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_body_set(moving, model), HSP_OK);
 
-  /* A failed call leaves no balls, whose gaps are infinite. */
+  /* A failed call leaves nothing to ask for. */
   CHECK_EQUAL(hsp_body_set(moving, NULL), HSP_E_ARGUMENT);
+  check_refused(fixed, moving, POSES, pose, HSP_E_STATE, HSP_NONE);
+  check_refused(moving, fixed, POSES, pose, HSP_E_STATE, HSP_NONE);
+  /* A body without balls has gaps that are infinite. */
+  options.step = 1e-9;
+  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, &options, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_body_set(moving, model), HSP_OK);
   CHECK_EQUAL(hsp_body_gaps(fixed, moving, 1, pose + 3, &gap, NULL), HSP_OK);
   CHECK(isinf(gap.gap) && gap.gap > 0 && gap.fixed == HSP_NONE && gap.posed == HSP_NONE);
   CHECK_EQUAL(hsp_body_overlaps(fixed, moving, 1, pose + 3, &overlap, NULL), HSP_OK);
   CHECK(overlap.pairs == 0 && overlap.volume == 0 && overlap.reserved == 0);
   CHECK_EQUAL(hsp_body_hits(moving, fixed, 1, pose + 3, hit, NULL), HSP_OK);
   CHECK_EQUAL(hit[0], 0);
+  CHECK_EQUAL(hsp_model_set(model, 5, xyz, radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_body_init(moving_memory, sizeof moving_memory, 4, &moving), HSP_OK);
   CHECK_EQUAL(hsp_body_set(moving, model), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_body_hits(fixed, moving, 1, pose + 3, hit, NULL), HSP_OK);
-  CHECK_EQUAL(hit[0], 0);
+  check_refused(fixed, moving, POSES, pose, HSP_E_STATE, HSP_NONE);
   /* A handle of another kind: not even first_bad is written. */
   CHECK_EQUAL(hsp_body_set((hsp_body *)(void *)model, model), HSP_E_HANDLE);
   check_refused((const hsp_body *)(const void *)model, fixed, POSES, pose, HSP_E_HANDLE, 77);

@@ -69,7 +69,8 @@ static void model_changed(void) {
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_reading(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_E_STATE);
+  check_reading(boundary, HSP_E_STATE);
   check_scene("figures and queries change nothing");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);

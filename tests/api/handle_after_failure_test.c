@@ -1,5 +1,5 @@
-/* The contents of a handle after a failed set or compute, as the header's section of that name says: those it had when
- * it was made. The tests of arguments go through all arguments that are refused; here are the sequences of calls. */
+/* The contents of a handle after a failed set or compute, as the header's section of that name says: none. The tests of
+ * arguments go through all arguments that are refused; here are the sequences of calls. */
 #include <hardsphere.h>
 #include <math.h>
 
@@ -9,7 +9,8 @@
 static const double bad_radius[BALLS] = {1.5, 1.5, -1, 1};
 static unsigned char other_memory[SIZE], small_memory[SIZE];
 
-/* A failed set makes the model what it was when it was made, whatever it held before. */
+/* A failed set leaves nothing to ask for, whatever the model held before; it describes itself as it did when it was
+ * made. */
 static void failed_set(void) {
   const four_handles h = four_handles_make(BALLS);
   hsp_model_options options;
@@ -19,6 +20,7 @@ static void failed_set(void) {
   CHECK_EQUAL(made.info.balls, 0);
   CHECK(made.info.step == 1e-8);
   CHECK(made.info.probe == 0 && made.info.largest_radius == 0);
+  CHECK_EQUAL(made.status, HSP_OK);
   CHECK_EQUAL(made.hit_count, 0);
   CHECK_EQUAL(made.neighbours_status, HSP_E_ID);
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
@@ -39,13 +41,18 @@ static void failed_set(void) {
       if (refusal == 4) status = hsp_model_set(h.model, 1, far_away, four_radius, &good, NULL);
       CHECK_EQUAL(status, expected[refusal]);
       read = contents_of_model(h.model);
-      CHECK_BYTES(&read, &made, sizeof read);
+      CHECK_BYTES(&read.info, &made.info, sizeof made.info);
+      CHECK_EQUAL(read.status, HSP_E_STATE);
+      CHECK_EQUAL(read.neighbours_status, HSP_E_STATE);
+      CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_E_STATE);
+      CHECK_EQUAL(hsp_view_compute(h.view, h.model, NULL, NULL, NULL), HSP_E_STATE);
     }
   }
   check_scene("no balls, but a step");
   options.step = 0.5;
   CHECK_EQUAL(hsp_model_set(h.model, 0, NULL, NULL, &options, NULL), HSP_OK);
   read = contents_of_model(h.model);
+  CHECK_EQUAL(read.status, HSP_OK);
   CHECK_EQUAL(read.info.balls, 0);
   CHECK(read.info.step == 0.5);
 }

@@ -21,6 +21,7 @@ static void refused_of_model(void) {
   hsp_ray_hit hit;
   four_handles_set(&h, BALLS);
   before = contents_of_model(h.model);
+  CHECK_EQUAL(before.status, HSP_OK);
   CHECK_EQUAL(before.hit_count, 3);
   CHECK_EQUAL(hsp_model_init(h.model_memory, 10, BALLS, &made), HSP_E_MEMORY);
   CHECK_EQUAL(hsp_model_init(h.model_memory, SIZE, BALLS, NULL), HSP_E_ARGUMENT);

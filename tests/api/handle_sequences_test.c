@@ -13,7 +13,7 @@
 #include "picture_sink.h"
 #include "random_numbers.h"
 
-enum { FIRST, SMALLER, PERMUTED, PROBE, STEP, LARGEST_RADIUS, MOVED, FEWER, EMPTY, CONTENTS };
+enum { FIRST, SMALLER, PERMUTED, PROBE, STEP, LARGEST_RADIUS, MOVED, FEWER, EMPTY, CONTENTS, REFUSED = CONTENTS };
 enum { DEPENDENT_KINDS = PORES + 1, COPIES = 2, BALLS = 5, MOST_CAPACITY = 24, ROOM = 4096 };
 
 static struct {
@@ -256,7 +256,7 @@ static void set_model(slot *s, uint64_t *seed) {
     double radius[BALLS] = {1, 1, 1, 1, 0};
     radius[BALLS - 1] = NAN;
     CHECK_EQUAL(hsp_model_set(s->handle, BALLS, set->xyz, radius, NULL, NULL), HSP_E_NOT_FINITE);
-    s->content = EMPTY;
+    s->content = REFUSED;
     return;
   }
   CHECK_EQUAL(hsp_model_set(s->handle, set->n, set->xyz, set->radius, &known[content].options, NULL), HSP_OK);
@@ -271,12 +271,13 @@ static void write_moving(const slot *from, slot *to, uint64_t *seed) {
   guarded_memory memory;
   size_t bytes = 0;
   int content = from->content;
+  const int32_t expected = from->content == REFUSED ? HSP_E_STATE : HSP_OK;
   if (from->handle == NULL || to->handle == NULL) return;
   CHECK_EQUAL(hsp_moving_limits_init(&limits, sizeof limits, BALLS), HSP_OK);
   CHECK_EQUAL(hsp_moving_bytes(&limits, &bytes), HSP_OK);
   memory = guarded_take(bytes, 3, GUARDED_RANDOM);
   CHECK_EQUAL(hsp_moving_init(memory.block, bytes, &limits, &moving), HSP_OK);
-  CHECK_EQUAL(hsp_moving_set(moving, from->handle, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_moving_set(moving, from->handle, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL), expected);
   if (content == FIRST && random_below(seed, 2) == 0) {
     CHECK_EQUAL(hsp_moving_move(moving, 1, &ball, known[MOVED].set.xyz, NULL, NULL, NULL), HSP_OK);
     content = MOVED;
@@ -285,8 +286,8 @@ static void write_moving(const slot *from, slot *to, uint64_t *seed) {
       content = FIRST;
     }
   }
-  CHECK_EQUAL(hsp_moving_get_model(moving, to->handle), HSP_OK);
-  to->content = content;
+  CHECK_EQUAL(hsp_moving_get_model(moving, to->handle), expected);
+  if (expected == HSP_OK) to->content = content;
   guarded_give_back(&memory);
 }
 
@@ -329,7 +330,8 @@ static void compute(int kind, slot *s, uint64_t *seed) {
   const int copy = random_below(seed, COPIES);
   slot *const source = is_of_boundary(kind) ? &slots[BOUNDARY][copy] : &models[copy];
   const slot *const surface = &slots[SURFACE][random_below(seed, COPIES)];
-  const int there = source->handle != NULL && (!is_of_boundary(kind) || has_results(BOUNDARY, source));
+  const int there =
+      source->handle != NULL && (is_of_boundary(kind) ? has_results(BOUNDARY, source) : source->content != REFUSED);
   computations own;
   int32_t status;
   if (s->handle == NULL) return;
@@ -347,7 +349,7 @@ static void compute(int kind, slot *s, uint64_t *seed) {
     return;
   }
   /* Memory that is no handle any more is refused. */
-  take_sources(source->content, models[copy].handle, slots[BOUNDARY][copy].handle, &own);
+  take_sources(there ? source->content : EMPTY, models[copy].handle, slots[BOUNDARY][copy].handle, &own);
   if (kind == BOUNDARY && random_below(seed, 2) == 0) {
     status = compute_in_parts(s->handle, source->handle);
   } else {
@@ -374,7 +376,8 @@ static void compute_with_boundary(slot *s, uint64_t *seed) {
   hsp_view_options options;
   int32_t expected = HSP_E_STATE, status;
   if (s->handle == NULL || model->handle == NULL || boundary->handle == NULL) return;
-  if (has_results(BOUNDARY, boundary)) expected = boundary->source == model->handle ? HSP_OK : HSP_E_ARGUMENT;
+  if (model->content != REFUSED && has_results(BOUNDARY, boundary))
+    expected = boundary->source == model->handle ? HSP_OK : HSP_E_ARGUMENT;
   CHECK_EQUAL(hsp_view_options_init(&options, sizeof options), HSP_OK);
   options.pieces = HSP_PIECES_OUTSIDE_ALL;
   status = hsp_view_compute(s->handle, model->handle, boundary->handle, &options, NULL);

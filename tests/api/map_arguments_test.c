@@ -98,6 +98,8 @@ static void order_of_calls(void) {
   check_has_results();
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_reading(map, HSP_E_STATE);
+  CHECK_EQUAL(hsp_map_compute(map, model, NULL, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK); /* no balls are something else */
   CHECK_EQUAL(hsp_map_compute(map, model, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_map_get_info(map, &info), HSP_OK);
   CHECK_EQUAL(info.balls, 0);

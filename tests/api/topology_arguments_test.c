@@ -110,6 +110,9 @@ static void changes(void) {
   check_scene("model emptied by a refusal");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_reading(topology, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK); /* no balls are something else */
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_get_counts(topology, &counts), HSP_OK);

@@ -133,6 +133,8 @@ static void order_of_calls(void) {
   check_scene("model emptied by a refusal");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_reading(view, HSP_E_STATE);
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK); /* no balls are something else */
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_view_get_info(view, &info), HSP_OK);
   CHECK_EQUAL(info.pieces, 0);

@@ -1,6 +1,22 @@
 // hardsphere.hpp: values, exceptions, and what a workspace holds after moves and failures.
-#include <hardsphere.hpp>
+#include <atomic>
+#include <thread>
 
+// Threads that tell how many were started.
+namespace std {
+struct counted_jthread : jthread {
+  static inline atomic<unsigned> started = 0;
+  template <class Work>
+  explicit counted_jthread(Work &&work) : jthread(forward<Work>(work)) {
+    ++started;
+  }
+};
+}  // namespace std
+#define jthread counted_jthread
+#include <hardsphere.hpp>
+#undef jthread
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -70,6 +86,20 @@ void test_threads() {
   EXPECT(near(moved.measure().total.area, 6 * pi));
 }
 
+void test_number_of_threads() {
+  const hardsphere::threads many(400), none(0);
+  for (const uint32_t tasks : {0U, 1U, 2U, 5U}) {
+    for (const hardsphere::threads *threads : {&many, &none}) {
+      const hsp_executor &executor = *threads;
+      std::atomic<uint32_t> calls = 0;
+      const unsigned before = std::counted_jthread::started;
+      executor.run(
+          executor.context, tasks, [](void *data, uint32_t) { ++*static_cast<decltype(calls) *>(data); }, &calls);
+      EXPECT(calls == tasks && std::counted_jthread::started - before < std::max(tasks, 1U));
+    }
+  }
+}
+
 void test_all_and_range() {
   hardsphere::workspace work(lens, ones);
   EXPECT(hardsphere::all(hsp_boundary_get_circles, work.boundary()).size() == 1);
@@ -89,6 +119,23 @@ void test_refusals() {
   EXPECT(failure.status() == HSP_E_NOT_FINITE && failure.ball() == 1);
   EXPECT(failure.what() == std::string_view(hsp_status_text(HSP_E_NOT_FINITE)));
   EXPECT(work.size() == 0);
+  // Nothing of before can be measured behind a set that throws, whatever it throws.
+  for (const auto &[xyz, radius] : {std::pair{bad, ones}, {lens, bad}, {bad, bad}, {lens, {1, -1}}, {{}, ones}}) {
+    work.set(lens, ones);
+    work.contacts();
+    caught([&] { work.set(xyz, radius); });
+    EXPECT(work.size() == 0);
+    EXPECT(caught([&] { work.measure(); }).status() == HSP_E_STATE);
+    EXPECT(caught([&] { work.gradient({.tension = 1}); }).status() == HSP_E_STATE);
+    EXPECT(caught([&] { work.pairs(); }).status() == HSP_E_STATE);
+    EXPECT(caught([&] { work.contacts(); }).status() == HSP_E_STATE);
+    hardsphere::workspace fresh;
+    caught([&] { fresh.set(xyz, radius); });
+    EXPECT(caught([&] { fresh.measure(); }).status() == HSP_E_STATE);
+  }
+  EXPECT(caught([&] { work.run(hsp_workspace_set, UINT32_MAX, nullptr, nullptr, nullptr, nullptr); }).status() ==
+         HSP_E_RANGE);
+  EXPECT(caught([&] { work.measure(); }).status() == HSP_E_STATE);
   work.set(lens, ones);  // all is as before
   EXPECT(near(work.measure().total.area, 6 * pi));
   const std::vector<double> sigma = {1, std::numeric_limits<double>::infinity()};
@@ -127,6 +174,7 @@ void test_lives() {
 int main() {
   test_values();
   test_threads();
+  test_number_of_threads();
   test_all_and_range();
   test_refusals();
   test_lives();

@@ -211,6 +211,13 @@ static void out_of_date(void) {
   few.radius[0] = -1;
   CHECK_EQUAL(hsp_workspace_set(&work, 1, few.xyz, few.radius, NULL, &i), HSP_E_NEGATIVE);
   CHECK_EQUAL(i, 0);
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_E_STATE);
+  few.radius[0] = 1; /* more than there may be, where the balls of before are good ones */
+  CHECK_EQUAL(hsp_workspace_set(&work, 1, few.xyz, few.radius, NULL, &i), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_set(&work, HSP_NONE, few.xyz, few.radius, NULL, &i), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_E_STATE);
+  CHECK_EQUAL(i, HSP_NONE);
+  CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(work.boundary, &counts), HSP_OK);
   CHECK_EQUAL(counts.balls, 0);

@@ -291,6 +291,22 @@ class Nulls(Reading):
                                     "double *a, double *b, uint32_t capacity, uint32_t *needed"), "nna")
 
 
+class Memory(unittest.TestCase):
+    """The list of handles that are not const."""
+    def questions(self, functions, listed):
+        declared = "".join(f"/** A. @retval HSP_E_ARGUMENT  x is NULL */\nint32_t {f};\n" for f in functions)
+        interface = interface_of(DECLARED + declared)
+        interface.text = f" * work in its own memory: {listed}. They stay.\n"
+        return [row.split(":")[0] for row in interface.handles_left_open()]
+
+    def test_the_list_is_that_of_the_declarations(self):
+        functions = ["hsp_x_check(hsp_x *x)", "hsp_x_get_a(hsp_x *x)", "hsp_x_get_b(const hsp_x *x)",
+                     "hsp_x_compute_with(hsp_x *x)", "hsp_y_group(hsp_x *x)", "hsp_x_set(hsp_x *x)"]
+        self.assertEqual(self.questions(functions, "hsp_x_check, _get_a;\n *   hsp_y_group"), [])
+        self.assertEqual(self.questions(functions, "hsp_x_check;\n *   hsp_y_group"), ["hsp_x_get_a"])
+        self.assertEqual(self.questions(functions, "hsp_x_check, _get_a, _get_b; hsp_y_group"), ["hsp_x_get_b"])
+
+
 class Tiers(unittest.TestCase):
     def questions(self, tier):
         return interface_of("/** A. */\nuint32_t hsp_a(void);\n", tier=tier).open_questions()

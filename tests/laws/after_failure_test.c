@@ -1,5 +1,5 @@
-/* HANDLES AFTER A FAILURE of hardsphere.h: a computation that is refused, for whatever reason, leaves a handle without
- * results. Reading that is refused leaves them. */
+/* HANDLES AFTER A FAILURE of hardsphere.h: a set or computation that is refused, for whatever reason, leaves a handle
+ * without results. Reading that is refused leaves them. */
 #include <math.h>
 #include <string.h>
 
@@ -10,6 +10,8 @@ static const function *reader_of(int noun) {
   size_t k;
   for (k = 0; k < registry_size; ++k) {
     const function *const f = &registry[k];
+    if (noun == NOUN_model && strcmp(f->name, "hsp_query_ray") == 0) return f;
+    if (noun == NOUN_body && strcmp(f->name, "hsp_body_hits") == 0) return f;
     if (f->count == 2 && f->arguments[0].noun == noun && f->arguments[0].is_const && has_status(f, HSP_E_STATE) &&
         f->arguments[1].kind == KIND_struct_out)
       return f;
@@ -47,7 +49,7 @@ static void after_failure(const function *f, uint32_t capacity) {
   if (f->count == 0 || f->arguments[0].kind != KIND_handle) return;
   reader = reader_of(f->arguments[0].noun);
   is_const = f->arguments[0].is_const;
-  computes = strstr(f->name, "_compute") != NULL || strcmp(f->name, "hsp_moving_set") == 0;
+  computes = replaces_contents(f);
   if (reader == NULL || (!is_const && !computes)) return;
   for (i = 1; i < f->count; ++i) {
     call c;

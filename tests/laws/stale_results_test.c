@@ -6,8 +6,7 @@
 
 static int reads(const function *f, int i, int base) {
   const argument *const a = &f->arguments[i];
-  if (a->kind != KIND_handle || !depends_on(a->noun, base)) return 0;
-  return i > 0 || strstr(f->name, "_compute") == NULL;
+  return a->kind == KIND_handle && depends_on(a->noun, base) && reads_contents(f, i);
 }
 
 /* A handle that was overwritten is not followed. Nor is it given to the function itself. */
@@ -37,6 +36,11 @@ static void stale_results(const function *f, uint32_t capacity) {
     call_prepare(&c, f, capacity);
     fixture_set_other_balls();
     law_refused(&c, "other balls behind the results", "", HSP_E_STATE, "");
+    fixture_set_model();
+    call_prepare(&c, f, capacity);
+    CHECK_EQUAL(hsp_model_set(given.handle[NOUN_model], given.balls, NULL, NULL, NULL, NULL),
+                given.balls > 0 ? HSP_E_ARGUMENT : HSP_OK);
+    if (given.balls > 0) law_refused(&c, "no balls behind the results, as they were refused", "", HSP_E_STATE, "");
     fixture_set_model();
     call_prepare(&c, f, capacity);
     law_succeeds(&c, "the same balls again behind the results", "");

@@ -122,16 +122,18 @@ TEST(Clash, TouchingCounts) {
   TemporaryFolder folder("clash");
   const std::string small = written(folder, "small.xyzr", {{{1, 2, 3}, 1}});
   const std::string large = written(folder, "large.xyzr", {{{1, 2, 3}, 30000}});
+  const std::string coarse = "the smallest radius has only 10000 steps";
   for (const char *turn : {"0,0,0", "90,0,0", "180,270,-90"}) {
-    const Json touching = run_json({"clash", small, large, "--rotate", turn, "--translate", "0,30001,0"});
+    const Json touching = run_json({"clash", small, large, "--rotate", turn, "--translate", "0,30001,0"}, coarse);
     EXPECT_TRUE(touching["hit"].boolean);
     EXPECT_EQ(touching["gap"].number, 0);
     EXPECT_EQ(touching["overlap_volume"].number, 0);
-    const Json apart = run_json({"clash", small, large, "--rotate", turn, "--translate", "0,30001.001,0"});
+    const Json apart = run_json({"clash", small, large, "--rotate", turn, "--translate", "0,30001.001,0"}, coarse);
     EXPECT_FALSE(apart["hit"].boolean);
     EXPECT_NEAR(apart["gap"].number, 0.001, 1e-9);
   }
-  const Json probe = run_json({"clash", small, large, "--translate", "0,30003.8,0", "--probe", "1.4"});
+  const Json probe = run_json({"clash", small, large, "--translate", "0,30003.8,0", "--probe", "1.4"},
+                              "the smallest radius has only 24000 steps");
   EXPECT_TRUE(probe["hit"].boolean);
   EXPECT_EQ(probe["gap"].number, 0);
 }

@@ -6,11 +6,11 @@
 
 #include "program_runner.hpp"
 
-Json run_json(std::vector<std::string> arguments) {
+Json run_json(std::vector<std::string> arguments, const std::string &note) {
   arguments.push_back("--json");
   const Outcome outcome = run_program(arguments);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.err, "");
+  EXPECT_TRUE(note.empty() ? outcome.err.empty() : outcome.err.ends_with(note + "\n")) << outcome.err;
   const std::optional<Json> json = read_json(outcome.out);
   EXPECT_TRUE(json.has_value()) << outcome.out;
   EXPECT_TRUE(outcome.out.ends_with("}\n")) << outcome.out;

@@ -1,4 +1,5 @@
-// The program's JSON, as every test wants it: a run that succeeds, keeps quiet on stderr and prints one strict object.
+// The program's JSON, as every test wants it: a run that succeeds, keeps quiet on stderr but for a note that is
+// expected, and prints one strict object.
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 #include "json_reader.hpp"
 
 // Run the program with these arguments and --json. Anything amiss fails the test; then the result is null.
-Json run_json(std::vector<std::string> arguments);
+Json run_json(std::vector<std::string> arguments, const std::string &note = "");
 
 // The output of a command about the balls: its JSON up to the last key, which tells what was read.
 std::string without_input(const std::string &json);

@@ -208,4 +208,47 @@ TEST(KnownSolids, RadiiOfTheUser) {
   expect_measure({"good/water_deuterium.xyz", "--radius", "D=0,O=1"}, sphere_area(1), sphere_volume(1));
 }
 
+// A lattice that is coarse for small radii beside a large one is said on stderr, by every command; the output is as it
+// would be. Radii of 0 do not count.
+TEST(KnownSolids, CoarseLatticesAreSaid) {
+  const auto note_of = [](const std::string &balls, std::vector<std::string> arguments) {
+    const TemporaryFile file("balls.xyzr", balls);
+    arguments.insert(arguments.begin() + 1, file.path());
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string begin =
+        "hardsphere: " + file.path() + ": coordinates and radii are rounded to a coarse lattice: ";
+    if (outcome.err.empty()) return outcome.err;
+    EXPECT_EQ(outcome.err.substr(0, begin.size()), begin);
+    return outcome.err.size() < begin.size() ? outcome.err : outcome.err.substr(begin.size());
+  };
+  const std::string atoms = "0 0 0 1.7\n9 0 0 1.52\n9 9 9 0\n", large = "-2e7 0 0 1e7\n", small = "5 5 5 1e-7\n",
+                    nothing = "5 5 5 1e-9\n";
+  const std::string few = "the smallest radius has only 152 steps\n", none = "a radius above 0 became 0\n";
+  for (const std::vector<std::string> &command : {std::vector<std::string>{"measure"},
+                                                  {"measure", "--json"},
+                                                  {"model"},
+                                                  {"contacts"},
+                                                  {"voids"},
+                                                  {"pores"},
+                                                  {"query", "--point", "0,0,0"},
+                                                  {"draw", "-o", "-"}}) {
+    SCOPED_TRACE(command.front());
+    EXPECT_EQ(note_of(atoms, command), "");
+    EXPECT_EQ(note_of(large + atoms, command), few);
+    EXPECT_EQ(note_of(large + nothing, command), none);
+    EXPECT_EQ(note_of(atoms + small, command), "the smallest radius has only 10 steps\n");
+    EXPECT_EQ(note_of(atoms + nothing, command), none);
+  }
+  EXPECT_EQ(note_of(large + atoms, {"measure", "--probe", "1e7"}), "");
+}
+
+TEST(KnownSolids, TinyLengthsAreRefused) {
+  const TemporaryFile file("tiny.xyzr", "0 0 0 1e-24\n2e-24 0 0 1.5e-24\n");
+  const Outcome outcome = run_program({"measure", file.path()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err,
+            "hardsphere: " + file.path() + ": all lengths are below 1.05e-16: give them in a smaller unit\n");
+}
+
 }  // namespace

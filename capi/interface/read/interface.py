@@ -1,4 +1,5 @@
 """What is known of the interface, as data."""
+import re
 from dataclasses import dataclass, field
 
 # Bytes of each scalar on every target; size_t has those of a pointer.
@@ -140,4 +141,18 @@ class Interface:
 
     def open_questions(self):
         """Rows `function: question`."""
-        return self.open_headers + [f"{f.name}: {question}" for f in self.functions for question in f.open_questions]
+        return self.open_headers + self.handles_left_open() + [
+            f"{f.name}: {question}" for f in self.functions for question in f.open_questions]
+
+    def handles_left_open(self):
+        """What the list in MEMORY of hardsphere.h says of handles that are not const, against the declarations."""
+        declared = {f.name for f in self.functions if f.arguments and f.arguments[0].kind == "handle"
+                    and not f.arguments[0].const and not re.search(r"_(set|compute|find|move|undo)(_|$)", f.name)}
+        listed, noun = set(), ""
+        paragraph = self.text.partition("its own memory:")[2].partition(". ")[0]
+        for name in re.findall(r"(?<!\w)(?:hsp)?_\w+", paragraph):
+            if name.startswith("hsp_"):
+                noun = "_".join(name.split("_")[:2])
+            listed.add(name if name.startswith("hsp_") else noun + name)
+        return [f"{name}: whether MEMORY in hardsphere.h lists it, as its handle is not const"
+                for name in sorted(declared ^ listed)]

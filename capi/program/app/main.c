@@ -49,8 +49,10 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
   bool done = read_molecule(request->file, request->format, request->model, keeping_of(request), &molecule, failure) &&
               prepare(request, &molecule, notes, failure);
   if (done && request->trajectory != NULL) {
-    done = request->mean ? measure_mean(request, &molecule, out, failure)
-                         : command_frames(request, &molecule, &(struct frame_work){.command = command}, failure);
+    const struct frame_work work = {.command = command};
+    double *const rounding = &notes->largest_rounding;
+    done = request->mean ? measure_mean(request, &molecule, out, rounding, failure)
+                         : command_frames(request, &molecule, &work, rounding, failure);
   } else {
     geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
     done = done && unit_cell_fill(request, &molecule, failure);
@@ -63,6 +65,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
     done = done && command(request, &molecule, &geometry, out, failure);
     notes->labels = geometry.labels;
     notes->labels_left_out = geometry.labels_left_out;
+    notes->largest_rounding = geometry.largest_rounding;
     geometry_free(&geometry);
   }
   if (done) notes_count_water(notes, request, &molecule);
@@ -99,7 +102,8 @@ static bool run_two(enum command command, int count, char **arguments, struct te
                            failure) &&
              prepare(&request[k], &molecule[k], &notes[k], failure);
     }
-    const struct molecule_request fixed = {&request[0], &molecule[0]}, moving = {&request[1], &molecule[1]};
+    const struct molecule_request fixed = {&request[0], &molecule[0], &notes[0].largest_rounding},
+                                  moving = {&request[1], &molecule[1], &notes[1].largest_rounding};
     done = done && command_table[command].run_two(&fixed, &moving, out, failure);
   }
   for (int k = 0; k < 2; ++k) {

@@ -65,6 +65,16 @@ void notes_print(const struct notes *notes, const struct request *request) {
              notes->labels_left_out, notes->labels);
     print(request, &note);
   }
+  if (notes->largest_rounding > 1e-6) {
+    static const char text[] = "coordinates and radii are rounded to a coarse lattice: ";
+    if (notes->largest_rounding < 1.0) {
+      snprintf(note.reason, sizeof note.reason, "%sthe smallest radius has only %.0f steps", text,
+               0.5 / notes->largest_rounding);
+    } else {
+      snprintf(note.reason, sizeof note.reason, "%sa radius above 0 became 0", text);
+    }
+    print(request, &note);
+  }
 }
 
 void notes_free(struct notes *notes) {

@@ -11,10 +11,11 @@ struct notes {
   struct text_buffer unmatched;
   uint64_t waters; /* that are counted where the output cannot say so: in --csv */
   uint64_t labels, labels_left_out;
+  double largest_rounding; /* as hsp_model_info has it */
 };
 
 #define NOTES_NONE \
-  { TEXT_BUFFER_EMPTY, 0, 0, 0 }
+  { TEXT_BUFFER_EMPTY, 0, 0, 0, 0.0 }
 
 /* Look for the names of --only, --hide and --radius among all atoms of a file. */
 void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule);
@@ -25,7 +26,7 @@ void notes_look_among_chosen(struct notes *notes, const struct request *request,
 /* Count water among the atoms that were measured. */
 void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
-/* A line for the names, one for water, and one for labels without room. */
+/* A line for the names, one for water, one for labels without room, and one for a lattice that is coarse. */
 void notes_print(const struct notes *notes, const struct request *request);
 
 void notes_free(struct notes *notes);

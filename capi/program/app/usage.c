@@ -32,8 +32,8 @@ static const char statuses[] =
     "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
     "nothing; of a --trajectory it has the frames before the one at fault. With status 0 a line on stderr tells of "
     "names\n"
-    "in --only, --hide, --highlight and --radius that nothing has, of water that is counted in --csv, and of how many\n"
-    "labels of a picture have no room.\n";
+    "in --only, --hide, --highlight and --radius that nothing has, of water that is counted in --csv, of labels of a\n"
+    "picture that have no room, and of a lattice that is coarse beside the smallest radius.\n";
 
 /* So that the help of a command fits a screen. */
 #define FOR_ALL_COMMANDS                                                             \

@@ -180,6 +180,7 @@ bool command_clash(const struct molecule_request *fixed, const struct molecule_r
   struct clash clash;
   memset(&clash, 0, sizeof clash);
   const bool done = set_models(both, &clash, failure) && make_bodies(&clash, failure) && find(moving, &clash, failure);
+  for (int k = 0; k < 2; ++k) *both[k]->largest_rounding = clash.geometry[k].largest_rounding;
   if (done) print(both, &clash, out);
   clash_free(&clash);
   return done;

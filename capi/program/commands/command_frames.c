@@ -1,6 +1,7 @@
 #include "commands/command_frames.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -156,8 +157,11 @@ static bool allocate(struct frames *frames, struct failure *failure) {
   return done || failure_of_memory(failure);
 }
 
-static void release(struct frames *frames) {
-  for (uint32_t k = 0; frames->geometry != NULL && k < frames->loop.workers; ++k) geometry_free(&frames->geometry[k]);
+static void release(struct frames *frames, double *largest_rounding) {
+  for (uint32_t k = 0; frames->geometry != NULL && k < frames->loop.workers; ++k) {
+    *largest_rounding = fmax(*largest_rounding, frames->geometry[k].largest_rounding);
+    geometry_free(&frames->geometry[k]);
+  }
   for (uint32_t k = 0; frames->frame != NULL && k < frames->loop.slots; ++k) {
     free(frames->frame[k].molecule.xyz);
     free(frames->frame[k].molecule.line);
@@ -178,7 +182,7 @@ static void share_out(struct frames *frames) {
 }
 
 bool command_frames(const struct request *request, const struct molecule *molecule, const struct frame_work *work,
-                    struct failure *failure) {
+                    double *largest_rounding, struct failure *failure) {
   struct frames frames = {.request = request,
                           .work = work,
                           .molecule = molecule,
@@ -200,7 +204,7 @@ bool command_frames(const struct request *request, const struct molecule *molecu
   if (done) done = in_order_run(&frames.loop) || failure_of_memory(failure);
   done = done && check_number(&frames, failure);
   progress_end(&frames.progress);
-  release(&frames);
+  release(&frames, largest_rounding);
   trajectory_close(&frames.trajectory);
   return done;
 }

@@ -22,8 +22,9 @@ struct frame_work {
 
 /* Put each frame that the request asks for into the molecule, which is prepared, and print what the command writes for
  * it, or take its numbers, as soon as that is done with those before it. Memory is that of a few frames for each
- * thread, one without any. A failure stops all; what was printed stays. */
+ * thread, one without any. A failure stops all; what was printed stays. *largest_rounding becomes that of all frames,
+ * as hsp_model_info has it. */
 bool command_frames(const struct request *request, const struct molecule *molecule, const struct frame_work *work,
-                    struct failure *failure);
+                    double *largest_rounding, struct failure *failure);
 
 #endif

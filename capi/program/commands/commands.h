@@ -21,6 +21,7 @@ command_function command_pick, command_draw;
 struct molecule_request {
   const struct request *request;
   const struct molecule *molecule;
+  double *largest_rounding; /* becomes that of its models, as hsp_model_info has it */
 };
 
 /* The same of two molecules: the one at rest and the one that is moved. */

@@ -127,12 +127,12 @@ static bool make(struct findings *found, struct failure *failure) {
 }
 
 bool measure_mean(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
-                  struct failure *failure) {
+                  double *largest_rounding, struct failure *failure) {
   struct findings found = {.request = request, .molecule = molecule, .groups = ATOM_GROUPS_NONE};
   bool done = make(&found, failure);
   if (done) {
     const struct frame_work work = {.count = found.running.count, .evaluate = evaluate, .take = take, .of = &found};
-    done = command_frames(request, molecule, &work, failure);
+    done = command_frames(request, molecule, &work, largest_rounding, failure);
   }
   if (done) {
     running_mean_finish(&found.running);

@@ -10,8 +10,9 @@
 #include "read/text_buffer.h"
 
 /* The mean over the frames of all that `measure` finds of each, with its standard deviation, the least and the most;
- * of balls, residues, chains and groups the mean area and its deviation. The same bytes for any number of threads. */
+ * of balls, residues, chains and groups the mean area and its deviation. The same bytes for any number of threads.
+ * *largest_rounding as command_frames has it. */
 bool measure_mean(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
-                  struct failure *failure);
+                  double *largest_rounding, struct failure *failure);
 
 #endif

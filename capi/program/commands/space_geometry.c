@@ -68,7 +68,9 @@ static bool find_pores_outside_boxes(struct geometry *geometry, const struct mol
   int32_t status = HSP_OK;
   progress_show(&geometry->progress, "looking for pores");
   return try_coarser(geometry, molecule, probe, find_pores, &options, &status, failure) &&
-         (status == HSP_OK || failure_in_library(failure, status));
+         (status == HSP_OK ||
+          (status == HSP_E_RANGE ? failure_in_input(failure, 0, "balls are too far apart for their radii")
+                                 : failure_in_library(failure, status)));
 }
 
 bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double narrowest,

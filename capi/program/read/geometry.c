@@ -54,10 +54,16 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
     return failure_in_input(failure, line, "ball %lu, probe %g added: %s", (unsigned long)first_bad, probe,
                             geometry_reason(status));
   }
-  if (status == HSP_E_RANGE && probe > 0.0) {
+  if (status == HSP_E_RANGE && probe < 1.0) {
+    return failure_in_input(failure, 0, "all lengths are below 1.05e-16: give them in a smaller unit");
+  }
+  if (status == HSP_E_RANGE) {
     return failure_in_input(failure, 0, "probe %g: %s", probe, geometry_reason(status));
   }
+  hsp_model_info info;
+  if (status == HSP_OK) status = hsp_model_get_info(geometry->work.model, &info);
   if (status != HSP_OK) return failure_in_library(failure, status);
+  if (info.largest_rounding > geometry->largest_rounding) geometry->largest_rounding = info.largest_rounding;
   return true;
 }
 

@@ -11,6 +11,7 @@
 
 struct geometry {
   hsp_workspace work;        /* zeros at first */
+  double largest_rounding;   /* of all models that were made, as hsp_model_info has it */
   struct progress progress;  /* of what is done here; not watched at first */
   hsp_executor executor;     /* geometry_share_work; zeros: the calling thread alone */
   struct hsp_sticks *sticks; /* NULL at first; ball_and_stick.h computes them */

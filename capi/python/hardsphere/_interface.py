@@ -145,7 +145,7 @@ class ModelInfo(Record):
     """A description of the model."""
     _fields_ = [("balls", C.c_uint32), ("cubes", C.c_uint32), ("table_slots", C.c_uint32),
                 ("longest_probe", C.c_uint32), ("step", C.c_double), ("probe", C.c_double),
-                ("largest_radius", C.c_double)]
+                ("largest_radius", C.c_double), ("largest_rounding", C.c_double), ("reserved", C.c_uint64 * 2)]
 
 
 class Packing(Record):

@@ -36,29 +36,38 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
     if (option < 0.0) return Status::negative;
   }
 
+  // The lattice first, unless it depends on the balls.
   const bool expected = input.largest_radius != 0.0;
+  if (input.step != 0.0) {
+    lattice_ = exact::Lattice::with_step(input.step);
+    if (!is_finite(lattice_.steps(1.0))) return Status::range;
+  } else if (expected && !exact::Lattice::for_largest_radius(input.largest_radius, input.probe, lattice_)) {
+    return Status::range;
+  }
   const double most = expected ? input.largest_radius : std::numeric_limits<double>::max();
-  double largest = 0.0;
+  double largest = 0.0, smallest = std::numeric_limits<double>::infinity();
   for (uint32_t i = 0; i < input.n; ++i) {
     const double radius = input.radius[i];
-    if (!(0.0 <= radius && radius <= most)) {
+    if (!(0.0 <= radius && radius <= most) && !(expected && is_expected(radius))) {
       first_bad = i;
       if (!is_finite(radius)) return Status::not_finite;
       return radius < 0.0 ? Status::negative : Status::range;
     }
     largest = largest < radius ? radius : largest;
+    smallest = radius < smallest && radius + input.probe > 0.0 ? radius : smallest;
   }
   largest_ = largest;
-  if (expected) largest = most;
-  if (input.step != 0.0) {
-    lattice_ = exact::Lattice::with_step(input.step);
-    if (!is_finite(lattice_.steps(1.0))) return Status::range;
-  } else if (!exact::Lattice::for_largest_radius(largest, input.probe, lattice_)) {
-    // The ball is reported only if it is too large even without the probe.
-    if (!expected && !exact::Lattice::for_largest_radius(largest, 0.0, lattice_)) {
-      for (first_bad = 0; input.radius[first_bad] < largest;) ++first_bad;
+  smallest_ = is_finite(smallest) ? smallest : -1.0;
+  if (input.step == 0.0 && !expected) {
+    const bool are_points = largest == 0.0 && input.probe == 0.0;
+    if (are_points && !exact::Lattice::for_points(largest_coordinate(), lattice_)) return Status::range;
+    if (!are_points && !exact::Lattice::for_largest_radius(largest, input.probe, lattice_)) {
+      // The ball is reported only if it is too large even without the probe.
+      if (!(lattice_.steps(largest) + 0.5 < exact::radius_limit)) {
+        for (first_bad = 0; input.radius[first_bad] < largest;) ++first_bad;
+      }
+      return Status::range;
     }
-    return Status::range;
   }
   const double probe = lattice_.steps(input.probe);
   const double radius = lattice_.steps(input.largest_radius);
@@ -72,6 +81,23 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
     if (refused == input.n) return Status::range;
   }
   return Status::ok;
+}
+
+// As reports of the largest radius are rounded to the lattice, so is what is compared with it.
+bool BallRounding::is_expected(double radius) const {
+  const double most = lattice_.steps(input_.largest_radius);
+  return radius >= 0.0 && most < exact::radius_limit && lattice_.steps(radius) < exact::radius_limit &&
+         nearest(lattice_.steps(radius)) <= nearest(most);
+}
+
+// Of numbers; find_box() says what is none.
+double BallRounding::largest_coordinate() const {
+  double largest = input_.extent;
+  for (uint64_t k = 0; k < 3 * uint64_t{input_.n}; ++k) {
+    const double size = std::fabs(input_.xyz[k]);
+    if (is_finite(size) && size > largest) largest = size;
+  }
+  return largest;
 }
 
 bool BallRounding::radius_fits(double radius) const {

@@ -18,8 +18,9 @@ struct BallInput {
   const double *xyz = nullptr;     // [n][3]
   const double *radius = nullptr;  // [n]
   double probe = 0.0;
-  double step = 0.0;            // 0: chosen by the largest radius
+  double step = 0.0;            // 0: chosen by the largest radius, or for points by the largest coordinate
   double largest_radius = 0.0;  // without probe; 0: of these balls
+  double extent = 0.0;          // coordinates count as if one were as large, as those of images in a box are
 };
 
 // Ball i on a lattice; Status::range or Status::not_finite if it does not fit. Its radius is finite and >= 0.
@@ -30,6 +31,8 @@ Status round_ball(const exact::Lattice &lattice, int64_t probe_steps, const doub
 struct LatticeBox {
   exact::Vector low{}, high{};
 };
+
+inline constexpr int64_t no_radius = -1;
 
 // Rounds balls of an input to their lattice one at a time, so that no second copy of the set is needed.
 class BallRounding {
@@ -58,6 +61,8 @@ class BallRounding {
   exact::LatticeBall ball(uint32_t i) const { return {centre(i), rounded_radius(input_.radius[i]), i}; }
   // The largest of all radii, probe included, if all balls fit the lattice and there are any.
   int64_t largest_radius() const { return rounded_radius(largest_); }
+  // The smallest of those that are above 0 before they are rounded; no_radius if there is none.
+  int64_t smallest_radius() const { return smallest_ < 0.0 ? no_radius : rounded_radius(smallest_); }
 
   const exact::Lattice &lattice() const { return lattice_; }
   int64_t probe_steps() const { return probe_steps_; }
@@ -67,10 +72,14 @@ class BallRounding {
  private:
   int64_t rounded_radius(double radius) const { return nearest(lattice_.steps(radius)) + probe_steps_; }
   bool radius_fits(double radius) const;
+  // Whether one that is not in order by itself is no larger than expected on the lattice.
+  bool is_expected(double radius) const;
+  double largest_coordinate() const;
 
   BallInput input_;
   exact::Lattice lattice_;
-  double largest_ = 0.0;  // radius of the input
+  double largest_ = 0.0;    // radius of the input
+  double smallest_ = -1.0;  // of those that are above 0 with the probe; negative if there is none
   int64_t probe_steps_ = 0;
   int64_t expected_radius_ = 0;
 };
@@ -86,6 +95,7 @@ struct BallSet {
   exact::Lattice lattice;
   int64_t probe_steps = 0;
   int64_t largest_radius = 0;
+  int64_t smallest_radius = no_radius;  // of those that were above 0 before they were rounded
 
   // Room for so many balls.
   void carve(Workspace &workspace, uint32_t capacity) {

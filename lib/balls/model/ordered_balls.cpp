@@ -88,6 +88,7 @@ void OrderedBalls::clear() {
   static_cast<void>(exact::Lattice::for_largest_radius(0.0, 0.0, balls_.lattice));
   balls_.probe_steps = 0;
   balls_.largest_radius = 0;
+  balls_.smallest_radius = no_radius;
   side_ = 1;
   cubes_.clear();
   first_ball_[0] = 0;
@@ -200,6 +201,7 @@ Status OrderedBalls::sort(const BallInput &input, Span<uint32_t> idle, uint32_t 
     largest = rounding.largest_radius();
   }
   balls_.largest_radius = largest;
+  balls_.smallest_radius = rounding.smallest_radius();
   const int64_t radius = rounding.expected_radius() > largest ? rounding.expected_radius() : largest;
   side_ = radius > 0 ? 2 * radius : 1;
   balls_.n = input.n;
@@ -227,6 +229,8 @@ void OrderedBalls::sort(const BallSet &balls, Span<const uint32_t> slot, int64_t
   for (uint32_t i = 0; i < n; ++i) {
     const exact::LatticeBall ball = placed.ball(i);
     balls_.largest_radius = ball.radius > balls_.largest_radius ? ball.radius : balls_.largest_radius;
+    const bool is_least = balls_.smallest_radius == no_radius || ball.radius < balls_.smallest_radius;
+    if (ball.radius > 0 && is_least) balls_.smallest_radius = ball.radius;
     if (small_code) balls_.store(i, ball);
   }
   side_ = side;

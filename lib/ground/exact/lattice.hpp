@@ -13,6 +13,7 @@ namespace hsp::exact {
 inline constexpr double coordinate_limit = 0x1p50;    // steps, inclusive
 inline constexpr double radius_limit = 0x1p30;        // steps, exclusive
 inline constexpr double query_radius_limit = 0x1p51;  // steps, inclusive
+inline constexpr double fewest_steps = 0x1p20;        // of the largest length that a lattice is chosen for
 
 class Lattice {
  public:
@@ -30,7 +31,7 @@ class Lattice {
     return lattice;
   }
   // The smallest power of ten that keeps the largest radius plus the probe, rounded separately, below the limit; 1e-8
-  // if both are 0. Returns false if there is none.
+  // if both are 0. Returns false if there is none, or all lengths are too small for the finest.
   static bool for_largest_radius(double radius, double probe, Lattice &lattice) {
     if (radius == 0.0 && probe == 0.0) {
       lattice = Lattice(8);
@@ -40,12 +41,22 @@ class Lattice {
       lattice = Lattice(digits);
       const double radius_steps = lattice.steps(radius);
       const double probe_steps = lattice.steps(probe);
-      if (radius_steps < radius_limit && probe_steps < radius_limit &&
-          static_cast<double>(nearest(radius_steps) + nearest(probe_steps)) < radius_limit) {
-        return true;
-      }
+      if (!(radius_steps < radius_limit && probe_steps < radius_limit)) continue;
+      const auto all = static_cast<double>(nearest(radius_steps) + nearest(probe_steps));
+      if (all < radius_limit) return all >= fewest_steps;
     }
     return false;
+  }
+  // The same for points, of which no coordinate is larger: 1e-8 at most, as long as they are on that lattice. Returns
+  // false if they are all too small for the finest; of some that are too large round() tells.
+  static bool for_points(double largest, Lattice &lattice) {
+    const bool found = for_largest_radius(largest, 0.0, lattice);
+    if (lattice.step() < 1e-8) return found;
+    for (int digits = 8; digits >= -largest_power_of_ten; --digits) {
+      lattice = Lattice(digits);
+      if (lattice.steps(largest) <= coordinate_limit) break;
+    }
+    return true;
   }
 
   double step() const { return length(1.0); }

@@ -25,8 +25,13 @@ Status PeriodicImages::build(const BallInput &input, const double vector[9], uin
 
 Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint32_t &first_bad) {
   first_bad = no_id;
+  BallInput in_box = input;
+  for (int k = 0; k < 9; ++k) {
+    const double length = std::fabs(vector[k]);
+    if (is_finite(length) && length > in_box.extent) in_box.extent = length;
+  }
   BallRounding rounding;
-  if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
+  if (const Status status = rounding.prepare(in_box, first_bad); status != Status::ok) return status;
   lattice_ = rounding.lattice();
   probe_steps_ = rounding.probe_steps();
   if (const Status status = box_.set(lattice_, vector); status != Status::ok) return status;

@@ -39,7 +39,7 @@ void four_handles_compute(const four_handles *h);
 typedef struct model_contents {
   hsp_model_info info;
   uint32_t hits[BALLS], neighbours[BALLS], hit_count;
-  int32_t neighbours_status;
+  int32_t status, neighbours_status; /* of these two questions */
 } model_contents;
 
 model_contents contents_of_model(const hsp_model *model);

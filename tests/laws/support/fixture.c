@@ -71,6 +71,18 @@ int32_t handle_init(int noun, void *memory, size_t bytes, void *limits, void **h
   return (int32_t)function_of(noun, "_init")->call(v);
 }
 
+int replaces_contents(const function *f) {
+  return strstr(f->name, "_compute") != NULL || strstr(f->name, "_set") == f->name + strlen(f->name) - 4;
+}
+
+int reads_contents(const function *f, int i) {
+  const argument *const a = &f->arguments[i];
+  if (a->kind != KIND_handle || (i == 0 && replaces_contents(f))) return 0;
+  if (a->noun != NOUN_model && a->noun != NOUN_body) return 1;
+  if (strcmp(f->name, "hsp_model_get_info") == 0) return 0;
+  return a->is_const || strcmp(f->name, "hsp_model_get_packing") == 0;
+}
+
 int depends_on(int noun, int base) {
   switch (noun) {
     case NOUN_boundary:
@@ -240,6 +252,7 @@ static void release(void) {
   for (i = 0; i < NOUNS; ++i) {
     free(given.memory[i]);
     free(given.fresh_memory[i]);
+    free(given.refused_memory[i]);
   }
   for (i = 0; i < 2; ++i) free(given.spare_memory[i]);
   memset(&given, 0, sizeof given);
@@ -253,6 +266,11 @@ void fixture_make(uint32_t balls) {
   given.spare_model = empty_handle(NOUN_model, &given.spare_memory[0]);
   given.moving_body = empty_handle(NOUN_body, &given.spare_memory[1]);
   need(compute(NOUN_body, given.moving_body, NULL), "the body that moves");
+  given.refused[NOUN_model] = empty_handle(NOUN_model, &given.refused_memory[NOUN_model]);
+  given.refused[NOUN_body] = empty_handle(NOUN_body, &given.refused_memory[NOUN_body]);
+  if (hsp_model_set(given.refused[NOUN_model], 1, NULL, NULL, NULL, NULL) != HSP_E_ARGUMENT ||
+      hsp_body_set(given.refused[NOUN_body], NULL) != HSP_E_ARGUMENT)
+    need(HSP_E_CHECK, "what is refused");
 }
 
 void fixture_make_again(int noun) {

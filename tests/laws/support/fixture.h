@@ -21,6 +21,7 @@ typedef struct fixture {
   hsp_body *moving_body;
   hsp_model *spare_model;
   void *spare_memory[2];
+  void *refused[NOUNS], *refused_memory[NOUNS]; /* a model and a body whose set has failed */
 } fixture;
 extern fixture given;
 
@@ -42,6 +43,12 @@ void fixture_set_other_balls(void);
 /* hsp_X_bytes and hsp_X_init of a kind. Limits of a model and of a body are a number of balls. */
 int32_t handle_bytes(int noun, void *limits, size_t *bytes);
 int32_t handle_init(int noun, void *memory, size_t bytes, void *limits, void **handle);
+
+/* Whether the function is one that makes new contents of its first handle: a set or a computation. */
+int replaces_contents(const function *f);
+
+/* Whether argument i is a handle whose contents the function has to know. */
+int reads_contents(const function *f, int i);
 
 /* Whether results of a kind look into the model or boundary when they are read. */
 int depends_on(int noun, int base);

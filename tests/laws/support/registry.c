@@ -3019,49 +3019,54 @@ const function registry[] = {
   {"hsp_model_get_info", "model", RESULT_status, 2, of_hsp_model_get_info, call_hsp_model_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT)},
   {"hsp_model_get_balls", "model", RESULT_status, 5, of_hsp_model_get_balls, call_hsp_model_get_balls, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_model_get_packing", "model", RESULT_status, 2, of_hsp_model_get_packing, call_hsp_model_get_packing, BIT(HSP_OK)
-      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT)},
+      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_query_point", "query", RESULT_status, 5, of_hsp_query_point, call_hsp_query_point, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_RANGE)},
   {"hsp_query_ball", "query", RESULT_status, 6, of_hsp_query_ball, call_hsp_query_ball, BIT(HSP_OK) | BIT(HSP_E_HANDLE)
-      | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE)},
+      | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) |
+      BIT(HSP_E_RANGE)},
   {"hsp_query_meets", "query", RESULT_status, 4, of_hsp_query_meets, call_hsp_query_meets, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) |
+      BIT(HSP_E_RANGE)},
   {"hsp_query_neighbours", "query", RESULT_status, 5, of_hsp_query_neighbours, call_hsp_query_neighbours, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_ID)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_query_pairs", "query", RESULT_status, 6, of_hsp_query_pairs, call_hsp_query_pairs, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE)},
   {"hsp_query_ray", "query", RESULT_status, 4, of_hsp_query_ray, call_hsp_query_ray, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
-      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_bytes", "pose", RESULT_status, 2, of_hsp_body_bytes, call_hsp_body_bytes, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT)
       | BIT(HSP_E_RANGE)},
   {"hsp_body_init", "pose", RESULT_status, 4, of_hsp_body_init, call_hsp_body_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) |
       BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_body_set", "pose", RESULT_status, 2, of_hsp_body_set, call_hsp_body_set, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
-      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY)},
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_pose_from_matrix", "pose", RESULT_status, 3, of_hsp_pose_from_matrix, call_hsp_pose_from_matrix, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_hits", "pose", RESULT_status, 6, of_hsp_body_hits, call_hsp_body_hits, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
-      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_hits_along", "pose", RESULT_status, 7, of_hsp_body_hits_along, call_hsp_body_hits_along, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_gaps", "pose", RESULT_status, 6, of_hsp_body_gaps, call_hsp_body_gaps, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
-      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_overlaps", "pose", RESULT_status, 6, of_hsp_body_overlaps, call_hsp_body_overlaps, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_pairs", "pose", RESULT_status, 6, of_hsp_body_pairs, call_hsp_body_pairs, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
-      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_rational_hits", "pose", RESULT_status, 6, of_hsp_body_rational_hits, call_hsp_body_rational_hits,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_RANGE)},
   {"hsp_body_rational_hits_along", "pose", RESULT_status, 7, of_hsp_body_rational_hits_along,
-      call_hsp_body_rational_hits_along, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) |
-      BIT(HSP_E_RANGE)},
+      call_hsp_body_rational_hits_along, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_rational_gaps", "pose", RESULT_status, 6, of_hsp_body_rational_gaps, call_hsp_body_rational_gaps,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
-  {"hsp_body_rational_pairs", "pose", RESULT_status, 6, of_hsp_body_rational_pairs, call_hsp_body_rational_pairs,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) |
       BIT(HSP_E_RANGE)},
+  {"hsp_body_rational_pairs", "pose", RESULT_status, 6, of_hsp_body_rational_pairs, call_hsp_body_rational_pairs,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_boundary_limits_init", "boundary", RESULT_status, 3, of_hsp_boundary_limits_init, call_hsp_boundary_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_boundary_bytes", "boundary", RESULT_status, 2, of_hsp_boundary_bytes, call_hsp_boundary_bytes, BIT(HSP_OK) |
@@ -3069,10 +3074,10 @@ const function registry[] = {
   {"hsp_boundary_init", "boundary", RESULT_status, 4, of_hsp_boundary_init, call_hsp_boundary_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_boundary_compute", "boundary", RESULT_status, 3, of_hsp_boundary_compute, call_hsp_boundary_compute, BIT(HSP_OK)
-      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY)},
+      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_compute_with", "boundary", RESULT_status, 6, of_hsp_boundary_compute_with,
       call_hsp_boundary_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_boundary_get_counts", "boundary", RESULT_status, 2, of_hsp_boundary_get_counts, call_hsp_boundary_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_boundary_get_vertices", "boundary", RESULT_status, 4, of_hsp_boundary_get_vertices,
@@ -3126,7 +3131,7 @@ const function registry[] = {
   {"hsp_moving_init", "moving", RESULT_status, 4, of_hsp_moving_init, call_hsp_moving_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_moving_set", "moving", RESULT_status, 8, of_hsp_moving_set, call_hsp_moving_set, BIT(HSP_OK) | BIT(HSP_E_HANDLE)
-      | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE)},
+      | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
   {"hsp_moving_move", "moving", RESULT_status, 7, of_hsp_moving_move, call_hsp_moving_move, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE)},
@@ -3362,7 +3367,8 @@ const function registry[] = {
   {"hsp_cells_init", "cells", RESULT_status, 4, of_hsp_cells_init, call_hsp_cells_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_cells_compute", "cells", RESULT_status, 3, of_hsp_cells_compute, call_hsp_cells_compute, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_CHECK)},
   {"hsp_cells_get_counts", "cells", RESULT_status, 2, of_hsp_cells_get_counts, call_hsp_cells_get_counts, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_cells_get_cells", "cells", RESULT_status, 4, of_hsp_cells_get_cells, call_hsp_cells_get_cells, BIT(HSP_OK) |
@@ -3376,7 +3382,7 @@ const function registry[] = {
   {"hsp_cells_check", "cells", RESULT_status, 4, of_hsp_cells_check, call_hsp_cells_check, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK)},
   {"hsp_model_arrangement", "cells", RESULT_status, 6, of_hsp_model_arrangement, call_hsp_model_arrangement, BIT(HSP_OK)
-      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_RANGE)},
+      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE)},
   {"hsp_paths_limits_init", "paths", RESULT_status, 3, of_hsp_paths_limits_init, call_hsp_paths_limits_init, BIT(HSP_OK)
       | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_paths_bytes", "paths", RESULT_status, 2, of_hsp_paths_bytes, call_hsp_paths_bytes, BIT(HSP_OK) |
@@ -3384,7 +3390,8 @@ const function registry[] = {
   {"hsp_paths_init", "paths", RESULT_status, 4, of_hsp_paths_init, call_hsp_paths_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_paths_compute", "paths", RESULT_status, 3, of_hsp_paths_compute, call_hsp_paths_compute, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_CHECK)},
   {"hsp_paths_find", "paths", RESULT_status, 5, of_hsp_paths_find, call_hsp_paths_find, BIT(HSP_OK) | BIT(HSP_E_HANDLE)
       | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK) |
       BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
@@ -3397,8 +3404,8 @@ const function registry[] = {
   {"hsp_gate_init", "paths", RESULT_status, 4, of_hsp_gate_init, call_hsp_gate_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) |
       BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_gate_compute", "paths", RESULT_status, 5, of_hsp_gate_compute, call_hsp_gate_compute, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_CHECK) |
-      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_CHECK) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_gate_get_widest", "paths", RESULT_status, 2, of_hsp_gate_get_widest, call_hsp_gate_get_widest, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_pores_limits_init", "pores", RESULT_status, 3, of_hsp_pores_limits_init, call_hsp_pores_limits_init, BIT(HSP_OK)
@@ -3410,8 +3417,8 @@ const function registry[] = {
   {"hsp_pores_options_init", "pores", RESULT_status, 2, of_hsp_pores_options_init, call_hsp_pores_options_init,
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
   {"hsp_pores_compute", "pores", RESULT_status, 4, of_hsp_pores_compute, call_hsp_pores_compute, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) |
-      BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
   {"hsp_pores_compute_periodic", "pores", RESULT_status, 4, of_hsp_pores_compute_periodic,
       call_hsp_pores_compute_periodic, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
@@ -3519,7 +3526,8 @@ const function registry[] = {
   {"hsp_map_init", "map", RESULT_status, 4, of_hsp_map_init, call_hsp_map_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) |
       BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_map_compute", "map", RESULT_status, 4, of_hsp_map_compute, call_hsp_map_compute, BIT(HSP_OK) | BIT(HSP_E_HANDLE)
-      | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_CHECK)},
+      | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_CHECK)},
   {"hsp_map_get_info", "map", RESULT_status, 2, of_hsp_map_get_info, call_hsp_map_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_map_next", "map", RESULT_id, 2, of_hsp_map_next, call_hsp_map_next, 0},
@@ -3553,11 +3561,12 @@ const function registry[] = {
   {"hsp_sticks_init", "sticks", RESULT_status, 4, of_hsp_sticks_init, call_hsp_sticks_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_sticks_compute", "sticks", RESULT_status, 8, of_hsp_sticks_compute, call_hsp_sticks_compute, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) |
-      BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) | BIT(HSP_E_CHECK)},
   {"hsp_sticks_compute_map", "sticks", RESULT_status, 8, of_hsp_sticks_compute_map, call_hsp_sticks_compute_map,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) |
+      BIT(HSP_E_CHECK)},
   {"hsp_sticks_get_info", "sticks", RESULT_status, 2, of_hsp_sticks_get_info, call_hsp_sticks_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_sticks_get_map_info", "sticks", RESULT_status, 2, of_hsp_sticks_get_map_info, call_hsp_sticks_get_map_info,
@@ -3616,6 +3625,8 @@ const field registry_fields[] = {
   {"hsp_model_info", "step", "double", offsetof(hsp_model_info, step), 1},
   {"hsp_model_info", "probe", "double", offsetof(hsp_model_info, probe), 1},
   {"hsp_model_info", "largest_radius", "double", offsetof(hsp_model_info, largest_radius), 1},
+  {"hsp_model_info", "largest_rounding", "double", offsetof(hsp_model_info, largest_rounding), 1},
+  {"hsp_model_info", "reserved", "uint64_t", offsetof(hsp_model_info, reserved), 2},
   {"hsp_packing", "k", "double", offsetof(hsp_packing, k), 1},
   {"hsp_packing", "rho", "double", offsetof(hsp_packing, rho), 1},
   {"hsp_packing", "mean_overlaps", "double", offsetof(hsp_packing, mean_overlaps), 1},

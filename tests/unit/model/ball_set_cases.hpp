@@ -25,7 +25,10 @@ struct Prepared {
 constexpr Prepared prepared[] = {
     {0, {}, 0.0, 0.0, hsp::Status::ok, hsp::no_id, 1e-8, 0},
     {0, {}, 1.4, 0.0, hsp::Status::ok, hsp::no_id, 1e-8, 140000000},
-    {2, {0.0, 0.0}, 0.0, 0.0, hsp::Status::ok, hsp::no_id, 1e-8, 0},
+    {2, {0.0, 0.0}, 0.0, 0.0, hsp::Status::ok, hsp::no_id, 1e-18, 0},  // points: by their coordinates
+    {2, {0.0, 1e-24}, 0.0, 0.0, hsp::Status::range, hsp::no_id, 0, 0},
+    {2, {0.0, 1e-24}, 0.0, 1e-30, hsp::Status::ok, hsp::no_id, 1e-30, 0},
+    {2, {0.0, 0.0}, 1e-24, 0.0, hsp::Status::range, hsp::no_id, 0, 0},
     {2, {1.0, 1.8}, 0.0, 0.0, hsp::Status::ok, hsp::no_id, 1e-8, 0},
     {2, {1.07, 1.0}, 0.0, 0.0, hsp::Status::ok, hsp::no_id, 1e-9, 0},
     {1, {1.0}, 0.08, 0.0, hsp::Status::ok, hsp::no_id, 1e-8, 8000000},  // the sum is too large for 1e-9
@@ -50,9 +53,10 @@ constexpr Prepared prepared[] = {
 
 inline uint32_t inputs_are_checked() {
   return first_failing(prepared, [](const Prepared &c) {
+    constexpr double xyz[9] = {1e-10, -8e-10, 0, 5e-10, infinite_length, not_a_number, 0, 0, 0};
     hsp::BallRounding rounding;
     uint32_t first_bad = 77;
-    if (rounding.prepare({c.n, nullptr, c.radius, c.probe, c.step}, first_bad) != c.status) return false;
+    if (rounding.prepare({c.n, xyz, c.radius, c.probe, c.step}, first_bad) != c.status) return false;
     return first_bad == c.first_bad && (c.status != hsp::Status::ok || (rounding.lattice().step() == c.lattice_step &&
                                                                         rounding.probe_steps() == c.probe_steps));
   });
