@@ -304,6 +304,22 @@ class Wrong(unittest.TestCase):
             with self.assertRaises(ValueError):
                 call()
 
+    def test_a_set_that_fails_leaves_nothing_to_ask_for(self):
+        balls, box = hardsphere.Balls(LENS, [1, 1]), hardsphere.Box(LENS, [1, 1], [9, 9, 9])
+        bad = [([[0, 0, 0], [0, math.nan, 0]], [1, 1]), (LENS, [1, -1]), (LENS, [1]), ([[0, 0], [1, 0]], [1, 1]), (7, [1, 1]),
+               ([["x", 0, 0], [1, 0, 0]], [1, 1])]
+        for of, more in ((balls, [[]]), (box, [[], [[1, 2]], [["x", 1, 1]]])):
+            for centers, radii in bad + [(LENS, [1, 1])]:
+                for vectors in more[1:] if radii == [1, 1] and centers == LENS else more[:1]:
+                    of.set(LENS, [1, 1], *([[9, 9, 9]] if of is box else []))
+                    self.assertGreater(of.area, 0)
+                    with self.assertRaises((hardsphere.Error, ValueError, TypeError)):
+                        of.set(centers, radii, *vectors)
+                    for ask in (lambda: of.area, of.measure, of.contacts, of.gradient):
+                        with self.assertRaises(hardsphere.Error) as refused:
+                            ask()
+                        self.assertEqual(refused.exception.status, hardsphere.E_STATE)
+
     def test_nothing_computed(self):
         with self.assertRaises(hardsphere.Error):
             hardsphere.Boundary().get_counts()

@@ -19,7 +19,9 @@ The shared library is `$HARDSPHERE_LIBRARY`, else one beside this file or instal
 """
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Sequence
+import contextlib
+import math
+from typing import Any, Iterator, NamedTuple, Sequence
 
 from . import _interface
 from ._calls import Error, Handle, Record, Result, library, numpy
@@ -123,6 +125,21 @@ class _Set:
             self._computed[kind] = ready
         return handle
 
+    def _drop(self) -> None:
+        raise NotImplementedError
+
+    @contextlib.contextmanager
+    def _taking(self) -> Iterator[None]:
+        """Other balls. If they are refused there are none, not those of before: what asks for them raises Error."""
+        self._computed.clear()
+        self.n = 0
+        try:
+            yield
+        except (TypeError, ValueError):  # before the library has seen them
+            with contextlib.suppress(Error):
+                self._drop()
+            raise
+
     def measure(self, selected: Any = None) -> Measure:
         raise NotImplementedError
 
@@ -154,11 +171,14 @@ class Balls(_Set):
 
     def set(self, centers: Any, radii: Any = None) -> "Balls":
         """Other centres, as of the next frame; other radii if they are given."""
-        self._radii = self._radii if radii is None else radii
-        self._computed.clear()
-        self.model.set(centers, self._radii, **self._options)
+        with self._taking():
+            self._radii = self._radii if radii is None else radii
+            self.model.set(centers, self._radii, **self._options)
         self.n = self.model.n
         return self
+
+    def _drop(self) -> None:
+        self.model.set([[math.nan] * 3], [0.0])
 
     @property
     def boundary(self) -> Boundary:
@@ -262,16 +282,19 @@ class Box(_Set):
 
     def set(self, centers: Any, radii: Any = None, vectors: Any = None) -> "Box":
         """Other centres, as of the next frame; radii and vectors if they are given."""
-        self._radii = self._radii if radii is None else radii
-        if vectors is not None:
-            rows = [list(row) if hasattr(row, "__len__") else row for row in vectors]
-            if not isinstance(rows[0], list):
-                rows = [[x if i == j else 0.0 for j in range(3)] for i, x in enumerate(rows)]
-            self._box = [float(x) for row in rows for x in row]
-        self._computed.clear()
-        self.handle.compute_with(centers, self._radii, self._box, threads=self._threads, **self._options)
+        with self._taking():
+            self._radii = self._radii if radii is None else radii
+            if vectors is not None:
+                rows = [list(row) if hasattr(row, "__len__") else row for row in vectors]
+                if not isinstance(rows[0], list):
+                    rows = [[x if i == j else 0.0 for j in range(3)] for i, x in enumerate(rows)]
+                self._box = [float(x) for row in rows for x in row]
+            self.handle.compute_with(centers, self._radii, self._box, threads=self._threads, **self._options)
         self.n = self.handle.n
         return self
+
+    def _drop(self) -> None:
+        self.handle.compute_with([[math.nan] * 3], [0.0], [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0])
 
     @property
     def totals(self) -> Any:
