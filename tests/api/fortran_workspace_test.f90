@@ -194,6 +194,12 @@ contains
     call expect(work%set(1_c_int32_t, xyz, radius, first_bad=first_bad), HSP_E_NEGATIVE, 'a negative radius')
     call check(first_bad == 0, 'the first bad ball')
     call expect(hsp_boundary_get_counts(work%boundary, counts), HSP_E_STATE, 'results of balls that are gone')
+    call expect(work%compute_boundary(), HSP_E_STATE, 'balls that were refused')
+    radius = 1
+    call expect(work%set(1_c_int32_t, xyz, radius), HSP_OK, 'a good ball')
+    call expect(work%set(300000000_c_int32_t, xyz, radius), HSP_E_RANGE, 'more balls than there may be')
+    call expect(work%compute_boundary(), HSP_E_STATE, 'the balls of before')
+    call expect(work%set(0_c_int32_t, xyz, radius), HSP_OK, 'to set no balls')
     call expect(work%compute_boundary(), HSP_OK, 'no balls')
     call expect(hsp_boundary_get_counts(work%boundary, counts), HSP_OK, 'counts of no balls')
     call check(counts%balls == 0, 'no balls')
