@@ -136,7 +136,7 @@ static void points(void) {
 /* Of a box its vectors count, too. */
 static void points_in_a_box(void) {
   static unsigned char box_memory[1 << 20];
-  const double xyz[6] = {1e-3, 0, 0, 1.1e-3, 0, 0}, zero[2] = {0, 0}, box[9] = {90, 0, 0, 0, 90, 0, 0, 0, 90};
+  const double xyz[6] = {1e-3, 0, 0, 1.1e-3, 0, 0}, zero[2] = {0, 0}, box[9] = {900, 0, 0, 0, 900, 0, 0, 0, 900};
   hsp_periodic_limits limits;
   hsp_periodic *periodic;
   check_scene("points in a box");

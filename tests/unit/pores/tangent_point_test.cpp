@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tied_sets.hpp"
@@ -251,6 +252,59 @@ TEST(TangentPoint, BallsFarApartAreDecided) {
       EXPECT_EQ(other.compare_levels(centre), static_cast<int>(off)) << power;
     }
   }
+}
+
+// The longest integers that there are: centres at the ends of the lattice, that tie, or nearly, or lie in one plane. The
+// answers about the two points of four balls are the same, whichever of them is the base.
+TEST(TangentPoint, AnswersAcrossTheLatticeDoNotDependOnTheBase) {
+  constexpr int64_t end = INT64_C(1) << 50, largest = (1 << 30) - 1;
+  oracle::RandomSource random(3);
+  int found = 0, flat = 0, tied = 0;
+  for (int turn = 0; turn < 4000; ++turn) {
+    oracle::Balls set;
+    for (uint32_t k = 0; k < 5; ++k) {
+      const auto coordinate = [&](bool fixed) {
+        if (fixed) return end - 5;
+        const int64_t nudge = random.one_in(3) ? random.in(0, 3) : 0;
+        return random.one_in(2) ? nudge - end : random.one_in(4) ? nudge : end - nudge;
+      };
+      set.push_back({coordinate(false), coordinate(false), coordinate(turn % 2 == 0),
+                     random.one_in(2)   ? largest
+                     : random.one_in(2) ? 0
+                                        : largest - random.in(0, 9)});
+    }
+    const PlainBallSet plain(set);
+    const hsp::BallSet &balls = plain.set();
+    bool apart = true;  // none is inside another one
+    for (uint32_t a = 0; a < 5; ++a) {
+      for (uint32_t b = 0; b < a; ++b) apart = apart && hsp::longest_part(balls.difference(a, b)) > 0x1p40;
+    }
+    if (!apart) continue;
+    uint32_t order[4] = {0, 1, 2, 3};
+    std::vector<int> first;
+    do {
+      if (hsp::are_collinear(balls, order[0], order[1], order[2])) continue;
+      TangentPoint points[2] = {TangentPoint(lines), TangentPoint(lines)};
+      bool there[2];
+      TangentPoint::find_both(balls, {order[0], order[1], order[2]}, order[3], points, there);
+      std::vector<int> answers;
+      for (const int root : {0, 1}) {
+        if (!there[root]) continue;
+        const int nearness = points[root].nearness(4), turns = points[root].side_of_plane(0, 1, 4);
+        answers.push_back(100 * nearness + 10 * turns + points[root].level_against(end / 3));
+        tied += nearness == 0 ? 1 : 0;
+      }
+      std::sort(answers.begin(), answers.end());
+      answers.push_back(static_cast<int>(answers.size()));
+      if (first.empty()) first = answers;
+      ASSERT_EQ(answers, first) << oracle::to_text(set);
+      found += answers.size() > 1 ? 1 : 0;
+      flat += answers.size() > 1 && hsp::are_coplanar(balls, 0, 1, 2, 3) ? 1 : 0;
+    } while (std::next_permutation(order, order + 4));
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_GT(flat, 500);
+  EXPECT_GT(tied, 40);
 }
 
 }  // namespace
