@@ -120,17 +120,17 @@ void test_refusals() {
   EXPECT(failure.what() == std::string_view(hsp_status_text(HSP_E_NOT_FINITE)));
   EXPECT(work.size() == 0);
   // Nothing of before can be measured behind a set that throws, whatever it throws.
-  for (const auto &[xyz, radius] : {std::pair{bad, ones}, {lens, bad}, {bad, bad}, {lens, {1, -1}}, {{}, ones}}) {
+  for (const auto &set : {std::pair{bad, ones}, {lens, bad}, {bad, bad}, {lens, {1, -1}}, {{}, ones}}) {
     work.set(lens, ones);
     work.contacts();
-    caught([&] { work.set(xyz, radius); });
+    caught([&] { work.set(set.first, set.second); });
     EXPECT(work.size() == 0);
     EXPECT(caught([&] { work.measure(); }).status() == HSP_E_STATE);
     EXPECT(caught([&] { work.gradient({.tension = 1}); }).status() == HSP_E_STATE);
     EXPECT(caught([&] { work.pairs(); }).status() == HSP_E_STATE);
     EXPECT(caught([&] { work.contacts(); }).status() == HSP_E_STATE);
     hardsphere::workspace fresh;
-    caught([&] { fresh.set(xyz, radius); });
+    caught([&] { fresh.set(set.first, set.second); });
     EXPECT(caught([&] { fresh.measure(); }).status() == HSP_E_STATE);
   }
   EXPECT(caught([&] { work.run(hsp_workspace_set, UINT32_MAX, nullptr, nullptr, nullptr, nullptr); }).status() ==
