@@ -126,7 +126,7 @@ class Session {
   }
 
   // Whether the boundary holds results of what the model holds, and a number that says which; 0 if not.
-  bool ready() const { return complete_ && of_ == contents_; }
+  bool ready() const { return !refused_ && complete_ && of_ == contents_; }
   uint64_t results() const { return ready() ? of_ : 0; }
 
   // Where it cannot be known whether they are the same as others, nothing is left that was computed from others.
@@ -238,6 +238,7 @@ class Session {
     limit_ = limit;
     balls_ = 0;
     as_made_ = true;
+    refused_ = false;
   }
 
   void set_model() {
@@ -278,7 +279,7 @@ class Session {
     const bool bad_pointer = no_model || (n > 0 && (xyz.data() == nullptr || no_xyz || no_radius));
     if (!no_model) {
       balls_ = status == HSP_OK ? n : 0;
-      as_made_ = status != HSP_OK;
+      as_made_ = refused_ = status != HSP_OK;
       if (status == HSP_OK) {
         take_contents(xyz, radius, no_options ? nullptr : &options);
       } else {
@@ -320,13 +321,18 @@ class Session {
     FUZZ_REQUIRE(bad == HSP_NONE || bad < n, "first_bad is no ball");
   }
 
+  // The status of a question to the model, some of whose other arguments may be bad.
+  int32_t model_status(const hsp_model *model, bool bad = false) const {
+    return model == nullptr || bad ? HSP_E_ARGUMENT : refused_ ? HSP_E_STATE : HSP_OK;
+  }
+
   void describe_model() {
     hsp_model *model = null() ? nullptr : model_;
     hsp_model_info info;
     hsp_packing figures;
     const int32_t expected = model == nullptr ? HSP_E_ARGUMENT : HSP_OK;
     FUZZ_REQUIRE(hsp_model_get_info(model, &info) == expected, "hsp_model_get_info");
-    FUZZ_REQUIRE(hsp_model_get_packing(model, &figures) == expected, "hsp_model_get_packing");
+    FUZZ_REQUIRE(hsp_model_get_packing(model, &figures) == model_status(model), "hsp_model_get_packing");
     if (expected != HSP_OK) return;
     FUZZ_REQUIRE(info.balls == balls_, "number of balls");
     FUZZ_REQUIRE(!as_made_ || (info.step == 1e-8 && info.probe == 0 && info.cubes == 0), "an empty model");
@@ -349,12 +355,13 @@ class Session {
     const bool pointers = model != nullptr && place != nullptr;
     const bool finite = std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]);
     FUZZ_REQUIRE(pointers || status == HSP_E_ARGUMENT, "hsp_query_meets, arguments");
+    FUZZ_REQUIRE(!pointers || (status == HSP_E_STATE) == refused_, "hsp_query_meets of a model whose set has failed");
     FUZZ_REQUIRE(!pointers || (finite && std::isfinite(radius)) || status < 0,
                  "hsp_query_meets takes what is not finite");
     FUZZ_REQUIRE(status != HSP_OK || meets == 0 || meets == 1, "meets");
     FUZZ_REQUIRE(status == HSP_OK || meets == 12345, "meets written on failure");
     FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_ARGUMENT || status == HSP_E_NOT_FINITE ||
-                     status == HSP_E_NEGATIVE || status == HSP_E_RANGE,
+                     status == HSP_E_NEGATIVE || status == HSP_E_RANGE || status == HSP_E_STATE,
                  "a status that hsp_query_meets does not have");
     check_array<uint32_t>(24, status, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_ball(model, place, radius, out, capacity, needed);
@@ -368,7 +375,7 @@ class Session {
   void query_neighbours() {
     const hsp_model *model = null() ? nullptr : model_;
     const uint32_t ball = bytes_.below(30);
-    const int32_t expected = model == nullptr ? HSP_E_ARGUMENT : ball >= balls_ ? HSP_E_ID : HSP_OK;
+    const int32_t asked = model_status(model), expected = asked == HSP_OK && ball >= balls_ ? HSP_E_ID : asked;
     check_array<uint32_t>(24, expected, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_neighbours(model, ball, out, capacity, needed);
     });
@@ -379,7 +386,7 @@ class Session {
     const uint32_t flags = bytes_.one_in(8) ? bytes_.below(8) : bytes_.below(2);
     std::vector<uint32_t> first(balls_ + 1);
     uint32_t *const begins = null() ? nullptr : first.data();
-    const int32_t expected = model == nullptr || begins == nullptr || flags > HSP_PAIRS_ONCE ? HSP_E_ARGUMENT : HSP_OK;
+    const int32_t expected = model_status(model, begins == nullptr || flags > HSP_PAIRS_ONCE);
     check_array<uint32_t>(60, expected, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_pairs(model, flags, begins, out, capacity, needed);
     });
@@ -439,6 +446,8 @@ class Session {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
       return;
     }
+    FUZZ_REQUIRE((status == HSP_E_STATE) == refused_, "hsp_boundary_compute of a model whose set has failed");
+    if (refused_) return;
     FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_boundary_compute does not have");
     const bool more = needed.balls > limits_.balls || needed.neighbours > limits_.neighbours ||
                       needed.vertices > limits_.vertices || needed.circles > limits_.circles;
@@ -474,6 +483,8 @@ class Session {
     }
     complete_ = status == HSP_OK;
     of_ = contents_;
+    FUZZ_REQUIRE((status == HSP_E_STATE) == refused_, "hsp_boundary_compute_with of a model whose set has failed");
+    if (refused_) return;
     if (status == HSP_E_ARGUMENT) {
       FUZZ_REQUIRE(executor.run == nullptr && executor.workers > 1, "hsp_boundary_compute_with refuses an executor");
       return;
@@ -598,6 +609,7 @@ class Session {
   uint32_t limit_ = 0;        // of the model
   uint32_t balls_ = 0;        // that the model holds
   bool as_made_ = false;      // nothing set since it was made, or the last set failed
+  bool refused_ = false;      // the last set failed
   bool odd_numbers_ = false;  // NaN and the like may occur in the current call
   uint64_t contents_ = 0;     // of the model
   uint64_t of_ = 0;           // the contents that the boundary was computed from

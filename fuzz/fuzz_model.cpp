@@ -82,7 +82,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     check_balls(second, model.get());
   } else {
     hsp_model_info info;
-    FUZZ_REQUIRE(hsp_model_get_info(model.get(), &info) == HSP_OK && info.balls == 0, "on failure the model is empty");
+    FUZZ_REQUIRE(hsp_model_get_info(model.get(), &info) == HSP_OK && info.balls == 0, "on failure there are no balls");
+    FUZZ_REQUIRE(hsp_model_get_balls(model.get(), nullptr, nullptr, 0, nullptr) == HSP_E_STATE,
+                 "on failure there is nothing");
   }
   return 0;
 }

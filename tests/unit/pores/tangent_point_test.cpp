@@ -254,8 +254,8 @@ TEST(TangentPoint, BallsFarApartAreDecided) {
   }
 }
 
-// The longest integers that there are: centres at the ends of the lattice, that tie, or nearly, or lie in one plane. The
-// answers about the two points of four balls are the same, whichever of them is the base.
+// The longest integers that there are: centres at the ends of the lattice, that tie, or nearly, or lie in one plane.
+// The answers about the two points of four balls are the same, whichever of them is the base.
 TEST(TangentPoint, AnswersAcrossTheLatticeDoNotDependOnTheBase) {
   constexpr int64_t end = INT64_C(1) << 50, largest = (1 << 30) - 1;
   oracle::RandomSource random(3);
