@@ -13,6 +13,8 @@
 
 #include <cstdint>
 
+#include "core/small_code.hpp"
+
 namespace hsp::capi {
 
 // The control and flag bits of one thread, as they are in its registers, and what the library's control bits are.
@@ -155,8 +157,8 @@ class LibraryArithmetic {
   // Doubles that the caller has passed by value: nothing is computed of them before this. Compilers do not know that
   // operations depend on the environment, but they do not move what is in memory.
   template <class... Double>
-  explicit LibraryArithmetic(Double &...by_value) : callers_(FloatingPoint::now()) {
-    enter();
+  explicit LibraryArithmetic(Double &...by_value) {
+    begin();
     (hold(by_value), ...);
   }
   ~LibraryArithmetic() { leave(); }
@@ -167,11 +169,12 @@ class LibraryArithmetic {
   friend class CallersArithmetic;
 
   // Most programs have the default environment: then nothing is written.
-  void enter() const {
+  HSP_APART_IF_SMALL void begin() {
+    callers_ = FloatingPoint::now();
     const FloatingPoint own = callers_.of_library();
     if (!(own == callers_)) own.set();
   }
-  void leave() const {
+  HSP_APART_IF_SMALL void leave() const {
     if (!(FloatingPoint::now() == callers_)) callers_.set();
   }
   static void hold(double &value) { asm volatile("" : "+m"(value)); }
@@ -183,10 +186,7 @@ class LibraryArithmetic {
 class CallersArithmetic {
  public:
   explicit CallersArithmetic(LibraryArithmetic &library) : library_(library) { library_.leave(); }
-  ~CallersArithmetic() {
-    library_.callers_ = FloatingPoint::now();
-    library_.enter();
-  }
+  ~CallersArithmetic() { library_.begin(); }
   CallersArithmetic(const CallersArithmetic &) = delete;
   CallersArithmetic &operator=(const CallersArithmetic &) = delete;
 

@@ -7,10 +7,13 @@ namespace hsp {
 #if defined(__OPTIMIZE_SIZE__)
 inline constexpr bool small_code = true;
 #define HSP_INLINE_UNLESS_SMALL
+// For what is short and called in many places.
+#define HSP_APART_IF_SMALL [[gnu::noinline]]
 #else
 inline constexpr bool small_code = false;
 // For what is called for each ball: in large units g++ inlines less of its own accord.
 #define HSP_INLINE_UNLESS_SMALL [[gnu::always_inline]]
+#define HSP_APART_IF_SMALL
 #endif
 
 }  // namespace hsp
