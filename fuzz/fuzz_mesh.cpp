@@ -1,7 +1,7 @@
 // The triangles of any boundary and of the smooth surface over it, with edges of any length: a closed surface with the
 // Euler characteristic of what it is made from, of a boundary with every vertex on it, the same bytes twice, and limits
-// that are too small. HSP_E_CHECK is right where borders lie on each other, and HSP_E_OPEN_SURFACE where joints of the
-// smooth surface are open.
+// that are too small. HSP_E_DEGENERATE is right where borders lie on each other, and HSP_E_OPEN_SURFACE where joints of
+// the smooth surface are open.
 #include <mesh_invariants.h>
 
 #include <cmath>
@@ -18,11 +18,11 @@ using fuzz::same;
 class Result {
  public:
   Result(const computed &base, double edge) : status_(mesh_result_make(&base, edge, &mesh_)) {
-    FUZZ_REQUIRE(status_ == HSP_OK || status_ == HSP_E_CHECK, hsp_status_text(status_));
+    FUZZ_REQUIRE(status_ == HSP_OK || status_ == HSP_E_DEGENERATE, hsp_status_text(status_));
   }
   Result(const surface_result &base, double edge) : status_(mesh_result_make_surface(&base, edge, &mesh_)) {
     const int32_t made = base.counts.open_joints == 0 ? HSP_OK : HSP_E_OPEN_SURFACE;
-    FUZZ_REQUIRE(status_ == made || (made == HSP_OK && status_ == HSP_E_CHECK), hsp_status_text(status_));
+    FUZZ_REQUIRE(status_ == made || (made == HSP_OK && status_ == HSP_E_DEGENERATE), hsp_status_text(status_));
   }
   ~Result() { mesh_result_release(&mesh_); }
   Result(const Result &) = delete;

@@ -59,8 +59,9 @@ Result computed_with(const hsp_model *model, const hsp_view_options &options, co
       hsp_sticks_compute(sticks.get(), model, &options, stick.data(), count, radius, &result.conflict, &result.needed);
   // Of a stick that is far thinner than roundings both sides are one line.
   const bool thin = radius < 1e-9;
-  FUZZ_REQUIRE(result.status == HSP_OK || result.status == HSP_E_CONFLICT || (thin && result.status == HSP_E_CHECK),
-               hsp_status_text(result.status));
+  FUZZ_REQUIRE(
+      result.status == HSP_OK || result.status == HSP_E_CONFLICT || (thin && result.status == HSP_E_DEGENERATE),
+      hsp_status_text(result.status));
   const int32_t read = hsp_sticks_get_info(sticks.get(), &result.info);
   FUZZ_REQUIRE(read == (result.status == HSP_OK ? HSP_OK : HSP_E_STATE), "results, by the status");
   return result;
@@ -68,7 +69,7 @@ Result computed_with(const hsp_model *model, const hsp_view_options &options, co
 
 // Numbers are those of balls or sticks, as the kind says.
 void require_named(const Result &result, uint32_t n, uint32_t count) {
-  if (result.status == HSP_E_CHECK) return;
+  if (result.status == HSP_E_DEGENERATE) return;
   const uint32_t kind = result.conflict.kind, first = result.conflict.first, second = result.conflict.second;
   const bool without_order = kind == HSP_STICKS_BALLS_MEET || kind == HSP_STICKS_CYCLE;
   FUZZ_REQUIRE((result.status == HSP_OK) == (kind == HSP_STICKS_NO_CONFLICT || without_order),
@@ -219,8 +220,8 @@ void require_map(const fuzz::ScaledBalls &set, const hsp_model *model, const hsp
   };
   const int32_t status = compute(sticks.get(), &needed_limits);
   hsp_map_info info{};
-  if (reference.status != HSP_OK || status == HSP_E_CHECK) {
-    FUZZ_REQUIRE(status == reference.status || status == HSP_E_CHECK, "a map by another status");
+  if (reference.status != HSP_OK || status == HSP_E_DEGENERATE) {
+    FUZZ_REQUIRE(status == reference.status || status == HSP_E_DEGENERATE, "a map by another status");
     FUZZ_REQUIRE(hsp_sticks_get_map_info(sticks.get(), &info) == HSP_E_STATE, "a map after a failure");
     return;
   }

@@ -99,7 +99,7 @@
  *                                                                                   patches where many ties meet:
  *                                                                                   open_joints, HSP_E_OPEN_SURFACE
  *   mesh        how patches hang together          positions, normals               triangles where borders lie on each
- *                                                                                   other: HSP_E_CHECK
+ *                                                                                   other: HSP_E_DEGENERATE
  *   topology    edges, simple faces, shells,       positions, areas, volumes        -
  *               regions, where a point lies
  *   cells       cells, neighbours, regions,        -                                -
@@ -114,9 +114,9 @@
  *   map         -                                  areas                            faces, edges, vertices: balls are
  *                                                                                   moved until labels fit,
  *                                                                                   hsp_map_info.perturbation,
- *                                                                                   HSP_E_CHECK
+ *                                                                                   HSP_E_DEGENERATE
  *   sticks      -                                  as map                           what covers what, and as map:
- *                                                                                   HSP_E_CONFLICT, HSP_E_CHECK
+ *                                                                                   HSP_E_CONFLICT, HSP_E_DEGENERATE
  *   picture     -                                  coordinates on the page          -
  *   A rounded number has an error of a few last bits of the result, or the function says how large it is.
  *

@@ -25,6 +25,7 @@ pub const HSP_E_RANGE: i32 = -12;
 pub const HSP_E_CONFLICT: i32 = -13;
 pub const HSP_E_OPEN_SURFACE: i32 = -14;
 pub const HSP_E_EXECUTOR: i32 = -15;
+pub const HSP_E_DEGENERATE: i32 = -16;
 pub const HSP_RADII_BONDI: u32 = 0;
 pub const HSP_RADII_CHEM3D: u32 = 1;
 pub const HSP_RADIUS_FALLBACK: u32 = 1;

@@ -79,6 +79,8 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
   ! the caller's executor did not call every task exactly once
   integer(c_int32_t), parameter :: HSP_E_EXECUTOR = -15_c_int32_t
+  ! ties or near ties of the input that could not be resolved
+  integer(c_int32_t), parameter :: HSP_E_DEGENERATE = -16_c_int32_t
 
   ! ---- element.h: elements by symbol, and their radii ----------------------------------------------------------------
 

@@ -50,6 +50,8 @@ const char *hsp_status_text(int32_t status) {
       return "a degenerate set of balls, whose smooth surface does not close";
     case HSP_E_EXECUTOR:
       return "the caller's executor did not call every task exactly once";
+    case HSP_E_DEGENERATE:
+      return "ties or near ties of the input that could not be resolved";
     default:
       return "unknown status";
   }

@@ -87,7 +87,7 @@ HSP_API int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *l
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite
- *  @retval HSP_E_CHECK       roundings could not be overcome by moving balls three times */
+ *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times */
 HSP_API int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options,
                                 hsp_map_limits *limits);
 
@@ -288,7 +288,7 @@ HSP_API int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole
  *  map may not be used by others meanwhile. Cost: O(size of the map).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
- *  @retval HSP_E_CHECK     an invariant is violated */
+ *  @retval HSP_E_CHECK     an invariant is violated: please report it */
 HSP_API int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus

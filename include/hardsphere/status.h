@@ -17,7 +17,7 @@ extern "C" {
 /* HSP_E_ARGUMENT is for single values: pointers that must not be NULL, also to handles, options that are not known, and
  * values that a function does not take. HSP_E_HANDLE is for pointers to anything but a live handle of their kind, and
  * HSP_E_VERSION for structs with struct_size: see MEMORY and STRUCTS in hardsphere.h. HSP_E_CHECK is a fault of the
- * library; HSP_E_OPEN_SURFACE is none. */
+ * library and nothing else; HSP_E_OPEN_SURFACE and HSP_E_DEGENERATE are none. */
 #define HSP_OK 0                 /**< success */
 #define HSP_E_ARGUMENT (-1)      /**< a null pointer, an unknown option, or a value that is not allowed there */
 #define HSP_E_CAPACITY (-2)      /**< an output array or a limit is too small; what suffices is reported */
@@ -34,6 +34,7 @@ extern "C" {
 #define HSP_E_CONFLICT (-13)     /**< balls and sticks that cannot be painted; which ones is reported */
 #define HSP_E_OPEN_SURFACE (-14) /**< a degenerate set of balls, whose smooth surface does not close */
 #define HSP_E_EXECUTOR (-15)     /**< the caller's executor did not call every task exactly once */
+#define HSP_E_DEGENERATE (-16)   /**< ties or near ties of the input that could not be resolved */
 
 /** The meaning of a status as above, for messages; never NULL, "unknown status" for numbers not listed above. */
 HSP_API const char *hsp_status_text(int32_t status);

@@ -136,7 +136,7 @@ typedef struct hsp_sticks_conflict {
  *  @retval HSP_E_NEGATIVE    radius is negative
  *  @retval HSP_E_RANGE       radius is 0
  *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
- *  @retval HSP_E_CHECK       roundings could not be overcome by moving balls three times */
+ *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times */
 HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                                    const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
                                    hsp_sticks_limits *limits);
@@ -155,7 +155,7 @@ HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, c
  *  @retval HSP_E_NEGATIVE    radius is negative
  *  @retval HSP_E_RANGE       radius is 0
  *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
- *  @retval HSP_E_CHECK       roundings could not be overcome by moving balls three times */
+ *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times */
 HSP_API int32_t hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                                        const hsp_stick *stick, uint32_t count, double radius,
                                        hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
@@ -272,7 +272,7 @@ HSP_API int32_t hsp_sticks_get_pole(const hsp_sticks *sticks, uint32_t face, hsp
  *  the map).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
- *  @retval HSP_E_CHECK     an invariant is violated */
+ *  @retval HSP_E_CHECK     an invariant is violated: please report it */
 HSP_API int32_t hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus

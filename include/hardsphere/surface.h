@@ -29,7 +29,8 @@
  *
  * DECISIONS   The exact boundary decides which patches there are and where they meet. The pieces that other probes
  * leave of a concave patch are decided in doubles where their error bounds allow; else in integers, exactly, after
- * directions have been rounded to 29 bits, which moves a border by about 1e-9 of p; else the status is HSP_E_CHECK.
+ * directions have been rounded to 29 bits, which moves a border by about 1e-9 of p; else the status is
+ * HSP_E_DEGENERATE.
  * Vertices of the boundary that are closer to each other than 2^-25 p count as one point.
  *
  * Where four probes meet in one point up to rounding, or a cusp and a probe, and where vertices count as one point, all
@@ -141,7 +142,7 @@ HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_l
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
- *  @retval HSP_E_CHECK     no decision about a concave patch is consistent: please report it */
+ *  @retval HSP_E_DEGENERATE  no decision about a concave patch is consistent */
 HSP_API int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits);
 
 /** The same for a chosen part of the boundary: shells [count] of it, numbered as in hsp_face.shell, in any order. With
@@ -159,7 +160,7 @@ HSP_API int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *bo
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
  *  @retval HSP_E_ID        the boundary has not all of these shells
- *  @retval HSP_E_CHECK     no decision about a concave patch is consistent: please report it */
+ *  @retval HSP_E_DEGENERATE  no decision about a concave patch is consistent */
 HSP_API int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
                                            uint32_t count, hsp_surface_limits *limits);
 
@@ -411,7 +412,7 @@ HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_s
  *  9. areas and volumes of all patches, in chosen shells, sum to those of hsp_surface_measure, up to rounding; *id is
  *     HSP_NONE
  *
- *  The first may be violated where the input is degenerate, see above. Cost: O(size of the surface).
+ *  The first is violated where the input is degenerate, see above, and that is no fault. Cost: O(size of the surface).
  *  @retval HSP_OK              all hold
  *  @retval HSP_E_ARGUMENT      a null pointer
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since

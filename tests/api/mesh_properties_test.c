@@ -143,7 +143,7 @@ static void check_boundary(const ball_set *set, const computed *c, double edge) 
   mesh_result m;
   const int32_t status = mesh_result_make(c, edge, &m);
   ++meshes;
-  if (status == HSP_E_CHECK) {
+  if (status == HSP_E_DEGENERATE) {
     ++refused;
   } else if (CHECK_EQUAL(status, HSP_OK)) {
     check_closed(set, &m, c->counts.euler);
@@ -208,7 +208,7 @@ static void check_surface(const ball_set *set, const computed *c, double probe, 
     if (s.counts.open_joints > 0) {
       ++open;
       CHECK_EQUAL(status, HSP_E_OPEN_SURFACE);
-    } else if (status == HSP_E_CHECK) {
+    } else if (status == HSP_E_DEGENERATE) {
       ++refused;
     } else if (CHECK_EQUAL(status, HSP_OK)) {
       check_closed(set, &m, probe > 0.0 ? euler_of_shells(s.surface) : c->counts.euler);

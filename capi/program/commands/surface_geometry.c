@@ -84,7 +84,7 @@ bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double ed
   if (status == HSP_E_OPEN_SURFACE) {
     return failure_in_input(failure, 0, "patches of the surface meet in one point: it has no triangles there");
   }
-  if (status == HSP_E_CHECK) {
+  if (status == HSP_E_DEGENERATE) {
     return failure_in_input(failure, 0, "borders of the surface come together: no triangles tell them apart");
   }
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--edge %g yields too many triangles", edge);

@@ -20,6 +20,7 @@ enum class Status : int32_t {
   conflict = -13,
   open_surface = -14,
   executor = -15,
+  degenerate = -16,
 };
 
 // The id that no ball, vertex, loop or face has.

@@ -50,7 +50,7 @@ Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction) {
     if (status != Status::check) return status;
   }
   map_.clear();
-  return Status::check;
+  return Status::degenerate;
 }
 
 }  // namespace hsp

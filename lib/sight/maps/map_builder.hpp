@@ -27,7 +27,7 @@ class MapBuilder : public Limited<MapLimits> {
   void carve(Workspace &workspace, const MapLimits &limits);
 
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
-  // Status::check if roundings cannot be overcome, Status::not_finite if a component of the direction is not.
+  // Status::degenerate if roundings cannot be overcome, Status::not_finite if a component of the direction is not.
   Status build(const CubeGrid &grid, const ViewDirection &direction);
 
   const VisibilityMap &structure() const { return map_; }

@@ -215,7 +215,7 @@ Status StickViewBuilder::find_map(const BallSet &balls) {
   }
   violation_ = {};
   map_.clear();
-  return Status::check;
+  return Status::degenerate;
 }
 
 // A stick that the ball at its top hides as a whole is left out: that ball hides all that it would hide.

@@ -35,8 +35,8 @@ class StickViewBuilder : public Limited<StickLimits> {
   // radius: of all sticks of one strand, in lattice steps, positive. as_map: a map also where there is an order.
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
   // Status::conflict if it cannot be drawn; violation() tells why. It also tells why there is no drawing order where
-  // there is a result without. Status::check if there is none because roundings cannot be overcome, Status::not_finite
-  // if a component of the direction is not.
+  // there is a result without. Status::degenerate if there is none because roundings cannot be overcome,
+  // Status::not_finite if a component of the direction is not.
   template <class EndsOf>
   Status build(const BallSet &balls, const ViewDirection &direction, uint32_t count, double radius, bool as_map,
                EndsOf ends_of) {

@@ -51,7 +51,7 @@ Status MeshBuilder::build_all(Outline &outline, double edge) {
   if (needed_.balls > limits_.balls || needed_.curves > limits_.curves) return Status::capacity;
   if (has_too_many_inside(outline, edge)) return Status::range;
   const Status status = triangulate_all(outline, edge);
-  if (status == Status::check || status == Status::range) return status;
+  if (status == Status::degenerate || status == Status::range) return status;
   const uint32_t first_of_bands = clamped_count(mesh_.triangles_.required());
   if (!outline.add_bands(edge, mesh_.vertices_, mesh_.triangles_)) return Status::range;
   const uint64_t vertices = mesh_.vertices_.required();
@@ -111,7 +111,7 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge) {
     pinching_from = round + 1;
     for (uint32_t s = 0; s < spheres; ++s) range_[s].outdated = range_[s].outdated || range_[s].unfinished;
   }
-  return Status::check;
+  return Status::degenerate;
 }
 
 template <class Outline>

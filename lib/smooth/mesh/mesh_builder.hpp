@@ -11,7 +11,7 @@ class MeshBuilder : public Limited<MeshLimits> {
 
   // The boundary with edges of about this length, in lattice steps. Status::capacity if a limit is too small; needed()
   // then reports what suffices as far as it is known. Status::range if there are more points than any limit allows.
-  // Status::check if borders lie on each other in ways that nothing tells apart.
+  // Status::degenerate if borders lie on each other in ways that nothing tells apart.
   Status build(const BallSet &balls, const Boundary &boundary, double edge);
 
   // The same for the smooth surface. Status::open_surface if it is not closed.

@@ -109,7 +109,7 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
       const SurfaceCounts before = surface_.counts_;
       double steradians = 0.0;
       Vec3 vector_area{0.0, 0.0, 0.0};
-      if (!measure_cut_patch(steradians, vector_area)) return Status::check;
+      if (!measure_cut_patch(steradians, vector_area)) return Status::degenerate;
       if (decisions == Decisions::shared) {
         if (steradians < least_steradians && store_flat_patch(flat, v)) {
           surface_.counts_ = before;

@@ -12,8 +12,8 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
  public:
   void carve(Workspace &workspace, const SurfaceLimits &limits);
 
-  // Status::capacity if a limit is too small; needed() then reports what suffices. Status::check if the caps of a patch
-  // yield no region of it, neither in doubles nor in integers.
+  // Status::capacity if a limit is too small; needed() then reports what suffices. Status::degenerate if the caps of a
+  // patch yield no region of it, neither in doubles nor in integers.
   Status build(const BallSet &balls, const Boundary &boundary);
   // Of some shells of the boundary alone.
   Status build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells);

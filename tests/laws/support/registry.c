@@ -3255,10 +3255,10 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_surface_compute", "surface", RESULT_status, 3, of_hsp_surface_compute, call_hsp_surface_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_CHECK)},
+      BIT(HSP_E_DEGENERATE)},
   {"hsp_surface_compute_shells", "surface", RESULT_status, 5, of_hsp_surface_compute_shells,
       call_hsp_surface_compute_shells, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_DEGENERATE)},
   {"hsp_surface_get_counts", "surface", RESULT_status, 2, of_hsp_surface_get_counts, call_hsp_surface_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_surface_measure", "surface", RESULT_status, 5, of_hsp_surface_measure, call_hsp_surface_measure, BIT(HSP_OK) |
@@ -3300,10 +3300,10 @@ const function registry[] = {
       BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_mesh_compute", "mesh", RESULT_status, 4, of_hsp_mesh_compute, call_hsp_mesh_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_DEGENERATE)},
   {"hsp_mesh_compute_surface", "mesh", RESULT_status, 4, of_hsp_mesh_compute_surface, call_hsp_mesh_compute_surface,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_NOT_FINITE) |
-      BIT(HSP_E_RANGE) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_RANGE) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_DEGENERATE)},
   {"hsp_mesh_get_counts", "mesh", RESULT_status, 2, of_hsp_mesh_get_counts, call_hsp_mesh_get_counts, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_vertices", "mesh", RESULT_status, 7, of_hsp_mesh_get_vertices, call_hsp_mesh_get_vertices, BIT(HSP_OK)
@@ -3527,7 +3527,7 @@ const function registry[] = {
       BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_map_compute", "map", RESULT_status, 4, of_hsp_map_compute, call_hsp_map_compute, BIT(HSP_OK) | BIT(HSP_E_HANDLE)
       | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) |
-      BIT(HSP_E_CHECK)},
+      BIT(HSP_E_DEGENERATE)},
   {"hsp_map_get_info", "map", RESULT_status, 2, of_hsp_map_get_info, call_hsp_map_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_map_next", "map", RESULT_id, 2, of_hsp_map_next, call_hsp_map_next, 0},
@@ -3562,11 +3562,11 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_sticks_compute", "sticks", RESULT_status, 8, of_hsp_sticks_compute, call_hsp_sticks_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) | BIT(HSP_E_DEGENERATE)},
   {"hsp_sticks_compute_map", "sticks", RESULT_status, 8, of_hsp_sticks_compute_map, call_hsp_sticks_compute_map,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) |
-      BIT(HSP_E_CHECK)},
+      BIT(HSP_E_DEGENERATE)},
   {"hsp_sticks_get_info", "sticks", RESULT_status, 2, of_hsp_sticks_get_info, call_hsp_sticks_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_sticks_get_map_info", "sticks", RESULT_status, 2, of_hsp_sticks_get_map_info, call_hsp_sticks_get_map_info,
