@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# No call races with another: the tests with executors, of hardsphere.hpp's threads and of handles in several threads, and
+# the program's --threads, by clang's thread sanitizer. Loops of tests have a thread for each task there, which start
+# together (tests/api/support/loops.c).
+#   thread_sanitizer.sh SOURCE-FOLDER WORK-FOLDER
+# The work folder stays, so that a change costs what it touches.
+set -euo pipefail
+source=$1 work=$2
+molecule=$source/bench/molecules/crambin.pdb
+export TSAN_OPTIONS=halt_on_error=1:exitcode=66
+mkdir -p "$work"
+run() { # command
+  "$@" >"$work/log" 2>&1 || { tail -n 60 "$work/log" && exit 1; }
+}
+command -v clang++ >/dev/null || { echo "no clang++" && exit 77; }
+echo 'int main() {}' >"$work/probe.cpp"
+clang++ -fsanitize=thread "$work/probe.cpp" -o "$work/probe" 2>/dev/null || { echo "no thread sanitizer" && exit 77; }
+# Without checked indices: what they count is no thread's own.
+run cmake -S "$source" -B "$work/build" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_C_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" \
+  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" -DHSP_SANITIZE=thread -DHSP_TESTS=ON \
+  -DHSP_SLOW_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_INSTALL=OFF
+run cmake --build "$work/build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-2}" --target hardsphere_tool \
+  api_boundary_tests api_gradient_tests api_surface_tests api_periodic_tests api_handle_threads api_workspace_cxx20
+tests='api_(boundary_executor|gradient_(executor|rows|shared)|surface_gradient|periodic_areas|handle_threads|workspace_cxx20)'
+ctest --test-dir "$work/build" -R "^$tests\$" --no-tests=error --output-on-failure | tee "$work/tests"
+[ "$(grep -c ' Passed ' "$work/tests")" -eq 8 ] || { echo "not all of eight tests ran" && exit 1; }
+
+# Of one file, of several, and of frames.
+cp "$molecule" "$work/other.pdb"
+for ((k = 1; k <= 12; ++k)); do
+  echo "MODEL $k"
+  grep '^ATOM' "$molecule"
+  echo ENDMDL
+done >"$work/frames.pdb"
+program=$work/build/capi/hardsphere
+for arguments in "measure $molecule" "measure $molecule $work/other.pdb" \
+  "measure $molecule --trajectory $work/frames.pdb" "measure $molecule --trajectory $work/frames.pdb --mean"; do
+  # shellcheck disable=SC2086 # several arguments
+  for threads in 1 2 8; do
+    "$program" $arguments --threads $threads >"$work/by_$threads" 2>"$work/errors" || { cat "$work/errors" && exit 1; }
+    cmp "$work/by_1" "$work/by_$threads"
+  done
+done
