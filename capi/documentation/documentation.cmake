@@ -1,9 +1,6 @@
 # The target hardsphere_documentation: the public headers and the guides as HTML, by Doxygen, into documentation/html of the build folder. A
-# warning is an error. The target is there where Doxygen is, and is built on demand alone.
-find_package(Doxygen QUIET)
-if(NOT DOXYGEN_FOUND)
-  return()
-endif()
+# warning is an error. It is built on demand alone.
+find_package(Doxygen REQUIRED)
 
 # The headers are written to be read as they are: each opens with a plain comment, drawings and tables included, which the
 # filter hands over as it stands.

@@ -2,16 +2,9 @@
 # library), hardsphere_development (archive, headers, CMake package, pkg-config file, Fortran module) and
 # hardsphere_documentation. With a shared library hardsphere_python too: the module, from where it finds that library.
 
-install(TARGETS hardsphere EXPORT hardsphere-targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_development
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_runtime
-    NAMELINK_COMPONENT hardsphere_development)
 install(DIRECTORY ${HSP_INCLUDE_FOLDER}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 
-set(HSP_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/hardsphere)
-install(EXPORT hardsphere-targets NAMESPACE hardsphere:: DESTINATION ${HSP_PACKAGE_FOLDER}
-  COMPONENT hardsphere_development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere-config.cmake.in hardsphere-config.cmake
   INSTALL_DESTINATION ${HSP_PACKAGE_FOLDER})
 write_basic_package_version_file(hardsphere-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -35,6 +35,24 @@ has_flag bare -fPIC || fail "not position-independent by default"
 configure fixed "$source" -DCMAKE_POSITION_INDEPENDENT_CODE=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FORTRAN=OFF
 if has_flag fixed -fPIC; then fail "position-independent although CMAKE_POSITION_INDEPENDENT_CODE is off"; fi
 
+# Packages that are there in part do not matter to whom the library is enough, nor to the default.
+mkdir "$work/broken"
+for name in doxygen dot mpicc mpicxx mpiexec; do
+  printf '#!/bin/sh\necho "$0: error while loading shared libraries" >&2\nexit 127\n' >"$work/broken/$name"
+done
+chmod +x "$work/broken"/*
+PATH=$work/broken:$PATH configure half "$source"
+PATH=$work/broken:$PATH configure half_alone "$source" -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF
+# As the one who asks for documentation is told.
+if (PATH=$work/broken:$PATH configure half_asked "$source" -DHSP_TESTS=OFF -DHSP_DOCUMENTATION=ON) >/dev/null; then
+  fail "this would not notice a search for Doxygen"
+fi
+# Files of the program have static functions of one name: none is compiled with others.
+configure unity "$source" -DCMAKE_UNITY_BUILD=ON -DHSP_TESTS=OFF -DHSP_BENCH=OFF
+if grep -q 'hardsphere_\(readers\|program\|tool\)\.dir/Unity' "$work/unity/compile_commands.json"; then
+  fail "CMAKE_UNITY_BUILD makes the program of large units"
+fi
+
 # A project without a build type that carries the sources and installs something of its own.
 mkdir "$work/project"
 cat >"$work/project/CMakeLists.txt" <<PROJECT

@@ -6,7 +6,7 @@ set -euo pipefail
 source=$1 work=$2
 command -v doxygen >/dev/null || { echo "skipped: there is no doxygen here" && exit 77; }
 rm -rf "$work"
-cmake -S "$source" -B "$work" -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF >"$work.log"
+cmake -S "$source" -B "$work" -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_DOCUMENTATION=ON >"$work.log"
 cmake --build "$work" --target hardsphere_documentation >"$work.log" 2>&1 || { grep -E 'warning|error' "$work.log" | head -n 20 && exit 1; }
 here=$(cd "$(dirname "$0")" && pwd)
 functions=$(bash "$here/header_functions.sh" "$source")
