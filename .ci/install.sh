@@ -11,9 +11,9 @@ packages_for_tests=(cmake ninja-build gcc g++ libc6-dev binutils gfortran pkg-co
   clang-format-14 libxml2-utils ghostscript poppler-utils librsvg2-bin zlib1g-dev python3-pycparser)
 # Needed besides by `tests/run.sh --all`: sanitizers of clang, other linkers, C libraries and processors, documentation,
 # a count of instructions.
-packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-mips-linux-gnu qemu-user doxygen python3-cffi
-  python3-setuptools python3-dev gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev valgrind
-  python3-numpy)
+packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-mips-linux-gnu g++-mingw-w64-x86-64 qemu-user
+  doxygen python3-cffi python3-setuptools python3-dev gcc-arm-none-eabi libnewlib-arm-none-eabi
+  libstdc++-arm-none-eabi-dev valgrind python3-numpy)
 # MPI, machines without an operating system, packages that the Python module serves.
 optional_packages_for_all_tests=(openmpi-bin libopenmpi-dev qemu-system-arm python3-mdanalysis python3-ase rustc lammps
   liblammps-dev libopenmm-dev)
@@ -21,7 +21,7 @@ optional_packages_for_all_tests=(openmpi-bin libopenmpi-dev qemu-system-arm pyth
 # draw pictures.
 packages_for_long_tests=(g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-s390x-linux-gnu g++-riscv64-linux-gnu
   g++-i686-linux-gnu googletest wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 nodejs
-  chromium debootstrap dpkg-dev debhelper lintian cairosvg inkscape mupdf-tools)
+  chromium wine64 debootstrap dpkg-dev debhelper lintian cairosvg inkscape mupdf-tools)
 # Programs that `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads
 # files with.
 packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev tao-pegtl-dev libfcl-dev

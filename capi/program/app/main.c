@@ -1,6 +1,10 @@
 /* The program hardsphere: molecule files in, exact geometry out, over the library's C interface alone.
  * Results are gathered first and printed last, so that stdout has nothing of a file that fails, and of a trajectory
  * nothing of a frame that fails. */
+#if defined(_WIN32)
+#include <fcntl.h>
+#include <io.h>
+#endif
 #include <string.h>
 
 #include "app/arguments.h"
@@ -198,6 +202,11 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
 int main(int count, char **arguments) {
   struct failure failure = {0, NULL, 0, ""};
   struct text_buffer out = TEXT_BUFFER_EMPTY;
+#if defined(_WIN32)
+  /* The bytes of a file are those that are written and read, here as elsewhere. */
+  _setmode(_fileno(stdin), _O_BINARY);
+  _setmode(_fileno(stdout), _O_BINARY);
+#endif
   const bool done = run(count > 0 ? count - 1 : 0, arguments + 1, &out, &failure) &&
                     text_buffer_print(&out, &failure) && output_files_keep(&failure);
   text_buffer_free(&out);

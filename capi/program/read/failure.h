@@ -24,7 +24,11 @@ struct failure {
 #endif
 
 #ifdef __GNUC__
+#if defined(__MINGW_PRINTF_FORMAT) /* of C99, which the header of C knows */
+#define FAILURE_FORMAT(text, first) __attribute__((format(__MINGW_PRINTF_FORMAT, text, first)))
+#else
 #define FAILURE_FORMAT(text, first) __attribute__((format(printf, text, first)))
+#endif
 #else
 #define FAILURE_FORMAT(text, first)
 #endif

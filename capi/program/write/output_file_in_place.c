@@ -1,4 +1,4 @@
-/* Output files where there are no signals, owners and processes: WebAssembly with WASI. A file is written in its place,
+/* Output files where there are no signals and owners: WebAssembly with WASI, Windows. A file is written in its place,
  * and taken away if that fails; a machine that stops in between leaves a part of it. */
 #include <errno.h>
 #include <string.h>

@@ -14,10 +14,6 @@ bool output_is_standard(const char *path) {
   return strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0;
 }
 
-bool same_file(const struct stat *a, const struct stat *b) {
-  return (S_ISREG(a->st_mode) || S_ISBLK(a->st_mode)) && a->st_dev == b->st_dev && a->st_ino == b->st_ino;
-}
-
 char *path_beside(const char *path, const char *name) {
   const char *slash = strrchr(path, '/');
   const size_t folder = name[0] == '/' || slash == NULL ? 0 : (size_t)(slash - path) + 1;
@@ -26,6 +22,38 @@ char *path_beside(const char *path, const char *name) {
   memcpy(joined, path, folder);
   memcpy(joined + folder, name, strlen(name) + 1);
   return joined;
+}
+
+#if defined(_WIN32)
+
+/* Files have no numbers there: two paths are one file if they are the same from the root, in letters of either case. */
+bool same_file(const struct stat *a, const struct stat *b) {
+  (void)a;
+  (void)b;
+  return false;
+}
+
+char *path_without_links(const char *path) {
+  return path_beside("", path);
+}
+
+bool outputs_are_one(const char *a, const char *b) {
+  if (output_is_standard(a) || output_is_standard(b)) return output_is_standard(a) && output_is_standard(b);
+  char *const end_of_a = _fullpath(NULL, a, 0), *const end_of_b = _fullpath(NULL, b, 0);
+  const bool one = end_of_a != NULL && end_of_b != NULL && _stricmp(end_of_a, end_of_b) == 0;
+  free(end_of_a);
+  free(end_of_b);
+  return one;
+}
+
+bool output_is_input(const char *out, const char *in) {
+  return !output_is_standard(out) && strcmp(in, "-") != 0 && outputs_are_one(out, in);
+}
+
+#else
+
+bool same_file(const struct stat *a, const struct stat *b) {
+  return (S_ISREG(a->st_mode) || S_ISBLK(a->st_mode)) && a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
 char *path_without_links(const char *path) {
@@ -91,3 +119,5 @@ bool output_is_input(const char *out, const char *in) {
   if (found_in != 0) return !from_standard && strcmp(out, in) == 0;
   return found_out == 0 && same_file(&written, &read);
 }
+
+#endif
