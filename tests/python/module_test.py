@@ -320,6 +320,62 @@ class Wrong(unittest.TestCase):
                             ask()
                         self.assertEqual(refused.exception.status, hardsphere.E_STATE)
 
+    def refused(self, message, call):
+        with self.assertRaises(ValueError) as refused:
+            call()
+        self.assertEqual(str(refused.exception), message)
+
+    def test_shapes(self):
+        """By the names that the caller knows."""
+        across = [list(row) for row in zip(*CENTERS)]
+        n = len(RADII)
+        balls, box = hardsphere.Balls(CENTERS, RADII), hardsphere.Box(LENS, [1, 1], [9, 9, 9])
+        self.refused(f"centers: shape (3, {n}), expected (n, 3)", lambda: hardsphere.measure(across, RADII))
+        self.refused(f"centers: shape (3, {n}), expected (n, 3)", lambda: hardsphere.Balls(LENS, [1, 1]).set(across))
+        self.refused(f"xyz: shape (3, {n}), expected (n, 3)", lambda: hardsphere.Model().set(across, RADII))
+        self.refused(f"xyz: shape (3, {n}), expected (n, 3)", lambda: hardsphere.areas(across, RADII, 1.4))
+        self.refused("radii: shape (1,), expected (2,)", lambda: hardsphere.measure(LENS, [1]))
+        self.refused("radii: shape (2, 1), expected (2,)", lambda: hardsphere.Box(LENS, [[1], [1]], [9, 9, 9]))
+        self.refused("centers: shape (3, 4), expected (n, 3)", lambda: hardsphere.Box([[0] * 4] * 3, [1] * 4, [9, 9, 9]))
+        self.refused("vectors: shape (2,), expected (3,) or (3, 3)", lambda: hardsphere.Box(LENS, [1, 1], [1, 2]))
+        self.refused("vectors: shape (9,), expected (3,) or (3, 3)",
+                     lambda: hardsphere.Box(LENS, [1, 1], [9, 9, 9]).set(LENS, vectors=[1] * 9))
+        self.refused("selected: shape (1,), expected (327,)", lambda: balls.measure([True]))
+        self.refused("sigma: shape (1, 327), expected (327,)", lambda: balls.gradient(sigma=[[1] * n]))
+        self.refused("groups: shape (3,), expected (327,)", lambda: balls.contacts([0] * 3))
+        self.refused("groups: shape (3,), expected (2,)", lambda: box.contacts([0] * 3))
+        for bonds in None, [(0, 1)]:
+            self.refused("colors: shape (1,), expected (327,)", lambda: balls.svg([0], bonds=bonds))
+        self.refused("towards: shape (2,), expected (3,)", lambda: balls.svg(towards=[1, 2]))
+        self.refused("from_: shape (2,), expected (3,)", lambda: hardsphere.Gate().compute(balls.model, [1, 2]))
+        self.refused("matrix: shape (8,), expected (9,)", lambda: hardsphere.pose_from_matrix([1] * 8, [0] * 3))
+
+    def test_shapes_that_serve(self):
+        area = hardsphere.measure(CENTERS, RADII).area
+        flat = [x for row in CENTERS for x in row]
+        for centers in tuple(map(tuple, CENTERS)), flat:
+            self.assertEqual(hardsphere.measure(centers, tuple(RADII)).area, area)
+        if _calls.numpy is None:
+            return
+        x = _calls.numpy.array(CENTERS)
+        wide = _calls.numpy.zeros((len(x), 6))
+        wide[:, ::2] = x
+        for centers in x, wide[:, ::2], _calls.numpy.asfortranarray(x), x.T.copy().T, x[::-1][::-1], list(x), x.astype(">f8"):
+            self.assertEqual(hardsphere.measure(centers, RADII).area, area)
+        for wrong in x.T, x.ravel(), x[None], x[:, :2], _calls.numpy.asfortranarray(x.T):
+            self.refused(f"centers: shape {wrong.shape}, expected (n, 3)", lambda: hardsphere.measure(wrong, RADII))
+        self.refused("pose: shape (1, 2), expected (poses,)", lambda: self.hits_of_rows())
+        self.assertEqual(hardsphere.measure(x.astype(int) * 5, RADII).area,
+                         hardsphere.measure((x.astype(int) * 5).tolist(), RADII).area)
+        self.assertEqual(hardsphere.measure(_calls.numpy.zeros((0, 3)), _calls.numpy.zeros(0)).area, 0)
+
+    def hits_of_rows(self):
+        body = hardsphere.Body().set(hardsphere.Balls([[0, 0, 0]], [1]).model)
+        poses = [hardsphere.pose_from_matrix([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [x, 0, 0]) for x in (1.9, 5)]
+        self.assertEqual(plain(body.hits(body, poses)), [1, 0])
+        numpy = _calls.numpy
+        return body.hits(body, numpy.frombuffer(b"".join(map(bytes, poses)), dtype=numpy.dtype(type(poses[0])))[None])
+
     def test_nothing_computed(self):
         with self.assertRaises(hardsphere.Error):
             hardsphere.Boundary().get_counts()

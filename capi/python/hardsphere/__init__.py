@@ -24,7 +24,7 @@ import math
 from typing import Any, Iterator, NamedTuple, Sequence
 
 from . import _interface
-from ._calls import Error, Handle, Record, Result, library, numpy
+from ._calls import Error, Handle, Misshapen, Record, Result, called, library, numpy, shape_of
 from ._interface import *  # noqa: F401,F403
 from ._interface import (Boundary, Contacts, Mesh, Model, Periodic, Pores, Sticks, Surface, Topology, View)
 
@@ -171,7 +171,7 @@ class Balls(_Set):
 
     def set(self, centers: Any, radii: Any = None) -> "Balls":
         """Other centres, as of the next frame; other radii if they are given."""
-        with self._taking():
+        with self._taking(), called(xyz="centers", radius="radii"):
             self._radii = self._radii if radii is None else radii
             self.model.set(centers, self._radii, **self._options)
         self.n = self.model.n
@@ -209,7 +209,8 @@ class Balls(_Set):
         """Records of the balls whose shares touch: area, rim, distance, ball. groups: a number for each ball, as of
         residues or chains; then records of groups: area, rim, group, contacts."""
         handle = self._handle(Contacts, self.boundary)
-        return handle.get_pairs() if groups is None else handle.group(groups)
+        with called(group="groups"):
+            return handle.get_pairs() if groups is None else handle.group(groups)
 
     def cavities(self) -> list[Cavity]:
         """The hollows, largest first. The probe fits into each."""
@@ -253,11 +254,13 @@ class Balls(_Set):
         look = {"towards": towards, "up": up}
         if bonds is None:
             view = self._handle(View, self.model, self.boundary, key=repr(look), **look)
-            text = view.picture_write(colors, title, **options)
+            with called(colour="colors"):
+                text = view.picture_write(colors, title, **options)
         else:
             sticks = self._handle(Sticks, self.model, [_stick_of(*bond) for bond in bonds], stick,
                                   key=repr((look, list(map(tuple, bonds)), stick)), **look)
-            text = sticks.picture_write_sticks(colors, title, **options)
+            with called(colour="colors"):
+                text = sticks.picture_write_sticks(colors, title, **options)
         return Svg(text.decode())
 
 
@@ -282,12 +285,15 @@ class Box(_Set):
 
     def set(self, centers: Any, radii: Any = None, vectors: Any = None) -> "Box":
         """Other centres, as of the next frame; radii and vectors if they are given."""
-        with self._taking():
+        with self._taking(), called(xyz="centers", radius="radii", box="vectors"):
             self._radii = self._radii if radii is None else radii
             if vectors is not None:
-                rows = [list(row) if hasattr(row, "__len__") else row for row in vectors]
-                if not isinstance(rows[0], list):
-                    rows = [[x if i == j else 0.0 for j in range(3)] for i, x in enumerate(rows)]
+                shape = shape_of(vectors)
+                if shape not in ((3,), (3, 3)):
+                    raise Misshapen("vectors", f"shape {shape}, expected (3,) or (3, 3)")
+                rows = vectors
+                if len(shape) == 1:
+                    rows = [[x if i == j else 0.0 for j in range(3)] for i, x in enumerate(vectors)]
                 self._box = [float(x) for row in rows for x in row]
             self.handle.compute_with(centers, self._radii, self._box, threads=self._threads, **self._options)
         self.n = self.handle.n
@@ -319,7 +325,8 @@ class Box(_Set):
 
     def contacts(self, groups: Any = None) -> Any:
         """As those of Balls; a record says by which vectors the second ball is moved."""
-        return self.handle.get_contacts() if groups is None else self.handle.group_contacts(groups)
+        with called(group="groups"):
+            return self.handle.get_contacts() if groups is None else self.handle.group_contacts(groups)
 
 
 def _matrix(nine: Any) -> Any:

@@ -6,8 +6,10 @@ import ctypes as C
 import ctypes.util
 import os
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from keyword import iskeyword
 from types import SimpleNamespace
-from typing import Any, Iterable, NamedTuple
+from typing import Any, Iterable, Iterator, NamedTuple
 
 try:
     import numpy
@@ -122,40 +124,88 @@ def _check(status: int, where: str, ball: int = _NONE) -> None:
 
 # ---- arrays ----------------------------------------------------------------------------------------------------------
 
-def _flat(values: Any, depth: int) -> Iterable[Any]:
-    if depth == 0:
-        return (values,)
-    return (x for row in values for x in (_flat(row, depth - 1) if hasattr(row, "__len__") else (row,)))
+class Misshapen(ValueError):
+    """An array of another shape than an argument has."""
+
+    def __init__(self, argument: str, problem: str):
+        self.argument, self.problem = argument, problem
+        super().__init__(f"{argument}: {problem}")
+
+
+@contextmanager
+def called(**names: str) -> Iterator[None]:
+    """What is refused inside is named as the caller knows it."""
+    try:
+        yield
+    except Misshapen as refused:
+        raise Misshapen(names.get(refused.argument, refused.argument), refused.problem) from None
+
+
+def shape_of(values: Any) -> tuple[int, ...]:
+    """Of an array, or of rows in rows."""
+    if hasattr(values, "shape"):
+        return tuple(values.shape)
+    if not hasattr(values, "__len__") or isinstance(values, str):
+        return ()
+    inside = {shape_of(row) for row in values}
+    if len(inside) > 1:
+        raise TypeError("rows of several lengths")
+    return len(values), *(inside.pop() if inside else ())
+
+
+def _flat(values: Any) -> Iterable[Any]:
+    rows = hasattr(values, "__len__") and not isinstance(values, str)
+    return (x for row in values for x in _flat(row)) if rows else (values,)
+
+
+def _held_to(extents: tuple[str, ...], shape: tuple[int, ...], flat_serves: bool, sizes: dict[str, int]) -> str:
+    """What shape was expected, if it is another one; else `sizes` has the first extent. Nine numbers may be a matrix, and
+    numbers in a list without rows are taken row after row; an empty array has no rows."""
+    first, *rest = extents
+    row = tuple(map(int, rest))
+    known = int(first) if first.isdigit() else sizes.get(first)
+    count = shape[0] if shape else -1
+    fits = len(shape) == len(extents) and shape[1:] == row or shape == (0,)
+    if known == 9 and shape == (3, 3):
+        fits, count = True, 9
+    if flat_serves and row and len(shape) == 1 and count % row[0] == 0:
+        fits, count = True, count // row[0]
+    if fits and (known is None or count == known):
+        sizes.setdefault(first, count)
+        return ""
+    expected = first if known is None else known
+    return f"({expected},)" if not row else f"({', '.join(map(str, (expected, *row)))})"
 
 
 def array_in(values: Any, argument: Argument, sizes: dict[str, int]) -> Any:
     """Values as a C array; of what `sizes` does not know yet of its extents, the values say how many there are."""
     base, kind = argument.base, _type(argument.base)
-    if base in _SCALARS and numpy is not None:
-        if base == "uint8_t":
-            values = numpy.asarray(values).astype(bool)
-        data = numpy.ascontiguousarray(values, dtype=kind)
-        made, length = C.cast(data.ctypes.data, C.POINTER(kind)), data.size
-        made.kept = data  # type: ignore[attr-defined]
-    else:
-        flat = list(_flat(values, len(argument.extents))) if base in _SCALARS else list(values)
-        if base == "char":
-            flat = [None if text is None else text.encode() for text in flat]
-        elif base == "double":
-            flat = [float(x) for x in flat]
-        elif base in _SCALARS:
-            flat = [int(bool(x)) if base == "uint8_t" else int(x) for x in flat]
-        elif numpy is not None and isinstance(values, numpy.ndarray):
-            flat = [kind.from_buffer_copy(row.tobytes()) for row in values]
-        made, length = (kind * len(flat))(*flat), len(flat)
-    first, *rest = argument.extents or ("1",)
-    row = 1
-    for extent in rest:
-        row *= int(extent)
-    count = length // row if length % row == 0 else -1
-    expected = int(first) if first.isdigit() else sizes.setdefault(first, count)
-    if count != expected or count < 0:
-        raise ValueError(f"{argument.name}: {length} numbers, and not {expected if expected >= 0 else 'n'} x {row}")
+    name = argument.name + "_" * iskeyword(argument.name)
+    try:
+        if base in _SCALARS and numpy is not None:
+            if base == "uint8_t":
+                values = numpy.asarray(values).astype(bool)
+            data = numpy.ascontiguousarray(values, dtype=kind)
+            made, shape = C.cast(data.ctypes.data, C.POINTER(kind)), data.shape
+            made.kept = data  # type: ignore[attr-defined]
+        else:
+            given = values if hasattr(values, "__len__") else list(values)
+            flat = list(_flat(given)) if base in _SCALARS else list(given)
+            shape = shape_of(given) if base in _SCALARS else getattr(given, "shape", (len(flat),))
+            if base == "char":
+                flat = [None if text is None else text.encode() for text in flat]
+            elif base == "double":
+                flat = [float(x) for x in flat]
+            elif base in _SCALARS:
+                flat = [int(bool(x)) if base == "uint8_t" else int(x) for x in flat]
+            elif numpy is not None and isinstance(given, numpy.ndarray):
+                flat = [kind.from_buffer_copy(row.tobytes()) for row in given]
+            made = (kind * len(flat))(*flat)
+    except (TypeError, ValueError) as wrong:
+        raise Misshapen(name, str(wrong)) from wrong
+    expected = _held_to(argument.extents or ("1",), tuple(shape), not hasattr(values, "shape"), sizes)
+    if expected:
+        raise Misshapen(name, f"shape {tuple(shape)}, expected {expected}")
     return made
 
 
@@ -260,7 +310,8 @@ def _options(argument: Argument, fields: list[Argument], values: dict[str, Any],
             kept.append(array_in(value, field, sizes))
             value = C.cast(kept[-1], C.c_void_p).value
         elif field.extents:
-            value = (_SCALARS[field.base] * int(field.extents[0]))(*value)
+            value = (_SCALARS[field.base] * int(field.extents[0]))(
+                *array_in(value, field, sizes)[:int(field.extents[0])])
         setattr(made, field.name, value)
     made.kept = kept
     return made
