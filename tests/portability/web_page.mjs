@@ -54,6 +54,19 @@ function same(what, shown, wanted) {
   if (shown === wanted) return;
   throw new Error(`${what}: the page has\n${shown.slice(0, 300)}\nthe program has\n${wanted.slice(0, 300)}`);
 }
+// What part of the picture is black on the screen, in percent: decoded by the browser itself.
+async function black(where) {
+  const {data} = await send('Page.captureScreenshot', {format: 'png', clip: {...where, scale: 1}});
+  return evaluate(`(async () => {
+    const image = await createImageBitmap(await (await fetch('data:image/png;base64,${data}')).blob());
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    const rgba = context.getImageData(0, 0, image.width, image.height).data;
+    let found = 0;
+    for (let k = 0; k < rgba.length; k += 4) found += Math.max(rgba[k], rgba[k + 1], rgba[k + 2]) < 24;
+    return 400 * found / rgba.length;
+  })()`);
+}
 // The picture is what the native program draws by the same command line.
 async function same_picture(file) {
   const words = JSON.parse(await evaluate('document.getElementById("picture").dataset.command'));
@@ -89,7 +102,10 @@ for (const file of files) {
   await evaluate('new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))');
   await same_picture(file);
 
-  // The ball under the pointer is named with its area.
+  // The ball under the pointer is named with its area, and nothing is painted over its neighbours.
+  const picture = {x, y, width, height};
+  await mouse('mouseMoved', at(0.001, 0.001));
+  const dark = await black(picture);
   for (const across of [0.35, 0.5, 0.6]) {
     for (const down of [0.4, 0.5, 0.65]) {
       await mouse('mouseMoved', at(across, down));
@@ -101,6 +117,8 @@ for (const file of files) {
       }
       const ball = measured.balls[found];
       if (!shown.endsWith(`: radius ${ball.radius}, area ${ball.area}`)) throw new Error(`ball ${found}: ${shown}`);
+      const painted = await black(picture) - dark;
+      if (painted > 2) throw new Error(`ball ${found}: ${painted.toFixed(1)} % of the picture are painted black`);
       ++pointed;
     }
   }
