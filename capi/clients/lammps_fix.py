@@ -7,7 +7,8 @@ input file, with a radius for each type of atom:
     python surface invoke
 
 `f_sasa` is the energy; it and the virial count in thermo output and barostats. Ghosts have to reach
-2 * (largest radius + probe), as `comm_modify cutoff` says. Energies and lengths are in the units of the simulation. It
+2 * (largest radius + probe) and the skin of neighbour lists, by `comm_modify cutoff` where the pair style's are shorter;
+a run whose ghosts are too short ends before it begins. Energies and lengths are in the units of the simulation. It
 takes LAMMPS's package PYTHON, NumPy, and for several ranks Open MPI; each rank computes its own atoms, and forces have the
 same bits for every number of ranks.
 """
@@ -63,6 +64,17 @@ class Surface:
         """What `python surface invoke` does: from now on the fix calls."""
         self.lammps = C.c_void_p(C.pythonapi.PyCapsule_GetPointer(capsule, None))
         _program.lammps_set_fix_external_callback(self.lammps, self.fix, self.callback, None)
+        # Only LAMMPS knows its cutoff of ghosts: each run sets up computes first, and this one, which nothing evaluates,
+        # ends the run if its own cutoff and the skin exceed that of ghosts.
+        ghosts, reach = self.fix + b"_ghosts", 2 * (self.options["largest_radius"] + self.options["probe"])
+        if _program.lammps_has_id(self.lammps, b"compute", ghosts):
+            self._command(b"uncompute %b" % ghosts)
+        self._command(b"compute %b all rdf 1 cutoff %.17g" % (ghosts, reach))
+        self._command(b'print "fix %b: comm_modify cutoff has to be at least %.10g and the skin, unless the pair cutoff is"'
+                      % (self.fix, reach))
+
+    def _command(self, line: bytes) -> None:
+        _program.lammps_command(self.lammps, line)
 
     def _step(self, _: Any, step: int, own: int, tags: Any, x: int, forces: int) -> None:
         try:

@@ -1,6 +1,8 @@
 // OpenMM 7.7: a surface energy as a force of one's own, without a plugin of kernels; nm and kJ/mol. On the Reference
 // platform forces are added to the platform's array. OpenMM 8 has CustomCPPForceImpl for this, on all platforms.
 // Prints the worst difference of forces from quotients, the largest force, and how far the total energy goes in NVE.
+//   g++ -O2 -std=c++17 openmm_sasa.cpp $(pkg-config --cflags --libs hardsphere) -lOpenMM -o openmm_sasa
+//   ./openmm_sasa TENSION STEP-IN-PS STEPS
 #include <OpenMM.h>
 #include <openmm/internal/ContextImpl.h>
 #include <openmm/internal/ForceImpl.h>

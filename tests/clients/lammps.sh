@@ -14,7 +14,7 @@ if ! command -v mpicc >/dev/null || ! mpicc -DLAMMPS_SMALLBIG -DLAMMPS_LIB_MPI -
   echo "skipped: there is no LAMMPS with MPI here" && exit 77
 fi
 mpirun -n 1 true >log 2>&1 || { echo "skipped: $(grep -m 1 . log)" && exit 77; }
-mpicc -O2 -std=c99 -Wall -Wextra -DLAMMPS_SMALLBIG -DLAMMPS_LIB_MPI -I"$source/include" \
+mpicc -O2 -std=c99 -Wall -Wextra -Werror -DLAMMPS_SMALLBIG -I"$source/include" \
   "$source/capi/clients/lammps_sasa.c" "$archive" -llammps -lm -o lammps_sasa
 
 for ranks in 1 2 4; do

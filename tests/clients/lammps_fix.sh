@@ -64,6 +64,22 @@ done
 [ "$(wc -l <bits.1.1)" -eq 512 ] && [ "$(awk '$4 != "0x0p+0"' bits.1.1 | wc -l)" -gt 100 ]
 for other in 2.1 4.1 1.2; do cmp bits.1.1 "bits.$other"; done
 
+# Ghosts have to reach 6.8 and the skin: a pair style that brings fewer ends the run and says what is wanted; as far as is
+# wanted, they are enough for the energy of ghosts that reach farther.
+for reach in none 7.29 7.3 12.0; do
+  system 1 zero | sed -e 's/^pair_style zero .*/pair_style zero 4.0/' -e 's/^neighbor .*/neighbor 0.5 bin/' >short
+  [ $reach = none ] || echo "comm_modify cutoff $reach" >>short
+  printf 'run 0\nprint "$(f_sasa:%%.15g)" file energy.%s\n' $reach >>short
+  status=0
+  lmp -in short -log none >short.log 2>&1 || status=$?
+  case $reach in
+    none | 7.29) [ $status -ne 0 ] && [ ! -e energy.$reach ] && grep -q 'exceeds ghost atom range' short.log &&
+      grep -q 'comm_modify cutoff has to be at least 6.8 and the skin' short.log ;;
+    *) [ $status -eq 0 ] ;;
+  esac || { echo "ghosts that reach $reach, status $status:" && cat short.log && exit 1; }
+done
+cmp energy.7.3 energy.12.0
+
 # Energies with an atom moved by 1e-4 to either side along each axis, and with the box strained as much.
 number() { awk "BEGIN { printf \"%.17g\", $1 }"; }
 moved() { # number, side, command there, command back
