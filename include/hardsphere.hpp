@@ -17,6 +17,10 @@
 #ifndef HARDSPHERE_HPP
 #define HARDSPHERE_HPP
 
+#if __cplusplus <= 201703L
+#error hardsphere.hpp needs C++20: give the compiler -std=c++20
+#else
+
 #include <hardsphere_workspace.h>
 
 #include <atomic>
@@ -263,4 +267,5 @@ inline measures measure(std::span<const double> xyz, std::span<const double> rad
 
 }  // namespace hardsphere
 
+#endif  // C++20
 #endif

@@ -3,7 +3,7 @@
  *   mpirun -np 1 lammps_sasa TENSION quotients       the worst difference of forces from quotients, and the largest
  *   mpirun -np N lammps_sasa TENSION run DT STEPS    NVE: how far the total energy goes, root mean square
  * 512 atoms with forces of Lennard-Jones in a periodic box; units real. To compile, with the LAMMPS of Debian:
- *   mpicc -O2 -std=c99 -DLAMMPS_SMALLBIG lammps_sasa.c $(pkg-config --cflags --libs hardsphere) -llammps -lm -o lammps_sasa */
+ *   mpicc -std=c99 -DLAMMPS_SMALLBIG lammps_sasa.c -llammps $(pkg-config --cflags --libs hardsphere) -o lammps_sasa */
 #define LAMMPS_LIB_MPI /* else lammps_open is not declared */
 #include <lammps/library.h>
 #include <math.h>
@@ -73,7 +73,8 @@ static void set_up(struct client *c, const char *dt) {
     lammps_command(c->lammps, "fix_modify surface energy yes");
     lammps_set_fix_external_callback(c->lammps, "surface", add_forces, c);
     /* Nothing evaluates it: LAMMPS ends a run whose ghosts reach less far than this cutoff and the skin. */
-    snprintf(line, sizeof line, "compute ghosts all rdf 1 cutoff %.17g", 2 * (c->surface.largest_radius + c->surface.probe));
+    snprintf(line, sizeof line, "compute ghosts all rdf 1 cutoff %.17g",
+             2 * (c->surface.largest_radius + c->surface.probe));
     lammps_command(c->lammps, line);
   }
   snprintf(line, sizeof line, "timestep %s", dt);

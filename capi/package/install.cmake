@@ -60,7 +60,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/guide DESTINATION ${CMAKE_INSTALL_D
   COMPONENT hardsphere_documentation FILES_MATCHING PATTERN "*.svg")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/program/pictures/ ${PROJECT_SOURCE_DIR}/tests/differential/scans/
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/guide/pictures COMPONENT hardsphere_documentation FILES_MATCHING PATTERN "*.svg")
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/examples ${PROJECT_SOURCE_DIR}/capi/clients DESTINATION ${CMAKE_INSTALL_DOCDIR}
   COMPONENT hardsphere_documentation)
 install(FILES ${PROJECT_SOURCE_DIR}/bench/molecules/crambin.pdb DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
   COMPONENT hardsphere_documentation)

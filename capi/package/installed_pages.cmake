@@ -10,6 +10,7 @@ set(installed
   ".github/CHANGELOG.md" "${DOCUMENTATION}/CHANGELOG.md"
   "capi/guide" "${DOCUMENTATION}/guide"
   "capi/examples" "${DOCUMENTATION}/examples"
+  "capi/clients" "${DOCUMENTATION}/clients"
   "bench/molecules/crambin.pdb" "${DOCUMENTATION}/examples/crambin.pdb"
   "tests/program/pictures" "${DOCUMENTATION}/guide/pictures"
   "tests/differential/scans/bond_scans.svg" "${DOCUMENTATION}/guide/pictures/bond_scans.svg"

@@ -28,6 +28,12 @@ done
 
 "$cxx" -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror -I "$include" -x c++ -fsyntax-only - \
   <<<"$(printf '#include <hardsphere.hpp>\n#include <hardsphere.hpp>\n')" || complain "hardsphere.hpp is no C++20 on its own"
+for older in 11 14 17; do
+  refused=$("$cxx" -std=c++$older -I "$include" -x c++ -fsyntax-only - <<<'#include <hardsphere.hpp>' 2>&1) &&
+    complain "hardsphere.hpp is C++$older"
+  [ "$(grep -c ' error: ' <<<"$refused")" -eq 1 ] && grep -q 'error:.*-std=c++20' <<<"$refused" ||
+    complain "hardsphere.hpp does not say in one error that it needs C++20: C++$older"
+done
 
 # A function's comment is the last one that ends before it. Awk reads whole comments and whole declarations.
 functions=$(cat "$include"/hardsphere/*.h | awk '

@@ -22,6 +22,10 @@ fail() {
   failed=1
 }
 
+# Clients lie beside the examples, as their pages link to them.
+for client in lammps_fix.py lammps_sasa.c openmm_sasa.cpp exact_sasa.f90 surface_forces.h; do
+  [ -e "$(dirname "$guide")/clients/$client" ] || fail "clients/$client is missing beside the guide"
+done
 lines=$(wc -l <"$readme")
 [ "$lines" -le 200 ] || fail "$readme has $lines lines; 200 are what one reads. The guide has room for the rest"
 
