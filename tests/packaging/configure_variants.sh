@@ -43,7 +43,7 @@ done
 chmod +x "$work/broken"/*
 PATH=$work/broken:$PATH configure half "$source"
 PATH=$work/broken:$PATH configure half_alone "$source" -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF
-# As the one who asks for documentation is told.
+# Who asks for documentation learns of it.
 if (PATH=$work/broken:$PATH configure half_asked "$source" -DHSP_TESTS=OFF -DHSP_DOCUMENTATION=ON) >/dev/null; then
   fail "this would not notice a search for Doxygen"
 fi

@@ -2,7 +2,7 @@
 import unittest
 
 import program  # noqa: F401
-from program import random_balls
+from program import random_balls, run_block_of_page
 
 import ase
 import numpy
@@ -78,6 +78,13 @@ class Calculator(unittest.TestCase):
         atoms.calc = Solvation(0.01)
         with self.assertRaises(ValueError):
             atoms.get_potential_energy()
+
+    def test_the_lines_of_the_guide(self):
+        atoms = run_block_of_page("ase.build")["atoms"]
+        both = atoms.get_potential_energy()
+        solvation = atoms.calc.mixer.calcs[1] if hasattr(atoms.calc, "mixer") else atoms.calc.calcs[1]
+        self.assertNotEqual(solvation.get_potential_energy(atoms), 0)
+        self.assertNotEqual(both, solvation.get_potential_energy(atoms))
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import tempfile
 import unittest
 import warnings
 
-from program import CRAMBIN, SOURCE
+from program import CRAMBIN, SOURCE, run_block_of_page
 
 warnings.simplefilter("ignore")
 
@@ -60,6 +60,10 @@ class Trajectory(unittest.TestCase):
             return SASA(universe.atoms, box=box).run(stop=2).results.area
         self.assertTrue(numpy.allclose(area(90, True), area(90, False), rtol=1e-9))
         self.assertTrue((area(30, True) < area(30, False) - 1).all())
+
+    def test_the_lines_of_the_guide(self):
+        run = run_block_of_page("MDAnalysis")["run"]
+        self.assertAlmostEqual(run.results.area[0], SASA(self.universe.atoms).run(stop=1).results.area[0], 2)
 
 
 if __name__ == "__main__":

@@ -2,14 +2,34 @@
 import json
 import os
 import random
+import re
+import shutil
 import subprocess
 import sys
+import tempfile
 
 if os.environ.get("HSP_WITHOUT_NUMPY"):
     sys.modules["numpy"] = None
 
 SOURCE = os.environ["HSP_SOURCE"]
 CRAMBIN = f"{SOURCE}/bench/molecules/crambin.pdb"
+
+
+def run_block_of_page(word):
+    """The block of the page of the guide that has this word, which no other one has, in a folder with crambin.pdb."""
+    with open(f"{SOURCE}/capi/guide/python.md") as file:
+        blocks = [block for block in re.findall(r"```py\n(.*?)```\n", file.read(), re.S) if word in block]
+    assert len(blocks) == 1, f"{len(blocks)} blocks have {word}"
+    names, folder = {}, tempfile.mkdtemp()
+    shutil.copy(CRAMBIN, folder)
+    before = os.getcwd()
+    os.chdir(folder)
+    try:
+        exec(compile(blocks[0], "python.md", "exec"), names)
+    finally:
+        os.chdir(before)
+        shutil.rmtree(folder)
+    return names
 
 
 def said(*arguments):

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #define EXIT_BAD_INPUT 1 /* the input, or a resource, is at fault */
 #define EXIT_BAD_USAGE 2 /* the command line is at fault */
