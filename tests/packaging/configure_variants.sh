@@ -43,7 +43,7 @@ done
 chmod +x "$work/broken"/*
 PATH=$work/broken:$PATH configure half "$source"
 PATH=$work/broken:$PATH configure half_alone "$source" -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF
-# Who asks for documentation learns of it.
+# The search for documentation is made when it is asked for, and fails then.
 if (PATH=$work/broken:$PATH configure half_asked "$source" -DHSP_TESTS=OFF -DHSP_DOCUMENTATION=ON) >/dev/null; then
   fail "this would not notice a search for Doxygen"
 fi

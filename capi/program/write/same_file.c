@@ -37,8 +37,7 @@ char *path_without_links(const char *path) {
   return path_beside("", path);
 }
 
-bool outputs_are_one(const char *a, const char *b) {
-  if (output_is_standard(a) || output_is_standard(b)) return output_is_standard(a) && output_is_standard(b);
+static bool paths_are_one(const char *a, const char *b) {
   char *const end_of_a = _fullpath(NULL, a, 0), *const end_of_b = _fullpath(NULL, b, 0);
   const bool one = end_of_a != NULL && end_of_b != NULL && _stricmp(end_of_a, end_of_b) == 0;
   free(end_of_a);
@@ -47,7 +46,7 @@ bool outputs_are_one(const char *a, const char *b) {
 }
 
 bool output_is_input(const char *out, const char *in) {
-  return !output_is_standard(out) && strcmp(in, "-") != 0 && outputs_are_one(out, in);
+  return !output_is_standard(out) && strcmp(in, "-") != 0 && paths_are_one(out, in);
 }
 
 #else
@@ -98,10 +97,8 @@ static bool names_are_one(const char *a, const char *b) {
          of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
 }
 
-bool outputs_are_one(const char *a, const char *b) {
+static bool paths_are_one(const char *a, const char *b) {
   struct stat of_a, of_b;
-  if (output_is_standard(a) || output_is_standard(b)) return output_is_standard(a) && output_is_standard(b);
-  if (strcmp(a, b) == 0) return true;
   if (stat(a, &of_a) == 0 && stat(b, &of_b) == 0) return same_file(&of_a, &of_b);
   char *const end_of_a = path_without_links(a), *const end_of_b = path_without_links(b);
   const bool one = end_of_a != NULL && end_of_b != NULL && names_are_one(end_of_a, end_of_b);
@@ -121,3 +118,8 @@ bool output_is_input(const char *out, const char *in) {
 }
 
 #endif
+
+bool outputs_are_one(const char *a, const char *b) {
+  if (output_is_standard(a) || output_is_standard(b)) return output_is_standard(a) && output_is_standard(b);
+  return strcmp(a, b) == 0 || paths_are_one(a, b);
+}
