@@ -62,7 +62,7 @@ case $way in
     PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name hardsphere.pc)")
     module=$(pkg-config --variable=module_source hardsphere)
     read -ra libs <<<"$(pkg-config --libs hardsphere)"
-    (cd "$work" && "$compiler" -o "$program" "$module" "$here/consumers/main.f90" "${libs[@]}")
+    (cd "$work" && "$compiler" -std=f2018 -o "$program" "$module" "$here/consumers/main.f90" "${libs[@]}")
     ;;
   *)
     echo "unknown way: $way"
