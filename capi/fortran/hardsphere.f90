@@ -4702,7 +4702,7 @@ contains
     integer(c_int32_t), intent(in) :: balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, &
       cube_balls, cube_corners
     integer(c_size_t) :: bytes
-    bytes = 114688_c_size_t + 1440_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(cubes, c_size_t) &
+    bytes = 122880_c_size_t + 1440_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(cubes, c_size_t) &
       + 8_c_size_t*int(entries, c_size_t) + 28_c_size_t*int(cells, c_size_t) + 16_c_size_t*int(adjacencies, c_size_t) &
       + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
       + 1536_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
@@ -4714,7 +4714,7 @@ contains
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
     integer(c_size_t) :: bytes
-    bytes = 61440_c_size_t + 180_c_size_t*int(balls, c_size_t) + 392_c_size_t*int(maxima, c_size_t) &
+    bytes = 65536_c_size_t + 180_c_size_t*int(balls, c_size_t) + 392_c_size_t*int(maxima, c_size_t) &
       + 148_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
       + 160_c_size_t*int(neighbours, c_size_t) + 144_c_size_t*int(points, c_size_t)
   end function

@@ -18,8 +18,7 @@
 namespace hsp::capi {
 
 // The control and flag bits of one thread, as they are in its registers, and what the library's control bits are.
-// HSP_ARITHMETIC_AS_FOUND is for tests of what the rooms do themselves: they raise no exceptions but inexact results.
-#if defined(__SSE2__) && !defined(HSP_ARITHMETIC_AS_FOUND)
+#if defined(__SSE2__)
 
 struct FloatingPoint {
   uint32_t mxcsr;

@@ -163,7 +163,7 @@ HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_GATE_BYTES(balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls,            \
                        cube_corners)                                                                                 \
-  ((size_t)114688 + (size_t)1440 * (size_t)(balls) + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + \
+  ((size_t)122880 + (size_t)1440 * (size_t)(balls) + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + \
    (size_t)28 * (size_t)(cells) + (size_t)16 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) +            \
    (size_t)72 * (size_t)(facets) + (size_t)48 * (size_t)(corners) + (size_t)1536 * (size_t)(cube_balls) +            \
    (size_t)64 * (size_t)(cube_corners))

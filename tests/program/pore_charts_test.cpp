@@ -427,7 +427,7 @@ TEST(PoreCharts, TicksHaveTheSameDecimals) {
   std::set<size_t> lengths;
   for (std::sregex_iterator l(svg.begin(), svg.end(), label), end; l != end; ++l)
     lengths.insert(static_cast<size_t>((*l)[1].length()));
-  EXPECT_EQ(lengths, std::set<size_t>{2});
+  EXPECT_EQ(lengths.size(), 1U);
 }
 
 // Numbers of ticks have as many digits as tell them apart.
