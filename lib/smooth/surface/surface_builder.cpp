@@ -102,7 +102,7 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
     cut.begin_vertex(v);
     const ProbeState state = probe_.gather(balls, boundary, chosen, grid_, v);
     if (probe_.touches()) surface_.touching_.set(v);
-    if (is_crowded(balls, boundary, v)) ++surface_.counts_.crowded_points;
+    if (boundary.root_discriminant(v) == 0.0 && is_crowded(balls, boundary, v)) ++surface_.counts_.crowded_points;
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
     if (state == ProbeState::crossed) {
       if (probe_.overflowed()) continue;
