@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <hardsphere_workspace.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -162,38 +163,48 @@ TEST(TunnelPoints, AreNearToEachOtherInBoxes) {
   sweep(true, oracle::rounds(100, 1200), 7000);
 }
 
-// From the roomiest place to the outside, three times, on the default lattice and on coarser ones.
-void same_way(const char *molecule, double tolerance) {
-  support::BallList balls = support::with_radii(
-      support::read_atoms(support::own_molecule(molecule), support::Records::protein), support::Radii::van_der_waals);
-  const Case of{balls.xyz, balls.radius, false, {}};
+// From the roomiest place to the outside, up to three times, on lattices of four steps. How many there are; without a
+// maximum none.
+int same_way(const Case &of) {
   Workspace work;
   std::vector<double> first;
   for (const double step : {1e-8, 1e-7, 1e-6, 1e-5}) {
     SCOPED_TRACE(step);
     compute(work, of, step);
     hsp_pores_counts counts;
-    ASSERT_EQ(hsp_pores_get_counts(work.pores, &counts), HSP_OK);
+    EXPECT_EQ(hsp_pores_get_counts(work.pores, &counts), HSP_OK);
+    if (counts.maxima == 0) return 0;
     hsp_pore_maximum widest;
-    ASSERT_EQ(hsp_pores_get_maxima(work.pores, 0, 1, &widest), HSP_OK);
+    EXPECT_EQ(hsp_pores_get_maxima(work.pores, 0, 1, &widest), HSP_OK);
     std::vector<double> lengths;
     std::vector<uint32_t> avoided;
     for (int next = 0; next < 3; ++next) {
       hsp_tunnel tunnel;
       const Point from{widest.xyz[0], widest.xyz[1], widest.xyz[2]};
-      ASSERT_EQ(find(work, of, from, nullptr, avoided, tunnel), HSP_OK);
-      ASSERT_EQ(tunnel.there, 1U);
+      EXPECT_EQ(find(work, of, from, nullptr, avoided, tunnel), HSP_OK);
+      if (tunnel.there == 0) break;
       lengths.push_back(tunnel.length);
+      if (tunnel.gate == HSP_NONE) break;
       avoided.push_back(tunnel.gate);
     }
     if (first.empty()) first = lengths;
-    for (size_t k = 0; k < first.size(); ++k) EXPECT_NEAR(lengths[k], first[k], tolerance) << k;
+    EXPECT_EQ(lengths.size(), first.size());
+    for (size_t k = 0; k < std::min(first.size(), lengths.size()); ++k) EXPECT_NEAR(lengths[k], first[k], 1e-3) << k;
   }
-  EXPECT_GT(first[0], 1.0);
+  return static_cast<int>(first.size());
+}
+
+Case protein(const char *name) {
+  const support::BallList balls = support::with_radii(
+      support::read_atoms(support::own_molecule(name), support::Records::protein), support::Radii::van_der_waals);
+  return {balls.xyz, balls.radius, false, {}};
 }
 
 TEST(TunnelPoints, AreThoseOfTheSameWayOnEveryLattice) {
-  same_way("crambin.pdb", 1e-3);
+  for (const char *const name : {"crambin.pdb", "ubiquitin.pdb"}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(same_way(protein(name)), 3);
+  }
 }
 
 }  // namespace
