@@ -12,6 +12,7 @@
 #include "gradients.h"
 #include "guarded_memory.h"
 #include "host_environment.h"
+#include "loops.h"
 
 enum { WORKERS = 3 };
 
@@ -40,9 +41,9 @@ static void *do_task(void *argument) {
 }
 
 static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
-  host_loop *const loop = context;
+  host_loop *const host = context;
   uint32_t k;
-  loop->wrong += host_environment_differs(loop->callers, loop->runs == 0) != NULL;
+  host->wrong += host_environment_differs(host->callers, host->runs == 0) != NULL;
   for (k = 0; k < tasks; ++k) {
     host_task t;
     pthread_t thread;
@@ -50,28 +51,18 @@ static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
     t.task = task;
     t.data = data;
     t.number = k;
-    t.environment = k % 2 == 0 ? loop->callers : loop->threads;
+    t.environment = k % 2 == 0 ? host->callers : host->threads;
     if (k % 2 == 0) {
       do_task(&t);
     } else {
       if (pthread_create(&thread, NULL, do_task, &t) != 0) exit(1);
       pthread_join(thread, NULL);
     }
-    loop->wrong += t.differs != 0;
+    host->wrong += t.differs != 0;
   }
   /* From here on the caller's thread has no flag: that stays, too. */
-  host_environment_set(loop->callers, 0);
-  ++loop->runs;
-}
-
-static hsp_executor executor_of_host(host_loop *loop) {
-  hsp_executor executor;
-  memset(&executor, 0, sizeof executor);
-  executor.struct_size = (uint32_t)sizeof executor;
-  executor.workers = WORKERS;
-  executor.context = loop;
-  executor.run = run;
-  return executor;
+  host_environment_set(host->callers, 0);
+  ++host->runs;
 }
 
 typedef struct answers {
@@ -83,7 +74,7 @@ typedef struct answers {
 } answers;
 
 /* All by an executor, in an environment that is set here; `executor` NULL: in the program's. */
-static void answer(const computed *c, hsp_boundary *boundary, const hsp_executor *executor, const host_loop *loop,
+static void answer(const computed *c, hsp_boundary *boundary, const hsp_executor *executor, const host_loop *host,
                    answers *out) {
   hsp_boundary_request request = {sizeof request, 0, NULL, NULL};
   hsp_measure_request measures = {sizeof measures, 0, NULL, NULL};
@@ -106,12 +97,12 @@ static void answer(const computed *c, hsp_boundary *boundary, const hsp_executor
   for (k = 0; k < 3; ++k) {
     host_loop *const fresh = executor != NULL ? executor->context : NULL;
     if (fresh != NULL) fresh->runs = 0;
-    if (loop != NULL) host_environment_set(loop->callers, 1);
+    if (host != NULL) host_environment_set(host->callers, 1);
     if (k == 0) status[k] = hsp_boundary_compute_with(boundary, c->model, &request, NULL);
     if (k == 1) status[k] = hsp_boundary_get_measures(boundary, &measures, &measured);
     if (k == 2) status[k] = hsp_boundary_get_gradient(boundary, &asked, &gradient);
     /* The flag is gone with the first run, and what the library raises is not seen. */
-    differs[k] = loop != NULL && host_environment_differs(loop->callers, loop->runs == 0) != NULL;
+    differs[k] = host != NULL && host_environment_differs(host->callers, host->runs == 0) != NULL;
   }
   fesetenv(&own);
   status[3] = hsp_boundary_get_counts(boundary, &out->counts);
@@ -133,14 +124,14 @@ static void by_executors(const computed *c) {
   answer(c, boundary, NULL, NULL, &alone);
   for (callers = HOST_default; callers < HOST_ENVIRONMENTS; ++callers) {
     for (threads = HOST_default; threads < HOST_ENVIRONMENTS; ++threads) {
-      host_loop loop = {callers, threads, 0, 0};
-      const hsp_executor executor = executor_of_host(&loop);
+      host_loop host = {callers, threads, 0, 0};
+      const hsp_executor executor = executor_with(run, &host, WORKERS);
       if (!host_environment_exists(callers) || !host_environment_exists(threads)) continue;
       check_scene("a loop in the environment %s, threads in %s", host_environment_name(callers),
                   host_environment_name(threads));
-      answer(c, boundary, &executor, &loop, &shared);
-      CHECK(loop.runs > 0);
-      CHECK_EQUAL(loop.wrong, 0);
+      answer(c, boundary, &executor, &host, &shared);
+      CHECK(host.runs > 0);
+      CHECK_EQUAL(host.wrong, 0);
       CHECK_BYTES(&shared, &alone, sizeof alone);
     }
   }

@@ -90,11 +90,15 @@ static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
 }
 
 hsp_executor executor_of(loop *own, uint32_t workers) {
+  return executor_with(run, own, workers);
+}
+
+hsp_executor executor_with(void (*run_tasks)(void *, uint32_t, hsp_task *, void *), void *context, uint32_t workers) {
   hsp_executor executor;
   memset(&executor, 0, sizeof executor);
   executor.struct_size = (uint32_t)sizeof executor;
   executor.workers = workers;
-  executor.context = own;
-  executor.run = run;
+  executor.context = context;
+  executor.run = run_tasks;
   return executor;
 }

@@ -22,6 +22,9 @@ loop loop_of(int way);
 
 hsp_executor executor_of(loop *own, uint32_t workers);
 
+/* Of a loop of one's own. */
+hsp_executor executor_with(void (*run_tasks)(void *, uint32_t, hsp_task *, void *), void *context, uint32_t workers);
+
 #ifdef __cplusplus
 }
 #endif
