@@ -17,137 +17,79 @@
 
 namespace hsp::capi {
 
-// The control and flag bits of one thread, as they are in its registers, and what the library's control bits are.
+// Of each processor: how its registers are read and set, and which of their bits are controls, of rounding, flushing
+// and traps; set in the library's environment; and results of comparisons and of the last operation, which nobody
+// keeps.
 #if defined(__SSE2__)
-
-struct FloatingPoint {
-  uint32_t mxcsr;
-
-  static FloatingPoint now() {
-    FloatingPoint found;
-    asm volatile("stmxcsr %0" : "=m"(found.mxcsr) : : "memory");
-    return found;
-  }
-  void set() const { asm volatile("ldmxcsr %0" : : "m"(mxcsr) : "memory"); }
-  // All exceptions masked; bits of rounding, of flushing results and of taking subnormal operands for zero.
-  FloatingPoint of_library() const { return {(mxcsr & ~UINT32_C(0xFFC0)) | UINT32_C(0x1F80)}; }
-  bool operator==(const FloatingPoint &) const = default;
+struct FloatingPointRegisters {
+  using Word = uint32_t;
+  static constexpr Word controls = 0xFFC0, of_library = 0x1F80, passing = 0;  // where a trap is masked its bit is set
+  static void read(Word &word) { asm volatile("stmxcsr %0" : "=m"(word) : : "memory"); }
+  static void set(const Word &word) { asm volatile("ldmxcsr %0" : : "m"(word) : "memory"); }
 };
-
 #elif defined(__aarch64__)
-
-struct FloatingPoint {
-  uint64_t fpcr, fpsr;
-
-  static FloatingPoint now() {
-    FloatingPoint found;
-    asm volatile("mrs %0, fpcr" : "=r"(found.fpcr) : : "memory");
-    asm volatile("mrs %0, fpsr" : "=r"(found.fpsr) : : "memory");
-    return found;
+// FPCR above FPSR, which have 32 bits each.
+struct FloatingPointRegisters {
+  using Word = uint64_t;
+  static constexpr Word controls = UINT64_C(0xFFFFFFFF) << 32, of_library = 0, passing = 0;
+  static void read(Word &word) {
+    uint64_t fpcr, fpsr;
+    asm volatile("mrs %0, fpcr" : "=r"(fpcr) : : "memory");
+    asm volatile("mrs %0, fpsr" : "=r"(fpsr) : : "memory");
+    word = fpcr << 32 | fpsr;
   }
-  void set() const {
-    asm volatile("msr fpcr, %0" : : "r"(fpcr) : "memory");
-    asm volatile("msr fpsr, %0" : : "r"(fpsr) : "memory");
+  static void set(Word word) {
+    asm volatile("msr fpcr, %0" : : "r"(word >> 32) : "memory");
+    asm volatile("msr fpsr, %0" : : "r"(word & UINT64_C(0xFFFFFFFF)) : "memory");
   }
-  FloatingPoint of_library() const { return {0, fpsr}; }
-  bool operator==(const FloatingPoint &) const = default;
 };
-
 #elif defined(__arm__) && defined(__ARM_FP)
-
-struct FloatingPoint {
-  uint32_t fpscr;
-
-  static FloatingPoint now() {
-    FloatingPoint found;
-    asm volatile("vmrs %0, fpscr" : "=r"(found.fpscr) : : "memory");
-    return found.without_conditions();
-  }
-  void set() const { asm volatile("vmsr fpscr, %0" : : "r"(fpscr) : "memory"); }
-  // The results of comparisons are in there too, and nobody's to keep.
-  FloatingPoint without_conditions() const { return {fpscr & UINT32_C(0x0FFFFFFF)}; }
-  // Default NaN, flushing, rounding, traps.
-  FloatingPoint of_library() const { return {fpscr & ~UINT32_C(0x03C89F00)}; }
-  bool operator==(const FloatingPoint &) const = default;
+struct FloatingPointRegisters {
+  using Word = uint32_t;
+  static constexpr Word controls = 0x03C89F00, of_library = 0, passing = 0xF0000000;
+  static void read(Word &word) { asm volatile("vmrs %0, fpscr" : "=r"(word) : : "memory"); }
+  static void set(Word word) { asm volatile("vmsr fpscr, %0" : : "r"(word) : "memory"); }
 };
-
 #elif defined(__riscv_flen)
-
-struct FloatingPoint {
-  uintptr_t fcsr;
-
-  static FloatingPoint now() {
-    FloatingPoint found;
-    asm volatile("frcsr %0" : "=r"(found.fcsr) : : "memory");
-    return found;
-  }
-  void set() const { asm volatile("fscsr %0" : : "r"(fcsr) : "memory"); }
-  FloatingPoint of_library() const { return {fcsr & ~uintptr_t{0xE0}}; }
-  bool operator==(const FloatingPoint &) const = default;
+struct FloatingPointRegisters {
+  using Word = uintptr_t;
+  static constexpr Word controls = 0xE0, of_library = 0, passing = 0;
+  static void read(Word &word) { asm volatile("frcsr %0" : "=r"(word) : : "memory"); }
+  static void set(Word word) { asm volatile("fscsr %0" : : "r"(word) : "memory"); }
 };
-
 #elif defined(__s390__)
-
-struct FloatingPoint {
-  uint32_t fpc;
-
-  static FloatingPoint now() {
-    FloatingPoint found;
-    asm volatile("efpc %0" : "=d"(found.fpc) : : "memory");
-    return found;
-  }
-  void set() const { asm volatile("sfpc %0" : : "d"(fpc) : "memory"); }
-  // Masks of traps; binary rounding.
-  FloatingPoint of_library() const { return {fpc & ~UINT32_C(0xF8000007)}; }
-  bool operator==(const FloatingPoint &) const = default;
+struct FloatingPointRegisters {
+  using Word = uint32_t;
+  static constexpr Word controls = 0xF8000007, of_library = 0, passing = 0;
+  static void read(Word &word) { asm volatile("efpc %0" : "=d"(word) : : "memory"); }
+  static void set(Word word) { asm volatile("sfpc %0" : : "d"(word) : "memory"); }
 };
-
 #elif defined(__mips_hard_float)
-
-struct FloatingPoint {
-  uint32_t fcsr;
-
-  static FloatingPoint now() {
-    FloatingPoint found;
-    asm volatile("cfc1 %0, $31" : "=r"(found.fcsr) : : "memory");
-    return found.without_conditions();
-  }
-  void set() const { asm volatile("ctc1 %0, $31" : : "r"(fcsr) : "memory"); }
-  // Results of comparisons, and which exceptions the last operation had.
-  FloatingPoint without_conditions() const { return {fcsr & ~UINT32_C(0xFE83F000)}; }
-  // Flushing, of several kinds; traps; rounding.
-  FloatingPoint of_library() const { return {fcsr & ~UINT32_C(0x01600F83)}; }
-  bool operator==(const FloatingPoint &) const = default;
+struct FloatingPointRegisters {
+  using Word = uint32_t;
+  static constexpr Word controls = 0x01600F83, of_library = 0, passing = 0xFE83F000;
+  static void read(Word &word) { asm volatile("cfc1 %0, $31" : "=r"(word) : : "memory"); }
+  static void set(Word word) { asm volatile("ctc1 %0, $31" : : "r"(word) : "memory"); }
 };
-
 #elif defined(__powerpc__) && !defined(_SOFT_FLOAT) && !defined(__NO_FPRS__)
-
-struct FloatingPoint {
-  uint64_t fpscr;
-
-  static FloatingPoint now() {
+struct FloatingPointRegisters {
+  using Word = uint64_t;
+  static constexpr Word controls = 0xFF, of_library = 0, passing = 0x7F000;
+  static void read(Word &word) {
     double found;
     asm volatile("mffs %0" : "=d"(found) : : "memory");
-    return FloatingPoint{__builtin_bit_cast(uint64_t, found)}.without_conditions();
+    word = __builtin_bit_cast(uint64_t, found);
   }
-  void set() const { asm volatile("mtfsf 255, %0" : : "d"(__builtin_bit_cast(double, fpscr)) : "memory"); }
-  // How the last operation was rounded, and the class of its result.
-  FloatingPoint without_conditions() const { return {fpscr & ~UINT64_C(0x7F000)}; }
-  // Traps, flushing, rounding.
-  FloatingPoint of_library() const { return {fpscr & ~UINT64_C(0xFF)}; }
-  bool operator==(const FloatingPoint &) const = default;
+  static void set(Word word) { asm volatile("mtfsf 255, %0" : : "d"(__builtin_bit_cast(double, word)) : "memory"); }
 };
-
 #else
-
 // WebAssembly and arithmetic in software have nothing that could be set.
-struct FloatingPoint {
-  static FloatingPoint now() { return {}; }
-  void set() const {}
-  FloatingPoint of_library() const { return {}; }
-  bool operator==(const FloatingPoint &) const = default;
+struct FloatingPointRegisters {
+  using Word = uint32_t;
+  static constexpr Word controls = 0, of_library = 0, passing = 0;
+  static void read(Word &word) { word = 0; }
+  static void set(Word) {}
 };
-
 #endif
 
 // The library's environment, for as long as this lives.
@@ -166,19 +108,26 @@ class LibraryArithmetic {
 
  private:
   friend class CallersArithmetic;
+  using Registers = FloatingPointRegisters;
+  using Word = Registers::Word;
 
+  static Word now() {
+    Word word;
+    Registers::read(word);
+    return word & ~Registers::passing;
+  }
   // Most programs have the default environment: then nothing is written.
   HSP_APART_IF_SMALL void begin() {
-    callers_ = FloatingPoint::now();
-    const FloatingPoint own = callers_.of_library();
-    if (!(own == callers_)) own.set();
+    callers_ = now();
+    const Word own = (callers_ & ~Registers::controls) | Registers::of_library;
+    if (own != callers_) Registers::set(own);
   }
   HSP_APART_IF_SMALL void leave() const {
-    if (!(FloatingPoint::now() == callers_)) callers_.set();
+    if (now() != callers_) Registers::set(callers_);
   }
   static void hold(double &value) { asm volatile("" : "+m"(value)); }
 
-  FloatingPoint callers_;
+  Word callers_;
 };
 
 // The caller's environment again, while a function of the caller's runs. Flags that it raises, and what it sets, stay.
