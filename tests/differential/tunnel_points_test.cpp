@@ -207,4 +207,14 @@ TEST(TunnelPoints, AreThoseOfTheSameWayOnEveryLattice) {
   }
 }
 
+TEST(TunnelPoints, OfFewBallsAreThoseOfTheSameWayOnEveryLattice) {
+  const int sets = oracle::rounds(100, 1000);
+  int tunnels = 0;
+  for (int k = 0; k < sets; ++k) {
+    SCOPED_TRACE(k);
+    tunnels += same_way(random_case(9000 + static_cast<uint64_t>(k), false));
+  }
+  EXPECT_GT(tunnels, sets);
+}
+
 }  // namespace

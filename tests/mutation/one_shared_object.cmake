@@ -24,7 +24,7 @@ function(hsp_link_one_shared_object)
   set_target_properties(hardsphere_mutant PROPERTIES LINKER_LANGUAGE CXX)
   target_link_options(hardsphere_mutant PRIVATE -Wl,-Bsymbolic)
   target_link_libraries(hardsphere_mutant PRIVATE m)
-  # What an exported library links to is exported with it.
+  # An exported library is exported with all that it links to.
   install(TARGETS hardsphere_mutant EXPORT hardsphere-targets EXCLUDE_FROM_ALL)
 
   # The archive: nothing but what it links to.

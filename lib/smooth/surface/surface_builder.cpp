@@ -4,6 +4,7 @@
 #include "surface/circles_in_doubles.hpp"
 #include "surface/circles_in_integers.hpp"
 #include "surface/crease_lengths.hpp"
+#include "surface/probe_positions.hpp"
 #include "surface/settled_circles.hpp"
 
 namespace hsp {

@@ -272,7 +272,7 @@ Status WayUp::follow(const Way &way, bool &outside) {
   double start = point_.level_estimate(), doubt = point_.level_error();
   if (trace_ != nullptr || !(doubt < 4.0)) doubt = point_.settle(place, start);
   const double from = 2.0 * (radius + start - doubt);
-  double window = 0.12 * (radius + start) + 16.0;
+  double window = larger_of(0.12 * (radius + start), 16.0);
   for (int turn = 0; turn < most_windows; ++turn, window *= 1.7) {
     const double reached = start + window;
     if (!(reached < 0x1p50)) return Status::range;
