@@ -6,6 +6,9 @@
 set -euo pipefail
 source=$1 archive=$2 work=$3
 export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+here=$(cd "$(dirname "$0")" && pwd)
+# shellcheck source=compile_line.sh
+. "$here/compile_line.sh"
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
@@ -14,8 +17,9 @@ if ! command -v mpicc >/dev/null || ! mpicc -DLAMMPS_SMALLBIG -DLAMMPS_LIB_MPI -
   echo "skipped: there is no LAMMPS with MPI here" && exit 77
 fi
 mpirun -n 1 true >log 2>&1 || { echo "skipped: $(grep -m 1 . log)" && exit 77; }
-mpicc -O2 -std=c99 -Wall -Wextra -Werror -DLAMMPS_SMALLBIG -I"$source/include" \
-  "$source/capi/clients/lammps_sasa.c" "$archive" -llammps -lm -o lammps_sasa
+mpicc -std=c99 -Wall -Wextra -Werror -DLAMMPS_SMALLBIG -I"$source/include" -c "$source/capi/clients/lammps_sasa.c" \
+  -o warned.o
+compile_by_its_line "$source" "$archive" lammps_sasa.c
 
 for ranks in 1 2 4; do
   mpirun -n $ranks ./lammps_sasa 0.0072 bits 2>log | sort >bits.$ranks

@@ -5,12 +5,15 @@
 # Exit status 77: OpenMM 7 is missing here; package libopenmm-dev.
 set -euo pipefail
 source=$1 archive=$2 work=$3 cxx=$4
+here=$(cd "$(dirname "$0")" && pwd)
+# shellcheck source=compile_line.sh
+. "$here/compile_line.sh"
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
 printf '#include <openmm/reference/ReferencePlatform.h>\n' >probe.cpp
 "$cxx" -std=c++17 -c probe.cpp 2>/dev/null || { echo "skipped: there is no OpenMM here" && exit 77; }
-"$cxx" -std=c++17 -O2 -I"$source/include" "$source/capi/clients/openmm_sasa.cpp" "$archive" -lOpenMM -lm -o openmm_sasa
+compile_by_its_line "$source" "$archive" openmm_sasa.cpp
 for run in "2.26 0.004 200" "2.26 0.001 800"; do
   read -ra words <<<"$run"
   ./openmm_sasa "${words[@]}"
