@@ -19,12 +19,14 @@ clang++ -fsanitize=thread "$work/probe.cpp" -o "$work/probe" 2>/dev/null || { ec
 run cmake -S "$source" -B "$work/build" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
   -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_C_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" \
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" -DHSP_SANITIZE=thread -DHSP_TESTS=ON \
-  -DHSP_SLOW_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_INSTALL=OFF
+  -DHSP_ALL_TESTS=ON -DHSP_SLOW_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_INSTALL=OFF
 run cmake --build "$work/build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-2}" --target hardsphere_tool \
-  api_boundary_tests api_gradient_tests api_surface_tests api_periodic_tests api_handle_threads api_workspace_cxx20
+  api_boundary_tests api_gradient_tests api_surface_tests api_periodic_tests api_handle_threads api_workspace_cxx20 \
+  differential_boundary_tests program_tests
 tests='api_(boundary_executor|gradient_(executor|rows|shared)|surface_gradient|periodic_areas|handle_threads|workspace_cxx20)'
+tests="($tests|differential_boundary_selected|program_threads)"
 ctest --test-dir "$work/build" -R "^$tests\$" --no-tests=error --output-on-failure | tee "$work/tests"
-[ "$(grep -c ' Passed ' "$work/tests")" -eq 8 ] || { echo "not all of eight tests ran" && exit 1; }
+[ "$(grep -c ' Passed ' "$work/tests")" -eq 10 ] || { echo "not all of ten tests ran" && exit 1; }
 
 # Of one file, of several, and of frames.
 cp "$molecule" "$work/other.pdb"
