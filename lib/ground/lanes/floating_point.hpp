@@ -2,9 +2,9 @@
 // computes with doubles includes this header, so that a build that would break the promise of equal bits does not
 // compile.
 //
-// A NaN says that nothing is certain of a lane, and lanes behind the last thing of a vector may hold anything: both raise
-// exceptions. Entry points mask them and put back the caller's flags (capi/shims/library_arithmetic.hpp); nothing here
-// reads flags.
+// A NaN says that nothing is certain of a lane, and lanes behind the last thing of a vector may hold anything: both
+// raise exceptions. Entry points mask them and put back the caller's flags (capi/shims/library_arithmetic.hpp); nothing
+// here reads flags.
 #pragma once
 
 #include <cfloat>
