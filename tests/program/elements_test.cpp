@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
@@ -491,6 +492,10 @@ TEST(Elements, OfLabels) {
       {"", "W1", "W"},   {"", "K1", "K"},   {"", "Du1", "-"},   {"", "Fe3+", "Fe"}, {"", "U1", "U"},
       {"", "V2", "V"},   {"", "La1", "La"}};
   expect_elements(atoms, {fractions, cartesian, fractions_alone, cartesian_alone});
+  // Names of macromolecules are none, whatever the coordinates.
+  std::string named = as_fractions_alone({{"", "CA", "C"}, {"", "CD", "C"}, {"", "NE", "N"}});
+  named.replace(named.find("_atom_site_label"), std::strlen("_atom_site_label"), "_atom_site.label_atom_id");
+  EXPECT_EQ(elements_of(named, "cif"), (Words{"C", "C", "N"}));
   for (const char *label : {"CO1", "NI1", "CA1", "Kk", "max", "T1", "M1", "Xx", "1C", "CLA"}) {
     for (const Writer *write : {as_fractions, as_cartesian_alone}) {
       const TemporaryFile file("label.cif", write({{"", label, "", ""}}));
@@ -607,7 +612,9 @@ TEST(Elements, OfNamesWithBlanks) {
   const auto table = [](const std::string &name, const std::string &more) {
     const TemporaryFile file("blanks.mol2", "@<TRIPOS>MOLECULE\nx\n1 0\nSMALL\nUSER_CHARGES\n@<TRIPOS>ATOM\n1 " + name +
                                                 " 3.5 4.5 31.745 " + more + "\n");
-    const Json ball = run_json({"measure", file.path(), "--per-ball"})["balls"].items[0];
+    const Json balls = run_json({"measure", file.path(), "--per-ball"})["balls"];
+    if (balls.items.empty()) return std::string("none");
+    const Json &ball = balls.items[0];
     return ball["atom"].text + "|" + ball["element"].text + "|" + ball["residue"].text + "|" +
            std::to_string(ball["xyz"].items[0].number) + "|" + std::to_string(ball["xyz"].items[2].number);
   };
@@ -646,6 +653,7 @@ TEST(Elements, OfTypesOfAutoDock) {
   const TemporaryFile poses("poses.pdbqt", "MODEL 1\nREMARK VINA RESULT\n" + as_pdbqt({{"LIG", "C1", "", "A"}}) +
                                                "ENDMDL\nMODEL 2\n" + as_pdbqt({{"LIG", "O1", "", "OA"}}) + "ENDMDL\n");
   const Json second = run_json({"measure", poses.path(), "--model", "2", "--per-ball"});
+  ASSERT_EQ(second["balls"].items.size(), 1U);
   EXPECT_EQ(second["balls"].items[0]["element"].text, "O");
   EXPECT_EQ(second["input"]["models"].number, 2);
 }

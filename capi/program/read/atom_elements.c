@@ -296,9 +296,9 @@ static bool take_label(struct field field, struct atom_label *label) {
 /* A name that begins with the one letter of another element than the stated one, C1 of calcium: a program has taken a
  * type, ca, for a symbol. */
 static bool contradicts(struct field name, struct element_symbol element) {
+  if (element.text[1] == '\0') return false;
   const struct name of = name_of(name);
-  return of.letters == 1 && of.capitals[0] == element.text[0] && element.text[1] != '\0' &&
-         is_element(of.capitals, 1, &element);
+  return of.letters == 1 && of.capitals[0] == element.text[0] && is_element(of.capitals, 1, &element);
 }
 
 /* The letters of a symbol that a charge may follow, FE or O2-. */
@@ -406,12 +406,12 @@ static bool take_evidence(const struct atom_evidence *evidence, struct atom_labe
 }
 
 bool atom_take_element(const struct atom_evidence *evidence, struct atom_label *label) {
-  static const char *const residues[] = {"DUM"};
   char capitals[NAME_BYTES];
   to_capitals(capitals, label->residue->name, strlen(label->residue->name));
-  if (IS_AMONG(capitals, residues)) return set_virtual(label, dummy);
+  if (strcmp(capitals, "DUM") == 0) return set_virtual(label, dummy);
   if (!take_evidence(evidence, label)) return false;
-  label->contradicted = !label->virtual_site && contradicts(evidence->name, label->element);
+  label->contradicted =
+      evidence->stated.length > 0 && !label->virtual_site && contradicts(evidence->name, label->element);
   return true;
 }
 
