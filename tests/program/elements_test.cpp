@@ -473,7 +473,12 @@ TEST(Elements, OfAResidueThatTells) {
   EXPECT_EQ(elements_of(gro_of({"BR", "CL"}), "gro"), (Words{"Br", "Cl"}));
   EXPECT_EQ(elements_of(gro_of({"CL1", "HL1", "CL"}), "gro"), (Words{"Cl", "H", "C"}));
   // A stated symbol is not touched.
-  EXPECT_EQ(elements_of(in_column_14({{"LIG", "CL", "", "CL"}, {"LIG", "HL1", "", "H"}}), "pdb"), (Words{"Cl", "H"}));
+  std::string stated;
+  for (const Words &row : {Words{"CL ", "CL", "0"}, Words{"HL1", " H", "9"}}) {
+    stated += "HETATM    1  " + row[0] + " LIG A   1       0.000   0.000   " + row[2] + ".000  1.00  0.00          " +
+              row[1] + "\n";
+  }
+  EXPECT_EQ(elements_of(stated, "pdb"), (Words{"Cl", "H"}));
 }
 
 // ---- labels of crystals ----

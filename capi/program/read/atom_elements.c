@@ -22,6 +22,12 @@ static void to_capitals(char out[NAME_BYTES], const char *text, size_t length) {
   out[at] = '\0';
 }
 
+static size_t leading_letters(const char *text, size_t length) {
+  size_t letters = 0;
+  while (letters < length && is_letter(text[letters])) ++letters;
+  return letters;
+}
+
 static struct name name_of(struct field field) {
   struct name name;
   size_t begin = 0, end = field.length;
@@ -29,8 +35,7 @@ static struct name name_of(struct field field) {
   while (end > begin && field.text[end - 1] == ' ') --end;
   label_copy(name.written, sizeof name.written, (struct field){field.text + begin, end - begin});
   to_capitals(name.capitals, name.written, strlen(name.written));
-  name.letters = 0;
-  while (is_letter(name.written[name.letters])) ++name.letters;
+  name.letters = leading_letters(name.written, strlen(name.written));
   return name;
 }
 
@@ -98,8 +103,7 @@ static bool is_no_atom(struct field text, bool queries, struct element_symbol *s
   static const char *const dummies[] = {"DU", "DUM", "EP", "LP", "M", "MW", "X"};
   static const char *const any[] = {"A",  "AH",  "ANY", "HAL", "HET", "HEV", "L",
                                     "MH", "MOD", "POL", "Q",   "QH",  "R",   "XH"};
-  size_t letters = 0;
-  while (letters < text.length && is_letter(text.text[letters])) ++letters;
+  const size_t letters = leading_letters(text.text, text.length);
   char word[NAME_BYTES];
   to_capitals(word, text.text, letters);
   *symbol = element_unknown;
@@ -303,8 +307,8 @@ static bool contradicts(struct field name, struct element_symbol element) {
 
 /* The letters of a symbol that a charge may follow, FE or O2-. */
 static bool symbol_with_charge(struct field text, struct element_symbol *element) {
-  size_t letters = 0, end;
-  while (letters < text.length && is_letter(text.text[letters])) ++letters;
+  const size_t letters = leading_letters(text.text, text.length);
+  size_t end;
   for (end = letters; end < text.length && strchr("0123456789+-", text.text[end]) != NULL; ++end) continue;
   return end == text.length && element_symbol_parse(text.text, letters, element);
 }
@@ -338,8 +342,7 @@ static bool take_symbol(struct field text, bool queries, struct atom_label *labe
     return element_symbol_of_number(number, &label->element);
   }
   if (is_no_atom(text, queries, &none)) return set_virtual(label, none);
-  size_t letters = 0;
-  while (letters < text.length && is_letter(text.text[letters])) ++letters;
+  const size_t letters = leading_letters(text.text, text.length);
   return element_symbol_parse(text.text, letters, &label->element);
 }
 
@@ -352,8 +355,7 @@ static bool take_type(const struct atom_evidence *evidence, struct atom_label *l
   if (is_no_atom(before, true, &symbol) && !(before.length > 1 && is_digit(before.text[1]))) {
     return set_virtual(label, symbol);
   }
-  size_t letters = 0;
-  while (letters < before.length && is_letter(before.text[letters])) ++letters;
+  const size_t letters = leading_letters(before.text, before.length);
   const bool numbered = before.length > 0 && is_digit(before.text[before.length - 1]);
   const bool known = !numbered && symbol_with_charge(before, &symbol) && element_symbol_exists(symbol);
   if (dot != NULL && !known) return false;
