@@ -1,7 +1,7 @@
 /* .mol2, of Tripos: sections that begin with "@<TRIPOS>" and a name. Read are
  *   MOLECULE   a name, the numbers of atoms, bonds and more, a type, and NO_CHARGES or where charges come from: each
  *              begins a model
- *   ATOM       id name x y z type [number residue [charge ..]]
+ *   ATOM       id name x y z type [number residue [charge ..]], where a name may have blanks
  *   BOND       id atom atom type
  * Lines that begin with '#' are comments. */
 #include <inttypes.h>

@@ -128,12 +128,15 @@ static bool read_atom(const struct line_reader *reader, struct elements_seen *se
   label_copy(residue.chain, sizeof residue.chain, record.chain);
   label_number(record.number, &residue);
   label.hetatm = pdb_record_is_hetatm(reader->text);
-  if (record.element.length == 0 || !element_symbol_parse(record.element.text, record.element.length, &label.element)) {
-    /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
+  /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
+  const struct atom_evidence evidence = {ATOM_NAMES, record.name, record.element};
+  if (record.element.length > 0) {
+    atom_take_element(&evidence, &label);
+  } else {
     atom_take_element_again(seen, record.name, &label);
     if (label.virtual_site || label.bead) label.element.text[0] = '\0';
-    label.virtual_site = label.bead = false;
   }
+  label.virtual_site = label.bead = false;
   if (!molecule_add(molecule, value, radius, &label, line, failure)) return false;
   struct atom_extra *const extra = molecule_last_extra(molecule);
   if (extra != NULL) {
