@@ -545,7 +545,7 @@ TEST(Elements, OfDummiesByTheirSymbols) {
   expect_elements(atoms, {sdf, v3000, mol2});
   for (const char *symbol : {"R1", "AH", "Mod"}) atoms.push_back({"LIG", "C2", "-", symbol});
   expect_elements(atoms, {sdf, v3000});
-  std::vector<Atom> stated = {{"LIG", "C1", "C", "C"}, {"DUM", "N", "-", "N"}, {"DUM", "O", "-", "O"}};
+  std::vector<Atom> stated = {{"LIG", "C1", "C", "C"}, {"DUM", "N", "-", "N"}, {"dum", "O", "-", "O"}};
   expect_elements(stated, {pdb_14, mmcif});
   for (const char *symbol : {"Du", "EP", "LP", "MW"}) stated.push_back({"LIG", "C2", "-", symbol});
   stated.push_back({"LIG", "C2", "X", "X"});

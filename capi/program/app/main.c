@@ -72,7 +72,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
     notes->largest_rounding = geometry.largest_rounding;
     geometry_free(&geometry);
   }
-  if (done) notes_count_atoms(notes, request, &molecule);
+  if (done) notes_count_water(notes, request, &molecule);
   molecule_free(&molecule);
   return done;
 }
@@ -112,7 +112,7 @@ static bool run_two(enum command command, int count, char **arguments, struct te
   }
   for (int k = 0; k < 2; ++k) {
     if (done && !request[0].list_radii) {
-      notes_count_atoms(&notes[k], &request[k], &molecule[k]);
+      notes_count_water(&notes[k], &request[k], &molecule[k]);
       notes_print(&notes[k], &request[k]);
     }
     notes_free(&notes[k]);

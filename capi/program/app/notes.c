@@ -53,7 +53,7 @@ static void print(const struct request *request, const struct failure *note) {
   failure_print(&line);
 }
 
-void notes_count_atoms(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule) {
   const bool rows = request->csv || (request->trajectory != NULL && !request->json && !request->mean);
   notes->waters = rows ? input_report_waters(molecule) : 0;
   notes->dummies = molecule->left_out.virtual_sites;

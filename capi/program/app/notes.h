@@ -28,7 +28,7 @@ void notes_look_among_all(struct notes *notes, const struct request *request, co
 void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
 /* Count water among the atoms that were measured, and what is no atom among those that were read. */
-void notes_count_atoms(struct notes *notes, const struct request *request, const struct molecule *molecule);
+void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
 /* A line each for names that nothing has, contradictions, dummies, water, labels without room, and a coarse lattice. */
 void notes_print(const struct notes *notes, const struct request *request);

@@ -1,6 +1,7 @@
 #include "read/atom_elements.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "read/characters.h"
 #include "read/number.h"

@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
+#include "read/characters.h"
 #include "read/fields.h"
 #include "read/molecule.h"
 
@@ -68,7 +68,7 @@ void atom_take_element_again(struct elements_seen *seen, struct field name, stru
 /* Whether a stated symbol is that of a usual element and leaves nothing to look at, as nearly all do. */
 static inline bool atom_is_usual(char symbol, const char *residue) {
   return (symbol == 'C' || symbol == 'N' || symbol == 'O' || symbol == 'H' || symbol == 'P') &&
-         (residue[0] != 'D' || strcmp(residue, "DUM") != 0);
+         (to_upper(residue[0]) != 'D' || to_upper(residue[1]) != 'U'); /* of dummies, DUM */
 }
 
 /* Where a residue has a hydrogen HL1, or carbons CLP or CLA, an atom CL that only its letters tell is a carbon too. */
