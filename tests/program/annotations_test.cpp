@@ -621,7 +621,7 @@ TEST(Annotations, Refusals) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"draw", caffeine, "-o", "none/x.svg", "--label", "name"}, "atom, residue or chain"},
       {{"draw", "good/water.xyz", "-o", "none/x.svg", "--label", "chain"}, "the file names no residues"},
-      {{"draw", caffeine, "-o", "none/x.svg", "--colour", "charge"}, "--colour charge is for .pqr and .mol2 files"}};
+      {{"draw", caffeine, "-o", "none/x.svg", "--colour", "charge"}, ".pqr, .mol2 and .pdbqt files"}};
   for (const auto &[arguments, complaint] : cases) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.status, 2) << complaint;

@@ -8,25 +8,34 @@
 #include <vector>
 
 extern "C" {
+#include "read/atom_elements.h"
 #include "read/residue_kinds.h"
 }
 
 namespace {
 
 // The element, "virtual", "bead" or "unknown".
-std::string found(const std::string &name, const std::string &residue, bool in_columns) {
-  element_symbol element = {""};
-  switch (atom_kind_of({name.c_str(), name.size()}, in_columns, residue.c_str(), &element)) {
-    case ATOM_KNOWN:
-      return element.text;
-    case ATOM_VIRTUAL:
-      return "virtual";
-    case ATOM_BEAD:
-      return "bead";
-    case ATOM_UNKNOWN:
-      break;
-  }
-  return "unknown";
+std::string finding_of(const atom_label &label) {
+  if (label.virtual_site) return "virtual";
+  if (label.bead) return "bead";
+  return label.element.text[0] == '\0' ? "unknown" : label.element.text;
+}
+
+residue_label residue_named(const std::string &name) {
+  residue_label residue = RESIDUE_LABEL_NONE;
+  std::strncpy(residue.name, name.c_str(), sizeof residue.name - 1);
+  return residue;
+}
+
+std::string found(const std::string &name, const std::string &residue, bool in_columns,
+                  const std::string &stated = "") {
+  const residue_label of_residue = residue_named(residue);
+  atom_label label = ATOM_LABEL_NONE;
+  label.residue = &of_residue;
+  const atom_evidence evidence = {
+      in_columns ? ATOM_COLUMNS : ATOM_NAMES, {name.data(), name.size()}, {stated.data(), stated.size()}};
+  EXPECT_TRUE(atom_take_element(&evidence, &label)) << name;
+  return finding_of(label);
 }
 
 struct Case {
@@ -163,10 +172,10 @@ TEST(AtomNames, KindsOfResidues) {
   const auto all = [](const std::vector<const char *> &names, residue_kind kind) {
     for (const char *name : names) EXPECT_EQ(residue_kind_of(name), kind) << name;
   };
-  all({"ALA", "ARG", "ASN", "ASP",  "CYS",  "GLN",  "GLU",  "GLY", "HIS", "ILE", "LEU", "LYS",
-       "MET", "PHE", "PRO", "SER",  "THR",  "TRP",  "TYR",  "VAL", "HID", "HIE", "HIP", "HSD",
-       "HSE", "HSP", "CYX", "CYM",  "ASH",  "GLH",  "LYN",  "MSE", "SEC", "ACE", "NME", "NMA",
-       "NH2", "UNK", "ala", "NGLY", "CPRO", "LYSH", "HISE", "TYM", "TPO", "PCA"},
+  all({"ALA", "ARG", "ASN", "ASP", "CYS",  "GLN",  "GLU",  "GLY",  "HIS", "ILE", "LEU", "LYS",
+       "MET", "PHE", "PRO", "SER", "THR",  "TRP",  "TYR",  "VAL",  "HID", "HIE", "HIP", "HSD",
+       "HSE", "HSP", "CYX", "CYM", "ALAD", "ASH",  "GLH",  "LYN",  "MSE", "SEC", "ACE", "NME",
+       "NMA", "NH2", "UNK", "ala", "NGLY", "CPRO", "LYSH", "HISE", "TYM", "TPO", "PCA"},
       RESIDUE_AMINO_ACID);
   all({"A",  "C",  "G",   "U",   "T",   "I",   "DA",  "DC",  "DG",  "DT",  "DU", "DI", "RA", "RC",
        "RG", "RU", "ADE", "CYT", "GUA", "THY", "URA", "DA5", "DT3", "RU3", "G5", "U3", "DGN"},
@@ -181,41 +190,27 @@ TEST(AtomNames, KindsOfResidues) {
 TEST(AtomNames, FoundAgain) {
   static const char *const residues[] = {"ALA", "GLY", "HOH", "SOL",  "MSE", "CYS",  "DA",  "NAG",
                                          "",    "SOD", "CLA", "NALA", "LIG", "TIP3", "ala", "ALAX"};
-  kinds_seen seen = {};
+  elements_seen seen = {};
   std::mt19937 random(12);
   for (int round = 0; round < 60000; ++round) {
     std::string name;
-    for (size_t i = 0, length = random() % 5; i < length; ++i) name += "CHNOSABDMEP1X2'c"[random() % 16];
+    for (size_t i = 0, length = random() % 5; i < length; ++i) name += "CHNOSABDMEP1X2'cL"[random() % 17];
     if (round % 50 == 0) name = residues[random() % 16];
-    char residue[8] = "";
-    std::strcpy(residue, residues[random() % 16]);
-    element_symbol element = {""}, expected = {""};
-    const field text = {name.data(), name.size()};
+    const std::string residue = residues[random() % 16];
+    const residue_label of_residue = residue_named(residue);
+    atom_label label = ATOM_LABEL_NONE;
+    label.residue = &of_residue;
     const std::string behind = name + "CA      ";
-    const atom_kind kind = atom_kind_of(text, false, residue, &expected);
-    ASSERT_EQ(atom_kind_again(&seen, {behind.data(), name.size()}, residue, &element), kind) << residue << ' ' << name;
-    if (kind == ATOM_KNOWN) {
-      ASSERT_STREQ(element.text, expected.text) << residue << ' ' << name;
-    }
+    atom_take_element_again(&seen, {behind.data(), name.size()}, &label);
+    ASSERT_EQ(finding_of(label), found(name, residue, false)) << residue << ' ' << name;
+    ASSERT_EQ(&of_residue, label.residue);
   }
 }
 
-TEST(AtomNames, VirtualSymbols) {
-  const auto is_virtual = [](const char *text) {
-    element_symbol symbol = {""};
-    EXPECT_TRUE(element_symbol_parse(text, std::strlen(text), &symbol));
-    return is_virtual_symbol(symbol);
-  };
-  for (const char *text : {"EP", "Lp", "m", "MW"}) EXPECT_TRUE(is_virtual(text)) << text;
-  for (const char *text : {"C", "X", "Er", "Mn", "Lu", "Xx"}) EXPECT_FALSE(is_virtual(text)) << text;
-  const auto symbol_of = [](const char *name) {
-    return std::string(virtual_symbol_of({name, std::strlen(name)}).text);
-  };
-  EXPECT_EQ(symbol_of("EPW "), "Ep");
-  EXPECT_EQ(symbol_of(" LP1"), "Lp");
-  EXPECT_EQ(symbol_of("MCB1"), "M");
-  EXPECT_EQ(symbol_of(" OM "), "M");
-  EXPECT_EQ(symbol_of("DOH2"), "");
+TEST(AtomNames, SymbolsThatNoElementHas) {
+  for (const char *text : {"EP", "Lp", "m", "MW", "Du", "DU"}) EXPECT_EQ(found("C1", "LIG", false, text), "virtual");
+  EXPECT_EQ(found("C1", "LIG", false, "X"), "X");
+  for (const char *text : {"Er", "Mn", "Lu", "Xx"}) EXPECT_EQ(found("C1", "LIG", false, text), text);
 }
 
 }  // namespace

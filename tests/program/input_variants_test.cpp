@@ -50,7 +50,9 @@ TEST_P(InputVariant, GivesWhatTheBaseGives) {
     EXPECT_EQ(base.status, 0) << GetParam().base;
     EXPECT_EQ(variant.status, 0) << variant.err;
     EXPECT_EQ(geometry_alone(variant.out), geometry_alone(base.out)) << command.front() << " " << GetParam().file;
-    EXPECT_EQ(variant.err, "");
+    const bool site = GetParam().file.find("virtual_site") != std::string::npos;
+    const std::string line = ": 1 dummy or virtual site is left out: it is no atom\n";
+    EXPECT_EQ(variant.err, site ? "hardsphere: " + GetParam().file + line : "");
   }
 }
 

@@ -63,7 +63,12 @@ TEST(RealFiles, VirtualSitesAreLeftOut) {
                                             record("ATOM", " EP", "LIG", "A", 3, 20, "          EP") +
                                             record("ATOM", " O", "HOH", "A", 4, 30));
   EXPECT_EQ(column(file.path(), "element"), (Words{"O", "O"}));
-  EXPECT_EQ(run_json({"measure", file.path()})["input"]["left_out"]["virtual_sites"].number, 3);
+  const auto sites = [](const TemporaryFile &of) {
+    return run_json({"measure", of.path()},
+                    " dummies or virtual sites are left out: they are no atoms")["input"]["left_out"]["virtual_sites"]
+        .number;
+  };
+  EXPECT_EQ(sites(file), 3);
   // Callers that give them a radius want them.
   EXPECT_EQ(column(file.path(), "element", {"--radius", "EP=0.5"}), (Words{"O", "Ep", "Ep", "O"}));
   EXPECT_EQ(column(file.path(), "element", {"--radius", "M=0.5"}), (Words{"O", "M", "O"}));
@@ -71,7 +76,7 @@ TEST(RealFiles, VirtualSitesAreLeftOut) {
   EXPECT_EQ(run_program({"measure", alone.path()}).err,
             "hardsphere: " + alone.path() + ": no atoms are left: the only one is M, a virtual site\n");
   const TemporaryFile xyz("tip4p.xyz", "3\n\nO 0 0 0\nEP 0 0 1\nM 0 0 2\n");
-  EXPECT_EQ(run_json({"measure", xyz.path()})["input"]["left_out"]["virtual_sites"].number, 2);
+  EXPECT_EQ(sites(xyz), 2);
 }
 
 // All symbols that no element has, in one run; metals are elements.
@@ -135,7 +140,8 @@ TEST(RealFiles, UnknownAtomsHaveASubstituteRadius) {
 TEST(RealFiles, DummiesInXyzAreLeftOut) {
   const TemporaryFile file("dummy.xyz", "3\n\nO 0 0 0\nX 0 0 1\nx2 0 0 2\n");
   EXPECT_EQ(column(file.path(), "element"), Words{"O"});
-  const Json input = run_json({"measure", file.path()})["input"];
+  const Json input =
+      run_json({"measure", file.path()}, "2 dummies or virtual sites are left out: they are no atoms")["input"];
   EXPECT_EQ(input["left_out"]["virtual_sites"].number, 2);
   EXPECT_EQ(substitutes(input), "");
   EXPECT_EQ(column(file.path(), "radius", {"--radius", "X=0.5"}), (Words{"1.52", "0.5", "0.5"}));

@@ -27,7 +27,7 @@ _hardsphere() {
     case "$command ${COMP_WORDS[COMP_CWORD - 1]}" in
       "help help") words="model boundary measure voids contacts complex cells path gate pores clash query mesh map pick draw " ;;
       "completion completion") words="bash zsh" ;;
-      *" --format") words="xyzr pdb pqr xyz cif gro sdf mol2" ;;
+      *" --format") words="xyzr pdb pqr xyz cif gro sdf mol2 pdbqt" ;;
       *" --radii") words="bondi chem3d protor naccess list" ;;
       "measure --surface") words="sas ses" ;;
       "measure --by") words="residue chain group" ;;

@@ -26,7 +26,7 @@ if (( CURRENT == 2 )); then
   return
 fi
 common=(
-    '*--format=[what FILE is, whatever its extension]:FORMAT:(xyzr pdb pqr xyz cif gro sdf mol2)'
+    '*--format=[what FILE is, whatever its extension]:FORMAT:(xyzr pdb pqr xyz cif gro sdf mol2 pdbqt)'
     '*--radii=[radii by element, for files without radii]:bondi|chem3d:(bondi chem3d protor naccess list)'
     '*--radius=[add or replace radii of single elements, whatever the residue]:EL=R,..:'
     '*--probe=[add P to every radius]:P:'

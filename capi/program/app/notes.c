@@ -26,7 +26,18 @@ static void look_for_elements(struct notes *notes, const char *text, const struc
   }
 }
 
+static void look_for_contradictions(struct notes *notes, const struct molecule *molecule) {
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const struct atom_label *const label = &molecule->label[i];
+    if (!label->contradicted || notes->contradicted++ > 0) continue;
+    notes->contradicted_line = molecule->line[i];
+    notes->stated = label->element;
+    memcpy(notes->contradicted_name, label->name, sizeof notes->contradicted_name);
+  }
+}
+
 void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+  look_for_contradictions(notes, molecule);
   selection_list_unmatched(&request->selection, molecule, &notes->unmatched);
   if (request->overrides.length > 0) look_for_elements(notes, request->overrides.text, molecule);
 }
@@ -45,6 +56,7 @@ static void print(const struct request *request, const struct failure *note) {
 void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule) {
   const bool rows = request->csv || (request->trajectory != NULL && !request->json && !request->mean);
   notes->waters = rows ? input_report_waters(molecule) : 0;
+  notes->dummies = molecule->left_out.virtual_sites;
 }
 
 void notes_print(const struct notes *notes, const struct request *request) {
@@ -52,6 +64,23 @@ void notes_print(const struct notes *notes, const struct request *request) {
   struct failure note = {0, NULL, 0, ""};
   if (notes->unmatched.length > 0) {
     snprintf(note.reason, sizeof note.reason, "nothing matches %s", notes->unmatched.text);
+    print(request, &note);
+  }
+  if (notes->contradicted > 0) {
+    char name[EXCERPT_BYTES];
+    note.line = notes->contradicted_line;
+    snprintf(note.reason, sizeof note.reason,
+             "'%s' is %s by what the file states, which counts, and another element by its name; %" PRIu64
+             " such atom%s",
+             excerpt(name, notes->contradicted_name, strlen(notes->contradicted_name)), notes->stated.text,
+             notes->contradicted, notes->contradicted == 1 ? "" : "s");
+    print(request, &note);
+    note.line = 0;
+  }
+  if (notes->dummies > 0) {
+    snprintf(note.reason, sizeof note.reason, "%" PRIu64 " %s left out: %s", notes->dummies,
+             notes->dummies == 1 ? "dummy or virtual site is" : "dummies or virtual sites are",
+             notes->dummies == 1 ? "it is no atom" : "they are no atoms");
     print(request, &note);
   }
   if (waters > 0) {

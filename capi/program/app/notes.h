@@ -9,24 +9,28 @@
 /* Names in lists that nothing has: "--only chain:Z, --radius Xx". */
 struct notes {
   struct text_buffer unmatched;
-  uint64_t waters; /* that are counted where the output cannot say so: in --csv */
+  uint64_t waters;                          /* that are counted where the output cannot say so: in --csv */
+  uint64_t dummies;                         /* and virtual sites, which are left out */
+  uint64_t contradicted, contradicted_line; /* atoms whose name says another element than the file, and the first */
+  char contradicted_name[8];
+  struct element_symbol stated; /* its element */
   uint64_t labels, labels_left_out;
   double largest_rounding; /* as hsp_model_info has it */
 };
 
 #define NOTES_NONE \
-  { TEXT_BUFFER_EMPTY, 0, 0, 0, 0.0 }
+  { TEXT_BUFFER_EMPTY, 0, 0, 0, 0, "", {""}, 0, 0, 0.0 }
 
-/* Look for the names of --only, --hide and --radius among all atoms of a file. */
+/* Look for the names of --only, --hide and --radius among all atoms of a file, and for contradictions. */
 void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
 /* Look for those of --highlight among the atoms that are left. */
 void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
-/* Count water among the atoms that were measured. */
+/* Count water among the atoms that were measured, and what is no atom among those that were read. */
 void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
-/* A line for the names, one for water, one for labels without room, and one for a lattice that is coarse. */
+/* A line each for names that nothing has, contradictions, dummies, water, labels without room, and a coarse lattice. */
 void notes_print(const struct notes *notes, const struct request *request);
 
 void notes_free(struct notes *notes);

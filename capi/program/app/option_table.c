@@ -14,7 +14,7 @@ const struct option *option_at(size_t i) {
        .what = "a set, a file or 'list'",
        .help = "radii by element, for files without radii; bondi is the default. Elements that the set has\n"
                "no radius for get one of bondi, or 2, as do unknown atoms, X in .pdb and .cif, and the\n"
-               "table says so; X in .xyz is a dummy and left out"},
+               "table says so; X in .xyz, .sdf and .mol2 is a dummy and left out"},
       {"--radii", "protor|naccess|FILE", take_radii, EVERY,
        .help = "radii by residue and atom, else as bondi. A line of FILE, whose name has a dot or a\n"
                "slash, is RESIDUE ATOM RADIUS; FreeSASA's configuration files do too. A set without\n"
@@ -265,8 +265,8 @@ const struct option *option_at(size_t i) {
       {"--colour", "WHAT", take_colour_meaning, OF(DRAW), .words = "element|chain|residue|area|bfactor|charge|plddt",
        .what = "element, chain, residue, area, bfactor, charge, plddt or a file",
        .help = "what colours stand for: element, chain, residue (by its kind), area (that is free for a\n"
-               "water molecule), bfactor (of .pdb and .cif files), charge (of .pqr and .mol2 files, from\n"
-               "red to blue, pale where there is none), plddt (the column of bfactor in AlphaFold's four\n"
+               "water molecule), bfactor (of .pdb and .cif files), charge (of .pqr, .mol2 and .pdbqt files,\n"
+               "from red to blue, pale where there is none), plddt (the column of bfactor in AlphaFold's four\n"
                "bands: above 90, 70, 50, and below), or a file with a dot or slash in its\n"
                "name: a number for each ball that is drawn, each on its own line, # comments. Default as\n"
                "for --palette. Numbers go from blue to red, and darken nothing without --occlusion"},

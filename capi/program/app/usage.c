@@ -8,9 +8,9 @@
 #include "hardsphere.h"
 
 static const char files[] =
-    "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .sdf, .mol, .mol2, .pqr or .xyz, in angstrom once\n"
-    "read, or .xyzr (x y z r on each line, in any unit); - is standard input: gunzip -c x.pdb.gz | hardsphere measure "
-    "- --format pdb.\n"
+    "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .sdf, .mol, .mol2, .pqr, .pdbqt or .xyz, in\n"
+    "angstrom once read, or .xyzr (x y z r on each line, in any unit); - is standard input:\n"
+    "gunzip -c x.pdb.gz | hardsphere measure - --format pdb.\n"
     "One model and the first alternate location of each atom are read, ATOM and HETATM alike, water and hydrogens "
     "too;\n"
     "draw leaves out water. Tables and JSON say what was read and what was left out. A .cif file has Cartesian\n"
@@ -32,8 +32,9 @@ static const char statuses[] =
     "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
     "nothing; of a --trajectory it has the frames before the one at fault. With status 0 a line on stderr tells of "
     "names\n"
-    "in --only, --hide, --highlight and --radius that nothing has, of water that is counted in --csv, of labels of a\n"
-    "picture that have no room, and of a lattice that is coarse beside the smallest radius.\n";
+    "in --only, --hide, --highlight and --radius that nothing has, of dummies that are left out, of atoms' names that\n"
+    "say another element than the file, of water that is counted in --csv, of labels of a picture that have no room,\n"
+    "and of a lattice that is coarse beside the smallest radius.\n";
 
 /* So that the help of a command fits a screen. */
 #define FOR_ALL_COMMANDS                                                             \

@@ -17,7 +17,8 @@
   FORMAT(cif)           \
   FORMAT(gro)           \
   FORMAT(sdf)           \
-  FORMAT(mol2)
+  FORMAT(mol2)          \
+  FORMAT(pdbqt)
 
 #define DECLARE(name) extern const struct file_format name##_format;
 FORMATS(DECLARE)

@@ -168,7 +168,7 @@ static bool report_nameless(const struct molecule *molecule, uint32_t atom, stru
 /* All atoms were left out; `site` is the symbol of the virtual ones, if they have one. */
 static bool report_nothing(const struct molecule *molecule, const char *site, struct failure *failure) {
   const uint64_t sites = molecule->left_out.virtual_sites, hydrogens = molecule->left_out.hydrogens_of_set;
-  const bool dummies = strcmp(site, element_unknown.text) == 0;
+  const bool dummies = strcmp(site, "Ep") != 0 && strcmp(site, "Lp") != 0 && site[0] != 'M' && site[0] != '\0';
   if (sites > 0 && hydrogens > 0) {
     return failure_in_input(failure, 0,
                             "no atoms are left: all are virtual sites, %" PRIu64 ", or hydrogens, %" PRIu64

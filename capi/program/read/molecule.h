@@ -60,13 +60,15 @@ struct atom_label {
   bool hetatm : 1;               /* the file says that it belongs to no chain: to a ligand, an ion, water */
   bool by_name : 1;              /* its radius is by residue and atom */
   bool by_number : 1;            /* the file has the atomic number of the element */
+  bool by_letters : 1;           /* its element is a guess by the letters of its name */
+  bool contradicted : 1;         /* the file states another element than the name begins with */
   bool bead : 1; /* no atom, but several of a coarse-grained model, which needs a radius by residue and atom */
   bool
       virtual_site : 1; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
 };
 
 #define ATOM_LABEL_NONE \
-  { &residue_nameless, "", {""}, false, false, false, false, false }
+  { &residue_nameless, "", {""}, false, false, false, false, false, false, false }
 
 /* Further data of an atom in a file, which only pictures show. */
 struct atom_extra {

@@ -33,7 +33,7 @@ bool element_symbol_parse(const char *text, size_t length, struct element_symbol
   symbol->text[0] = to_upper(text[0]);
   symbol->text[1] = length == 2 ? to_lower(text[1]) : '\0';
   symbol->text[2] = '\0';
-  if (strcmp(symbol->text, "D") == 0) symbol->text[0] = 'H';
+  if (strcmp(symbol->text, "D") == 0 || strcmp(symbol->text, "T") == 0) symbol->text[0] = 'H';
   return true;
 }
 

@@ -11,8 +11,8 @@ struct element_symbol {
   char text[3];
 };
 
-/* Make a symbol of one or two letters in any case; deuterium, D, becomes H. False if the text is no such thing.
- * Whether an element has that symbol is another question. */
+/* Make a symbol of one or two letters in any case; deuterium and tritium, D and T, become H. False if the text is no
+ * such thing. Whether an element has that symbol is another question. */
 bool element_symbol_parse(const char *text, size_t length, struct element_symbol *symbol);
 
 /* The atomic number of the element with that symbol; 0 if there is none. */

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "read/alternate_locations.h"
+#include "read/atom_elements.h"
 #include "read/characters.h"
 #include "read/cif_component.h"
 #include "read/cif_crystal.h"
@@ -17,7 +18,6 @@
 #include "read/cif_tokens.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
-#include "read/residue_kinds.h"
 #include "read/words.h"
 
 enum { MOST_ITEMS = 256, MODEL_BYTES = 24 };
@@ -44,49 +44,25 @@ struct cif_reading {
   bool done;               /* they came from a block before */
 };
 
-/* Of a label such as Zn1, C12A or O2: its first letters are a symbol. Where two capitals may be that of one element or
- * begin with that of another, which is carbon or cobalt, it does not tell. */
-static bool element_of_label(struct field label, struct element_symbol *element) {
-  size_t letters = 0;
-  struct element_symbol one;
-  while (letters < label.length && letters < 2 && is_letter(label.text[letters])) ++letters;
-  const bool single = letters > 0 && element_symbol_parse(label.text, 1, &one) && element_symbol_exists(one);
-  const bool pair = letters == 2 && element_symbol_parse(label.text, 2, element) && element_symbol_exists(*element);
-  const bool lower = letters == 2 && is_lower(label.text[1]);
-  if (pair && (lower || !single)) return true;
-  if (pair || !single || lower) return false;
-  *element = one;
-  return true;
-}
-
-/* By the letters of a symbol that a charge may follow, FE or O2-; where there is none, by the name. */
-static bool take_element(const struct cif_row *row, struct field symbol, struct field name, bool small,
-                         struct atom_label *label, struct failure *failure) {
-  char shown[EXCERPT_BYTES];
-  const char usual = symbol.length == 1 ? symbol.text[0] : '\0';
-  if (usual == 'C' || usual == 'N' || usual == 'O' || usual == 'H' || usual == 'P') {
-    label->element.text[0] = usual;
+/* By a symbol that a charge may follow, FE or O2-; where there is none, by the name, which in crystals is a label. */
+static bool take_element(const struct cif_reading *reading, struct field symbol, struct field name,
+                         struct atom_label *label) {
+  if (symbol.length == 1 && atom_is_usual(symbol.text[0], label->residue->name)) {
+    label->element.text[0] = symbol.text[0];
     return true;
   }
-  if (symbol.length == 0) {
-    if (!small) label_take_element(NULL, label, name);
-    if (!small || element_of_label(name, &label->element)) return true;
-    return failure_in_input(failure, row->line, "no type_symbol, and the label '%s' does not tell the element",
-                            excerpt(shown, name.text, name.length));
-  }
-  size_t letters = 0;
-  while (letters < symbol.length && is_letter(symbol.text[letters])) ++letters;
-  size_t end = letters;
-  while (end < symbol.length && (is_digit(symbol.text[end]) || symbol.text[end] == '+' || symbol.text[end] == '-')) {
-    ++end;
-  }
-  if (end < symbol.length || !element_symbol_parse(symbol.text, letters, &label->element)) {
-    return failure_in_input(failure, row->line, "type_symbol: '%s' is not an element symbol",
-                            excerpt(shown, symbol.text, symbol.length));
-  }
-  label->virtual_site = is_virtual_symbol(label->element);
-  label_check_bead(label);
-  return true;
+  const bool *const has = reading->has;
+  const bool names = has[CIF_AUTH_ATOM] || has[CIF_LABEL_ATOM] || has[CIF_COMPONENT_ATOM];
+  const bool labels = !names && (has[CIF_SITE_LABEL] || reading->fractional);
+  const struct atom_evidence evidence = {labels ? ATOM_LABELS : ATOM_NAMES, name, symbol};
+  if (atom_take_element(&evidence, label)) return true;
+  char shown[EXCERPT_BYTES];
+  return symbol.length > 0
+             ? failure_in_input(reading->failure, reading->row.line, "type_symbol: '%s' is not an element symbol",
+                                excerpt(shown, symbol.text, symbol.length))
+             : failure_in_input(reading->failure, reading->row.line,
+                                "no type_symbol, and the label '%s' does not tell the element",
+                                excerpt(shown, name.text, name.length));
 }
 
 /* The file's name of the atom, with the label where the authors are silent. */
@@ -204,7 +180,7 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
     ++molecule->left_out.alternate_locations;
     return true;
   }
-  if (!take_element(row, cif_row_get(row, CIF_SYMBOL), name, reading->fractional, &label, failure) ||
+  if (!take_element(reading, cif_row_get(row, CIF_SYMBOL), name, &label) ||
       !molecule_add(molecule, xyz, 0.0, &label, row->line, failure)) {
     return false;
   }
@@ -224,7 +200,7 @@ static bool take_component_atom(struct cif_reading *reading) {
   label_copy(label.name, sizeof label.name, name);
   label_copy(residue.name, sizeof residue.name, cif_row_get(row, CIF_COMPONENT_NAME));
   if (!cif_component_take(&reading->component, row, reading->failure) ||
-      !take_element(row, cif_row_get(row, CIF_COMPONENT_SYMBOL), name, false, &label, reading->failure) ||
+      !take_element(reading, cif_row_get(row, CIF_COMPONENT_SYMBOL), name, &label) ||
       !molecule_add(reading->molecule, nowhere, 0.0, &label, row->line, reading->failure)) {
     return false;
   }

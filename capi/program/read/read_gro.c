@@ -5,6 +5,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "read/atom_elements.h"
 #include "read/characters.h"
 #include "read/frame_title.h"
 #include "read/number.h"
@@ -44,7 +45,7 @@ static bool take_coordinate(const struct line_reader *reader, size_t width, int 
                           number_complaint(status));
 }
 
-static bool read_atom(const struct line_reader *reader, size_t width, struct kinds_seen *seen,
+static bool read_atom(const struct line_reader *reader, size_t width, struct elements_seen *seen,
                       struct molecule *molecule, struct failure *failure) {
   const char *const text = reader->text;
   if (width == 0) {
@@ -61,7 +62,7 @@ static bool read_atom(const struct line_reader *reader, size_t width, struct kin
   word_put(residue.number, word_label(word_at(text), 5));
   word_put(residue.name, word_label(word_at(text + 5), 5));
   word_put(label.name, word_label(word_at(text + 10), 5));
-  label_take_element(seen, &label, (struct field){label.name, strlen(label.name)});
+  atom_take_element_again(seen, (struct field){label.name, strlen(label.name)}, &label);
   return molecule_add(molecule, xyz, 0.0, &label, reader->number, failure);
 }
 
@@ -131,8 +132,9 @@ static enum line_status find_model(struct line_reader *reader, struct molecule *
 static enum line_status read_model(struct line_reader *reader, uint64_t count, bool wanted, struct molecule *molecule,
                                    uint64_t *read, struct failure *failure) {
   size_t width = 0;
-  struct kinds_seen seen = {{{0, 0, 0, 0, {""}}}};
+  struct elements_seen seen;
   enum line_status status = LINE_READ;
+  memset(&seen, 0, sizeof seen);
   for (*read = 0; *read < count; ++*read) {
     status = line_reader_next(reader, failure);
     if (status != LINE_READ) return status;

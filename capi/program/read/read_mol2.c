@@ -1,17 +1,18 @@
 /* .mol2, of Tripos: sections that begin with "@<TRIPOS>" and a name. Read are
  *   MOLECULE   a name, the numbers of atoms, bonds and more, a type, and NO_CHARGES or where charges come from: each
  *              begins a model
- *   ATOM       id name x y z type [number residue [charge ..]]
+ *   ATOM       id name x y z type [number residue [charge ..]], where a name may have blanks
  *   BOND       id atom atom type
  * Lines that begin with '#' are comments. */
 #include <inttypes.h>
 #include <string.h>
 
+#include "read/atom_elements.h"
 #include "read/characters.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
 
-enum { MOST_COLUMNS = 10 };
+enum { USUAL_COLUMNS = 9, MOST_BLANKS = 3, MOST_COLUMNS = USUAL_COLUMNS + MOST_BLANKS };
 
 /* The section that is read, and the counts of the model that is wanted. */
 struct reading {
@@ -30,10 +31,26 @@ static void take_residue(struct residue_label *residue, struct field number, str
   label_copy(residue->number, sizeof residue->number, digits.length > 0 ? digits : number);
 }
 
-/* The element is what stands before the dot of the type: C.3, N.ar, Zn. Du is a dummy, LP a pair of electrons. */
-static bool read_atom(const struct line_reader *reader, const struct field *column, size_t columns, bool no_charges,
+static bool is_decimal(struct field field) {
+  double value;
+  return memchr(field.text, '.', field.length) != NULL && number_parse(field.text, field.length, &value) == NUMBER_OK;
+}
+
+/* Blanks in an atom's name make fields of its parts. z stands then where the type should, which is never a decimal
+ * number. Join the parts. */
+static void join_name(struct field *column, size_t *columns) {
+  size_t blanks = 0;
+  while (blanks < MOST_BLANKS && 6 + blanks < *columns && is_decimal(column[5 + blanks])) ++blanks;
+  if (blanks == 0 || is_digit(column[5 + blanks].text[0])) return;
+  column[1].length = (size_t)(column[1 + blanks].text - column[1].text) + column[1 + blanks].length;
+  *columns -= blanks;
+  for (size_t i = 2; i < *columns && i < USUAL_COLUMNS; ++i) column[i] = column[i + blanks];
+}
+
+static bool read_atom(const struct line_reader *reader, struct field *column, size_t columns, bool no_charges,
                       struct molecule *molecule, struct failure *failure) {
   static const char *const names[3] = {"x", "y", "z"};
+  join_name(column, &columns);
   if (columns < 6) {
     return failure_in_input(failure, reader->number, "expected id name x y z type, found %u of 6 columns",
                             (unsigned)columns);
@@ -43,16 +60,15 @@ static bool read_atom(const struct line_reader *reader, const struct field *colu
   if (columns >= 8) take_residue(&residue, column[6], column[7]);
   if (residue.name[0] != '\0') label.residue = &residue;
   label_copy(label.name, sizeof label.name, column[1]);
-  const struct field type = column[5];
-  const char *const dot = memchr(type.text, '.', type.length);
-  const struct field symbol = {type.text, dot == NULL ? type.length : (size_t)(dot - type.text)};
-  if (field_is(symbol, "DU") || field_is(symbol, "LP")) {
-    label.virtual_site = true;
-    label.element = virtual_symbol_of(symbol);
-  } else if (!label_take_symbol(&label, symbol)) {
-    char shown[EXCERPT_BYTES];
-    return failure_in_input(failure, reader->number, "unknown element in the type '%s'",
-                            excerpt(shown, type.text, type.length));
+  const struct atom_evidence evidence = {ATOM_TYPES, column[1], column[5]};
+  if (!atom_take_element(&evidence, &label)) {
+    char type[EXCERPT_BYTES], name[EXCERPT_BYTES];
+    excerpt(type, column[5].text, column[5].length);
+    excerpt(name, column[1].text, column[1].length);
+    return strchr(type, '.') != NULL
+               ? failure_in_input(failure, reader->number, "unknown element in the type '%s'", type)
+               : failure_in_input(failure, reader->number, "neither the type '%s' nor the name '%s' tells the element",
+                                  type, name);
   }
   double xyz[3];
   for (int axis = 0; axis < 3; ++axis) {

@@ -5,32 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "read/characters.h"
+#include "read/atom_elements.h"
 #include "read/number.h"
-#include "read/residue_kinds.h"
-
-void label_take_element(struct kinds_seen *seen, struct atom_label *label, struct field name) {
-  const char *const residue = label->residue->name;
-  const enum atom_kind kind = seen == NULL ? atom_kind_of(name, false, residue, &label->element)
-                                           : atom_kind_again(seen, name, residue, &label->element);
-  label->virtual_site = kind == ATOM_VIRTUAL;
-  label->bead = kind == ATOM_BEAD;
-  if (label->virtual_site) label->element = virtual_symbol_of(name);
-}
-
-bool label_take_symbol(struct atom_label *label, struct field text) {
-  uint64_t number;
-  if (number_parse_count(text.text, text.length, &number) == NUMBER_OK) {
-    label->by_number = true;
-    return element_symbol_of_number(number, &label->element);
-  }
-  size_t letters = 0;
-  while (letters < text.length && is_letter(text.text[letters])) ++letters;
-  if (!element_symbol_parse(text.text, letters, &label->element)) return false;
-  /* X is no unknown atom here, but a dummy that an internal coordinate was defined by. */
-  label->virtual_site = is_virtual_symbol(label->element) || element_is_unknown(label->element);
-  return true;
-}
 
 bool serial_of_number(struct field text, struct serial_label *serial) {
   static const char digits[] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -43,12 +19,6 @@ bool serial_of_number(struct field text, struct serial_label *serial) {
     number /= 36;
   }
   return number == 0;
-}
-
-void label_check_bead(struct atom_label *label) {
-  const bool guessed = strcmp(label->element.text, "B") == 0 || strcmp(label->element.text, "S") == 0;
-  label->bead = label->bead || (guessed && is_bead_name(label->name, label->residue->name));
-  if (label->bead) label->element = (struct element_symbol){""};
 }
 
 bool read_announced_model(struct line_reader *reader, uint64_t count, announced_atoms *read_atoms,
@@ -85,6 +55,7 @@ bool read_molecule(const char *path, const struct file_format *format, uint64_t 
   if (done) {
     done = format->read(reader, molecule, failure);
     line_reader_close(reader);
+    if (done) molecule_agree_elements(molecule);
   }
   free(reader);
   return done && check_atoms(molecule, failure);

@@ -7,21 +7,9 @@
 #include "read/failure.h"
 #include "read/line_reader.h"
 #include "read/molecule.h"
-#include "read/residue_kinds.h"
-
-/* Tell by its name, which stands in no columns, what element an atom of the labelled residue is, or that it is none. It
- * is empty if the name does not tell. seen: NULL, or as atom_kind_again. */
-void label_take_element(struct kinds_seen *seen, struct atom_label *label, struct field name);
-
-/* Take a symbol, a label that begins with one and goes on with something else, C1 or Fe3+, or an atomic number. False:
- * it is none of them. */
-bool label_take_symbol(struct atom_label *label, struct field text);
 
 /* The number of an atom, by which bonds name it, as a short text. False: it is none, or too large for that. */
 bool serial_of_number(struct field text, struct serial_label *serial);
-
-/* Tell whether the atom is a bead, by the names in the label, whatever element the file guesses from them: B or S. */
-void label_check_bead(struct atom_label *label);
 
 /* Read as many atoms as are announced, or step over them if they are not wanted. *read: how many there were. */
 typedef enum line_status announced_atoms(struct line_reader *reader, uint64_t count, bool wanted,

@@ -1,16 +1,17 @@
 /* .pdb: records in fixed columns, after "Protein Data Bank contents guide", version 3.3. Of an atom record count, in
  * columns from 1: name 13-16, alternate location 17, residue 18-20, chain 22, number and insertion code 23-27,
  * x 31-38, y 39-46, z 47-54, element 77-78; where there is no chain, the segment in 73-76. Neighbouring fields may
- * touch. Serial numbers, 7-11, are texts that CONECT records name atoms by. */
+ * touch. Serial numbers, 7-11, are texts that CONECT records name atoms by. .pdbqt: the same with a charge in 71-76 and
+ * a type of AutoDock's in 78-80. */
 #include <string.h>
 
 #include "read/alternate_locations.h"
+#include "read/atom_elements.h"
 #include "read/characters.h"
 #include "read/frame_title.h"
 #include "read/number.h"
 #include "read/pdb_records.h"
 #include "read/read_molecule.h"
-#include "read/residue_kinds.h"
 #include "read/words.h"
 
 enum { LAST_COLUMN = 80 };
@@ -20,29 +21,22 @@ static char column(const struct line_reader *reader, size_t number) {
   return number <= reader->length ? reader->text[number - 1] : ' ';
 }
 
-/* The element by columns 77-78: right-justified as the format wants it, or left-justified; a charge that begins in
- * column 78 is no part of it. Old files have line numbers there, or nothing: false. */
-static bool element_by_columns(const struct line_reader *reader, struct element_symbol *element) {
-  const char pair[2] = {column(reader, 77), column(reader, 78)};
-  if (is_letter(pair[0])) return element_symbol_parse(pair, is_letter(pair[1]) ? 2 : 1, element);
-  if (is_letter(pair[1]) && pair[0] == ' ') return element_symbol_parse(pair + 1, 1, element);
-  return false;
-}
-
-/* The element and whether it is none; empty if the record does not tell. */
-static void label_element(const struct line_reader *reader, struct atom_label *label) {
-  const struct field columns = {reader->text + 12, 4};
-  const bool by_columns = element_by_columns(reader, &label->element);
-  if (by_columns && element_symbol_exists(label->element)) {
-    label_check_bead(label);
-    return;
+/* The element in columns 77-78: right-justified as the format wants it, or left-justified; a charge that begins in
+ * column 78 is no part of it. Old files have line numbers there, or nothing. Letters in both 78 and 79 are a type of
+ * AutoDock's, which .pdbqt files have there and up to column 80. */
+static void label_element(const struct line_reader *reader, bool autodock, struct atom_label *label) {
+  const char *const text = reader->text;
+  const bool pair = is_letter(column(reader, 78));
+  struct atom_evidence evidence = {ATOM_COLUMNS, {text + 12, 4}, {"", 0}};
+  if (is_letter(column(reader, 77))) {
+    evidence.stated = (struct field){text + 76, pair ? 2 : 1};
+  } else if (autodock || (pair && is_letter(column(reader, 79)))) {
+    evidence.dialect = ATOM_AUTODOCK;
+    evidence.stated = field_in_columns(text, reader->length, 78, 80);
+  } else if (pair && column(reader, 77) == ' ') {
+    evidence.stated = (struct field){text + 77, 1};
   }
-  struct element_symbol by_name = {""};
-  const enum atom_kind kind = atom_kind_of(columns, true, label->residue->name, &by_name);
-  label->virtual_site = kind == ATOM_VIRTUAL || (by_columns && is_virtual_symbol(label->element));
-  if (!by_columns || element_is_unknown(by_name))
-    label->element = kind == ATOM_VIRTUAL ? virtual_symbol_of(columns) : by_name;
-  label->bead = kind == ATOM_BEAD && !by_columns;
+  atom_take_element(&evidence, label);
 }
 
 /* The name of the segment, which CHARMM and NAMD write instead of a chain. Files of before 1996 have the entry's name
@@ -91,10 +85,25 @@ static void take_extra(const struct line_reader *reader, struct atom_extra *extr
   extra->has_value = number_parse(factor.text, factor.length, &extra->value) == NUMBER_OK;
 }
 
+static bool is_autodock(const struct molecule *molecule) {
+  return (molecule->format->features & FILE_CHARGES) != 0;
+}
+
+/* Where .pdb files have a segment, .pdbqt files have a charge, 71-76. */
+static void move_charge(const struct line_reader *reader, char charge[7]) {
+  for (size_t i = 0; i < 6; ++i) {
+    charge[i] = column(reader, 71 + i);
+    if (71 + i <= reader->length) reader->text[70 + i] = ' ';
+  }
+}
+
 static bool read_atom(const struct line_reader *reader, struct alternate_locations *seen, struct molecule *molecule,
                       struct failure *failure) {
   const uint64_t line = reader->number;
+  const bool autodock = is_autodock(molecule);
+  char charge[7] = "";
   if (!check_columns(reader, failure)) return false;
+  if (autodock) move_charge(reader, charge);
   double xyz[3];
   static const char *const names[3] = {"x (columns 31-38)", "y (columns 39-46)", "z (columns 47-54)"};
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -116,9 +125,14 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
     ++molecule->left_out.alternate_locations;
     return true;
   }
-  label_element(reader, &label);
+  label_element(reader, autodock, &label);
   if (!molecule_add(molecule, xyz, 0.0, &label, line, failure)) return false;
-  take_extra(reader, molecule_last_extra(molecule));
+  struct atom_extra *const extra = molecule_last_extra(molecule);
+  take_extra(reader, extra);
+  if (autodock && extra != NULL) {
+    const struct field value = field_in_columns(charge, 6, 1, 6);
+    extra->has_value = number_parse(value.text, value.length, &extra->value) == NUMBER_OK;
+  }
   return true;
 }
 
@@ -135,17 +149,6 @@ static bool has_tab(const char *text) {
   uint32_t found = 0;
   for (size_t at = 0; at < 64; at += 16) found |= equal_in_16(text + at, '\t');
   return (found | equal_in_16(text + 56, '\t')) != 0;
-}
-
-/* An element's symbol of one or two letters, right-justified in columns 77-78. */
-static bool plain_element(const char *columns, struct element_symbol *element) {
-  if (columns[0] == ' ') {
-    const char one = columns[1];
-    element->text[0] = one;
-    return one == 'C' || one == 'N' || one == 'O' || one == 'H' || one == 'S' || one == 'P';
-  }
-  return is_letter(columns[0]) && is_letter(columns[1]) && element_symbol_parse(columns, 2, element) &&
-         element_symbol_exists(*element);
 }
 
 static bool goes_on(const struct plain_records *plain, const uint64_t columns[3]) {
@@ -175,15 +178,15 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
   for (size_t axis = 0; axis < 3; ++axis) {
     if (!word_number(word_at(text + 30 + 8 * axis), &xyz[axis])) return LINE_END;
   }
-  if (!plain_element(text + 76, &label.element)) return LINE_END;
   const uint64_t columns[3] = {word_at(text + 17), word_at(text + 19), word_at(text + 68)};
   const bool on = goes_on(plain, columns);
   if (!on && text[21] == ' ') return LINE_END; /* it may be the segment's name that tells the chain */
   if (!on) plain_residue(text, columns, plain);
   label.residue = on ? plain->kept : &plain->residue;
+  if (text[76] != ' ' || is_letter(text[78]) || !atom_is_usual(text[77], label.residue->name)) return LINE_END;
+  label.element.text[0] = text[77];
   label.hetatm = text[0] == 'H';
   word_put(label.name, word_label(word_at(text + 12), 4));
-  label_check_bead(&label);
   bool keep;
   if (on) {
     alternate_locations_go_on(seen);
@@ -201,7 +204,8 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
 
 static bool read_any_atom(struct line_reader *reader, struct plain_records *plain, struct alternate_locations *seen,
                           struct molecule *molecule, struct failure *failure) {
-  const enum line_status status = read_plain_atom(reader, plain, seen, molecule, failure);
+  const enum line_status status =
+      is_autodock(molecule) ? LINE_END : read_plain_atom(reader, plain, seen, molecule, failure);
   if (status == LINE_END) plain->columns[0] = 0;
   return status == LINE_END ? read_atom(reader, seen, molecule, failure) : status == LINE_READ;
 }
@@ -258,3 +262,12 @@ const struct file_format pdb_format = {.name = "pdb",
                                        .nameless = "no element in columns 77-78, and none",
                                        .read = read_pdb,
                                        .next = next_pdb};
+
+/* The files of AutoDock, Vina and their kin: the same records, and those of a ligand's branches, which are none. */
+const struct file_format pdbqt_format = {
+    .name = "pdbqt",
+    .extensions = "PDBQT",
+    ANGSTROM,
+    .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_CHARGES,
+    .nameless = "no known type in columns 78-79, and no element",
+    .read = read_pdb};

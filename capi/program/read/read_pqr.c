@@ -4,10 +4,10 @@
  * columns of a PDB file, in which x, y and z may touch. A record that cannot be read by fields is read by columns. */
 #include <string.h>
 
+#include "read/atom_elements.h"
 #include "read/characters.h"
 #include "read/pdb_records.h"
 #include "read/read_molecule.h"
-#include "read/residue_kinds.h"
 
 enum { MOST_FIELDS = 12 };
 
@@ -104,7 +104,7 @@ static void label_number(struct field number, struct residue_label *label) {
   label_copy(label->number, sizeof label->number, number);
 }
 
-static bool read_atom(const struct line_reader *reader, struct kinds_seen *seen, struct molecule *molecule,
+static bool read_atom(const struct line_reader *reader, struct elements_seen *seen, struct molecule *molecule,
                       struct failure *failure) {
   const uint64_t line = reader->number;
   struct record record;
@@ -128,11 +128,15 @@ static bool read_atom(const struct line_reader *reader, struct kinds_seen *seen,
   label_copy(residue.chain, sizeof residue.chain, record.chain);
   label_number(record.number, &residue);
   label.hetatm = pdb_record_is_hetatm(reader->text);
-  if (record.element.length == 0 || !element_symbol_parse(record.element.text, record.element.length, &label.element)) {
-    /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
-    const enum atom_kind kind = atom_kind_again(seen, record.name, residue.name, &label.element);
-    if (kind != ATOM_KNOWN) label.element.text[0] = '\0';
+  /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
+  const struct atom_evidence evidence = {ATOM_NAMES, record.name, record.element};
+  if (record.element.length > 0) {
+    atom_take_element(&evidence, &label);
+  } else {
+    atom_take_element_again(seen, record.name, &label);
+    if (label.virtual_site || label.bead) label.element.text[0] = '\0';
   }
+  label.virtual_site = label.bead = false;
   if (!molecule_add(molecule, value, radius, &label, line, failure)) return false;
   struct atom_extra *const extra = molecule_last_extra(molecule);
   if (extra != NULL) {
@@ -144,8 +148,9 @@ static bool read_atom(const struct line_reader *reader, struct kinds_seen *seen,
 
 static bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   struct pdb_models models = {0, false};
-  struct kinds_seen seen = {{{0, 0, 0, 0, {""}}}};
+  struct elements_seen seen;
   bool record_seen = false;
+  memset(&seen, 0, sizeof seen);
   for (;;) {
     const enum line_status status = pdb_next_atom(reader, molecule, &models, &record_seen, failure);
     if (status != LINE_READ) return status == LINE_END;

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "read/atom_elements.h"
 #include "read/characters.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
@@ -34,8 +35,9 @@ static bool add_atom(const struct line_reader *reader, struct field symbol, cons
                      struct field index, struct molecule *molecule, struct failure *failure) {
   static const char *const names[3] = {"x", "y", "z"};
   struct atom_label label = ATOM_LABEL_NONE;
+  const struct atom_evidence evidence = {ATOM_QUERIES, {"", 0}, symbol};
   double xyz[3];
-  if (!label_take_symbol(&label, symbol)) {
+  if (!atom_take_element(&evidence, &label)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, reader->number, "unknown element '%s'",
                             excerpt(shown, symbol.text, symbol.length));

@@ -4,11 +4,11 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "read/atom_elements.h"
 #include "read/characters.h"
 #include "read/frame_title.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
-#include "read/residue_kinds.h"
 
 /* Step to the next line that is not blank and split it. */
 static enum line_status next_filled_line(struct line_reader *reader, struct field *column, size_t capacity,
@@ -93,7 +93,8 @@ static bool read_atom(struct line_reader *reader, const struct field *column, si
   }
   struct atom_label label = ATOM_LABEL_NONE;
   const struct field element = column[columns.element];
-  if (!label_take_symbol(&label, element)) {
+  const struct atom_evidence evidence = {ATOM_SYMBOLS, {"", 0}, element};
+  if (!atom_take_element(&evidence, &label)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, line, "unknown element '%s'; expected a symbol such as C or Cl, or a number",
                             excerpt(shown, element.text, element.length));
