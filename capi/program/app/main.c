@@ -30,6 +30,7 @@
 static bool prepare(const struct request *request, struct molecule *molecule, struct notes *notes,
                     struct failure *failure) {
   if (!index_file_suits(&request->index, request->index_file, molecule->read, failure)) return false;
+  notes_look_at_file(notes, request, molecule);
   notes_look_among_all(notes, request, molecule);
   if (!selection_apply(&request->selection, molecule, failure)) return false;
   if (request->command == COMMAND_DRAW && !request->drawing.water) selection_hide_water(molecule);

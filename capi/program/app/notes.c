@@ -26,6 +26,40 @@ static void look_for_elements(struct notes *notes, const char *text, const struc
   }
 }
 
+/* All at z = 0, as in drawings and in files that never had coordinates; three are always in a plane. */
+static bool is_flat(const struct molecule *molecule) {
+  enum { ENOUGH = 4 };
+  uint32_t atom = 0;
+  while (atom < molecule->atoms && molecule->xyz[3 * (size_t)atom + 2] == 0.0) ++atom;
+  return atom == molecule->atoms && atom >= ENOUGH;
+}
+
+static uint32_t count_at_origin(const struct molecule *molecule) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const double *const xyz = molecule->xyz + 3 * (size_t)i;
+    if (xyz[0] == 0.0 && xyz[1] == 0.0 && xyz[2] == 0.0) ++count;
+  }
+  return count;
+}
+
+void notes_look_at_file(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+  const bool orders = file_format_has(molecule->format, FILE_ORDERS);
+  if (molecule->remark != NULL) text_buffer_add(&notes->lines, "%s\n", molecule->remark);
+  if (request->trajectory != NULL) return;                               /* its frames are read, all of them */
+  if (molecule->models > 1 && !request->model_given && !request->json) { /* whose object has it */
+    text_buffer_add(&notes->lines, "%s 1 of %" PRIu64 " is read, and no other; --model N takes another one\n",
+                    orders ? "molecule" : "model", molecule->models);
+  }
+  const uint32_t at_origin = file_format_has(molecule->format, FILE_ELEMENTS) ? count_at_origin(molecule) : 0;
+  if (at_origin > 1) {
+    text_buffer_add(&notes->lines, "%" PRIu32 " atoms stand in one point, 0 0 0: they may have no coordinates\n",
+                    at_origin);
+  } else if (orders && is_flat(molecule)) {
+    text_buffer_add(&notes->lines, "all z are 0: a flat molecule, or a drawing, which says nothing of space\n");
+  }
+}
+
 void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule) {
   selection_list_unmatched(&request->selection, molecule, &notes->unmatched);
   if (request->overrides.length > 0) look_for_elements(notes, request->overrides.text, molecule);
@@ -50,6 +84,10 @@ void notes_count_water(struct notes *notes, const struct request *request, const
 void notes_print(const struct notes *notes, const struct request *request) {
   const uint64_t waters = notes->waters;
   struct failure note = {0, NULL, 0, ""};
+  for (const char *line = notes->lines.text; line != NULL && *line != '\0'; line += strcspn(line, "\n") + 1) {
+    snprintf(note.reason, sizeof note.reason, "%.*s", (int)strcspn(line, "\n"), line);
+    print(request, &note);
+  }
   if (notes->unmatched.length > 0) {
     snprintf(note.reason, sizeof note.reason, "nothing matches %s", notes->unmatched.text);
     print(request, &note);
@@ -78,5 +116,6 @@ void notes_print(const struct notes *notes, const struct request *request) {
 }
 
 void notes_free(struct notes *notes) {
+  text_buffer_free(&notes->lines);
   text_buffer_free(&notes->unmatched);
 }

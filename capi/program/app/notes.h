@@ -6,16 +6,19 @@
 #include "read/molecule.h"
 #include "read/text_buffer.h"
 
-/* Names in lists that nothing has: "--only chain:Z, --radius Xx". */
 struct notes {
-  struct text_buffer unmatched;
-  uint64_t waters; /* that are counted where the output cannot say so: in --csv */
+  struct text_buffer lines;     /* of the file, each ended by '\n' */
+  struct text_buffer unmatched; /* names in lists that nothing has: "--only chain:Z, --radius Xx" */
+  uint64_t waters;              /* that are counted where the output cannot say so: in --csv */
   uint64_t labels, labels_left_out;
   double largest_rounding; /* as hsp_model_info has it */
 };
 
 #define NOTES_NONE \
-  { TEXT_BUFFER_EMPTY, 0, 0, 0, 0.0 }
+  { TEXT_BUFFER_EMPTY, TEXT_BUFFER_EMPTY, 0, 0, 0, 0.0 }
+
+/* Look for strange things in a file that was read: molecules that were not, atoms without places. */
+void notes_look_at_file(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
 /* Look for the names of --only, --hide and --radius among all atoms of a file. */
 void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule);
@@ -26,7 +29,8 @@ void notes_look_among_chosen(struct notes *notes, const struct request *request,
 /* Count water among the atoms that were measured. */
 void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
-/* A line for the names, one for water, one for labels without room, and one for a lattice that is coarse. */
+/* Those of the file, a line for the names, one for water, one for labels without room, and one for a lattice that is
+ * coarse. */
 void notes_print(const struct notes *notes, const struct request *request);
 
 void notes_free(struct notes *notes);

@@ -125,6 +125,7 @@ struct molecule {
   size_t bond_capacity;
   struct left_out left_out;
   struct frame_stamp frame;
+  const char *remark;       /* what a user should know of the file, in one line, not owned; or NULL */
   const char *coordinates;  /* where they are not the usual ones: the name of their first item, not owned; or NULL */
   struct symmetry symmetry; /* that goes with the box of the frame */
 };

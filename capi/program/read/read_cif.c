@@ -438,6 +438,7 @@ static bool read_item(struct cif_reading *reading) {
 static bool read_all(struct cif_reading *reading) {
   struct cif_tokens *tokens = &reading->tokens;
   bool block_seen = false;
+  char shown[EXCERPT_BYTES];
   cif_tokens_next(tokens);
   while (tokens->kind != CIF_FAILED) {
     if (tokens->kind == CIF_TAG && block_seen) {
@@ -452,11 +453,11 @@ static bool read_all(struct cif_reading *reading) {
       block_seen = true;
       cif_tokens_next(tokens);
     } else if (!block_seen) {
-      return failure_in_input(reading->failure, tokens->line, "no CIF file: it does not begin with data_");
+      return failure_in_input(reading->failure, tokens->line, "no CIF file: '%s' stands before data_",
+                              excerpt(shown, tokens->text.text, tokens->text.length));
     } else if (tokens->kind == CIF_LOOP) {
       if (!read_loop(reading)) return false;
     } else {
-      char shown[EXCERPT_BYTES];
       return failure_in_input(reading->failure, tokens->line, "'%s' stands where a tag should",
                               excerpt(shown, tokens->text.text, tokens->text.length));
     }
