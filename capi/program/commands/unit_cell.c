@@ -122,17 +122,22 @@ static bool add_copy(struct molecule *molecule, struct image_table *there, const
   double shift[3];
   find_shift(fraction, atoms, symmetry, shift);
   for (uint32_t i = 0; i < atoms; ++i) {
-    double image[3], xyz[3];
+    double image[3], xyz[3], own[3], error[3];
     apply(symmetry, fraction + 3 * (size_t)i, image);
+    image_table_error(there, i, own);
+    for (int k = 0; k < 3; ++k) {
+      const double *const row = symmetry->rotation + 3 * k;
+      error[k] = fabs(row[0]) * own[0] + fabs(row[1]) * own[1] + fabs(row[2]) * own[2];
+    }
     for (int k = 0; k < 3; ++k) image[k] += shift[k] - molecule->symmetry.origin[k];
-    if (image_table_has(there, image, molecule->label[i].element)) {
+    if (image_table_has(there, image, error, molecule->label[i].element)) {
       ++molecule->symmetry.shared;
       continue;
     }
     box_point(&molecule->frame.box, image, xyz);
     const struct atom_label label = molecule->label[i];
     if (!molecule_add(molecule, xyz, molecule->radius[i], &label, molecule->line[i], failure)) return false;
-    image_table_add_last(there);
+    image_table_add_last(there, error);
   }
   return true;
 }

@@ -31,6 +31,7 @@ struct cif_reading {
   const struct residue_label *residue; /* of the atom of the row before, which had no letter; NULL: of none */
   bool hetatm;                         /* likewise */
   struct cif_crystal crystal;          /* of this block */
+  unsigned char decimals[3];           /* of the fractions of the row's atom */
   struct cif_component component;
   enum cif_table table;    /* that is read */
   enum cif_table source;   /* that atoms come from: what is no component comes first */
@@ -162,7 +163,8 @@ static bool take_fractions(struct cif_reading *reading, double xyz[3], bool *kee
   }
   for (int axis = 0; axis < 3; ++axis) {
     const struct field number = cif_row_get(row, (enum cif_item)(CIF_FRACTION_X + axis));
-    if (!cif_crystal_fraction(&reading->crystal, number, names[axis], &xyz[axis], row->line, reading->failure)) {
+    unsigned char *const decimals = &reading->decimals[axis];
+    if (!cif_crystal_fraction(number, names[axis], &xyz[axis], decimals, row->line, reading->failure)) {
       return false;
     }
   }
@@ -185,6 +187,7 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
   struct atom_label label = ATOM_LABEL_NONE;
   const struct field name = name_of(row);
   take_name(row, name, &label);
+  memcpy(label.decimals, reading->decimals, sizeof label.decimals);
   char letter = ' ';
   if (before != NULL) {
     label.residue = before;
