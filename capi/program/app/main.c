@@ -17,6 +17,7 @@
 #include "commands/command_frames.h"
 #include "commands/commands.h"
 #include "commands/measure_mean.h"
+#include "commands/polarity.h"
 #include "commands/unit_cell.h"
 #include "read/failure.h"
 #include "read/geometry.h"
@@ -40,7 +41,7 @@ static bool prepare(const struct request *request, struct molecule *molecule, st
 
 static unsigned keeping_of(const struct request *request) {
   return (request->trajectory != NULL || request->index.count > 0 ? KEEP_PLACES : KEEP_NO_MORE) |
-         (request->command == COMMAND_DRAW ? KEEP_EXTRAS : KEEP_NO_MORE);
+         (request->command == COMMAND_DRAW || request->polar ? KEEP_EXTRAS : KEEP_NO_MORE);
 }
 
 /* Read the file of a request and do what it asks for, by so many threads. */
@@ -52,7 +53,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
   bool done = read_molecule(request->file, request->format, request->model, keeping_of(request), &molecule, failure) &&
-              prepare(request, &molecule, notes, failure);
+              prepare(request, &molecule, notes, failure) && (!request->polar || polarity_find(&molecule, failure));
   if (done && request->trajectory != NULL) {
     const struct frame_work work = {.command = command};
     double *const rounding = &notes->largest_rounding;

@@ -69,7 +69,8 @@ const struct option *option_at(size_t i) {
        .help = "also the sum of weight x free area; one number per ball, each on its own line, #\n"
                "comments"},
       {"--polar", NULL, take_flag, OF(MEASURE), .target = IN(polar),
-       .help = "also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others"},
+       .help = "also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others;\n"
+               "hydrogens count with the atom that they are bound to, by the file's bonds or by distance"},
       {"--by", "residue|chain|group", take_choice, OF(MEASURE), .target = IN(by), .words = "residue|chain|group",
        .first = 1,
        .help = "also sums over residues or chains, except for .xyz and .xyzr, or over the groups of\n"

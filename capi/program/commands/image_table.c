@@ -6,8 +6,8 @@
 
 #include "read/number.h"
 
-/* In angstrom: no two atoms are nearer to each other than the first, and places that are nearer than the second are one:
- * three times what PDB files round, and more than numbers of many digits differ that other programs wrote. */
+/* In angstrom: no two atoms are nearer to each other than the first, and places nearer than the second are one: three
+ * times what PDB files round, and more than numbers of many digits differ that other programs wrote. */
 static const double shortest = 0.5, same_place = 0.01;
 
 enum { MOST_CELLS = 1000, MOST_BUCKETS = 1 << 22 };

@@ -63,14 +63,16 @@ struct atom_label {
   bool bead : 1; /* no atom, but several of a coarse-grained model, which needs a radius by residue and atom */
   bool
       virtual_site : 1; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
+  bool polar : 1;       /* polarity.h */
+  bool apolar : 1;      /* likewise */
   unsigned char decimals[3]; /* digits behind the points of its coordinates if they are fractions of a cell; else 0 */
 };
 
-#define ATOM_LABEL_NONE                                               \
-  {                                                                   \
-    &residue_nameless, "", {""}, false, false, false, false, false, { \
-      0, 0, 0                                                         \
-    }                                                                 \
+#define ATOM_LABEL_NONE                                                             \
+  {                                                                                 \
+    &residue_nameless, "", {""}, false, false, false, false, false, false, false, { \
+      0, 0, 0                                                                       \
+    }                                                                               \
   }
 
 /* Further data of an atom in a file, which only pictures show. */
