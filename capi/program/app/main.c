@@ -69,6 +69,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
     done = done && geometry_set_model(&geometry, &molecule, grown, 0.0, failure);
     if (done && !request_wants_places(request)) molecule_drop_balls(&molecule);
     done = done && command(request, &molecule, &geometry, out, failure);
+    if (geometry.misfit[0] != '\0') text_buffer_add(&notes->lines, "%s\n", geometry.misfit);
     notes->labels = geometry.labels;
     notes->labels_left_out = geometry.labels_left_out;
     notes->largest_rounding = geometry.largest_rounding;

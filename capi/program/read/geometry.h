@@ -22,6 +22,7 @@ struct geometry {
   uint32_t bonds;
   uint32_t multiple_bonds;          /* among the sticks, where the file says so */
   bool multiple_shown;              /* as such */
+  char misfit[256];                 /* what of them did not fit, and what became of it; empty where all do */
   uint64_t labels, labels_left_out; /* of pictures; those for which there was no room */
   hsp_periodic *periodic;           /* NULL at first */
   void *periodic_memory;
