@@ -129,6 +129,21 @@ TEST(FileStatements, LinesOfV3000GoOn) {
             "6: the line before ends in '-', but M  V30 does not go on\n");
 }
 
+// A table may be the last thing in a file, but all of it.
+TEST(FileStatements, TablesOfV3000ThatEndWithTheFile) {
+  const std::string text = v3000("M  V30 1 C 0 0 1 0\nM  V30 2 O 0 1.2 0.5 0\n", "M  V30 1 2 1 2\n");
+  const size_t whole = text.find("M  V30 END CTAB") + 15;
+  for (size_t length = 0; length <= text.size(); ++length) {
+    const TemporaryFile file("cut.sdf", text.substr(0, length));
+    const Outcome outcome = run_program({"measure", file.path(), "--csv"});
+    EXPECT_EQ(outcome.status, length < whole ? 1 : 0) << length << outcome.err;
+    EXPECT_EQ(outcome.err.empty(), length >= whole);
+  }
+  const TemporaryFile cut("cut.sdf", text.substr(0, text.find("M  V30 END ATOM")));
+  EXPECT_EQ(run_program({"measure", cut.path()}).err,
+            "hardsphere: " + cut.path() + ":4: the table ends before M  V30 END CTAB\n");
+}
+
 std::string sdf(const std::string &mark, const std::vector<std::string> &z) {
   std::string text = "hand made\n  by hand 0101010000" + mark + "\n\n  " + std::to_string(z.size()) +
                      "  0  0  0  0  0            999 V2000\n";

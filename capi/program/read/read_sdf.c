@@ -12,8 +12,9 @@
 
 enum { HEADER_LINES = 3, MOST_COLUMNS = 8 };
 
+/* At the end of the file there is no line. */
 static bool is_end_of_record(const struct line_reader *reader) {
-  return strncmp(reader->text, "$$$$", 4) == 0;
+  return reader->text != NULL && strncmp(reader->text, "$$$$", 4) == 0;
 }
 
 /* Past the end of the record, or of the file. */
@@ -149,18 +150,24 @@ static bool read_table(struct line_reader *reader, struct text_buffer *joined, s
   enum { OUTSIDE, ATOMS, BONDS } block = OUTSIDE;
   const uint64_t counts_line = reader->number;
   uint64_t announced = 0, found = 0;
+  bool closed = false;
   for (;;) {
     struct field column[MOST_COLUMNS];
     size_t columns = 0;
     const enum line_status status = next_of_table(reader, joined, column, &columns, failure);
     if (status == LINE_FAILED) return false;
-    if (status == LINE_END || columns == 0) break;
+    if (columns == 0) {
+      closed = closed || (status == LINE_READ && (strncmp(reader->text, "M  END", 6) == 0 || is_end_of_record(reader)));
+      if (!closed) return failure_in_input(failure, counts_line, "the table ends before M  V30 END CTAB");
+      break;
+    }
     if (field_is(column[0], "COUNTS") && columns > 1) {
       if (number_parse_count(column[1].text, column[1].length, &announced) != NUMBER_OK) announced = 0;
     } else if (field_is(column[0], "BEGIN") && columns > 1) {
       block = field_is(column[1], "ATOM") ? ATOMS : field_is(column[1], "BOND") ? BONDS : OUTSIDE;
     } else if (field_is(column[0], "END")) {
       block = OUTSIDE;
+      closed = closed || (columns > 1 && field_is(column[1], "CTAB"));
     } else if (block != OUTSIDE && columns < (block == ATOMS ? 5U : 4U)) {
       return failure_in_input(failure, reader->number, "expected %s",
                               block == ATOMS ? "M  V30 index type x y z" : "M  V30 index type atom atom");
