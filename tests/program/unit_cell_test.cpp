@@ -324,6 +324,11 @@ TEST(UnitCell, TheTableSaysWhatWasMade) {
       if (it.row[0] == '\0') continue;
       EXPECT_EQ(outcome.out.substr(at_row + 19, std::string(it.row).size()), it.row);
     }
+    // Tables of numbers have no such row, and a line has what is missing.
+    const Outcome csv = run_program({"measure", file.path(), "--box", it.box, "--csv"});
+    const bool missing = it.box[0] == 'f' && std::string(it.row).find("not made") != std::string::npos;
+    EXPECT_EQ(csv.err.find("copies by symmetry are not made") != std::string::npos, missing) << csv.err;
+    EXPECT_EQ(run_program({"measure", file.path(), "--csv"}).err.find("symmetry"), std::string::npos);
     // Without a box nothing is filled.
     EXPECT_EQ(run_json({"measure", file.path()})["n"].number, 1);
   }

@@ -62,6 +62,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
   } else {
     geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
     done = done && unit_cell_fill(request, &molecule, failure);
+    if (done) notes_look_at_symmetry(notes, request, &molecule.symmetry);
     geometry_share_work(&geometry, threads, molecule.atoms);
     out->threads = threads;
     /* Pores are those of every probe. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "commands/input_report.h"
+#include "commands/unit_cell.h"
 #include "read/line_reader.h"
 
 static bool names_element(const struct molecule *molecule, struct element_symbol symbol) {
@@ -57,6 +58,14 @@ void notes_look_at_file(struct notes *notes, const struct request *request, cons
                     at_origin);
   } else if (orders && is_flat(molecule)) {
     text_buffer_add(&notes->lines, "all z are 0: a flat molecule, or a drawing, which says nothing of space\n");
+  }
+}
+
+void notes_look_at_symmetry(struct notes *notes, const struct request *request, const struct symmetry *symmetry) {
+  char text[UNIT_CELL_TEXT_BYTES];
+  if (!request->csv || request->box.source != BOX_OF_FILE || request->box.without_copies) return;
+  if (!symmetry->filled && !symmetry_is_none(symmetry)) {
+    text_buffer_add(&notes->lines, "%s\n", unit_cell_text(text, symmetry));
   }
 }
 
