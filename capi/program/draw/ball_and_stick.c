@@ -273,7 +273,7 @@ static void tell_misfit(const struct parts *parts, const char *reason, struct ge
  * either, what is in the way of a few is changed. */
 static bool compute_bonds(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
                           double axis[3][3], struct parts *parts, struct geometry *geometry, struct failure *failure) {
-  enum { MOST = 40, SHARE = 20 };
+  enum { MOST = 40, SHARE = 10 };
   const uint32_t most = geometry->bonds / SHARE + 2 < MOST ? geometry->bonds / SHARE + 2 : MOST;
   const struct {
     bool orders;
