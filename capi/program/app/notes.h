@@ -26,7 +26,7 @@ void notes_look_among_all(struct notes *notes, const struct request *request, co
 /* Look for those of --highlight among the atoms that are left. */
 void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
-/* What the table says of copies by symmetry that are asked for and not made, in --csv, which does not. */
+/* Note that copies by symmetry are asked for and not made, in --csv, which has no row for that. */
 void notes_look_at_symmetry(struct notes *notes, const struct request *request, const struct symmetry *symmetry);
 
 /* Count water among the atoms that were measured. */

@@ -14,20 +14,11 @@ static bool is_one_of(struct element_symbol element, const char *const symbols[3
   return false;
 }
 
-static double squared_length(const struct molecule *molecule, const struct bond *bond) {
-  double sum = 0.0;
-  for (size_t axis = 0; axis < 3; ++axis) {
-    const double d = molecule->xyz[3 * (size_t)bond->atom[0] + axis] - molecule->xyz[3 * (size_t)bond->atom[1] + axis];
-    sum += d * d;
-  }
-  return sum;
-}
-
 /* Hydrogens that are bound to each other say nothing. */
 static void follow_bonds(struct molecule *molecule, const struct bond *bonds, uint32_t count, double *nearest) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) nearest[i] = HUGE_VAL;
   for (uint32_t k = 0; k < count; ++k) {
-    const double length = squared_length(molecule, &bonds[k]);
+    const double length = atoms_squared_distance(molecule, bonds[k].atom[0], bonds[k].atom[1]);
     for (int end = 0; end < 2; ++end) {
       const uint32_t atom = bonds[k].atom[end];
       struct atom_label *const label = &molecule->label[atom];
