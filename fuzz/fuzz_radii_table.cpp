@@ -68,8 +68,8 @@ bool same(const Reading &a, const Reading &b) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   // Bytes that are no text make words that these files have.
-  static constexpr const char *words[] = {"types:", "atoms:", "name:", "ALA", "ANY", "*", "CB", "\n",
-                                          " ",      "1.5",    "HOH",   "N",   "x",   "#", "-",  "polar"};
+  static constexpr const char *words[] = {"types:", "atoms:", "name:", "ALA", "ANY",     "*", "CB",   "\n",
+                                          " ",      "1.5",    "HOH",   "N",   "RESIDUE", "#", "ATOM", "polar"};
   std::string text;
   for (size_t i = 0; i < size; ++i) {
     if (data[i] >= 0x80) {

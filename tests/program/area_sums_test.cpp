@@ -49,6 +49,81 @@ TEST(AreaSums, PolarAndApolar) {
   EXPECT_EQ(run_program({"measure", "good/three.xyzr", "--polar"}).status, 2);
 }
 
+struct Place {
+  const char *element;
+  double x, y, z;
+  char kind;  // p: polar, a: apolar, o: other
+};
+
+// The three sums of a file against those over its balls, whose kinds are known.
+void expect_kinds(const std::string &name, const std::string &text, const std::vector<Place> &places,
+                  const std::vector<std::string> &more = {}) {
+  const TemporaryFile file(name, text);
+  std::vector<std::string> arguments = {"measure", file.path(), "--polar", "--per-ball"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Json json = run_json(arguments);
+  double sum[3] = {0, 0, 0};
+  for (size_t i = 0; i < json["balls"].items.size(); ++i) {
+    const char kind = places[i % places.size()].kind;
+    sum[kind == 'p' ? 0 : kind == 'a' ? 1 : 2] += json["balls"].items[i]["area"].number;
+  }
+  EXPECT_NEAR(json["polar_area"].number, sum[0], 1e-9) << text;
+  EXPECT_NEAR(json["apolar_area"].number, sum[1], 1e-9) << text;
+  EXPECT_NEAR(json["other_area"].number, sum[2], 1e-9) << text;
+}
+
+std::string xyz(const std::vector<Place> &places, const std::string &title = "") {
+  std::string text = std::to_string(places.size()) + "\n" + title + "\n";
+  for (const Place &it : places) {
+    text += std::string(it.element) + " " + std::to_string(it.x) + " " + std::to_string(it.y) + " " +
+            std::to_string(it.z) + "\n";
+  }
+  return text;
+}
+
+// One hydrogen of ethanol is polar, that of the hydroxyl group.
+TEST(AreaSums, HydrogensAreAsWhatTheyAreBoundTo) {
+  const std::vector<Place> ethanol = {{"C", 1.1879, -0.3829, 0, 'a'},       {"C", 0, 0.5526, 0, 'a'},
+                                      {"O", -1.1867, -0.2472, 0, 'p'},      {"H", -1.9237, 0.385, 0, 'p'},
+                                      {"H", 2.0985, 0.2306, 0, 'a'},        {"H", 1.1184, -1.0093, 0.8869, 'a'},
+                                      {"D", 1.1184, -1.0093, -0.8869, 'a'}, {"H", -0.0227, 1.1812, 0.8852, 'a'},
+                                      {"H", -0.0227, 1.1812, -0.8852, 'a'}};
+  expect_kinds("m.xyz", xyz(ethanol), ethanol);
+  expect_kinds("m.xyz", xyz(ethanol), ethanol, {"--surface", "ses", "--probe", "1.4"});
+  expect_kinds("m.xyz", xyz(ethanol, "Lattice=\"9 0 0 0 9 0 0 0 9\""), ethanol, {"--box", "file"});
+  const std::vector<Place> others = {{"N", 0, 0, 0, 'p'},    {"H", 1, 0, 0, 'p'},   {"S", 9, 0, 0, 'a'},
+                                     {"H", 10.3, 0, 0, 'a'}, {"Si", 0, 9, 0, 'o'},  {"H", 1.5, 9, 0, 'o'},
+                                     {"H", 0, 0, 9, 'o'},    {"H", 0.7, 0, 9, 'o'}, {"H", 0, 20, 0, 'o'},
+                                     {"B", 0, 0, 20, 'o'},   {"H", 1.2, 0, 20, 'o'}};
+  expect_kinds("m.xyz", xyz(others), others);
+  // Between two atoms it is with the nearer one, whichever comes first; a bond of the file comes before distances.
+  const std::vector<Place> bridge = {{"C", 0, 0, 0, 'a'}, {"H", 1.4, 0, 0, 'p'}, {"O", 2.7, 0, 0, 'p'}};
+  expect_kinds("m.xyz", xyz(bridge), bridge);
+  const std::vector<Place> back = {{"O", 2.7, 0, 0, 'p'}, {"H", 1.4, 0, 0, 'p'}, {"C", 0, 0, 0, 'a'}};
+  expect_kinds("m.xyz", xyz(back), back);
+  const std::vector<Place> stated = {{"C", 0, 0, 0, 'a'}, {"H", 1.4, 0, 0, 'a'}, {"O", 2.7, 0, 0, 'p'}};
+  expect_kinds("m.mol2",
+               "@<TRIPOS>MOLECULE\nm\n3 2\n@<TRIPOS>ATOM\n1 C1 0 0 0 C.3\n2 H1 1.4 0 0 H\n3 O1 2.7 0 0 O.3\n"
+               "@<TRIPOS>BOND\n1 1 2 1\n2 1 3 1\n",
+               stated);
+  // Copies by symmetry are what their atoms are.
+  const std::vector<Place> pair = {{"O", 1, 1, 1, 'p'}, {"H", 2, 1, 1, 'p'}, {"C", 5, 5, 5, 'a'}};
+  expect_kinds("m.cif",
+               "data_a\n_cell_length_a 20\n_cell_length_b 20\n_cell_length_c 20\n_cell_angle_alpha 90\n"
+               "_cell_angle_beta 90\n_cell_angle_gamma 90\nloop_\n_symmetry_equiv_pos_as_xyz\nx,y,z\n-x,-y,-z\nloop_\n"
+               "_atom_site_type_symbol\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n"
+               "O 0.05 0.05 0.05\nH 0.1 0.05 0.05\nC 0.25 0.25 0.25\n",
+               pair, {"--box", "file"});
+  // Of frames, by the bonds of the file.
+  const TemporaryFile file("m.xyz", xyz(ethanol)), run("run.xyz", xyz(ethanol) + xyz(ethanol));
+  const Json whole = run_json({"measure", file.path(), "--polar"});
+  const Outcome frames = run_program({"measure", file.path(), "--polar", "--trajectory", run.path()});
+  char wanted[64];
+  std::snprintf(wanted, sizeof wanted, "%.4f", whole["polar_area"].number);
+  EXPECT_EQ(frames.err, "");
+  EXPECT_NE(frames.out.find("," + std::string(wanted).substr(0, 6)), std::string::npos) << frames.out << wanted;
+}
+
 // Crambin's solvent-excluded surface. The values are those of an independent program, checked by lines through the
 // definition; MSROLL has 2319.065 and 4664.897.
 TEST(AreaSums, SolventExcludedSurface) {

@@ -308,7 +308,8 @@ TEST(Bonds, KindsInFilesOfSmallMolecules) {
   EXPECT_EQ(multiple_in(head, "mol2").said.substr(0, 2), "6 ");
   for (const char *more : {"", "7 1 9 2\n8 1 4 nc\n9 1 1 2\n10 1\n"}) {
     const TemporaryFile file("ring.mol2", head + more), out("ring.svg");
-    const Json drawn = run_json({"draw", file.path(), "-o", out.path(), "--as", "ball-and-stick"});
+    const Json drawn = run_json({"draw", file.path(), "-o", out.path(), "--as", "ball-and-stick"},
+                                "all z are 0: a flat molecule, or a drawing, which says nothing of space");
     EXPECT_EQ(drawn["sticks"].number, 6) << more;
   }
 }

@@ -410,4 +410,87 @@ TEST(Draw, BallsAndSticks) {
   EXPECT_NE(refusal({"--as", "ribbons"}).find("is neither balls nor ball-and-stick"), std::string::npos);
 }
 
+struct Bonded {
+  const char *element;
+  double x, y, z;
+};
+
+// A file of these atoms and of bonds between them, each of two atoms counted from 1 and an order.
+std::string sdf(const std::vector<Bonded> &atoms, const std::vector<std::array<int, 3>> &bonds) {
+  char line[100];
+  std::snprintf(line, sizeof line, "%3zu%3zu  0  0  0  0  0  0  0  0999 V2000\n", atoms.size(), bonds.size());
+  std::string text = std::string("m\n  own               3D\n\n") + line;
+  for (const Bonded &it : atoms) {
+    std::snprintf(line, sizeof line, "%10.4f%10.4f%10.4f %-3s 0  0\n", it.x, it.y, it.z, it.element);
+    text += line;
+  }
+  for (const std::array<int, 3> &it : bonds) {
+    std::snprintf(line, sizeof line, "%3d%3d%3d\n", it[0], it[1], it[2]);
+    text += line;
+  }
+  return text + "M  END\n";
+}
+
+// A few things that are in each other's way are changed, and a line says so; the rest is drawn as it is.
+TEST(Draw, SticksThatRunIntoSomething) {
+  const std::string third = "the stick between balls 0 and 1 runs into ball 3; drawn with ";
+  const std::string two =
+      "the sticks between balls 0 and 1 and balls 2 and 3 meet: see --ball-size and --stick; drawn with ";
+  const std::vector<Bonded> beside = {
+      {"C", 0, 0, 0}, {"C", 1.54, 0, 0}, {"C", 0.77, 1.5, 0.1}, {"H", 0.77, 0.35, 0}, {"O", 2.2, 1.2, 0.3}};
+  std::vector<Bonded> within = beside, past = beside, thin = beside;
+  within[3].y = 0.05;
+  past[3].y = 0.42;  // too near to a double bond alone
+  thin[3].y = 0.2;   // less than a third of the ball would be left
+  const std::vector<Bonded> across = {
+      {"C", 0, 0, 0}, {"C", 1.5, 0, 0.1}, {"C", 0.7, -0.8, 0}, {"N", 0.8, 0.8, 0.1}, {"N", 2.5, 1, 0}};
+  const std::vector<Bonded> sharp = {{"C", 0, 0, 0}, {"C", 1.5, 0, 0}, {"O", 2.6, 1.5, 0}};
+  const struct {
+    std::string text, said;
+    int sticks, pieces;
+  } cases[] = {
+      {sdf(beside, {{{1, 2, 1}}, {{3, 4, 1}}, {{2, 5, 1}}}), third + "1 ball smaller", 3, 10},
+      {sdf(beside, {{{1, 2, 2}}, {{3, 4, 1}}, {{2, 5, 2}}}), third + "1 ball smaller, 1 multiple bond as a single one",
+       3, 10},
+      {sdf(past, {{{1, 2, 2}}, {{3, 4, 1}}, {{2, 5, 2}}}), "", 3, 10},
+      {sdf(within, {{{1, 2, 1}}, {{3, 4, 1}}, {{2, 5, 1}}}), third + "1 bond less", 2, 9},
+      {sdf(thin, {{{1, 2, 1}}, {{3, 4, 1}}, {{2, 5, 1}}}), third + "1 bond less", 2, 9},
+      // Of two the longer one is left out, which has two colours.
+      {sdf(across, {{{1, 2, 1}}, {{3, 4, 1}}, {{2, 5, 2}}}), two + "1 bond less", 2, 8},
+      {sdf(sharp, {{{1, 2, 1}}, {{1, 3, 1}}}),
+       "the sticks between balls 0 and 1 and balls 0 and 2 meet: see --ball-size and --stick; drawn with 1 bond less",
+       1, 4},
+  };
+  for (const auto &it : cases) {
+    for (const std::vector<std::string> &more :
+         {std::vector<std::string>{}, {"--pieces", "visible"}, {"--ink"}, {"--spin", "3"}}) {
+      const TemporaryFile file("near.sdf", it.text);
+      const TemporaryFolder folder("near");
+      std::vector<std::string> options = {"--as", "ball-and-stick", "--view", "0,0,1", "--json"};
+      options.insert(options.end(), more.begin(), more.end());
+      const Outcome outcome = draw_to(folder.path("near.svg"), file.path(), options);
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+      EXPECT_EQ(outcome.err, it.said.empty() ? "" : "hardsphere: " + file.path() + ": " + it.said + "\n");
+      EXPECT_NE(outcome.out.find("\"sticks\": " + std::to_string(it.sticks) + ","), std::string::npos) << outcome.out;
+      if (more.empty()) {
+        EXPECT_NE(outcome.out.find("\"pieces\": " + std::to_string(it.pieces) + ","), std::string::npos) << outcome.out;
+      }
+    }
+  }
+  // More than a few, or balls that are too thin for all, are refused.
+  std::vector<Bonded> many;
+  std::vector<std::array<int, 3>> bonds;
+  for (int k = 0; k < 8; ++k) {
+    for (const Bonded &it : within) many.push_back({it.element, it.x + 10 * k, it.y, it.z});
+    bonds.push_back({5 * k + 1, 5 * k + 2, 1});
+    bonds.push_back({5 * k + 3, 5 * k + 4, 1});
+  }
+  const TemporaryFile file("many.sdf", sdf(many, bonds)), out("many.svg");
+  const Outcome outcome = draw_to(out.path(), file.path(), {"--as", "ball-and-stick", "--view", "0,0,1"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find(" runs into ball "), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("drawn with"), std::string::npos) << outcome.err;
+}
+
 }  // namespace

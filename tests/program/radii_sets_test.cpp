@@ -188,6 +188,21 @@ TEST(RadiiFiles, FreeSasaForm) {
   EXPECT_EQ(radii_of(few, {"--radii", file.path()}), (std::vector<double>{1.5, 2, 1.55, 1.7, 1.39}));
 }
 
+// A residue of the plain form may be called so; nucleotides are filled up, and names of a haem were once broken in two.
+TEST(RadiiFiles, NaccessForm) {
+  const TemporaryFile file("vdw.radii",
+                           "# comment\nRESIDUE ATOM ALA  5\nATOM  N   1.25 1\nATOM  CB  1.9 0 \nRESIDUE ATOM GLY\n"
+                           "ATOM  CA  2.5\nRESIDUE NUCL __A  21\nATOM  P   1.75 0\nRESIDUE HETATM HEM 43\n"
+                           "ATOM FE   1.47 0\nATOM  N A 1.5 1\nATOM  N B 1.625\nRESIDUE WATER HOH 1\nATOM  O 1.1 1\n");
+  EXPECT_EQ(radii_of(few, {"--radii", file.path()}), (std::vector<double>{1.9, 2.5, 1.25, 1.7, 1.39}));
+  const std::vector<Atom> others = {{"A", " P"}, {"HEM", "FE"}, {"HEM", " NA"}, {"HEM", " NB"}, {"HOH", " O"}};
+  EXPECT_EQ(radii_of(others, {"--radii", file.path()}), (std::vector<double>{1.75, 1.47, 1.5, 1.625, 1.1}));
+  // Heavy atoms stand for hydrogens there.
+  EXPECT_EQ(radii_of({{"ALA", " N"}, {"ALA", " H"}}, {"--radii", file.path()}), (std::vector<double>{1.25}));
+  const TemporaryFile plain("plain.radii", "RESIDUE CB 1.9\nATOM CA 2\n");
+  EXPECT_EQ(radii_of(few, {"--radii", plain.path()}), radii_of(few, {}));
+}
+
 TEST(RadiiFiles, AreNamedInTheResults) {
   const TemporaryFile file("named.radii", "ALA CB 1.9\n");
   const TemporaryFile atoms("named.pdb", pdb(few));
@@ -240,6 +255,17 @@ TEST(RadiiFiles, ThatAreRefused) {
   expect_refusal("types:\nC nan\n", "2: radius: 'nan' is not finite");
   expect_refusal("atoms:\nALA CB\n", "2: expected a residue, an atom and its type");
   expect_refusal("types:\nC 1\natoms:\nALA CB D\n", "4: there is no type 'D'");
+  const std::string naccess = "RESIDUE ATOM ALA 5\n";
+  expect_refusal(naccess, " no radii in the file");
+  expect_refusal(naccess + "ALA CB 1\n", "2: expected ATOM or RESIDUE");
+  expect_refusal(naccess + "types:\n", "2: expected ATOM or RESIDUE");
+  for (const char *line : {"ATOM", "ATOM CB", "ATOM N A", "ATOM CB 1 0 0", "ATOM CBCBCBCB 1"}) {
+    expect_refusal(naccess + line + "\n", "2: expected ATOM, an atom and its radius");
+  }
+  expect_refusal(naccess + "ATOM N A B 1\n", "2: radius: 'B' is not a decimal number");
+  expect_refusal(naccess + "ATOM CB -1 0\n", "2: radius: '-1' is negative");
+  expect_refusal(naccess + "ATOM CB 1.0 0\nATOM CB 1.5 0\n", "3: ALA CB has another radius above");
+  expect_refusal("RESIDUE ATOM ALANINES 5\n", "1: a name of more than 7 characters");
   expect_refusal("radii:\n", "1: expected name:, types: or atoms:");
   expect_refusal("types: C 1\n", "1: expected name:, types: or atoms:");
   EXPECT_EQ(run_program({"measure", "good/water.pdb", "--radii", "none/at.all"}).err,

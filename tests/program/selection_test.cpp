@@ -183,13 +183,14 @@ const std::string atom = "ATOM      1  CA  ALA A   1       0.000   0.000   0.000
 
 TEST(Models, OfPdbFiles) {
   const std::string m1 = "MODEL        1\n", m2 = "MODEL        2\n", endmdl = "ENDMDL\n", end = "END\n";
-  expect_models(atom + atom, "m.pdb", {2});
-  expect_models(m1 + atom + endmdl + m2 + atom + atom + endmdl + end, "m.pdb", {1, 2});
-  expect_models(m1 + atom + m2 + atom + atom + atom, "m.pdb", {1, 3});
+  const std::string next = atom.substr(0, 30) + "   9.000" + atom.substr(38);
+  expect_models(atom + next, "m.pdb", {2});
+  expect_models(m1 + atom + endmdl + m2 + atom + next + endmdl + end, "m.pdb", {1, 2});
+  expect_models(m1 + atom + m2 + atom + next + next, "m.pdb", {1, 3});
   expect_models(m1 + endmdl + m2 + atom + end, "m.pdb", {0, 1});
   // Frames of a trajectory, each with its END; and atoms behind ENDMDL, which belong to no model that has a name.
-  expect_models("REMARK\n" + atom + end + atom + atom + end + end + atom + end, "m.pdb", {1, 2, 1});
-  expect_models(atom + atom + endmdl + atom + end, "m.pdb", {2, 1});
+  expect_models("REMARK\n" + atom + end + atom + next + end + end + atom + end, "m.pdb", {1, 2, 1});
+  expect_models(atom + next + endmdl + atom + end, "m.pdb", {2, 1});
 }
 
 TEST(Models, OfXyzFiles) {

@@ -116,6 +116,65 @@ TEST(UnitCell, SimpleLatticesHaveTheVolumeOfClosedForms) {
   }
 }
 
+// All 192 operators of F m -3 m: axes in any order, with any signs, and the centring.
+std::vector<std::string> cubic_operators() {
+  const std::array<std::array<int, 3>, 6> orders = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+  std::vector<std::string> all;
+  for (unsigned k = 0; k < 192; ++k) {
+    std::string text;
+    for (unsigned row = 0; row < 3; ++row) {
+      const unsigned centring = k / 48;  // none, or halves but for one row
+      text += (row == 0 ? "" : ",") + std::string((k % 8 >> row & 1) != 0 ? "-" : "") + "xyz"[orders[k / 8 % 6][row]];
+      if (centring != 0 && row + 1 != centring) text += "+1/2";
+    }
+    all.push_back(text);
+  }
+  return all;
+}
+
+// Atoms on special positions count as often as the International Tables say, however many digits each number has and
+// whichever atom has most; but what is elsewhere by more than the digits explain is another atom.
+TEST(UnitCell, MultiplicitiesDoNotDependOnDigits) {
+  const std::string hexagonal = "13 13 14 90 90 120", cube = "20 20 20 90 90 90",
+                    other = "Si1 0.01021 0.3000 0.6123456789\n";
+  const std::vector<std::string> trigonal = {"x,y,z", "-y,x-y,z", "-x+y,-x,z", "-y,-x,z", "-x+y,y,z", "x,x-y,z"};
+  const struct {
+    const char *xyz;
+    int balls;
+    bool cubic;
+  } sites[] = {
+      {"0 0 0", 4, true},
+      {"0.1194 0 0", 24, true},
+      {"0.1194000001 0.0000001 0", 24, true},
+      {"0.05361 0.0536 0.053612", 32, true},
+      {"0 0.171 0.17", 48, true},
+      {"0.00001 0.1712 0.17119999", 48, true},
+      {"0 0.2031 0.0940", 96, true},
+      {"0.33 0.333 0.0940", 96, true},
+      {"0.11 0.25001 0.3", 192, true},
+      {"0.0008 0 0", 24, true},
+      {"0.02 0.04 0.00", 96, true},
+      {"0.2293 0.4585 0.25", 3, false},
+      {"0.22926 0.4585 0.25", 3, false},
+      {"0.23 0.46 0.1", 3, false},
+      {"0.333 0.667 0.25", 1, false},
+      {"0.333333333 0.66667 0.25", 1, false},
+      {"0.33 0.67 0.25", 1, false},
+      {"0.2293 0.4605 0.25", 6, false},
+  };
+  for (const auto &site : sites) {
+    for (const char *rest : {"", "more digits"}) {
+      const bool more = rest[0] != '\0';
+      const std::string atoms = std::string("C1 ") + site.xyz + "\n" + (more ? other : "");
+      const TemporaryFile file("site.cif",
+                               cif(site.cubic ? cube : hexagonal, site.cubic ? cubic_operators() : trigonal, atoms));
+      const Json found = run_json({"measure", file.path(), "--box", "file"});
+      EXPECT_EQ(found["n"].number, site.balls + (more ? (site.cubic ? 192 : 6) : 0)) << site.xyz << rest;
+      EXPECT_EQ(found["symmetry"]["special_positions"].number, (site.cubic ? 192 : 6) - site.balls) << site.xyz << rest;
+    }
+  }
+}
+
 std::string crambin() {
   return molecules_folder() + "/crambin.pdb";
 }
@@ -223,10 +282,8 @@ TEST(UnitCell, AtomsOnAnAxisCountOnce) {
   const struct {
     const char *xyz;
     int balls;
-  } cases[] = {{"   0.000   3.000   0.000", 1},
-               {"   5.000   3.000   7.000", 1},
-               {"   0.001   3.000   0.000", 1},
-               {"   0.250   3.000   0.000", 2},
+  } cases[] = {{"   0.000   3.000   0.000", 1}, {"   5.000   3.000   7.000", 1}, {"   0.001   3.000   0.000", 1},
+               {"   0.004   3.000   0.000", 1}, {"   0.010   3.000   0.000", 2}, {"   0.250   3.000   0.000", 2},
                {"  10.000   3.000 -14.000", 1}};
   for (const auto &it : cases) {
     const TemporaryFile file("axis.pdb", axis() + cryst1 + water(it.xyz));
@@ -267,6 +324,11 @@ TEST(UnitCell, TheTableSaysWhatWasMade) {
       if (it.row[0] == '\0') continue;
       EXPECT_EQ(outcome.out.substr(at_row + 19, std::string(it.row).size()), it.row);
     }
+    // Tables of numbers have no such row, and a line has what is missing.
+    const Outcome csv = run_program({"measure", file.path(), "--box", it.box, "--csv"});
+    const bool missing = it.box[0] == 'f' && std::string(it.row).find("not made") != std::string::npos;
+    EXPECT_EQ(csv.err.find("copies by symmetry are not made") != std::string::npos, missing) << csv.err;
+    EXPECT_EQ(run_program({"measure", file.path(), "--csv"}).err.find("symmetry"), std::string::npos);
     // Without a box nothing is filled.
     EXPECT_EQ(run_json({"measure", file.path()})["n"].number, 1);
   }

@@ -17,6 +17,7 @@
 #include "commands/command_frames.h"
 #include "commands/commands.h"
 #include "commands/measure_mean.h"
+#include "commands/polarity.h"
 #include "commands/unit_cell.h"
 #include "read/failure.h"
 #include "read/geometry.h"
@@ -30,6 +31,7 @@
 static bool prepare(const struct request *request, struct molecule *molecule, struct notes *notes,
                     struct failure *failure) {
   if (!index_file_suits(&request->index, request->index_file, molecule->read, failure)) return false;
+  notes_look_at_file(notes, request, molecule);
   notes_look_among_all(notes, request, molecule);
   if (!selection_apply(&request->selection, molecule, failure)) return false;
   if (request->command == COMMAND_DRAW && !request->drawing.water) selection_hide_water(molecule);
@@ -39,7 +41,7 @@ static bool prepare(const struct request *request, struct molecule *molecule, st
 
 static unsigned keeping_of(const struct request *request) {
   return (request->trajectory != NULL || request->index.count > 0 ? KEEP_PLACES : KEEP_NO_MORE) |
-         (request->command == COMMAND_DRAW ? KEEP_EXTRAS : KEEP_NO_MORE);
+         (request->command == COMMAND_DRAW || request->polar ? KEEP_EXTRAS : KEEP_NO_MORE);
 }
 
 /* Read the file of a request and do what it asks for, by so many threads. */
@@ -51,7 +53,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
   bool done = read_molecule(request->file, request->format, request->model, keeping_of(request), &molecule, failure) &&
-              prepare(request, &molecule, notes, failure);
+              prepare(request, &molecule, notes, failure) && (!request->polar || polarity_find(&molecule, failure));
   if (done && request->trajectory != NULL) {
     const struct frame_work work = {.command = command};
     double *const rounding = &notes->largest_rounding;
@@ -60,6 +62,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
   } else {
     geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
     done = done && unit_cell_fill(request, &molecule, failure);
+    if (done) notes_look_at_symmetry(notes, request, &molecule.symmetry);
     geometry_share_work(&geometry, threads, molecule.atoms);
     out->threads = threads;
     /* Pores are those of every probe. */
@@ -67,6 +70,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
     done = done && geometry_set_model(&geometry, &molecule, grown, 0.0, failure);
     if (done && !request_wants_places(request)) molecule_drop_balls(&molecule);
     done = done && command(request, &molecule, &geometry, out, failure);
+    if (geometry.misfit[0] != '\0') text_buffer_add(&notes->lines, "%s\n", geometry.misfit);
     notes->labels = geometry.labels;
     notes->labels_left_out = geometry.labels_left_out;
     notes->largest_rounding = geometry.largest_rounding;

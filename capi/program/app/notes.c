@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "commands/input_report.h"
+#include "commands/unit_cell.h"
 #include "read/line_reader.h"
 
 static bool names_element(const struct molecule *molecule, struct element_symbol symbol) {
@@ -36,6 +37,48 @@ static void look_for_contradictions(struct notes *notes, const struct molecule *
   }
 }
 
+/* All at z = 0, as in drawings and in files that never had coordinates; three are always in a plane. */
+static bool is_flat(const struct molecule *molecule) {
+  enum { ENOUGH = 4 };
+  uint32_t atom = 0;
+  while (atom < molecule->atoms && molecule->xyz[3 * (size_t)atom + 2] == 0.0) ++atom;
+  return atom == molecule->atoms && atom >= ENOUGH;
+}
+
+static uint32_t count_at_origin(const struct molecule *molecule) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const double *const xyz = molecule->xyz + 3 * (size_t)i;
+    if (xyz[0] == 0.0 && xyz[1] == 0.0 && xyz[2] == 0.0) ++count;
+  }
+  return count;
+}
+
+void notes_look_at_file(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+  const bool orders = file_format_has(molecule->format, FILE_ORDERS);
+  if (molecule->remark != NULL) text_buffer_add(&notes->lines, "%s\n", molecule->remark);
+  if (request->trajectory != NULL) return;                               /* its frames are read, all of them */
+  if (molecule->models > 1 && !request->model_given && !request->json) { /* whose object has it */
+    text_buffer_add(&notes->lines, "%s 1 of %" PRIu64 " is read, and no other; --model N takes another one\n",
+                    orders ? "molecule" : "model", molecule->models);
+  }
+  const uint32_t at_origin = file_format_has(molecule->format, FILE_ELEMENTS) ? count_at_origin(molecule) : 0;
+  if (at_origin > 1) {
+    text_buffer_add(&notes->lines, "%" PRIu32 " atoms stand in one point, 0 0 0: they may have no coordinates\n",
+                    at_origin);
+  } else if (orders && is_flat(molecule)) {
+    text_buffer_add(&notes->lines, "all z are 0: a flat molecule, or a drawing, which says nothing of space\n");
+  }
+}
+
+void notes_look_at_symmetry(struct notes *notes, const struct request *request, const struct symmetry *symmetry) {
+  char text[UNIT_CELL_TEXT_BYTES];
+  if (!request->csv || request->box.source != BOX_OF_FILE || request->box.without_copies) return;
+  if (!symmetry->filled && !symmetry_is_none(symmetry)) {
+    text_buffer_add(&notes->lines, "%s\n", unit_cell_text(text, symmetry));
+  }
+}
+
 void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule) {
   look_for_contradictions(notes, molecule);
   selection_list_unmatched(&request->selection, molecule, &notes->unmatched);
@@ -62,6 +105,10 @@ void notes_count_water(struct notes *notes, const struct request *request, const
 void notes_print(const struct notes *notes, const struct request *request) {
   const uint64_t waters = notes->waters;
   struct failure note = {0, NULL, 0, ""};
+  for (const char *line = notes->lines.text; line != NULL && *line != '\0'; line += strcspn(line, "\n") + 1) {
+    snprintf(note.reason, sizeof note.reason, "%.*s", (int)strcspn(line, "\n"), line);
+    print(request, &note);
+  }
   if (notes->unmatched.length > 0) {
     snprintf(note.reason, sizeof note.reason, "nothing matches %s", notes->unmatched.text);
     print(request, &note);
@@ -107,5 +154,6 @@ void notes_print(const struct notes *notes, const struct request *request) {
 }
 
 void notes_free(struct notes *notes) {
+  text_buffer_free(&notes->lines);
   text_buffer_free(&notes->unmatched);
 }

@@ -16,7 +16,6 @@ struct reading {
   bool probe_seen;
   bool radii_seen;
   bool radius_seen;
-  bool model_seen;
   struct failure *failure;
 };
 

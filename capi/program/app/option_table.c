@@ -17,8 +17,9 @@ const struct option *option_at(size_t i) {
                "table says so; X in .xyz, .sdf and .mol2 is a dummy and left out"},
       {"--radii", "protor|naccess|FILE", take_radii, EVERY,
        .help = "radii by residue and atom, else as bondi. A line of FILE, whose name has a dot or a\n"
-               "slash, is RESIDUE ATOM RADIUS; FreeSASA's configuration files do too. A set without\n"
-               "hydrogens leaves those out of the residues that it names: heavy atoms stand for them"},
+               "slash, is RESIDUE ATOM RADIUS; FreeSASA's configuration files and NACCESS's vdw.radii\n"
+               "do too. A set without hydrogens leaves those out of the residues that it names: heavy\n"
+               "atoms stand for them"},
       {"--radii", "list", take_radii, EVERY, .help = "show the sets, and do nothing else"},
       {"--radius", "EL=R,...", take_radius, EVERY, .what = "EL=R, for instance ZN=1.39",
        .help = "add or replace radii of single elements, whatever the residue"},
@@ -68,7 +69,8 @@ const struct option *option_at(size_t i) {
        .help = "also the sum of weight x free area; one number per ball, each on its own line, #\n"
                "comments"},
       {"--polar", NULL, take_flag, OF(MEASURE), .target = IN(polar),
-       .help = "also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others"},
+       .help = "also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others;\n"
+               "hydrogens count with the atom that they are bound to, by the file's bonds or by distance"},
       {"--by", "residue|chain|group", take_choice, OF(MEASURE), .target = IN(by), .words = "residue|chain|group",
        .first = 1,
        .help = "also sums over residues or chains, except for .xyz and .xyzr, or over the groups of\n"

@@ -75,8 +75,8 @@ bool take_atoms(struct reading *reading, const struct option *option, const char
 bool take_model(struct reading *reading, const struct option *option, const char *value) {
   uint64_t *model = &reading->request->model;
   if (!option_value(reading, option, &value)) return false;
-  if (reading->model_seen) return option_given_twice(reading, option);
-  reading->model_seen = true;
+  if (reading->request->model_given) return option_given_twice(reading, option);
+  reading->request->model_given = true;
   if (number_parse_count(value, strlen(value), model) == NUMBER_OK && *model > 0) return true;
   char shown[EXCERPT_BYTES];
   return failure_in_usage(reading->failure, "--model: '%s' is not the number of a model, from 1 on",

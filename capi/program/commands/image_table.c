@@ -6,6 +6,10 @@
 
 #include "read/number.h"
 
+/* In angstrom: no two atoms are nearer to each other than the first, and places nearer than the second are one: three
+ * times what PDB files round, and more than numbers of many digits differ that other programs wrote. */
+static const double shortest = 0.5, same_place = 0.01;
+
 enum { MOST_CELLS = 1000, MOST_BUCKETS = 1 << 22 };
 
 static int64_t cell_of(double fraction, int64_t cells) {
@@ -20,13 +24,22 @@ static size_t bucket_of(const struct image_table *table, const int64_t cell[3]) 
   return (size_t)(hash >> 32) & (table->buckets - 1);
 }
 
-static void add(struct image_table *table, uint32_t atom) {
+void image_table_error(const struct image_table *table, uint32_t atom, double error[3]) {
+  enum { SIMPLE = 2 };
+  for (int k = 0; k < 3; ++k) {
+    const int decimals = table->molecule->label[atom].decimals[k];
+    error[k] = decimals < SIMPLE ? 0.0 : pow(10.0, -decimals);
+  }
+}
+
+static void add(struct image_table *table, uint32_t atom, const double error[3]) {
   const struct molecule *molecule = table->molecule;
   double fraction[3];
   int64_t cell[3];
   box_fractions(&molecule->frame.box, molecule->xyz + 3 * (size_t)atom, fraction);
   for (int k = 0; k < 3; ++k) cell[k] = is_finite(fraction[k]) ? cell_of(fraction[k], table->cells[k]) : 0;
   const size_t bucket = bucket_of(table, cell);
+  memcpy(table->error + 3 * (size_t)atom, error, 3 * sizeof *error);
   table->next[atom] = table->first[bucket];
   table->first[bucket] = atom;
 }
@@ -36,7 +49,6 @@ bool image_table_begin(struct image_table *table, const struct molecule *molecul
   const double *v = molecule->frame.box.vector;
   memset(table, 0, sizeof *table);
   table->molecule = molecule;
-  table->blur = fmin(molecule->symmetry.blur, 0.5);
   /* Distances between opposite faces: the volume through their areas. */
   const double volume = v[0] * v[4] * v[8];
   const double slope = v[3] * v[7] - v[4] * v[6];
@@ -49,29 +61,39 @@ bool image_table_begin(struct image_table *table, const struct molecule *molecul
   while (table->buckets < most && table->buckets < MOST_BUCKETS) table->buckets *= 2;
   table->first = malloc(table->buckets * sizeof *table->first);
   table->next = malloc((most + 1) * sizeof *table->next);
-  if (table->first == NULL || table->next == NULL) return failure_of_memory(failure);
+  table->error = malloc((most + 1) * 3 * sizeof *table->error);
+  if (table->first == NULL || table->next == NULL || table->error == NULL) return failure_of_memory(failure);
   for (size_t k = 0; k < table->buckets; ++k) table->first[k] = UINT32_MAX;
-  for (uint32_t i = 0; i < molecule->atoms; ++i) add(table, i);
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    double error[3];
+    image_table_error(table, i, error);
+    add(table, i, error);
+  }
   return true;
 }
 
-void image_table_add_last(struct image_table *table) {
-  add(table, table->molecule->atoms - 1);
+void image_table_add_last(struct image_table *table, const double error[3]) {
+  add(table, table->molecule->atoms - 1, error);
 }
 
-static bool coincide(const struct image_table *table, uint32_t atom, const double fraction[3]) {
+static bool coincide(const struct image_table *table, uint32_t atom, const double fraction[3], const double error[3]) {
   const struct box_record *box = &table->molecule->frame.box;
+  const double *const own = table->error + 3 * (size_t)atom;
   double apart[3], way[3];
+  bool explained = true;
   box_fractions(box, table->molecule->xyz + 3 * (size_t)atom, apart);
   for (int k = 0; k < 3; ++k) {
     apart[k] -= fraction[k];
     apart[k] -= floor(apart[k] + 0.5);
+    explained = explained && fabs(apart[k]) <= own[k] + error[k];
   }
   box_point(box, apart, way);
-  return way[0] * way[0] + way[1] * way[1] + way[2] * way[2] <= table->blur * table->blur;
+  const double most = explained ? shortest : same_place;
+  return way[0] * way[0] + way[1] * way[1] + way[2] * way[2] <= most * most;
 }
 
-bool image_table_has(const struct image_table *table, const double fraction[3], struct element_symbol element) {
+bool image_table_has(const struct image_table *table, const double fraction[3], const double error[3],
+                     struct element_symbol element) {
   int64_t middle[3];
   for (int k = 0; k < 3; ++k) {
     if (!is_finite(fraction[k])) return false;
@@ -83,7 +105,7 @@ bool image_table_has(const struct image_table *table, const double fraction[3], 
     for (int k = 0; k < 3; ++k) cell[k] = (middle[k] + step[k] + table->cells[k]) % table->cells[k];
     for (uint32_t atom = table->first[bucket_of(table, cell)]; atom != UINT32_MAX; atom = table->next[atom]) {
       const bool same = strcmp(table->molecule->label[atom].element.text, element.text) == 0;
-      if (same && coincide(table, atom, fraction)) return true;
+      if (same && coincide(table, atom, fraction, error)) return true;
     }
   }
   return false;
@@ -92,4 +114,5 @@ bool image_table_has(const struct image_table *table, const double fraction[3], 
 void image_table_free(struct image_table *table) {
   free(table->first);
   free(table->next);
+  free(table->error);
 }

@@ -12,7 +12,7 @@
 /* Buckets of the atoms of a molecule; atoms of one bucket are a list. */
 struct image_table {
   const struct molecule *molecule;
-  double blur;      /* images that are nearer than this are one */
+  double *error;    /* [most][3], of each atom, as fractions */
   int64_t cells[3]; /* into which the box is cut along its vectors, of about an angstrom or more */
   size_t buckets;   /* a power of two */
   uint32_t *first;  /* [buckets], an atom; UINT32_MAX: none */
@@ -24,11 +24,17 @@ struct image_table {
 bool image_table_begin(struct image_table *table, const struct molecule *molecule, size_t most,
                        struct failure *failure);
 
-/* Add the last atom of the molecule. */
-void image_table_add_last(struct image_table *table);
+/* By how much the place of an atom of the molecule may be wrong along each vector, by the digits that the file has of
+ * it: fractions of the vectors. Numbers without a second digit behind the point are simple fractions, and right. */
+void image_table_error(const struct image_table *table, uint32_t atom, double error[3]);
 
-/* Whether an atom of that element is at these fractions of the box, whole ones aside. */
-bool image_table_has(const struct image_table *table, const double fraction[3], struct element_symbol element);
+/* Add the last atom of the molecule, whose place may be wrong by so much. */
+void image_table_add_last(struct image_table *table, const double error[3]);
+
+/* Whether an atom of that element is at these fractions of the box, whole ones aside, which may be wrong by so much: it
+ * is there if both errors explain that it is elsewhere and it is nearer than any two atoms are, or within 0.01 A. */
+bool image_table_has(const struct image_table *table, const double fraction[3], const double error[3],
+                     struct element_symbol element);
 
 void image_table_free(struct image_table *table);
 

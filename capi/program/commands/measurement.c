@@ -156,19 +156,6 @@ bool measurement_find_part(const struct request *request, const struct molecule 
   return measurement->part_atoms > 0 || failure_in_input(failure, 0, "--of names no atom that is read");
 }
 
-/* Which of the three sums an atom counts for. */
-static double *polarity_sum(struct measurement *measurement, struct element_symbol element) {
-  static const char *const polar[] = {"N", "O"};
-  static const char *const apolar[] = {"C", "S", "Se"};
-  for (size_t i = 0; i < sizeof polar / sizeof polar[0]; ++i) {
-    if (strcmp(element.text, polar[i]) == 0) return &measurement->polar_area;
-  }
-  for (size_t i = 0; i < sizeof apolar / sizeof apolar[0]; ++i) {
-    if (strcmp(element.text, apolar[i]) == 0) return &measurement->apolar_area;
-  }
-  return &measurement->other_area;
-}
-
 /* Of a part they are what its balls have of them. */
 static bool measure_curvatures(const struct molecule *molecule, const struct geometry *geometry,
                                struct measurement *measurement, struct failure *failure) {
@@ -215,7 +202,10 @@ bool measurement_make(const struct request *request, const struct molecule *mole
   }
   if (!measure_areas(request, molecule, geometry, measurement, failure)) return false;
   for (uint32_t i = 0; request->polar && i < molecule->atoms; ++i) {
-    *polarity_sum(measurement, molecule->label[i].element) += measurement->area[i];
+    const struct atom_label *const label = &molecule->label[i];
+    *(label->polar    ? &measurement->polar_area
+      : label->apolar ? &measurement->apolar_area
+                      : &measurement->other_area) += measurement->area[i];
   }
   if (weighted && !measure_weighted_area(request, molecule->atoms, geometry, measurement, failure)) return false;
   if (request->curvature && !measure_curvatures(molecule, geometry, measurement, failure)) return false;
@@ -251,8 +241,10 @@ void measurement_quantities(const struct request *request, const struct measurem
        {"weighted_area", "weighted area",
         smooth ? ", the sum of weight x share of the area" : ", the sum of weight x free area",
         measurement->weighted_area}},
-      {request->polar, {"polar_area", "polar area", "@^2, of nitrogen and oxygen", measurement->polar_area}},
-      {request->polar, {"apolar_area", "apolar area", "@^2, of carbon, sulfur and selenium", measurement->apolar_area}},
+      {request->polar,
+       {"polar_area", "polar area", "@^2, of nitrogen, oxygen and their hydrogens", measurement->polar_area}},
+      {request->polar,
+       {"apolar_area", "apolar area", "@^2, of carbon, sulfur, selenium and theirs", measurement->apolar_area}},
       {request->polar, {"other_area", "other area", "@^2, of all others", measurement->other_area}},
   };
   quantities->count = quantities->totals = 0;

@@ -17,8 +17,10 @@ bool periodic_result_find_box(const struct request *request, const struct molecu
   }
   const struct box_record *own = &molecule->frame.box;
   if (!own->given) {
-    return failure_in_input(failure, 0, "--box %s: the %s has no box", request->box.without_copies ? "p1" : "file",
-                            molecule->frame.number > 0 ? "frame" : "file");
+    const bool faulty = own->fault != NULL;
+    return failure_in_input(failure, 0, "--box %s: the %s has no box%s%s", request->box.without_copies ? "p1" : "file",
+                            molecule->frame.number > 0 ? "frame" : "file", faulty ? " that can be taken: " : "",
+                            faulty ? own->fault : "");
   }
   memcpy(box, own->vector, sizeof own->vector);
   result->turned = own->turned;

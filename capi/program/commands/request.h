@@ -80,6 +80,7 @@ struct request {
   double probe;           /* 0 if none was given */
   struct box_choice box;  /* of `boundary`, `measure`, `contacts` and `pores` */
   uint64_t model;         /* counted from 1 */
+  bool model_given;       /* by the user */
   const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
   bool frames_given;
   struct frame_range frames;

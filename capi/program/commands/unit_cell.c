@@ -122,17 +122,22 @@ static bool add_copy(struct molecule *molecule, struct image_table *there, const
   double shift[3];
   find_shift(fraction, atoms, symmetry, shift);
   for (uint32_t i = 0; i < atoms; ++i) {
-    double image[3], xyz[3];
+    double image[3], xyz[3], own[3], error[3];
     apply(symmetry, fraction + 3 * (size_t)i, image);
+    image_table_error(there, i, own);
+    for (int k = 0; k < 3; ++k) {
+      const double *const row = symmetry->rotation + 3 * k;
+      error[k] = fabs(row[0]) * own[0] + fabs(row[1]) * own[1] + fabs(row[2]) * own[2];
+    }
     for (int k = 0; k < 3; ++k) image[k] += shift[k] - molecule->symmetry.origin[k];
-    if (image_table_has(there, image, molecule->label[i].element)) {
+    if (image_table_has(there, image, error, molecule->label[i].element)) {
       ++molecule->symmetry.shared;
       continue;
     }
     box_point(&molecule->frame.box, image, xyz);
     const struct atom_label label = molecule->label[i];
     if (!molecule_add(molecule, xyz, molecule->radius[i], &label, molecule->line[i], failure)) return false;
-    image_table_add_last(there);
+    image_table_add_last(there, error);
   }
   return true;
 }
@@ -220,28 +225,29 @@ static const char *matrices_text(char out[80], const struct symmetry *symmetry) 
   return out;
 }
 
-static void print_row(struct record *record, const struct symmetry *symmetry) {
-  char value[300], matrices[80];
-  char shared[NUMBER_BYTES];
-  if (symmetry_is_none(symmetry)) return;
+const char *unit_cell_text(char value[UNIT_CELL_TEXT_BYTES], const struct symmetry *symmetry) {
+  char matrices[80], shared[NUMBER_BYTES];
   const char *name = symmetry->space_group[0] == '\0' ? "not named" : symmetry->space_group;
   if (!symmetry->filled) {
-    snprintf(value, sizeof value, "%s: copies by symmetry are not made%s%s", name,
+    snprintf(value, UNIT_CELL_TEXT_BYTES, "%s: copies by symmetry are not made%s%s", name,
              symmetry->unreadable  ? ", the file's operators cannot be read"
              : symmetry->count < 2 ? ", the file has no operators"
                                    : "",
              matrices_text(matrices, symmetry));
   } else {
-    snprintf(value, sizeof value, "%s: the box is filled by %lu operators%s%s%s", name, (unsigned long)symmetry->count,
-             symmetry->shared > 0 ? "; images on special positions that count once: " : "",
-             symmetry->shared > 0 ? count_text(shared, (int64_t)symmetry->shared) : "",
-             matrices_text(matrices, symmetry));
+    snprintf(
+        value, UNIT_CELL_TEXT_BYTES, "%s: the box is filled by %lu operators%s%s%s", name,
+        (unsigned long)symmetry->count, symmetry->shared > 0 ? "; images on special positions that count once: " : "",
+        symmetry->shared > 0 ? count_text(shared, (int64_t)symmetry->shared) : "", matrices_text(matrices, symmetry));
   }
-  record_text(record, NULL, "space group", value, "");
+  return value;
 }
 
 void unit_cell_record(struct record *record, const struct symmetry *symmetry) {
-  print_row(record, symmetry);
+  char value[UNIT_CELL_TEXT_BYTES];
+  if (!symmetry_is_none(symmetry)) {
+    record_text(record, NULL, "space group", unit_cell_text(value, symmetry), "");
+  }
   if (!record_key(record, "symmetry")) return;
   struct record own = {.form = AS_JSON, .out = record->out};
   text_buffer_add_text(own.out, "{");

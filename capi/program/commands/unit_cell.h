@@ -19,7 +19,11 @@ void unit_cell_turn(const struct request *request, struct molecule *molecule);
  * operators, or if the user does not want copies. */
 bool unit_cell_fill(const struct request *request, struct molecule *molecule, struct failure *failure);
 
-/* Where there is symmetry, what was made of it. */
+/* The symmetry that there is, and what was made of it. */
+enum { UNIT_CELL_TEXT_BYTES = 300 };
+const char *unit_cell_text(char value[UNIT_CELL_TEXT_BYTES], const struct symmetry *symmetry);
+
+/* The same as a record; nothing where there is no symmetry. */
 void unit_cell_record(struct record *record, const struct symmetry *symmetry);
 
 #endif

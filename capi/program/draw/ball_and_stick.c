@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "draw/bonds.h"
+#include "draw/stick_repair.h"
 #include "draw/view_axes.h"
 
 static const double default_ball_size = 0.25;
@@ -17,13 +18,9 @@ double ball_and_stick_radius(const struct drawing *drawing) {
   return drawing->stick > 0.0 ? drawing->stick : default_stick;
 }
 
-static bool set_balls(const struct molecule *molecule, double size, struct geometry *geometry,
+static bool set_balls(const struct molecule *molecule, const double *radius, struct geometry *geometry,
                       struct failure *failure) {
-  double *radius = calloc((size_t)molecule->atoms + 1, sizeof *radius);
-  if (radius == NULL) return failure_of_memory(failure);
-  for (uint32_t i = 0; i < molecule->atoms; ++i) radius[i] = size * molecule->radius[i];
   const int32_t status = hsp_workspace_set(&geometry->work, molecule->atoms, molecule->xyz, radius, NULL, NULL);
-  free(radius);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -47,15 +44,13 @@ static bool failure_of_conflict(const struct molecule *molecule, const hsp_stick
   }
 }
 
-/* Into a handle in memory of its own; as a map also where they have an order. */
-static bool compute(const struct molecule *molecule, const struct drawing *drawing, const hsp_stick *stick,
-                    uint32_t count, bool as_map, struct geometry *geometry, hsp_sticks **sticks, void **memory,
-                    struct failure *failure) {
-  const double radius = ball_and_stick_radius(drawing);
+/* Into a handle in memory of its own; as a map also where they have an order. A conflict is no failure. */
+static bool compute(const struct molecule *molecule, const struct drawing *drawing, const struct stick_parts *parts,
+                    bool as_map, struct geometry *geometry, hsp_sticks **sticks, void **memory,
+                    hsp_sticks_conflict *conflict, struct failure *failure) {
   const hsp_model *model = geometry->work.model;
   hsp_view_options options;
   hsp_sticks_limits limits;
-  hsp_sticks_conflict conflict;
   int32_t (*const find)(hsp_sticks *, const hsp_model *, const hsp_view_options *, const hsp_stick *, uint32_t, double,
                         hsp_sticks_conflict *, hsp_sticks_limits *) =
       as_map ? hsp_sticks_compute_map : hsp_sticks_compute;
@@ -63,16 +58,18 @@ static bool compute(const struct molecule *molecule, const struct drawing *drawi
   int32_t status = viewing_options(&drawing->viewing, molecule, &options);
   if (status == HSP_OK) status = hsp_sticks_limits_init(&limits, (uint32_t)sizeof limits, molecule->atoms);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  limits.sticks = count;
+  limits.sticks = parts->sticks;
   do {
     size_t bytes = 0;
     status = hsp_sticks_bytes(&limits, &bytes);
     if (status == HSP_OK) status = hsp_workspace_allocate(memory, bytes);
     if (status == HSP_OK) status = hsp_sticks_init(*memory, bytes, &limits, sticks);
-    if (status == HSP_OK) status = find(*sticks, model, &options, stick, count, radius, &conflict, &limits);
+    if (status == HSP_OK) {
+      status = find(*sticks, model, &options, parts->stick, parts->sticks, parts->stick_radius, conflict, &limits);
+    }
   } while (status == HSP_E_CAPACITY);
-  if (status == HSP_E_CONFLICT) return failure_of_conflict(molecule, stick, &conflict, failure);
-  return status == HSP_OK || failure_in_library(failure, status);
+  if (status != HSP_E_CONFLICT) conflict->kind = HSP_STICKS_NO_CONFLICT;
+  return status == HSP_OK || status == HSP_E_CONFLICT || failure_in_library(failure, status);
 }
 
 /* Turned so that what else is bonded to the ends of an aromatic bond is on the right of the way along it. */
@@ -118,47 +115,86 @@ static hsp_stick *sticks_of(const struct molecule *molecule, double axis[3][3], 
   return stick;
 }
 
-static bool compute_sticks(const struct molecule *molecule, const struct drawing *drawing, const hsp_stick *stick,
-                           uint32_t count, struct geometry *geometry, struct failure *failure) {
+/* With no more repairs than `most`; without any the conflict is a failure. */
+static bool compute_sticks(const struct molecule *molecule, const struct drawing *drawing, struct stick_parts *parts,
+                           uint32_t most, struct geometry *geometry, struct failure *failure) {
   const bool as_map = drawing_is_of_map(drawing), inked = drawing_has_ink(drawing);
-  if (stick == NULL) return failure_of_memory(failure);
-  bool done =
-      compute(molecule, drawing, stick, count, as_map, geometry, &geometry->sticks, &geometry->sticks_memory, failure);
-  geometry->ink_of_sticks = geometry->sticks;
-  if (done && inked && !as_map) {
-    done = compute(molecule, drawing, stick, count, true, geometry, &geometry->ink_of_sticks,
-                   &geometry->ink_of_sticks_memory, failure);
+  hsp_sticks_conflict conflict;
+  for (uint32_t repairs = 0;; ++repairs) {
+    if (!set_balls(molecule, parts->radius, geometry, failure) ||
+        !compute(molecule, drawing, parts, as_map, geometry, &geometry->sticks, &geometry->sticks_memory, &conflict,
+                 failure)) {
+      return false;
+    }
+    if (conflict.kind == HSP_STICKS_NO_CONFLICT) break;
+    if (repairs == most || !stick_repair(molecule, &conflict, parts)) {
+      return failure_of_conflict(molecule, parts->stick, &conflict, failure);
+    }
   }
-  return done;
+  geometry->ink_of_sticks = geometry->sticks;
+  if (as_map || !inked) return true;
+  return compute(molecule, drawing, parts, true, geometry, &geometry->ink_of_sticks, &geometry->ink_of_sticks_memory,
+                 &conflict, failure) &&
+         (conflict.kind == HSP_STICKS_NO_CONFLICT || failure_of_conflict(molecule, parts->stick, &conflict, failure));
 }
 
-/* Multiple bonds are thicker. Where they do not fit they are drawn as single ones, which may. */
-static bool compute_bonds(const struct molecule *molecule, const struct drawing *drawing, const struct bond *bonds,
-                          uint32_t count, const uint32_t *colour, struct geometry *geometry, struct failure *failure) {
-  double axis[3][3];
-  const int32_t status = viewing_axes(&drawing->viewing, molecule, axis);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  geometry->multiple_bonds = 0;
-  for (uint32_t k = 0; k < count; ++k) geometry->multiple_bonds += bonds[k].order > BOND_SINGLE ? 1U : 0U;
-  geometry->multiple_shown = false;
-  if (geometry->multiple_bonds > 0) {
-    struct failure unfit = *failure;
-    hsp_stick *stick = sticks_of(molecule, axis, bonds, count, colour, true);
-    geometry->multiple_shown = compute_sticks(molecule, drawing, stick, count, geometry, &unfit);
-    free(stick);
-    if (geometry->multiple_shown) return true;
+/* Balls as they are, and a stick for each bond. */
+static bool make_parts(const struct molecule *molecule, const struct drawing *drawing, double axis[3][3],
+                       const struct geometry *geometry, const uint32_t *colour, bool with_orders,
+                       struct stick_parts *parts, struct failure *failure) {
+  const double size = ball_and_stick_size(drawing);
+  free(parts->stick);
+  parts->stick = sticks_of(molecule, axis, geometry->bond, geometry->bonds, colour, with_orders);
+  parts->sticks = geometry->bonds;
+  if (parts->stick == NULL || parts->radius == NULL) return failure_of_memory(failure);
+  for (uint32_t i = 0; i < molecule->atoms; ++i) parts->radius[i] = size * molecule->radius[i];
+  return true;
+}
+
+/* Multiple bonds are thicker. Where they do not fit they are drawn as single ones, which may. Where these do not
+ * either, what is in the way of a few is changed. */
+static bool compute_bonds(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
+                          double axis[3][3], struct stick_parts *parts, struct geometry *geometry,
+                          struct failure *failure) {
+  enum { MOST = 40, SHARE = 10 };
+  const uint32_t most = geometry->bonds / SHARE + 2 < MOST ? geometry->bonds / SHARE + 2 : MOST;
+  const struct {
+    bool orders;
+    uint32_t repairs;
+  } ways[] = {{true, 0}, {false, 0}, {true, most}};
+  const struct failure before = *failure;
+  struct failure conflict = before;
+  for (int k = geometry->multiple_bonds > 0 ? 0 : 1; k < 3; ++k) {
+    *failure = before;
+    if (!make_parts(molecule, drawing, axis, geometry, colour, ways[k].orders, parts, failure)) return false;
+    if (compute_sticks(molecule, drawing, parts, ways[k].repairs, geometry, failure)) {
+      geometry->multiple_shown = ways[k].orders && geometry->multiple_bonds > parts->single;
+      if (ways[k].repairs > 0) stick_repair_tell(parts, conflict.reason, geometry->misfit);
+      return true;
+    }
+    if (k < 2) conflict = *failure;
   }
-  hsp_stick *stick = sticks_of(molecule, axis, bonds, count, colour, false);
-  const bool done = compute_sticks(molecule, drawing, stick, count, geometry, failure);
-  free(stick);
-  return done;
+  *failure = conflict;
+  return false;
 }
 
 bool ball_and_stick_compute(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
                             struct geometry *geometry, struct failure *failure) {
+  double axis[3][3];
   free(geometry->bond);
   geometry->bond = NULL;
-  return bonds_find(molecule, geometry, &geometry->bond, &geometry->bonds, failure) &&
-         set_balls(molecule, ball_and_stick_size(drawing), geometry, failure) &&
-         compute_bonds(molecule, drawing, geometry->bond, geometry->bonds, colour, geometry, failure);
+  geometry->misfit[0] = '\0';
+  const int32_t status = viewing_axes(&drawing->viewing, molecule, axis);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  if (!bonds_find(molecule, geometry, &geometry->bond, &geometry->bonds, failure)) return false;
+  geometry->multiple_bonds = 0;
+  for (uint32_t k = 0; k < geometry->bonds; ++k) {
+    geometry->multiple_bonds += geometry->bond[k].order > BOND_SINGLE ? 1U : 0U;
+  }
+  struct stick_parts parts = {.radius = calloc((size_t)molecule->atoms + 1, sizeof *parts.radius),
+                              .stick_radius = ball_and_stick_radius(drawing)};
+  const bool done = compute_bonds(molecule, drawing, colour, axis, &parts, geometry, failure);
+  free(parts.radius);
+  free(parts.stick);
+  return done;
 }

@@ -48,7 +48,7 @@ static bool list_pairs(const struct molecule *molecule, struct geometry *geometr
   return failure_in_library(failure, status);
 }
 
-static double squared_distance(const struct molecule *molecule, uint32_t i, uint32_t j) {
+double atoms_squared_distance(const struct molecule *molecule, uint32_t i, uint32_t j) {
   double sum = 0.0;
   for (size_t axis = 0; axis < 3; ++axis) {
     const double d = molecule->xyz[3 * (size_t)i + axis] - molecule->xyz[3 * (size_t)j + axis];
@@ -62,12 +62,12 @@ static double squared_distance(const struct molecule *molecule, uint32_t i, uint
  */
 static bool has_atom_between(const struct molecule *molecule, const uint32_t *first, const uint32_t *ids, uint32_t i,
                              uint32_t j) {
-  const double length = squared_distance(molecule, i, j);
+  const double length = atoms_squared_distance(molecule, i, j);
   uint32_t b = first[j];
   for (uint32_t a = first[i]; a < first[i + 1]; ++a) {
     while (b < first[j + 1] && ids[b] < ids[a]) ++b;
     if (b == first[j + 1] || ids[b] != ids[a] || radius_of(&molecule->label[ids[a]]) <= 0.0) continue;
-    const double one = squared_distance(molecule, i, ids[a]), two = squared_distance(molecule, j, ids[a]);
+    const double one = atoms_squared_distance(molecule, i, ids[a]), two = atoms_squared_distance(molecule, j, ids[a]);
     if (one + two - 2.0 * cosine_between * sqrt(one * two) < length) return true;
   }
   return false;

@@ -9,6 +9,9 @@
 /* How much longer than the sum of the covalent radii of its atoms a bond may be, in angstrom. */
 #define BOND_TOLERANCE 0.4
 
+/* Between the centres of two atoms. */
+double atoms_squared_distance(const struct molecule *molecule, uint32_t i, uint32_t j);
+
 /* The bonds of a molecule, by their smaller atoms; *bonds is to be freed on true.
  *
  * Records of bonds tell which of the atoms that they name are bonded to each other, and may tell how. Files of the

@@ -37,13 +37,13 @@ static size_t decimals_of(struct field number) {
   return point == NULL ? 0 : (size_t)(number.text + number.length - point) - 1;
 }
 
-bool cif_crystal_fraction(struct cif_crystal *crystal, struct field text, const char *name, double *value,
-                          uint64_t line, struct failure *failure) {
+bool cif_crystal_fraction(struct field text, const char *name, double *value, unsigned char *digits, uint64_t line,
+                          struct failure *failure) {
   enum { LEAST = 4, MOST = 15, FAR = 1000000 };
   const struct field number = cif_without_uncertainty(text);
   if (!field_number(number, name, value, line, failure)) return false;
   const size_t decimals = decimals_of(number);
-  if (decimals > crystal->decimals) crystal->decimals = decimals;
+  *digits = (unsigned char)(decimals < MOST ? decimals : MOST);
   const double sixth = round(*value * 6.0) / 6.0;
   const double power = pow(10.0, (double)decimals);
   if (decimals < LEAST || decimals > MOST || !(fabs(*value) < FAR) || round(sixth * power) != round(*value * power))
@@ -89,11 +89,5 @@ bool cif_crystal_finish(const struct cif_crystal *crystal, bool fractional, stru
       if (!is_finite(xyz[k])) return failure_in_input(failure, molecule->line[i], "a coordinate is too large");
     }
   }
-  /* An atom and its image are each rounded by up to half of the last digit along every vector. Where none has more than
-   * two digits, they are simple fractions, 0.5 and 0.25. */
-  enum { LEAST = 3, OF_SIMPLE = 4 };
-  const double edges = crystal->cell[0] + crystal->cell[1] + crystal->cell[2];
-  const size_t decimals = crystal->decimals < LEAST ? OF_SIMPLE : crystal->decimals;
-  molecule->symmetry.blur = edges * pow(10.0, -(double)decimals);
   return true;
 }

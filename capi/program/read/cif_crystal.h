@@ -14,7 +14,6 @@ enum { CIF_MOST_ASSEMBLIES = 64 };
 struct cif_crystal {
   double cell[6]; /* a, b, c, alpha, beta, gamma */
   bool has[6];
-  size_t decimals;   /* of fractions, the most that one has */
   size_t assemblies; /* of atoms that are somewhere or elsewhere, each with the first of its groups */
   char assembly[CIF_MOST_ASSEMBLIES][8];
   char group[CIF_MOST_ASSEMBLIES][8];
@@ -24,10 +23,10 @@ struct cif_crystal {
 bool cif_crystal_take(struct cif_crystal *crystal, enum cif_item item, const struct cif_tokens *tokens,
                       struct symmetry *symmetry, struct failure *failure);
 
-/* The coordinate of an atom as a fraction. Thirds and sixths that are rounded to four decimals or more are taken as
- * what they are. */
-bool cif_crystal_fraction(struct cif_crystal *crystal, struct field text, const char *name, double *value,
-                          uint64_t line, struct failure *failure);
+/* The coordinate of an atom as a fraction, and how many digits it has behind the point. Thirds and sixths that are
+ * rounded to four decimals or more are taken as what they are. */
+bool cif_crystal_fraction(struct field text, const char *name, double *value, unsigned char *digits, uint64_t line,
+                          struct failure *failure);
 
 /* Whether the atom stands at the first of its places: of an assembly of disordered atoms the group that comes first in
  * the file counts. */

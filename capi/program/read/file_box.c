@@ -5,6 +5,7 @@
 
 #include "read/fields.h"
 #include "read/number.h"
+#include "read/title_value.h"
 
 /* Exact where the angle is a right one. */
 static double cosine(double degrees) {
@@ -67,19 +68,50 @@ void box_from_cryst1(const struct line_reader *reader, struct box_record *box) {
   box_from_angles(number, number + 3, box);
 }
 
-void box_from_title(const char *title, struct box_record *box) {
-  static const char key[] = "Lattice=\"";
-  memset(box, 0, sizeof *box);
-  const char *at = strstr(title, key);
-  if (at == NULL) return;
-  at += sizeof key - 1;
-  struct field field[9];
-  double vector[9];
-  if (fields_split(at, strcspn(at, "\""), field, 9) != 9) return;
-  for (int k = 0; k < 9; ++k) {
-    if (number_parse(field[k].text, field[k].length, &vector[k]) != NUMBER_OK) return;
+/* Along how many vectors the box repeats, by pbc, which says so of each or of all of them; 3 where there is no such
+ * key. Negative: it says something else. */
+static int directions_of(const char *title) {
+  struct field value, word[3];
+  if (!title_value(title, "pbc", &value)) return 3;
+  const size_t words = title_value_split(value, word, 3);
+  if (words != 1 && words != 3) return -1;
+  int directions = 0;
+  for (size_t k = 0; k < words; ++k) {
+    const bool yes = field_is(word[k], "T") || field_is(word[k], "TRUE") || field_is(word[k], "1");
+    if (!yes && !field_is(word[k], "F") && !field_is(word[k], "FALSE") && !field_is(word[k], "0")) return -1;
+    if (yes) directions += words == 1 ? 3 : 1;
   }
-  box_from_vectors(vector, box);
+  return directions;
+}
+
+/* Nine numbers, or three of a box of right angles. */
+static bool parse_lattice(struct field value, double vector[9]) {
+  struct field part[9];
+  const size_t count = title_value_split(value, part, 9);
+  if (count != 3 && count != 9) return false;
+  memset(vector, 0, 9 * sizeof *vector);
+  for (size_t k = 0; k < count; ++k) {
+    if (number_parse(part[k].text, part[k].length, &vector[count == 3 ? 4 * k : k]) != NUMBER_OK) return false;
+  }
+  return true;
+}
+
+void box_from_title(const char *title, struct box_record *box) {
+  struct field value;
+  double vector[9];
+  memset(box, 0, sizeof *box);
+  if (!title_value(title, "Lattice", &value)) return;
+  const int directions = directions_of(title);
+  if (directions == 3 && parse_lattice(value, vector)) {
+    box_from_vectors(vector, box);
+    return;
+  }
+  box->denied = true;
+  box->fault = directions < 0    ? "pbc is not of the form \"T T T\""
+               : directions == 1 ? "by pbc it is periodic in one direction alone"
+               : directions == 2 ? "by pbc it is periodic in two directions alone"
+               : directions == 3 ? "Lattice is not of the form \"a_x a_y a_z b_x .. c_z\""
+                                 : NULL;
 }
 
 static void combine(const double v[9], const double factor[3], double out[3]) {

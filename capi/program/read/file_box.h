@@ -10,10 +10,11 @@
 /* A box that a file has; zeros at first. */
 struct box_record {
   bool given;
-  bool denied;      /* what the file has is none: lengths of 0, or 1 1 1 as a placeholder */
-  bool turned;      /* it was not upright, and the atoms were turned with it */
-  double vector[9]; /* a, b, c, in the frame of the atoms; c points to the other side where they are left-handed */
-  double axis[9];   /* if it was turned: what is now along x, y and z, three unit vectors in the frame of the file */
+  bool denied;       /* what the file has is none: lengths of 0, or 1 1 1 as a placeholder */
+  const char *fault; /* why it is none, where there is more to say, not owned; or NULL */
+  bool turned;       /* it was not upright, and the atoms were turned with it */
+  double vector[9];  /* a, b, c, in the frame of the atoms; c points to the other side where they are left-handed */
+  double axis[9];    /* if it was turned: what is now along x, y and z, three unit vectors in the frame of the file */
 };
 
 /* From the lengths of the vectors and the angles between them, b and c, c and a, a and b, in degrees, as
@@ -27,7 +28,8 @@ void box_from_vectors(const double vector[9], struct box_record *box);
 /* Of a PDB file's CRYST1 record, if the line is one: nothing else changes the box. */
 void box_from_cryst1(const struct line_reader *reader, struct box_record *box);
 
-/* Of the title of extended XYZ, Lattice="a_x a_y a_z b_x .. c_z"; else nothing is given. */
+/* Of the title of extended XYZ, Lattice="a_x a_y a_z b_x .. c_z" in quotes or brackets of any kind, or three lengths;
+ * else nothing is given. Denied by pbc unless it repeats in all directions. */
 void box_from_title(const char *title, struct box_record *box);
 
 /* The point at these fractions of the vectors. */

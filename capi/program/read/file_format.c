@@ -94,8 +94,12 @@ const struct file_format *file_format_of(const char *path, struct failure *failu
   const struct file_format *format = file_format_named(extension, FILE_ATOMS);
   if (format != NULL) return format;
   failure->file = path;
-  if (is_extension((struct field){extension, strlen(extension)}, "GZ Z BZ2 XZ ZST")) {
-    failure_in_input(failure, 0, "compressed; for instance: gunzip -c FILE | hardsphere measure - --format pdb");
+  static const char *const packed[][2] = {
+      {"GZ Z", "gunzip"}, {"BZ2", "bunzip2"}, {"XZ LZMA", "unxz"}, {"ZST", "unzstd"}};
+  for (size_t i = 0; i < sizeof packed / sizeof packed[0]; ++i) {
+    if (!is_extension((struct field){extension, strlen(extension)}, packed[i][0])) continue;
+    failure_in_input(failure, 0, "compressed; for instance: %s -c FILE | hardsphere measure - --format pdb",
+                     packed[i][1]);
     return NULL;
   }
   char list[FORMAT_LIST_BYTES];

@@ -9,6 +9,8 @@
 #include "read/molecule.h"
 #include "read/progress.h"
 
+enum { MISFIT_BYTES = 256 };
+
 struct geometry {
   hsp_workspace work;        /* zeros at first */
   double largest_rounding;   /* of all models that were made, as hsp_model_info has it */
@@ -22,6 +24,7 @@ struct geometry {
   uint32_t bonds;
   uint32_t multiple_bonds;          /* among the sticks, where the file says so */
   bool multiple_shown;              /* as such */
+  char misfit[MISFIT_BYTES];        /* what of them did not fit, and what became of it; empty where all do */
   uint64_t labels, labels_left_out; /* of pictures; those for which there was no room */
   hsp_periodic *periodic;           /* NULL at first */
   void *periodic_memory;

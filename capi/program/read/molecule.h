@@ -65,10 +65,13 @@ struct atom_label {
   bool bead : 1; /* no atom, but several of a coarse-grained model, which needs a radius by residue and atom */
   bool
       virtual_site : 1; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
+  bool polar : 1;       /* polarity.h */
+  bool apolar : 1;      /* likewise */
+  unsigned char decimals[3]; /* digits behind the points of its coordinates if they are fractions of a cell; else 0 */
 };
 
 #define ATOM_LABEL_NONE \
-  { &residue_nameless, "", {""}, false, false, false, false, false, false, false }
+  { .residue = &residue_nameless }
 
 /* Further data of an atom in a file, which only pictures show. */
 struct atom_extra {
@@ -127,6 +130,7 @@ struct molecule {
   size_t bond_capacity;
   struct left_out left_out;
   struct frame_stamp frame;
+  const char *remark;       /* what a user should know of the file, in one line, not owned; or NULL */
   const char *coordinates;  /* where they are not the usual ones: the name of their first item, not owned; or NULL */
   struct symmetry symmetry; /* that goes with the box of the frame */
 };

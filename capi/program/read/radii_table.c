@@ -8,9 +8,10 @@
 #include "read/fields.h"
 #include "read/growing_array.h"
 #include "read/line_reader.h"
+#include "read/number.h"
 #include "read/words.h"
 
-enum { NAME_BYTES = RADII_NAME_BYTES };
+enum { NAME_BYTES = RADII_NAME_BYTES, MOST_PARTS = 5 };
 
 /* Does not compile unless names are as long as those of the library. */
 typedef char names_as_in_library[sizeof(((hsp_residue_atom *)NULL)->residue) == NAME_BYTES ? 1 : -1];
@@ -39,6 +40,7 @@ struct reading {
   size_t type_capacity;
   struct source *sources; /* [table->count] */
   size_t source_capacity;
+  char residue[NAME_BYTES]; /* of NACCESS's files: the one that atoms belong to; empty: it is no such file so far */
   struct failure *failure;
 };
 
@@ -183,6 +185,42 @@ static bool read_entry(struct reading *reading, const struct field *part, size_t
   return failure_in_input(reading->failure, line, "a name of more than %d characters", (int)sizeof type->text - 1);
 }
 
+/* RESIDUE kind name count, of NACCESS, where names of nucleotides are filled up with '_'. In the plain form there may
+ * be a residue called so. */
+static bool begins_residue(const struct field *part, size_t count) {
+  double radius;
+  return field_is(part[0], "RESIDUE") && count > 2 && part[2].text[part[2].length - 1] != ':' &&
+         (count == 4 || (count == 3 && number_parse(part[2].text, part[2].length, &radius) != NUMBER_OK));
+}
+
+static bool read_residue(struct reading *reading, struct field name) {
+  while (name.length > 1 && name.text[0] == '_') ++name.text, --name.length;
+  return copy_name(reading->residue, sizeof reading->residue, name) ||
+         failure_in_input(reading->failure, reading->reader->number, "a name of more than %d characters",
+                          NAME_BYTES - 1);
+}
+
+/* ATOM name radius [whether it is polar], where a name may have a blank in it, "N A" of older files for NA. */
+static bool read_atom(struct reading *reading, const struct field *part, size_t count) {
+  char name[2 * NAME_BYTES];
+  double radius;
+  size_t length = 0, at = 1;
+  const uint64_t line = reading->reader->number;
+  if (!field_is(part[0], "ATOM")) return failure_in_input(reading->failure, line, "expected ATOM or RESIDUE");
+  for (; at < count && at < 3; ++at) {
+    if (at > 1 && number_parse(part[at].text, part[at].length, &radius) == NUMBER_OK) break;
+    if (part[at].length >= NAME_BYTES) break;
+    memcpy(name + length, part[at].text, part[at].length);
+    length += part[at].length;
+  }
+  if (length == 0 || at == count || count > at + 2) {
+    return failure_in_input(reading->failure, line, "expected ATOM, an atom and its radius");
+  }
+  const struct field residue = {reading->residue, strlen(reading->residue)};
+  hsp_residue_atom *entry = add_entry(reading, residue, (struct field){name, length});
+  return entry != NULL && field_radius(part[at], &entry->radius, line, reading->failure);
+}
+
 static bool read_lines(struct reading *reading) {
   enum { PLAIN, TYPES, ATOMS } section = PLAIN;
   for (;;) {
@@ -190,11 +228,15 @@ static bool read_lines(struct reading *reading) {
     if (status != LINE_READ) return status == LINE_END;
     const char *text = reading->reader->text;
     const char *comment = memchr(text, '#', reading->reader->length);
-    struct field part[4];
+    struct field part[MOST_PARTS];
     const size_t count =
-        fields_split(text, comment == NULL ? reading->reader->length : (size_t)(comment - text), part, 4);
+        fields_split(text, comment == NULL ? reading->reader->length : (size_t)(comment - text), part, MOST_PARTS);
     if (count == 0) continue;
-    if (part[0].text[part[0].length - 1] == ':') {
+    if (section == PLAIN && begins_residue(part, count)) {
+      if (!read_residue(reading, part[2])) return false;
+    } else if (reading->residue[0] != '\0') {
+      if (!read_atom(reading, part, count)) return false;
+    } else if (part[0].text[part[0].length - 1] == ':') {
       if (field_is(part[0], "NAME:")) continue;
       if (count == 1 && field_is(part[0], "TYPES:")) {
         section = TYPES;
@@ -228,7 +270,7 @@ static bool resolve_types(struct reading *reading) {
 bool radii_table_read(struct radii_table *table, const char *path, struct failure *failure) {
   const char *file_before = failure->file;
   failure->file = input_name(path);
-  struct reading reading = {malloc(sizeof *reading.reader), table, NULL, 0, 0, NULL, 0, failure};
+  struct reading reading = {malloc(sizeof *reading.reader), table, NULL, 0, 0, NULL, 0, "", failure};
   if (reading.reader == NULL) return failure_of_memory(failure);
   bool done = line_reader_open(reading.reader, path, failure);
   if (done) {

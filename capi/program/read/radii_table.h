@@ -27,10 +27,12 @@ struct radii_table {
 /* Make a table of a set of the library, HSP_RADII_*. Free the table on true and on false. */
 bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *failure);
 
-/* Read a table from a file, in one of two forms; what follows a '#' is a comment:
+/* Read a table from a file, in one of three forms; what follows a '#' is a comment:
  *   1. on each line the name of a residue, the name of an atom and a radius;
  *   2. as FreeSASA's configuration files: "types:", then on each line a type, its radius and perhaps a class, and
- *      "atoms:", then on each line a residue, an atom and its type; before them perhaps "name: NAME".
+ *      "atoms:", then on each line a residue, an atom and its type; before them perhaps "name: NAME";
+ *   3. as NACCESS's vdw.radii: "RESIDUE", a kind, the residue and a number, then for each of its atoms "ATOM", its
+ *      name, its radius and perhaps whether it is polar, which is not kept.
  * The residue ANY or * stands for those that have no such atom in the table. Free the table on true and on false. */
 bool radii_table_read(struct radii_table *table, const char *path, struct failure *failure);
 

@@ -31,6 +31,7 @@ struct cif_reading {
   const struct residue_label *residue; /* of the atom of the row before, which had no letter; NULL: of none */
   bool hetatm;                         /* likewise */
   struct cif_crystal crystal;          /* of this block */
+  unsigned char decimals[3];           /* of the fractions of the row's atom */
   struct cif_component component;
   enum cif_table table;    /* that is read */
   enum cif_table source;   /* that atoms come from: what is no component comes first */
@@ -138,7 +139,8 @@ static bool take_fractions(struct cif_reading *reading, double xyz[3], bool *kee
   }
   for (int axis = 0; axis < 3; ++axis) {
     const struct field number = cif_row_get(row, (enum cif_item)(CIF_FRACTION_X + axis));
-    if (!cif_crystal_fraction(&reading->crystal, number, names[axis], &xyz[axis], row->line, reading->failure)) {
+    unsigned char *const decimals = &reading->decimals[axis];
+    if (!cif_crystal_fraction(number, names[axis], &xyz[axis], decimals, row->line, reading->failure)) {
       return false;
     }
   }
@@ -161,6 +163,7 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
   struct atom_label label = ATOM_LABEL_NONE;
   const struct field name = name_of(row);
   take_name(row, name, &label);
+  memcpy(label.decimals, reading->decimals, sizeof label.decimals);
   char letter = ' ';
   if (before != NULL) {
     label.residue = before;
@@ -414,6 +417,7 @@ static bool read_item(struct cif_reading *reading) {
 static bool read_all(struct cif_reading *reading) {
   struct cif_tokens *tokens = &reading->tokens;
   bool block_seen = false;
+  char shown[EXCERPT_BYTES];
   cif_tokens_next(tokens);
   while (tokens->kind != CIF_FAILED) {
     if (tokens->kind == CIF_TAG && block_seen) {
@@ -428,11 +432,11 @@ static bool read_all(struct cif_reading *reading) {
       block_seen = true;
       cif_tokens_next(tokens);
     } else if (!block_seen) {
-      return failure_in_input(reading->failure, tokens->line, "no CIF file: it does not begin with data_");
+      return failure_in_input(reading->failure, tokens->line, "no CIF file: '%s' stands before data_",
+                              excerpt(shown, tokens->text.text, tokens->text.length));
     } else if (tokens->kind == CIF_LOOP) {
       if (!read_loop(reading)) return false;
     } else {
-      char shown[EXCERPT_BYTES];
       return failure_in_input(reading->failure, tokens->line, "'%s' stands where a tag should",
                               excerpt(shown, tokens->text.text, tokens->text.length));
     }

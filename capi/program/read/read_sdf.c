@@ -1,6 +1,6 @@
 /* .sdf and .mol, the structure-data files of MDL: three lines of header, a line with the numbers of atoms and bonds, a
  * line for each, what else is known, and "$$$$" where another record follows: each is a model. V2000 has fixed columns,
- * V3000 blocks of lines "M  V30 index type x y z ..". */
+ * V3000 blocks of lines "M  V30 index type x y z ..", which go on in the next line where they end in '-'. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,11 +9,13 @@
 #include "read/characters.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
+#include "read/text_buffer.h"
 
 enum { HEADER_LINES = 3, MOST_COLUMNS = 8 };
 
+/* At the end of the file there is no line. */
 static bool is_end_of_record(const struct line_reader *reader) {
-  return strncmp(reader->text, "$$$$", 4) == 0;
+  return reader->text != NULL && strncmp(reader->text, "$$$$", 4) == 0;
 }
 
 /* Past the end of the record, or of the file. */
@@ -100,42 +102,74 @@ static bool read_columns(struct line_reader *reader, uint64_t atoms, uint64_t bo
 
 /* ---- V3000 ---- */
 
-/* The next line of the table that is none's continuation, which '-' at the end of a line announces. *columns becomes 0
- * at the end of the table. */
-static enum line_status next_of_table(struct line_reader *reader, bool *goes_on, struct field column[MOST_COLUMNS],
-                                      size_t *columns, struct failure *failure) {
-  static const char head[] = "M  V30 ";
-  bool again;
-  do {
+static const char table_head[] = "M  V30 ";
+
+/* The rest of the reader's line behind the head, without the '-' that tells that it goes on. */
+static struct field behind_head(const struct line_reader *reader, bool *goes_on) {
+  struct field rest = {reader->text + sizeof table_head - 1, reader->length - (sizeof table_head - 1)};
+  size_t end = rest.length;
+  while (end > 0 && is_blank(rest.text[end - 1])) --end;
+  *goes_on = end > 0 && rest.text[end - 1] == '-';
+  if (*goes_on) rest.length = end - 1;
+  return rest;
+}
+
+/* The next line of the table with all lines that it goes on in, which it is joined with if there are some. *columns
+ * becomes 0 at the end of the table. */
+static enum line_status next_of_table(struct line_reader *reader, struct text_buffer *joined,
+                                      struct field column[MOST_COLUMNS], size_t *columns, struct failure *failure) {
+  static const char behind[16] = ""; /* that may be read behind a line */
+  bool goes_on = false;
+  joined->length = *columns = 0;
+  for (;;) {
     const enum line_status status = line_reader_next(reader, failure);
-    if (status != LINE_READ) return status;
-    again = *goes_on;
-    *columns = 0;
-    if (strncmp(reader->text, head, sizeof head - 1) != 0) return LINE_READ;
-    *goes_on = reader->text[reader->length - 1] == '-';
-  } while (again);
-  const size_t skipped = sizeof head - 1;
-  *columns = fields_split(reader->text + skipped, reader->length - skipped, column, MOST_COLUMNS);
+    if (status == LINE_FAILED) return status;
+    if (status == LINE_END || strncmp(reader->text, table_head, sizeof table_head - 1) != 0) {
+      if (!goes_on) return status;
+      failure_in_input(failure, reader->number, "the line before ends in '-', but M  V30 does not go on");
+      return LINE_FAILED;
+    }
+    const bool again = goes_on;
+    const struct field rest = behind_head(reader, &goes_on);
+    if (!again && !goes_on) {
+      *columns = fields_split(rest.text, rest.length, column, MOST_COLUMNS);
+      return LINE_READ;
+    }
+    text_buffer_append(joined, rest.text, rest.length);
+    if (!goes_on) break;
+  }
+  text_buffer_append(joined, behind, sizeof behind);
+  if (joined->out_of_memory) {
+    failure_of_memory(failure);
+    return LINE_FAILED;
+  }
+  *columns = fields_split(joined->text, joined->length - sizeof behind, column, MOST_COLUMNS);
   return LINE_READ;
 }
 
-static bool read_table(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+static bool read_table(struct line_reader *reader, struct text_buffer *joined, struct molecule *molecule,
+                       struct failure *failure) {
   enum { OUTSIDE, ATOMS, BONDS } block = OUTSIDE;
   const uint64_t counts_line = reader->number;
   uint64_t announced = 0, found = 0;
-  bool goes_on = false;
+  bool closed = false;
   for (;;) {
     struct field column[MOST_COLUMNS];
     size_t columns = 0;
-    const enum line_status status = next_of_table(reader, &goes_on, column, &columns, failure);
+    const enum line_status status = next_of_table(reader, joined, column, &columns, failure);
     if (status == LINE_FAILED) return false;
-    if (status == LINE_END || columns == 0) break;
+    if (columns == 0) {
+      closed = closed || (status == LINE_READ && (strncmp(reader->text, "M  END", 6) == 0 || is_end_of_record(reader)));
+      if (!closed) return failure_in_input(failure, counts_line, "the table ends before M  V30 END CTAB");
+      break;
+    }
     if (field_is(column[0], "COUNTS") && columns > 1) {
       if (number_parse_count(column[1].text, column[1].length, &announced) != NUMBER_OK) announced = 0;
     } else if (field_is(column[0], "BEGIN") && columns > 1) {
       block = field_is(column[1], "ATOM") ? ATOMS : field_is(column[1], "BOND") ? BONDS : OUTSIDE;
     } else if (field_is(column[0], "END")) {
       block = OUTSIDE;
+      closed = closed || (columns > 1 && field_is(column[1], "CTAB"));
     } else if (block != OUTSIDE && columns < (block == ATOMS ? 5U : 4U)) {
       return failure_in_input(failure, reader->number, "expected %s",
                               block == ATOMS ? "M  V30 index type x y z" : "M  V30 index type atom atom");
@@ -152,41 +186,87 @@ static bool read_table(struct line_reader *reader, struct molecule *molecule, st
 
 /* ---- records ---- */
 
-/* The record whose line of counts is the current one. drawn: in two dimensions. */
-static bool read_record(struct line_reader *reader, bool drawn, struct molecule *molecule, struct failure *failure) {
-  const bool wanted = ++molecule->models == molecule->model;
+/* The lines before the counts of a record. */
+struct header {
+  bool blank;
+  bool drawn;       /* it says that it is of two dimensions */
+  bool braced;      /* it begins with a brace */
+  const char *kind; /* what else than a molecule the record is; or NULL */
+};
+
+static const char *kind_of_title(const char *title) {
+  static const char *const kinds[][2] = {{"$RXN", "a reaction ($RXN)"},
+                                         {"$RDFILE", "a file of reactions ($RDFILE)"},
+                                         {"$MDL", "a molecule with R groups ($MDL)"}};
+  for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; ++k) {
+    if (strncmp(title, kinds[k][0], strlen(kinds[k][0])) == 0) return kinds[k][1];
+  }
+  return NULL;
+}
+
+static bool lies_in_plane(const struct molecule *molecule) {
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    if (molecule->xyz[3 * (size_t)i + 2] != 0.0) return false;
+  }
+  return true;
+}
+
+static bool read_atoms(struct line_reader *reader, const struct header *header, struct molecule *molecule,
+                       struct failure *failure) {
   const struct field version = field_in_columns(reader->text, reader->length, 34, 39);
   bool known[2];
   const uint64_t atoms = count_in(reader, 1, 3, &known[0]), bonds = count_in(reader, 4, 6, &known[1]);
-  if (!wanted) {
-    molecule->left_out.other_models += atoms;
+  if (field_is(version, "V3000")) {
+    struct text_buffer joined = TEXT_BUFFER_EMPTY;
+    const bool done = read_table(reader, &joined, molecule, failure);
+    text_buffer_free(&joined);
+    return done;
+  }
+  if (known[0] && known[1]) return read_columns(reader, atoms, bonds, molecule, failure);
+  return failure_in_input(failure, reader->number, "expected the numbers of atoms and bonds in columns 1 to 6%s",
+                          header->braced ? ": this looks like JSON" : "");
+}
+
+/* The record whose line of counts is the current one. */
+static bool read_record(struct line_reader *reader, const struct header *header, struct molecule *molecule,
+                        struct failure *failure) {
+  const uint64_t line = reader->number;
+  if (++molecule->models != molecule->model) {
+    bool known;
+    molecule->left_out.other_models += count_in(reader, 1, 3, &known);
     return true;
   }
-  if (drawn) {
-    return failure_in_input(failure, reader->number - 2, "a drawing in two dimensions, 2D: it says nothing of space");
+  if (header->kind != NULL) return failure_in_input(failure, line - 3, "%s, and no molecule", header->kind);
+  const bool done = read_atoms(reader, header, molecule, failure);
+  if (!header->drawn) return done;
+  /* Some programs write the mark over coordinates in space, where others have none to give. */
+  if (lies_in_plane(molecule)) {
+    return failure_in_input(failure, line - 2, "a drawing in two dimensions, 2D: it says nothing of space");
   }
-  if (field_is(version, "V3000")) return read_table(reader, molecule, failure);
-  if (known[0] && known[1]) return read_columns(reader, atoms, bonds, molecule, failure);
-  return failure_in_input(failure, reader->number, "expected the numbers of atoms and bonds in columns 1 to 6");
+  molecule->remark = "marked 2D, but not all z are 0: taken as a molecule in space";
+  return done;
 }
 
 static bool read_sdf(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   for (;;) {
-    bool blank = true, drawn = false;
+    struct header header = {.blank = true};
     enum line_status status = LINE_READ;
     for (int line = 0; line <= HEADER_LINES && status == LINE_READ; ++line) {
       status = line_reader_next(reader, failure);
       if (status != LINE_READ) break;
-      struct field first;
-      blank = blank && fields_split(reader->text, reader->length, &first, 1) == 0;
-      if (line == 1) drawn = field_is(field_in_columns(reader->text, reader->length, 21, 22), "2D");
+      struct field first = {"", 0};
+      header.blank = fields_split(reader->text, reader->length, &first, 1) == 0 && header.blank;
+      if (line == 0) header.kind = kind_of_title(reader->text);
+      if (line == 0) header.braced = first.length > 0 && (first.text[0] == '{' || first.text[0] == '[');
+      if (line == 1) header.drawn = field_is(field_in_columns(reader->text, reader->length, 21, 22), "2D");
     }
     if (status == LINE_FAILED) return false;
     if (status == LINE_END) {
-      return blank || molecule->models > 0 ||
-             failure_in_input(failure, reader->number, "the file ends before the numbers of atoms and bonds");
+      return header.blank || molecule->models > 0 ||
+             failure_in_input(failure, reader->number, "the file ends before the numbers of atoms and bonds%s",
+                              header.braced ? ": this looks like JSON" : "");
     }
-    if (!read_record(reader, drawn, molecule, failure)) return false;
+    if (!read_record(reader, &header, molecule, failure)) return false;
     status = skip_record(reader, failure);
     if (status != LINE_READ) return status == LINE_END;
   }

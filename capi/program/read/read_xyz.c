@@ -9,6 +9,7 @@
 #include "read/frame_title.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
+#include "read/title_value.h"
 
 /* Step to the next line that is not blank and split it. */
 static enum line_status next_filled_line(struct line_reader *reader, struct field *column, size_t capacity,
@@ -48,24 +49,18 @@ static bool next_property(struct field *text, struct field *name, uint64_t *coun
 /* The columns by a title in extended XYZ, which says Properties=species:S:1:pos:R:3 and more; those of plain XYZ where
  * it says nothing. */
 static bool columns_of_title(const struct line_reader *reader, struct columns *columns, struct failure *failure) {
-  static const char key[] = "Properties=";
+  static const char form[] = "Properties is not of the form name:type:count:...";
+  struct field value, text = {NULL, 0};
   *columns = (struct columns){0, 1};
-  const char *found = reader->text;
-  do {
-    found = strstr(found, key);
-    if (found == NULL) return true;
-  } while (found != reader->text && !is_blank(found[-1]) && ++found);
-  found += sizeof key - 1;
-  const bool quoted = *found == '"';
-  if (quoted) ++found;
-  struct field text = {found, strcspn(found, quoted ? "\"" : " \t")};
+  if (!title_value(reader->text, "Properties", &value)) return true;
+  if (title_value_split(value, &text, 1) > 1) return failure_in_input(failure, reader->number, "%s", form);
   bool element_seen = false;
   bool position_seen = false;
   for (size_t at = 0; text.length > 0;) {
     struct field name;
     uint64_t count;
     if (!next_property(&text, &name, &count)) {
-      return failure_in_input(failure, reader->number, "Properties is not of the form name:type:count:...");
+      return failure_in_input(failure, reader->number, "%s", form);
     }
     if ((field_is(name, "SPECIES") || field_is(name, "Z")) && count == 1 && !element_seen) {
       columns->element = at;

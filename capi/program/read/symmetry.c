@@ -7,10 +7,6 @@
 #include "read/growing_array.h"
 #include "read/number.h"
 
-/* Digits behind the point of coordinates in PDB files: three. A point and its image are each rounded by up to half of
- * the last one along every axis. */
-static const double pdb_blur = 0.002;
-
 /* A conventional cell has 192 at most. */
 enum { MOST_OPERATORS = 1000 };
 
@@ -50,7 +46,6 @@ static bool take_row(struct symmetry *symmetry, const struct field *field, size_
   last->translation[row] = number[3];
   symmetry->rows = row + 1;
   symmetry->cartesian = true;
-  symmetry->blur = pdb_blur;
   return true;
 }
 
@@ -156,7 +151,6 @@ bool symmetry_take_triplet(struct symmetry *symmetry, struct field text, struct 
            parse_sum((struct field){dense + begin, end - begin}, added.rotation + 3 * row, &added.translation[row]);
     begin = end + 1;
   }
-  if (symmetry->blur == 0.0) symmetry->blur = pdb_blur;
   return good ? add_operator(symmetry, &added, failure) : give_up(symmetry);
 }
 

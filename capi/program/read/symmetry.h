@@ -27,7 +27,6 @@ struct symmetry {
   double origin[3];
   bool scaled[3];  /* which rows the file has */
   size_t matrices; /* of .pdb: MTRIX records of copies that are not in the file, nor made */
-  double blur;     /* images of an atom that are nearer than this are one, for all that the digits of the file say */
   bool filled;     /* the cell was filled with copies */
   size_t shared;   /* images that fell on others of the same atom, and were left out */
 };
