@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "commands/input_report.h"
+#include "commands/unit_cell.h"
 #include "read/line_reader.h"
 
 static bool names_element(const struct molecule *molecule, struct element_symbol symbol) {
@@ -26,6 +27,14 @@ static void look_for_elements(struct notes *notes, const char *text, const struc
   }
 }
 
+void notes_look_at_file(struct notes *notes, const struct request *request, struct molecule *molecule) {
+  const char letter = request->choice.location;
+  if (request->choice.assembly == NULL) assemblies_list_others(molecule, &notes->assemblies);
+  if (letter != LOCATION_FIRST && letter != LOCATION_BY_OCCUPANCY && !molecule->location_found) {
+    text_buffer_add(&notes->unmatched, "--altloc %c", letter);
+  }
+}
+
 void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule) {
   selection_list_unmatched(&request->selection, molecule, &notes->unmatched);
   if (request->overrides.length > 0) look_for_elements(notes, request->overrides.text, molecule);
@@ -42,9 +51,12 @@ static void print(const struct request *request, const struct failure *note) {
   failure_print(&line);
 }
 
-void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+void notes_look_at_result(struct notes *notes, const struct request *request, const struct molecule *molecule) {
   const bool rows = request->csv || (request->trajectory != NULL && !request->json && !request->mean);
   notes->waters = rows ? input_report_waters(molecule) : 0;
+  if (request->trajectory == NULL && request->box.source == BOX_OF_FILE && !request->box.without_copies) {
+    unit_cell_list_unfilled(&molecule->symmetry, &notes->symmetry);
+  }
 }
 
 void notes_print(const struct notes *notes, const struct request *request) {
@@ -52,6 +64,17 @@ void notes_print(const struct notes *notes, const struct request *request) {
   struct failure note = {0, NULL, 0, ""};
   if (notes->unmatched.length > 0) {
     snprintf(note.reason, sizeof note.reason, "nothing matches %s", notes->unmatched.text);
+    print(request, &note);
+  }
+  if (notes->assemblies.length > 0) {
+    const bool several = strpbrk(notes->assemblies.text, ", ") != NULL;
+    snprintf(note.reason, sizeof note.reason, "%s %s of the file %s not what is read; --assembly %s makes %s",
+             several ? "assemblies" : "assembly", notes->assemblies.text, several ? "are" : "is",
+             several ? "N" : notes->assemblies.text, several ? "one" : "it");
+    print(request, &note);
+  }
+  if (notes->symmetry.length > 0) {
+    snprintf(note.reason, sizeof note.reason, "space group %s", notes->symmetry.text);
     print(request, &note);
   }
   if (waters > 0) {
@@ -79,4 +102,6 @@ void notes_print(const struct notes *notes, const struct request *request) {
 
 void notes_free(struct notes *notes) {
   text_buffer_free(&notes->unmatched);
+  text_buffer_free(&notes->assemblies);
+  text_buffer_free(&notes->symmetry);
 }

@@ -220,17 +220,34 @@ static const char *matrices_text(char out[80], const struct symmetry *symmetry) 
   return out;
 }
 
+static const char *name_of(const struct symmetry *symmetry) {
+  return symmetry->space_group[0] == '\0' ? "not named" : symmetry->space_group;
+}
+
+/* Where the box is not filled. */
+static void unfilled_text(char out[300], const struct symmetry *symmetry) {
+  char matrices[80];
+  snprintf(out, 300, "%s: copies by symmetry are not made%s%s", name_of(symmetry),
+           symmetry->unreadable  ? ", the file's operators cannot be read"
+           : symmetry->count < 2 ? ", the file has no operators"
+                                 : "",
+           matrices_text(matrices, symmetry));
+}
+
+void unit_cell_list_unfilled(const struct symmetry *symmetry, struct text_buffer *out) {
+  char text[300];
+  if (symmetry_is_none(symmetry) || symmetry->filled) return;
+  unfilled_text(text, symmetry);
+  text_buffer_add_text(out, text);
+}
+
 static void print_row(struct record *record, const struct symmetry *symmetry) {
   char value[300], matrices[80];
   char shared[NUMBER_BYTES];
   if (symmetry_is_none(symmetry)) return;
-  const char *name = symmetry->space_group[0] == '\0' ? "not named" : symmetry->space_group;
+  const char *name = name_of(symmetry);
   if (!symmetry->filled) {
-    snprintf(value, sizeof value, "%s: copies by symmetry are not made%s%s", name,
-             symmetry->unreadable  ? ", the file's operators cannot be read"
-             : symmetry->count < 2 ? ", the file has no operators"
-                                   : "",
-             matrices_text(matrices, symmetry));
+    unfilled_text(value, symmetry);
   } else {
     snprintf(value, sizeof value, "%s: the box is filled by %lu operators%s%s%s", name, (unsigned long)symmetry->count,
              symmetry->shared > 0 ? "; images on special positions that count once: " : "",

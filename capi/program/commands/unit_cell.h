@@ -19,6 +19,9 @@ void unit_cell_turn(const struct request *request, struct molecule *molecule);
  * operators, or if the user does not want copies. */
 bool unit_cell_fill(const struct request *request, struct molecule *molecule, struct failure *failure);
 
+/* Add "P 21: copies by symmetry are not made, the file has no operators", if that is so. */
+void unit_cell_list_unfilled(const struct symmetry *symmetry, struct text_buffer *out);
+
 /* Where there is symmetry, what was made of it. */
 void unit_cell_record(struct record *record, const struct symmetry *symmetry);
 

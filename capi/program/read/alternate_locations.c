@@ -4,14 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Which residue. */
-struct residue_place {
-  char chain[12];
-  char number[12];
-  char insertion[2];
-  char segment[6]; /* four characters of it */
-};
-
 struct seen_location {
   char name[8]; /* of the atom; empty for the residue as a whole */
   struct residue_place place;
@@ -38,7 +30,7 @@ struct residue_visit {
 };
 
 /* Labels have zeros behind their texts. */
-static struct residue_place place_of(const struct residue_label *residue, struct field segment) {
+struct residue_place residue_place_of(const struct residue_label *residue, struct field segment) {
   struct residue_place place;
   memcpy(place.chain, residue->chain, sizeof place.chain);
   memcpy(place.number, residue->number, sizeof place.number);
@@ -204,7 +196,7 @@ static bool show_waiting(struct alternate_locations *locations, const struct ato
 bool alternate_locations_keep(struct alternate_locations *locations, const struct molecule *molecule,
                               const struct atom_label *label, struct field segment, char letter, bool *keep) {
   static const char nobody[sizeof label->name] = "";
-  const struct residue_place place = place_of(label->residue, segment);
+  const struct residue_place place = residue_place_of(label->residue, segment);
   *keep = true;
   if (letter == ' ') return note_waiting(locations, molecule->atoms, &place, label->residue->name);
   if (!show_waiting(locations, molecule->label, &place)) return false;

@@ -152,7 +152,7 @@ static bool read_table(struct line_reader *reader, struct molecule *molecule, st
 
 /* The record whose line of counts is the current one. drawn: in two dimensions. */
 static bool read_record(struct line_reader *reader, bool drawn, struct molecule *molecule, struct failure *failure) {
-  const bool wanted = ++molecule->models == molecule->model;
+  const bool wanted = molecule_wants_model(molecule, ++molecule->models);
   const struct field version = field_in_columns(reader->text, reader->length, 34, 39);
   bool known[2];
   const uint64_t atoms = count_in(reader, 1, 3, &known[0]), bonds = count_in(reader, 4, 6, &known[1]);
