@@ -249,6 +249,7 @@ TEST(Residues, NamesThatComeAgain) {
        {"HOH W **** 3", "HOH W **** 3"}},
       {{" O   HOH W", " H   HOH W", " H   HOH W", " O   HOH W", " H   HOH W", " H   HOH W", " O   HOH W"},
        {"HOH W  3", "HOH W  3", "HOH W  1"}},
+      {{" O   HOH W", " H   HOH W", " H   HOH W", " H   HOH W", " O   HOH W"}, {"HOH W  4", "HOH W  1"}},
       {{" N   GLY", " CA  GLY", " C   GLY", " CA  GLY", " C   GLY"}, {"GLY   3", "GLY   2"}},
       {{" C1  LIP  ****", " C2  LIP  ****", " C1  LIP  ****"}, {"LIP  **** 2", "LIP  **** 1"}},
       {{" K   K", " K   K"}, {"K   1", "K   1"}},

@@ -3,6 +3,7 @@
 #define HARDSPHERE_TOOL_FILE_CHOICE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 /* For all models as one. */
@@ -18,6 +19,6 @@ struct file_choice {
 };
 
 #define FILE_CHOICE_FIRST \
-  { .model = 1 }
+  { 1, LOCATION_FIRST, false, NULL }
 
 #endif
