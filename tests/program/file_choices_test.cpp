@@ -79,10 +79,24 @@ struct Location {
   const char *occupancy;
 };
 const std::vector<Location> locations = {
-    {"CA", "A", "SER", "1", 0, "0.40"},  {"CA", "B", "SER", "1", 6, "0.60"},  {"CB", "A", "SER", "1", 12, "0.40"},
-    {"CB", "B", "SER", "1", 18, "0.60"}, {"CG", "A", "SER", "1", 24, "0.20"}, {"CG", "C", "SER", "1", 30, "0.35"},
-    {"CA", "B", "THR", "2", 36, "0.50"}, {"CB", "B", "THR", "2", 42, "0.50"}, {"CA", "A", "ASN", "2", 48, "0.50"},
-    {"CA", "A", "GLY", "3", 54, "0.90"}, {"CA", "B", "GLY", "3", 60, ""},     {"CA", "", "GLY", "4", 66, "0.10"}};
+    {"CA", "A", "SER", "1", 0, "0.40"},
+    {"CA", "B", "SER", "1", 6, "0.60"},
+    {"CB", "A", "SER", "1", 12, "0.40"},
+    {"CB", "B", "SER", "1", 18, "0.60"},
+    {"CG", "A", "SER", "1", 24, "0.20"},
+    {"CG", "C", "SER", "1", 30, "0.35"},
+    {"CA", "B", "THR", "2", 36, "0.50"},
+    {"CB", "B", "THR", "2", 42, "0.50"},
+    {"CA", "A", "ASN", "2", 48, "0.50"},
+    {"CA", "A", "GLY", "3", 54, "0.90"},
+    {"CA", "B", "GLY", "3", 60, ""},
+    {"CA", "", "GLY", "4", 66, "0.10"},
+    // One location without a letter: of this atom, but not of the others of its residue.
+    {"N", "", "GLY", "5", 72, "1.00"},
+    {"CA", "", "GLY", "5", 78, "0.40"},
+    {"C", "", "GLY", "5", 84, "1.00"},
+    {"CA", "B", "GLY", "5", 90, "0.60"},
+    {"C", "", "GLY", "6", 96, "1.00"}};
 
 std::string as_pdb(const std::vector<Location> &all) {
   std::string text;
@@ -113,15 +127,15 @@ TEST(Locations, FirstByOccupancyOrByLetter) {
     const auto read = [&](const char *which) {
       return xs(run_json({"measure", file, "--per-ball", "--altloc", which}));
     };
-    const X first = {0, 12, 24, 36, 42, 54, 66};
+    const X first = {0, 12, 24, 36, 42, 54, 66, 72, 78, 84, 96};
     EXPECT_EQ(xs(run_json({"measure", file, "--per-ball"})), first);
     EXPECT_EQ(read("first"), first);
-    EXPECT_EQ(read("occupancy"), X({6, 18, 30, 36, 42, 60, 66}));
-    EXPECT_EQ(read("A"), X({0, 12, 24, 48, 54, 66}));
-    EXPECT_EQ(read("B"), X({6, 18, 24, 36, 42, 60, 66}));
-    EXPECT_EQ(read("C"), X({0, 12, 30, 36, 42, 54, 66}));
+    EXPECT_EQ(read("occupancy"), X({6, 18, 30, 36, 42, 60, 66, 72, 84, 90, 96}));
+    EXPECT_EQ(read("A"), X({0, 12, 24, 48, 54, 66, 72, 78, 84, 96}));
+    EXPECT_EQ(read("B"), X({6, 18, 24, 36, 42, 60, 66, 72, 84, 90, 96}));
+    EXPECT_EQ(read("C"), X({0, 12, 30, 36, 42, 54, 66, 72, 78, 84, 96}));
     const Json json = run_json({"measure", file, "--altloc", "B"});
-    EXPECT_EQ(json["input"]["left_out"]["alternate_locations"].number, 5);
+    EXPECT_EQ(json["input"]["left_out"]["alternate_locations"].number, 6);
     const Outcome none = run_program({"measure", file, "--altloc", "Z", "--csv"});
     EXPECT_EQ(none.status, 0);
     EXPECT_NE(none.err.find("nothing matches --altloc Z\n"), std::string::npos) << none.err;

@@ -45,8 +45,35 @@ static int order_by_location(const void *left, const void *right) {
 
 static int order_by_name(const void *left, const void *right) {
   const struct located_atom *a = left, *b = right;
-  const int order = memcmp(a->name, b->name, sizeof a->name);
+  int order = memcmp(&a->place, &b->place, sizeof a->place);
+  if (order == 0) order = memcmp(a->name, b->name, sizeof a->name);
   return order != 0 ? order : order_of_atoms(a, b);
+}
+
+/* The end of those from `begin` on, in the order of names, that are records of one atom. */
+static size_t end_of_atom(const struct located_atom *located, size_t begin, size_t end) {
+  size_t at = begin;
+  while (at < end && memcmp(&located[at].place, &located[begin].place, sizeof located->place) == 0 &&
+         memcmp(located[at].name, located[begin].name, sizeof located->name) == 0) {
+    ++at;
+  }
+  return at;
+}
+
+/* Forget the atoms that are at no location. Those that remain are in the order of names. */
+static void forget_others(struct location_choice *choice) {
+  struct located_atom *const located = choice->located;
+  size_t kept = 0;
+  qsort(located, choice->count, sizeof *located, order_by_name);
+  for (size_t begin = 0, end; begin < choice->count; begin = end) {
+    bool any = false;
+    end = end_of_atom(located, begin, choice->count);
+    for (size_t k = begin; k < end; ++k) any = any || located[k].location[0] != '\0';
+    if (!any) continue;
+    memmove(located + kept, located + begin, (end - begin) * sizeof *located);
+    kept += end - begin;
+  }
+  choice->count = kept;
 }
 
 static bool is_letter_of(const struct located_atom *atom, char letter) {
@@ -91,6 +118,7 @@ static void choose_records(const struct located_atom *records, size_t count, con
 bool location_choice_finish(struct location_choice *choice, struct molecule *molecule, struct failure *failure) {
   struct located_atom *const located = choice->located;
   const char wanted = molecule->choice.location;
+  if (choice->count > 0) forget_others(choice);
   if (choice->count == 0) return true;
   uint8_t *const keep = malloc((size_t)molecule->atoms + 1);
   if (keep == NULL) return failure_of_memory(failure);
@@ -103,8 +131,7 @@ bool location_choice_finish(struct location_choice *choice, struct molecule *mol
     if (is_letter_of(&chosen, wanted)) molecule->location_found = true;
     qsort(located + begin, end - begin, sizeof *located, order_by_name);
     for (size_t from = begin, to; from < end; from = to) {
-      to = from;
-      while (to < end && memcmp(located[to].name, located[from].name, sizeof located->name) == 0) ++to;
+      to = end_of_atom(located, from, end);
       choose_records(located + from, to - from, &chosen, wanted == LOCATION_BY_OCCUPANCY, keep);
     }
   }

@@ -19,8 +19,9 @@ struct location_choice {
   size_t count, room;
 };
 
-/* Note that the last atom of the molecule stands at a location: of a residue, or of an assembly of disordered atoms,
- * whose group is the location. An occupancy that is not given, or is no number, counts as 1. False: memory is short. */
+/* Note the location of the last atom of the molecule: of a residue, or of an assembly of disordered atoms, whose group
+ * is the location. An empty one is a location like others, if the same atom is at others, too. An occupancy that is not
+ * given, or is no number, counts as 1. False: memory is short. */
 bool location_choice_add(struct location_choice *choice, const struct molecule *molecule,
                          const struct residue_place *place, const char *name, const char *residue,
                          struct field location, struct field occupancy, struct failure *failure);

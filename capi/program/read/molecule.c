@@ -67,11 +67,10 @@ static const struct residue_label *keep_residue(struct molecule *molecule, const
   uint16_t repeat = 0;
   if (list->used > 0) {
     const struct residue_label *const before = &block->label[list->used - 1];
-    const bool same_names = memcmp(before, residue, offsetof(struct residue_label, repeat)) == 0;
-    if (residue == before || (same_names && before->asym == residue->asym)) {
-      const bool numbered = before->number[0] != '\0' && before->number[0] != '*';
+    const size_t names = offsetof(struct residue_label, repeat);
+    if (residue == before || (memcmp(before, residue, names) == 0 && before->asym == residue->asym)) {
       const bool follows = molecule->residue_begin < molecule->atoms; /* an atom of it is there */
-      if (numbered || !follows || !begins_again(molecule, before, label->name)) return before;
+      if (residue_is_numbered(before) || !follows || !begins_again(molecule, before, label->name)) return before;
       repeat = (uint16_t)(before->repeat + 1);
     }
   }

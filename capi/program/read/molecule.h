@@ -30,6 +30,11 @@ struct residue_label {
 #define RESIDUE_LABEL_NONE \
   { "", "", "", "", 0, 0 }
 
+/* Whether the number tells the residue from others: it is neither missing nor stars. */
+static inline bool residue_is_numbered(const struct residue_label *residue) {
+  return residue->number[0] != '\0' && residue->number[0] != '*';
+}
+
 /* Of atoms in files without residues. */
 extern const struct residue_label residue_nameless;
 

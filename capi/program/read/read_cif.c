@@ -30,6 +30,7 @@ struct cif_reading {
   struct molecule *molecule;
   struct failure *failure;
   struct cif_row row;
+  struct residue_place place;          /* of the last atom */
   const struct residue_label *residue; /* of the atom of the row before, which had no letter; NULL: of none */
   bool hetatm;                         /* likewise */
   struct cif_crystal crystal;          /* of this block */
@@ -193,20 +194,26 @@ static bool take_fractions(struct cif_reading *reading, double xyz[3], bool *kee
 
 /* Note where the last atom stands, if it may stand elsewhere too and the user has a choice: at a location of its
  * residue, or in a group of disordered atoms. */
-static bool note_location(struct cif_reading *reading) {
+static bool note_location(struct cif_reading *reading, bool goes_on) {
   const struct cif_row *row = &reading->row;
   const struct molecule *molecule = reading->molecule;
-  const struct field group = cif_row_get(row, reading->fractional ? CIF_DISORDER_GROUP : CIF_ALTERNATE);
-  if (molecule->choice.location == LOCATION_FIRST || group.length == 0) return true;
   const struct atom_label *const label = &molecule->label[molecule->atoms - 1];
+  const struct field occupancy = cif_without_uncertainty(cif_row_get(row, CIF_OCCUPANCY));
   static const struct atom_label nameless = ATOM_LABEL_NONE;
+  if (!reading->fractional) {
+    /* A row that goes on has what it shares with the one before from there. */
+    if (!goes_on) reading->place = residue_place_of(label->residue, cif_row_get(row, CIF_LABEL_CHAIN));
+    const struct field letter = goes_on ? (struct field){"", 0} : cif_row_get(row, CIF_ALTERNATE);
+    return (letter.length == 0 && !residue_is_numbered(label->residue)) ||
+           location_choice_add(&reading->choice, molecule, &reading->place, label->name, label->residue->name, letter,
+                               occupancy, reading->failure);
+  }
   struct residue_label assembly = RESIDUE_LABEL_NONE;
+  const struct field group = cif_row_get(row, CIF_DISORDER_GROUP);
   label_copy(assembly.chain, sizeof assembly.chain, cif_row_get(row, CIF_DISORDER_ASSEMBLY));
-  const struct residue_place place =
-      residue_place_of(reading->fractional ? &assembly : label->residue, cif_row_get(row, CIF_LABEL_CHAIN));
-  return location_choice_add(&reading->choice, molecule, &place, reading->fractional ? nameless.name : label->name,
-                             label->residue->name, group, cif_without_uncertainty(cif_row_get(row, CIF_OCCUPANCY)),
-                             reading->failure);
+  const struct residue_place place = residue_place_of(&assembly, (struct field){"", 0});
+  return group.length == 0 || location_choice_add(&reading->choice, molecule, &place, nameless.name, nameless.name,
+                                                  group, occupancy, reading->failure);
 }
 
 /* before: the residue of the row before, if this row goes on with it. */
@@ -249,7 +256,7 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
   }
   if (letter == ' ') reading->residue = molecule->label[molecule->atoms - 1].residue;
   take_extra(row, molecule_last_extra(molecule));
-  return (before != NULL && !reading->fractional) || note_location(reading);
+  return molecule->choice.location == LOCATION_FIRST || note_location(reading, before != NULL);
 }
 
 /* Its coordinates follow when all atoms are known. */

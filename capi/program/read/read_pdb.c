@@ -122,19 +122,25 @@ static bool keeps(struct pdb_reading *reading, const struct molecule *molecule, 
   return later || alternate_locations_keep(&reading->seen, molecule, label, segment, letter, keep);
 }
 
-/* Note of the last atom, which was added, what is decided at the end of the file. */
-static bool note_atom(const struct line_reader *reader, struct pdb_reading *reading, struct molecule *molecule,
-                      struct failure *failure) {
+/* Note the location of the last atom, if the user has a choice. */
+static bool note_location(const struct line_reader *reader, struct location_choice *choice,
+                          const struct molecule *molecule, struct failure *failure) {
   const char letter = reader->text[16];
-  if (reader->text[20] != ' ' && !pdb_names_note(&reading->names, reader->text, molecule, failure)) return false;
-  take_extra(reader, molecule_last_extra(molecule));
-  if (molecule->choice.location == LOCATION_FIRST || letter == ' ') return true;
   const struct atom_label *const label = &molecule->label[molecule->atoms - 1];
+  if (letter == ' ' && !residue_is_numbered(label->residue)) return true;
   const struct residue_place place =
       residue_place_of(label->residue, field_in_columns(reader->text, reader->length, 73, 76));
-  return location_choice_add(&reading->choice, molecule, &place, label->name, label->residue->name,
-                             (struct field){&letter, 1}, field_in_columns(reader->text, reader->length, 55, 60),
-                             failure);
+  return location_choice_add(choice, molecule, &place, label->name, label->residue->name,
+                             (struct field){&letter, letter == ' ' ? 0 : 1},
+                             field_in_columns(reader->text, reader->length, 55, 60), failure);
+}
+
+/* Note of the last atom, which was added, what is decided at the end of the file. */
+static inline bool note_atom(const struct line_reader *reader, struct pdb_reading *reading, struct molecule *molecule,
+                             struct failure *failure) {
+  if (reader->text[20] != ' ' && !pdb_names_note(&reading->names, reader->text, molecule, failure)) return false;
+  take_extra(reader, molecule_last_extra(molecule));
+  return molecule->choice.location == LOCATION_FIRST || note_location(reader, &reading->choice, molecule, failure);
 }
 
 static bool read_atom(const struct line_reader *reader, struct pdb_reading *reading, struct molecule *molecule,
@@ -239,9 +245,7 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
   if (!molecule_add(molecule, xyz, 0.0, &label, reader->number, failure)) return LINE_FAILED;
   memcpy(plain->columns, columns, sizeof columns);
   plain->kept = molecule->label[molecule->atoms - 1].residue;
-  if (text[20] != ' ' && !pdb_names_note(&reading->names, text, molecule, failure)) return LINE_FAILED;
-  take_extra(reader, molecule_last_extra(molecule));
-  return LINE_READ;
+  return note_atom(reader, reading, molecule, failure) ? LINE_READ : LINE_FAILED;
 }
 
 static bool read_any_atom(struct line_reader *reader, struct pdb_reading *reading, struct molecule *molecule,

@@ -211,10 +211,11 @@ static bool holds_of_residue(const struct selection_item *item, const struct res
   const struct field written = {residue->number, strlen(residue->number)};
   if (item->numbers) {
     int64_t number;
-    const char code = to_upper(residue->insertion[0]);
     if (written.length == 0 || whole_number(written, &number) != written.length) return false;
-    return (item->low < number || (item->low == number && item->low_code <= code)) &&
-           (number < item->high || (item->high == number && (item->high_code == '\0' || code <= item->high_code)));
+    if (number < item->low || number > item->high) return false;
+    const char code = to_upper(residue->insertion[0]);
+    return (number > item->low || item->low_code <= code) &&
+           (number < item->high || item->high_code == '\0' || code <= item->high_code);
   }
   char number[sizeof residue->number + sizeof residue->insertion];
   snprintf(number, sizeof number, "%s%s", residue->number, residue->insertion);
