@@ -214,18 +214,19 @@ TEST(Residues, ColumnTwentyOne) {
   EXPECT_EQ(run_json({"measure", lipids.path(), "--only", "residue:POPE"})["n"].number, 2);
 }
 
-// TER ends a chain that has no name, and so a residue; water goes on with water.
+// TER ends a chain that has no name, and so a residue; water and ions go on with water and ions.
 TEST(Residues, ChainsByTer) {
-  const TemporaryFile file("ter.pdb", records({" CA  GLY     1", " CB  GLY     1", "TER", " CA  GLY     1", "TER",
-                                               "TER", " CA  GLY A   1", "TER", " CA  GLY A   1", " O   WAT     7",
-                                               "TER", " O   WAT     8", "TER", " C1  LIG     9"}));
-  EXPECT_EQ(names(file.path(), "residue"),
-            Names({"GLY  1 2", "GLY .2 1 1", "GLY A 1 2", "WAT .3 7 1", "WAT .3 8 1", "LIG .4 9 1"}));
+  const TemporaryFile file(
+      "ter.pdb", records({" CA  GLY     1", " CB  GLY     1", "TER", " CA  GLY     1", "TER", "TER", " CA  GLY A   1",
+                          "TER", " CA  GLY A   1", " O   WAT     7", "TER", " O   WAT     8", "TER", " K   K       9",
+                          "TER", " K   K      10", "TER", " C1  LIG     9"}));
+  EXPECT_EQ(names(file.path(), "residue"), Names({"GLY  1 2", "GLY .2 1 1", "GLY A 1 2", "WAT .3 7 1", "WAT .3 8 1",
+                                                  "K .3 9 1", "K .3 10 1", "LIG .4 9 1"}));
   EXPECT_EQ(names(file.path(), "chain"), Names({"", ".2", "A", ".3", ".4"}));
   const auto count = [&](const char *selection) {
     return run_json({"measure", file.path(), "--only", selection})["n"].number;
   };
-  EXPECT_EQ(count("chain:."), 6);
+  EXPECT_EQ(count("chain:."), 8);
   EXPECT_EQ(count("chain:.1"), 2);
   EXPECT_EQ(count("chain:.2"), 1);
   EXPECT_EQ(run_program({"measure", file.path(), "--interface", ".1,.2+.4"}).status, 0);

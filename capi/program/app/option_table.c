@@ -35,7 +35,7 @@ const struct option *option_at(size_t i) {
       {"--hide", "S", take_atoms, EVERY, .target = IN(selection),
        .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "read only the atoms that S names, or all but them. S is chain:A,B, element:H, atom:CA,\n"
-               "residue:HOH,7,1-40,52A, water, hetatm or hydrogen, or several of these that must all\n"
+               "residue:HOH,7,1-40,52A-53, water, hetatm or hydrogen, or several of these that must all\n"
                "hold: \"chain:A&residue:1-40\"; chain:. has no name. Several --only are a union,\n"
                "and so are several --hide. What is left out blocks nothing; measure --of S lets it block"},
       {"--index", "FILE", take_path, EVERY, .target = IN(index_file),
@@ -87,8 +87,9 @@ const struct option *option_at(size_t i) {
       {"--by", "residue|chain|group", take_choice, OF(MEASURE), .target = IN(by), .words = "residue|chain|group",
        .first = 1,
        .help = "also sums over residues or chains, except for .xyz and .xyzr, or over the groups of\n"
-               "--index. A residue is a run of atoms with the same chain, name, number and insertion code;\n"
-               "a chain is all atoms with its name, or in .pdb files without chains with their segment"},
+               "--index. A residue is a run of atoms with the same chain, name, number and insertion code,\n"
+               "and without a number ends where an atom's name comes again; a chain is all atoms with its\n"
+               "name, or in .pdb files without chains with their segment, or else up to a TER"},
       {"--of", "S", take_atoms, OF(MEASURE), .target = IN(part), .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "measure only the atoms that S names, as for --only; all others that are read block. Of\n"
                "these the free area is found, and no volume; with --gradient its derivatives by all\n"

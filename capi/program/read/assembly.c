@@ -67,17 +67,9 @@ static bool give_up(struct assemblies *assemblies) {
 static bool take_biomt(struct assemblies *assemblies, const struct field field[8], size_t fields,
                        struct failure *failure) {
   const size_t row = (size_t)(field[2].text[5] - '1');
-  double number[4];
-  bool good = fields == 8 && assemblies->parts > 0 && row == assemblies->rows % 3;
-  for (size_t k = 0; good && k < 4; ++k) {
-    good = number_parse(field[4 + k].text, field[4 + k].length, &number[k]) == NUMBER_OK;
-  }
-  if (!good || assemblies->unreadable) return give_up(assemblies);
-  struct assembly_operator *own = row == 0 ? add_operator(assemblies, field[3]) : NULL;
-  if (row == 0 && own == NULL) return failure_of_memory(failure);
-  own = &assemblies->operators[assemblies->count - 1];
-  memcpy(own->to.rotation + 3 * row, number, 3 * sizeof *number);
-  own->to.translation[row] = number[3];
+  if (fields < 4 || assemblies->parts == 0 || row != assemblies->rows % 3) return give_up(assemblies);
+  if (row == 0 && add_operator(assemblies, field[3]) == NULL) return failure_of_memory(failure);
+  if (!symmetry_row(field, fields, row, &assemblies->operators[assemblies->count - 1].to)) return give_up(assemblies);
   assemblies->rows = row + 1;
   assemblies->part[assemblies->parts - 1].count = assemblies->count - assemblies->part[assemblies->parts - 1].first;
   return true;

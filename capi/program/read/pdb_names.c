@@ -70,11 +70,11 @@ bool pdb_names_note(struct pdb_names *names, const char *text, struct molecule *
   return true;
 }
 
-void pdb_names_number(struct pdb_names *names, uint64_t ends, struct residue_label *residue) {
-  const bool water = residue_kind_of(residue->name) == RESIDUE_WATER;
-  if (names->number == 0 || (ends != names->ends && !(water && names->water))) ++names->number;
+void pdb_names_number(struct pdb_names *names, uint64_t ends, const char *atom, struct residue_label *residue) {
+  const bool loose = residue_kind_of(residue->name) == RESIDUE_WATER || strcmp(residue->name, atom) == 0;
+  if (names->number == 0 || (ends != names->ends && !(loose && names->loose))) ++names->number;
   names->ends = ends;
-  names->water = water;
+  names->loose = loose;
   if (names->number > 1) snprintf(residue->chain, sizeof residue->chain, ".%" PRIu32, (uint32_t)names->number);
 }
 

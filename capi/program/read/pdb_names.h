@@ -26,7 +26,7 @@ struct pdb_names {
   /* Chains without a name, which end with a TER record. */
   uint64_t ends;   /* records before the last atom of one */
   uint64_t number; /* of the chain, from 1 on; 0: there was none */
-  bool water;      /* its last atom is of water */
+  bool loose;      /* its last atom is of water, or an ion */
 };
 
 /* Take name and chain of an atom record with its columns up to 22. */
@@ -37,9 +37,9 @@ void pdb_names_read(const struct pdb_names *names, const char *text, struct resi
 bool pdb_names_note(struct pdb_names *names, const char *text, struct molecule *molecule, struct failure *failure);
 
 /* Name a chain that has no name: where so many TER records were before its atom and one of them since the last such
- * atom, it is another chain, ".2" and so on. Water behind water is no other one: some programs write TER behind each
- * molecule. */
-void pdb_names_number(struct pdb_names *names, uint64_t ends, struct residue_label *residue);
+ * atom, it is another chain, ".2" and so on. Water and ions behind water and ions are no other one: some programs write
+ * TER behind each molecule. `atom` is the atom's name. */
+void pdb_names_number(struct pdb_names *names, uint64_t ends, const char *atom, struct residue_label *residue);
 
 /* At the end of the file: what both ways would do for is named by that of the file. */
 void pdb_names_finish(struct pdb_names *names);

@@ -77,14 +77,14 @@ struct pdb_reading {
 };
 
 static bool label_residue(const struct line_reader *reader, struct pdb_reading *reading, uint64_t copy,
-                          struct residue_label *label, struct failure *failure) {
+                          const char *atom, struct residue_label *label, struct failure *failure) {
   const char *text = reader->text;
   const size_t length = reader->length;
   pdb_names_read(&reading->names, text, label);
   if (label->chain[0] == '\0') label_copy(label->chain, sizeof label->chain, segment_of(reader));
   label_copy(label->number, sizeof label->number, field_in_columns(text, length, 23, 26));
   label_copy(label->insertion, sizeof label->insertion, field_in_columns(text, length, 27, 27));
-  if (label->chain[0] == '\0') pdb_names_number(&reading->names, reading->models.ends, label);
+  if (label->chain[0] == '\0') pdb_names_number(&reading->names, reading->models.ends, atom, label);
   return chain_name_copy(label, copy, failure);
 }
 
@@ -158,7 +158,7 @@ static bool read_atom(const struct line_reader *reader, struct pdb_reading *read
   label.residue = &residue;
   const struct field name = field_in_columns(reader->text, reader->length, 13, 16);
   label_copy(label.name, sizeof label.name, name);
-  if (!label_residue(reader, reading, molecule->copy, &residue, failure)) return false;
+  if (!label_residue(reader, reading, molecule->copy, label.name, &residue, failure)) return false;
   label.hetatm = pdb_record_is_hetatm(reader->text);
   const struct field segment = field_in_columns(reader->text, reader->length, 73, 76);
   bool keep;

@@ -128,7 +128,7 @@ static bool read_atom(const struct line_reader *reader, struct kinds_seen *seen,
   label_copy(residue.name, sizeof residue.name, record.residue);
   label_copy(residue.chain, sizeof residue.chain, record.chain);
   label_number(record.number, &residue);
-  if (residue.chain[0] == '\0') pdb_names_number(names, ends, &residue);
+  if (residue.chain[0] == '\0') pdb_names_number(names, ends, label.name, &residue);
   if (!chain_name_copy(&residue, molecule->copy, failure)) return false;
   label.hetatm = pdb_record_is_hetatm(reader->text);
   if (record.element.length == 0 || !element_symbol_parse(record.element.text, record.element.length, &label.element)) {
