@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "read/words.h"
+
 struct seen_location {
   char name[8]; /* of the atom; empty for the residue as a whole */
   struct residue_place place;
@@ -48,17 +50,6 @@ static struct seen_location location_of(const char *name, const struct residue_p
   return location;
 }
 
-static uint32_t hash_of(const void *key, size_t bytes) {
-  uint64_t hash = 0;
-  for (size_t i = 0; i < bytes; i += sizeof hash) {
-    uint64_t word;
-    memcpy(&word, (const char *)key + i, sizeof word);
-    hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
-    hash ^= hash >> 32;
-  }
-  return (uint32_t)hash;
-}
-
 static bool same_key(const struct seen_location *a, const struct seen_location *b) {
   return memcmp(a, b, KEY_BYTES) == 0;
 }
@@ -93,7 +84,7 @@ static bool reserve(struct alternate_locations *locations) {
 static const struct seen_location *first_of(struct alternate_locations *locations,
                                             const struct seen_location *location) {
   if (!reserve(locations)) return NULL;
-  const uint32_t hash = hash_of(location, KEY_BYTES);
+  const uint32_t hash = word_hash(location, KEY_BYTES);
   size_t at = hash & (locations->capacity - 1);
   for (; locations->slots[at].place != 0; at = (at + 1) & (locations->capacity - 1)) {
     const struct location_slot slot = locations->slots[at];
@@ -135,7 +126,7 @@ static bool note_waiting(struct alternate_locations *locations, uint32_t atom, c
 
 /* Where the table of residues has the place, or would have it. */
 static uint32_t *residue_at(const struct alternate_locations *locations, const struct residue_place *place) {
-  size_t at = hash_of(place, sizeof *place) & (locations->residues - 1);
+  size_t at = word_hash(place, sizeof *place) & (locations->residues - 1);
   while (locations->residue[at] != 0 &&
          memcmp(&locations->visit[locations->residue[at] - 1].place, place, sizeof *place) != 0) {
     at = (at + 1) & (locations->residues - 1);

@@ -261,18 +261,8 @@ static bool has_chain(const struct assembly_part *part, const char *chain, size_
   return false;
 }
 
-/* [asyms.count + 1], the names of mmCIF's chains by their numbers; NULL: memory is short. */
-static const char **names_by_number(const struct molecule *molecule) {
-  const char **names = malloc((molecule->asyms.count + 1) * sizeof *names);
-  for (size_t k = 0; names != NULL && k < molecule->asyms.count; ++k) {
-    names[molecule->asyms.names[k].number] = molecule->asyms.names[k].name;
-  }
-  if (names != NULL) names[0] = "";
-  return names;
-}
-
-static const char *chain_of(const char *const *names, const struct residue_label *residue) {
-  return residue->asym > 0 ? names[residue->asym] : residue->chain;
+static const char *chain_of(const struct molecule *molecule, const struct residue_label *residue) {
+  return residue->asym > 0 ? molecule->asyms.names[residue->asym - 1].text : residue->chain;
 }
 
 static bool same_chain(const struct residue_label *a, const struct residue_label *b) {
@@ -315,8 +305,7 @@ static bool add_copy(struct molecule *molecule, uint32_t atoms, const uint8_t *i
 static bool add_copies(struct molecule *molecule, uint32_t atoms, uint8_t *in, uint32_t *number,
                        struct failure *failure) {
   struct assemblies *const assemblies = &molecule->assemblies;
-  const char **const names = names_by_number(molecule);
-  bool done = names != NULL || failure_of_memory(failure);
+  bool done = true;
   for (size_t k = 0; done && k < assemblies->parts; ++k) {
     const struct assembly_part *const part = &assemblies->part[k];
     if (strcmp(part->name, molecule->choice.assembly) != 0) continue;
@@ -325,7 +314,7 @@ static bool add_copies(struct molecule *molecule, uint32_t atoms, uint8_t *in, u
     for (uint32_t i = 0; i < atoms; ++i) {
       const struct residue_label *const own = molecule->label[i].residue;
       const bool as_before = i > 0 && same_chain(molecule->label[i - 1].residue, own);
-      in[i] = as_before ? in[i - 1] : has_chain(part, chain_of(names, own), &at);
+      in[i] = as_before ? in[i - 1] : has_chain(part, chain_of(molecule, own), &at);
     }
     done = expand(assemblies, part, &list, failure);
     for (size_t op = 0; done && op < list.count; ++op) {
@@ -335,7 +324,6 @@ static bool add_copies(struct molecule *molecule, uint32_t atoms, uint8_t *in, u
     assemblies->made += list.count;
     free(list.of);
   }
-  free(names);
   return done;
 }
 
@@ -429,10 +417,10 @@ static bool is_in_one(struct assemblies *assemblies, const char *name, const cha
 
 /* Whether the assembly has each chain that was read once. Atoms without a chain's name count for nothing: old files
  * have their water so. */
-static bool has_all_once(struct molecule *molecule, const char *const *names, const char *assembly) {
+static bool has_all_once(struct molecule *molecule, const char *assembly) {
   struct assemblies *const assemblies = &molecule->assemblies;
-  for (size_t number = 1; number <= molecule->asyms.count; ++number) {
-    if (!is_in_one(assemblies, assembly, names[number])) return false;
+  for (size_t k = 0; k < molecule->asyms.count; ++k) {
+    if (!is_in_one(assemblies, assembly, molecule->asyms.names[k].text)) return false;
   }
   for (uint32_t i = 0; molecule->asyms.count == 0 && i < molecule->atoms; ++i) {
     const struct residue_label *const own = molecule->label[i].residue;
@@ -444,9 +432,7 @@ static bool has_all_once(struct molecule *molecule, const char *const *names, co
 
 bool assemblies_list_others(struct molecule *molecule, struct text_buffer *out) {
   const struct assemblies *const assemblies = &molecule->assemblies;
-  const char **const names = names_by_number(molecule);
   size_t listed = 0;
-  if (names == NULL) return false;
   for (size_t k = 0; k < assemblies->parts && listed <= MOST_LISTED; ++k) {
     const char *const name = assemblies->part[k].name;
     if (is_listed_before(assemblies, k)) continue;
@@ -454,9 +440,8 @@ bool assemblies_list_others(struct molecule *molecule, struct text_buffer *out) 
     for (size_t other = k; plain && other < assemblies->parts; ++other) {
       if (strcmp(assemblies->part[other].name, name) == 0) plain = is_plain(assemblies, &assemblies->part[other]);
     }
-    if (!plain || !has_all_once(molecule, names, name)) list_name(out, name, listed++);
+    if (!plain || !has_all_once(molecule, name)) list_name(out, name, listed++);
   }
-  free(names);
   return !out->out_of_memory;
 }
 

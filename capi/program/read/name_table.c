@@ -5,46 +5,52 @@
 
 #include "read/growing_array.h"
 #include "read/molecule.h"
+#include "read/words.h"
 
-/* The order of names is that of their lengths first: numbers that grow are added at the end. */
-static int compare(const char *a, const char *b) {
-  const size_t one = strlen(a), other = strlen(b);
-  return one != other ? (one > other) - (one < other) : strcmp(a, b);
+/* Where the table has the name, or would have it. */
+static uint32_t *slot_of(const struct name_table *table, const struct table_name *name) {
+  size_t at = word_hash(name, sizeof *name) & (table->capacity - 1);
+  while (table->slots[at] != 0 && memcmp(&table->names[table->slots[at] - 1], name, sizeof *name) != 0) {
+    at = (at + 1) & (table->capacity - 1);
+  }
+  return &table->slots[at];
+}
+
+/* Room for one more name; half of the slots stay empty. */
+static bool reserve(struct name_table *table) {
+  struct table_name *const grown = array_with_room(table->names, sizeof *grown, table->count, &table->room);
+  if (grown == NULL || table->count >= UINT32_MAX) return false;
+  table->names = grown;
+  if (2 * (table->count + 1) <= table->capacity) return true;
+  const size_t capacity = table->capacity == 0 ? 128 : 2 * table->capacity;
+  uint32_t *const slots = calloc(capacity, sizeof *slots);
+  if (slots == NULL) return false;
+  free(table->slots);
+  table->slots = slots;
+  table->capacity = capacity;
+  for (size_t k = 0; k < table->count; ++k) *slot_of(table, &table->names[k]) = (uint32_t)k + 1;
+  return true;
 }
 
 uint32_t name_table_number(struct name_table *table, struct field name) {
-  char wanted[TABLE_NAME_BYTES];
-  const struct numbered_name *const last = table->count > 0 ? &table->names[table->last] : NULL;
-  if (last != NULL && name.length < sizeof wanted && memcmp(last->name, name.text, name.length) == 0 &&
-      last->name[name.length] == '\0') {
-    return last->number;
+  struct table_name wanted = {""};
+  const char *const last = table->last > 0 ? table->names[table->last - 1].text : NULL;
+  if (last != NULL && name.length < sizeof wanted.text && memcmp(last, name.text, name.length) == 0 &&
+      last[name.length] == '\0') {
+    return table->last;
   }
-  label_copy(wanted, sizeof wanted, name);
-  size_t low = 0, high = table->count;
-  if (high > 0 && compare(table->names[high - 1].name, wanted) < 0) low = high;
-  while (low < high) {
-    const size_t middle = low + (high - low) / 2;
-    if (compare(table->names[middle].name, wanted) < 0) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
+  label_copy(wanted.text, sizeof wanted.text, name);
+  if (!reserve(table)) return 0;
+  uint32_t *const slot = slot_of(table, &wanted);
+  if (*slot == 0) {
+    table->names[table->count] = wanted;
+    *slot = (uint32_t)++table->count;
   }
-  table->last = low;
-  if (low < table->count && strcmp(table->names[low].name, wanted) == 0) return table->names[low].number;
-  struct numbered_name *const grown = array_with_room(table->names, sizeof *grown, table->count, &table->room);
-  if (grown == NULL || table->count >= UINT32_MAX) {
-    table->last = 0;
-    return 0;
-  }
-  table->names = grown;
-  memmove(grown + low + 1, grown + low, (table->count - low) * sizeof *grown);
-  memcpy(grown[low].name, wanted, sizeof wanted);
-  grown[low].number = (uint32_t)++table->count;
-  return grown[low].number;
+  return table->last = *slot;
 }
 
 void name_table_free(struct name_table *table) {
   free(table->names);
+  free(table->slots);
   memset(table, 0, sizeof *table);
 }

@@ -7,16 +7,17 @@
 
 #include "read/fields.h"
 
-enum { TABLE_NAME_BYTES = 24 }; /* what is longer is cut off */
+struct table_name {
+  char text[24]; /* what is longer is cut off */
+};
 
-/* Sorted; zeros at first. */
+/* Zeros at first. */
 struct name_table {
-  struct numbered_name {
-    char name[TABLE_NAME_BYTES];
-    uint32_t number;
-  } * names;
+  struct table_name *names; /* [count], in the order of their numbers, from 1 on */
   size_t count, room;
-  size_t last; /* that was found */
+  uint32_t *slots; /* a hash table with open addressing: numbers, 0 where there is none */
+  size_t capacity; /* a power of two, or 0 */
+  uint32_t last;   /* that was found */
 };
 
 /* The number of a name, from 1 on; it is added if it is new. 0: memory is short. */
