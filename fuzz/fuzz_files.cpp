@@ -1,6 +1,6 @@
 // The file readers of the program: any bytes are either read in full or refused with one line; what is read is sound,
-// does not depend on line ends, and survives being written as .xyzr and read again. The first byte, a digit in the
-// corpus, chooses the format.
+// does not depend on line ends, and survives being written as .xyzr and read again; other locations and all models have
+// the same atoms, and an assembly is made or refused. The first byte, a digit in the corpus, chooses the format.
 #include <unistd.h>
 
 #include <cmath>
@@ -26,10 +26,14 @@ struct Reading {
   std::string reason;
   uint64_t line = 0;
   uint64_t models = 0;
+  uint64_t others = 0;          // atoms of other models
+  uint64_t atoms = 0;           // that were read, at other locations too
   std::vector<double> numbers;  // x y z r of every atom
 };
 
-Reading read(const std::string &text, const std::string &extension, uint64_t model = 1) {
+constexpr file_choice first_of_all = FILE_CHOICE_FIRST;
+
+Reading read(const std::string &text, const std::string &extension, const file_choice &choice = first_of_all) {
   static const std::string folder = [] {
     const char *given = std::getenv("TMPDIR");
     return std::string(given != nullptr ? given : "/tmp");
@@ -49,8 +53,13 @@ Reading read(const std::string &text, const std::string &extension, uint64_t mod
   Reading reading;
   const file_format *format = file_format_of(path.c_str(), &why);
   FUZZ_REQUIRE(format != nullptr, "extension");
-  reading.done = read_molecule(path.c_str(), format, model, KEEP_PLACES | KEEP_EXTRAS, &atoms, &why) &&
-                 molecule_take_radii(&atoms, &table, &no_table, &why);
+  reading.done = read_molecule(path.c_str(), format, &choice, KEEP_PLACES | KEEP_EXTRAS, &atoms, &why);
+  reading.atoms = atoms.read + atoms.left_out.alternate_locations;
+  reading.others = atoms.left_out.other_models;
+  text_buffer names = TEXT_BUFFER_EMPTY;
+  if (reading.done) FUZZ_REQUIRE(assemblies_list_others(&atoms, &names), "names of assemblies");
+  text_buffer_free(&names);
+  reading.done = reading.done && molecule_take_radii(&atoms, &table, &no_table, &why);
   reading.exit_status = why.exit_status;
   reading.reason = why.reason;
   reading.line = why.line;
@@ -63,7 +72,7 @@ Reading read(const std::string &text, const std::string &extension, uint64_t mod
       FUZZ_REQUIRE(atoms.radius[i] >= 0.0, "negative radius");
       // A line of CIF may hold several atoms.
       const uint64_t least = i == 0 ? 1 : atoms.line[i - 1] + (std::strcmp(format->name, "cif") == 0 ? 0 : 1);
-      FUZZ_REQUIRE(atoms.line[i] >= least, "line numbers");
+      FUZZ_REQUIRE(choice.assembly != nullptr || atoms.line[i] >= least, "line numbers");
     }
     for (const double number : reading.numbers) FUZZ_REQUIRE(std::isfinite(number), "not finite");
   } else {
@@ -111,9 +120,27 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     FUZZ_REQUIRE(same(reading, read(with_line_ends(text, "\r\n"), extension)), "CRLF");
     FUZZ_REQUIRE(same(reading, read(with_line_ends(text, "\r"), extension)), "CR");
   }
-  const Reading second = read(text, extension, 2);
+  file_choice choice = first_of_all;
+  choice.model = 2;
+  const Reading second = read(text, extension, choice);
   if (second.done) FUZZ_REQUIRE(second.models >= 2, "a second model of one");
   if (reading.done && second.done) FUZZ_REQUIRE(second.models == reading.models, "the number of models");
+  choice.model = EVERY_MODEL;
+  const Reading merged = read(text, extension, choice);
+  if (reading.done && merged.done) FUZZ_REQUIRE(merged.atoms >= reading.atoms, "all models");
+  const bool counted = extension == ".pdb" || extension == ".pqr";  // atoms of other models, not announcements of them
+  if (reading.done && merged.done && counted) {
+    FUZZ_REQUIRE(merged.atoms == reading.atoms + reading.others, "atoms of all models");
+  }
+  choice = first_of_all;
+  for (const char location : {static_cast<char>(LOCATION_BY_OCCUPANCY), 'B'}) {
+    choice.location = location;
+    const Reading chosen = read(text, extension, choice);
+    if (reading.done && chosen.done) FUZZ_REQUIRE(chosen.atoms == reading.atoms, "other locations");
+  }
+  choice.label_chains = true;
+  choice.assembly = "1";
+  read(text, extension, choice);
   if (reading.done) {
     std::string plain;
     for (size_t k = 0; k < reading.numbers.size(); k += 4) {

@@ -211,8 +211,9 @@ Words elements_of_pqr(const std::string &contents) {
   failure why = {};
   molecule atoms;
   Words elements;
+  const file_choice first = FILE_CHOICE_FIRST;
   EXPECT_TRUE(
-      read_molecule(file.path().c_str(), file_format_of(file.path().c_str(), &why), 1, KEEP_NO_MORE, &atoms, &why))
+      read_molecule(file.path().c_str(), file_format_of(file.path().c_str(), &why), &first, KEEP_NO_MORE, &atoms, &why))
       << why.reason;
   for (uint32_t i = 0; i < atoms.atoms; ++i) elements.emplace_back(atoms.label[i].element.text);
   molecule_free(&atoms);

@@ -1,6 +1,7 @@
 // Sums over residues and chains: which atoms belong together, and that nothing is lost or counted twice.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <map>
 #include <numbers>
 #include <string>
@@ -142,6 +143,144 @@ TEST(Residues, ManyChains) {
     EXPECT_EQ(chain["atoms"].number, count);
     EXPECT_NEAR(chain["area"].number, 4 * std::numbers::pi * count, 1e-9);
   }
+}
+
+// ---- what tells residues and chains apart beside their names ----
+
+// "HOH A  1" and the like of each residue, and of each chain its name.
+std::vector<std::string> names(const std::string &file, const std::string &by) {
+  std::vector<std::string> all;
+  const Json json = run_json({"measure", file, "--by", by});
+  for (const Json &group : json[by + "s"].items) {
+    all.push_back(by == "chain" ? group["chain"].text
+                                : group["name"].text + " " + group["chain"].text + " " + group["number"].text + " " +
+                                      std::to_string(static_cast<int>(group["atoms"].number)));
+  }
+  return all;
+}
+
+using Names = std::vector<std::string>;
+
+// Records with these columns 13 to 27, each far from the others; elements as they are given.
+std::string records(const std::vector<std::string> &columns) {
+  std::string text;
+  int x = 0;
+  for (const std::string &it : columns) {
+    char line[96];
+    if (it == "TER") {
+      text += "TER\n";
+      continue;
+    }
+    std::snprintf(line, sizeof line, "ATOM      1 %-15s   %8.3f%8.3f%8.3f  1.00  0.00           %c\n", it.c_str(),
+                  20.0 * x++, 0.0, 0.0, it[1]);
+    text += line;
+  }
+  return text;
+}
+
+// Column 21 is the fourth letter of a residue or the first one of a chain, by what the file shows.
+TEST(Residues, ColumnTwentyOne) {
+  struct Case {
+    std::vector<std::string> columns;
+    Names residues, chains;
+  };
+  const std::vector<Case> cases = {
+      // Chains of two letters beside those of one, known residues and others, a nucleotide.
+      {{" CA  GLYAA   1", " CA  GLYBA   1", " CA  GLY A   1", " C1  LIGBA   9", " C1    GAB   2", " C1   DAAC   3"},
+       {"GLY AA 1 1", "GLY BA 1 1", "GLY A 1 1", "LIG BA 9 1", "G AB 2 1", "DA AC 3 1"},
+       {"AA", "BA", "A", "AB", "AC"}},
+      // The same where a ligand comes first, and where its name would be that of a lipid.
+      {{" C1  LIGBA   9", " C1  POPCA   8", " CA  GLYAA   1", " CA  GLYBA   1", " CA  ALABA   2"},
+       {"LIG BA 9 1", "POP CA 8 1", "GLY AA 1 1", "GLY BA 1 1", "ALA BA 2 1"},
+       {"BA", "CA", "AA"}},
+      // Residues of four letters, with chains and without, one of which begins as an amino acid does.
+      {{" C1  POPC    1", " C1  POPEM   2", " C1  TIP3W   3", " C1  HSPPA   4", " C1  LIGX    5", " C1  LIGYB   6"},
+       {"POPC  1 1", "POPE M 2 1", "TIP3 W 3 1", "HSPP A 4 1", "LIGX  5 1", "LIGY B 6 1"},
+       {"", "M", "W", "A", "B"}},
+      {{" N   LYSH    1", " N   HISBA   2", " N   NALAA   3"}, {"LYSH  1 1", "HISB A 2 1", "NALA A 3 1"}, {"", "A"}},
+      // Nothing but what both would do for: the fourth letter.
+      {{" C1  LIGXA   1"}, {"LIGX A 1 1"}, {"A"}},
+  };
+  for (const Case &one : cases) {
+    const TemporaryFile file("column.pdb", records(one.columns));
+    EXPECT_EQ(names(file.path(), "residue"), one.residues) << one.columns[0];
+    EXPECT_EQ(names(file.path(), "chain"), one.chains) << one.columns[0];
+  }
+  // Two locations of one atom stay one residue, and those of two chains stay apart.
+  const TemporaryFile locations("column.pdb", records({" CA AGLYAA   1", " CA BGLYAA   1", " CA AGLYBA   1",
+                                                       " CA BGLYBA   1", " CA AHEMBA   9", " CA AHEMCA   9"}));
+  EXPECT_EQ(names(locations.path(), "residue"), Names({"GLY AA 1 1", "GLY BA 1 1", "HEM BA 9 1", "HEM CA 9 1"}));
+  const TemporaryFile lipids("column.pdb", records({" P   POPC    1", " P   POPE    2", " P   POPE    3"}));
+  EXPECT_EQ(run_json({"measure", lipids.path(), "--only", "residue:POPE"})["n"].number, 2);
+}
+
+// TER ends a chain that has no name, and so a residue; water and ions go on with water and ions.
+TEST(Residues, ChainsByTer) {
+  const TemporaryFile file(
+      "ter.pdb", records({" CA  GLY     1", " CB  GLY     1", "TER", " CA  GLY     1", "TER", "TER", " CA  GLY A   1",
+                          "TER", " CA  GLY A   1", " O   WAT     7", "TER", " O   WAT     8", "TER", " K   K       9",
+                          "TER", " K   K      10", "TER", " C1  LIG     9"}));
+  EXPECT_EQ(names(file.path(), "residue"), Names({"GLY  1 2", "GLY .2 1 1", "GLY A 1 2", "WAT .3 7 1", "WAT .3 8 1",
+                                                  "K .3 9 1", "K .3 10 1", "LIG .4 9 1"}));
+  EXPECT_EQ(names(file.path(), "chain"), Names({"", ".2", "A", ".3", ".4"}));
+  const auto count = [&](const char *selection) {
+    return run_json({"measure", file.path(), "--only", selection})["n"].number;
+  };
+  EXPECT_EQ(count("chain:."), 8);
+  EXPECT_EQ(count("chain:.1"), 2);
+  EXPECT_EQ(count("chain:.2"), 1);
+  EXPECT_EQ(run_program({"measure", file.path(), "--interface", ".1,.2+.4"}).status, 0);
+  const TemporaryFile pqr("ter.pqr", "ATOM 1 CA GLY 1 0 0 0 0 1\nTER\nATOM 2 CA GLY 1 9 0 0 0 1\n");
+  EXPECT_EQ(names(pqr.path(), "residue"), Names({"GLY  1 1", "GLY .2 1 1"}));
+  // Segments are names.
+  const std::string segment = records({" CA  GLY     1"});
+  const std::string named = segment.substr(0, 72) + "PROA" + segment.substr(76);
+  const TemporaryFile segments("segments.pdb", named + "TER\n" + std::string(named).replace(30, 8, "   9.000"));
+  EXPECT_EQ(names(segments.path(), "residue"), Names({"GLY PROA 1 2"}));
+}
+
+// Where numbers are stars or missing, an atom's name that comes again begins a residue.
+TEST(Residues, NamesThatComeAgain) {
+  struct Case {
+    std::vector<std::string> columns;
+    Names residues;
+  };
+  const std::vector<Case> cases = {
+      {{" O   HOH W****", " H1  HOH W****", " H2  HOH W****", " O   HOH W****", " H1  HOH W****", " H2  HOH W****"},
+       {"HOH W **** 3", "HOH W **** 3"}},
+      {{" O   HOH W", " H   HOH W", " H   HOH W", " O   HOH W", " H   HOH W", " H   HOH W", " O   HOH W"},
+       {"HOH W  3", "HOH W  3", "HOH W  1"}},
+      {{" O   HOH W", " H   HOH W", " H   HOH W", " H   HOH W", " O   HOH W"}, {"HOH W  4", "HOH W  1"}},
+      {{" N   GLY", " CA  GLY", " C   GLY", " CA  GLY", " C   GLY"}, {"GLY   3", "GLY   2"}},
+      {{" C1  LIP  ****", " C2  LIP  ****", " C1  LIP  ****"}, {"LIP  **** 2", "LIP  **** 1"}},
+      {{" K   K", " K   K"}, {"K   1", "K   1"}},
+      // Names that may be mere elements, and residues with numbers.
+      {{" C   LIG", " C   LIG", " O   LIG", " C   LIG"}, {"LIG   4"}},
+      {{" C   UNK", " C   UNK", " O   UNK", " C   UNK"}, {"UNK   4"}},
+      {{" C1  GLY A   1", " C1  GLY A   1"}, {"GLY A 1 2"}}};
+  for (const Case &one : cases) {
+    const TemporaryFile file("again.pdb", records(one.columns));
+    EXPECT_EQ(names(file.path(), "residue"), one.residues) << one.columns[0];
+  }
+  const TemporaryFile stars("stars.pdb", records(cases[0].columns));
+  EXPECT_EQ(run_json({"measure", stars.path()})["input"]["waters"].number, 2);
+  const TemporaryFile cif("waters.cif",
+                          "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
+                          "_atom_site.label_asym_id\n_atom_site.label_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+                          "_atom_site.Cartn_z\nO O HOH C . 0 0 0\nO O HOH C . 9 0 0\nO O HOH C . 18 0 0\n"
+                          "Na NA NA D . 27 0 0\nNa NA NA D . 36 0 0\n");
+  EXPECT_EQ(names(cif.path(), "residue").size(), 5u);
+  EXPECT_EQ(run_json({"measure", cif.path()})["input"]["waters"].number, 3);
+}
+
+// Selenium in place of sulfur makes no other residue of methionine.
+TEST(Residues, SelenomethionineIsAsLargeAsMethionine) {
+  const TemporaryFile file("mse.pdb", records({" CA  MET A   1", " CA  MSE A   2"}));
+  const Json residues =
+      run_json({"measure", file.path(), "--by", "residue", "--relative", "--probe", "1.4"})["residues"];
+  ASSERT_EQ(residues.items.size(), 2u);
+  EXPECT_GT(residues.items[0]["relative"].number, 0);
+  EXPECT_EQ(residues.items[0]["relative"].number, residues.items[1]["relative"].number);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // angstrom apart along x, which tells them from each other.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -48,6 +49,42 @@ TEST(Selection, ByOneProperty) {
   EXPECT_EQ(taken({"--only", "atom:ca"}), (Numbers{1, 2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(taken({"--only", "water"}), (Numbers{8, 9, 10}));
   EXPECT_EQ(taken({"--only", "hetatm"}), (Numbers{8, 9, 10, 11, 12}));
+}
+
+// Ends of a range may have insertion codes: then residues count by their numbers, and those of one number by their
+// codes, none before A. An end without one has all codes of its number.
+TEST(Selection, RangesWithInsertionCodes) {
+  std::string text;
+  int x = 0;
+  for (const char *number :
+       {"  51 ", "  52 ", "  52A", "  52B", "  52C", "  53 ", "  53A", "  54 ", "  -5 ", "  -5A"}) {
+    char line[96];
+    std::snprintf(line, sizeof line, "ATOM      1  CA  GLY A%s   %8.3f%8.3f%8.3f  1.00  0.00           C\n", number,
+                  10.0 * x++, 0.0, 0.0);
+    text += line;
+  }
+  const TemporaryFile file("codes.pdb", text);
+  const auto range = [&](const std::string &item) {
+    const Json json = run_json({"measure", file.path(), "--per-ball", "--only", "residue:" + item});
+    Numbers numbers;
+    for (const Json &ball : json["balls"].items) {
+      numbers.push_back(static_cast<int>(ball["xyz"].items[0].number / 10 + 0.5));
+    }
+    return numbers;
+  };
+  EXPECT_EQ(range("52A-53"), (Numbers{2, 3, 4, 5, 6}));
+  EXPECT_EQ(range("52-53"), (Numbers{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(range("52-52B"), (Numbers{1, 2, 3}));
+  EXPECT_EQ(range("52b-52C"), (Numbers{3, 4}));
+  EXPECT_EQ(range("52C-53A"), (Numbers{4, 5, 6}));
+  EXPECT_EQ(range("51-52A"), (Numbers{0, 1, 2}));
+  EXPECT_EQ(range("-5A-51"), (Numbers{0, 9}));
+  EXPECT_EQ(range("52A"), (Numbers{2}));
+  for (const char *item : {"53-52A", "52C-52A", "54A-53"}) {
+    const Outcome outcome = run_program({"measure", file.path(), "--only", std::string("residue:") + item});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, std::string("hardsphere: --only: the range '") + item + "' is empty\n");
+  }
 }
 
 TEST(Selection, BySeveral) {

@@ -345,7 +345,8 @@ TEST(UnitCell, OperatorsThatDoNotFitAreRefused) {
   EXPECT_NE(run_program({"measure", cubic.path(), "--box", "file"}).err.find("does not fit its box"),
             std::string::npos);
   const TemporaryFile words("words.cif", cif("9 9 9 90 90 90", {"x,y,z", "x,y"}, "C1 0 0 0\n"));
-  EXPECT_FALSE(run_json({"measure", words.path(), "--box", "file"})["symmetry"]["filled"].boolean);
+  const std::string note = "copies by symmetry are not made, the file's operators cannot be read";
+  EXPECT_FALSE(run_json({"measure", words.path(), "--box", "file"}, note)["symmetry"]["filled"].boolean);
 }
 
 // The coordinates of an atom record, each less by so much.

@@ -113,6 +113,10 @@ static bool check(struct reading *reading) {
       request->to.of_void == 0) {
     return failure_in_usage(reading->failure, "gate finds the probe: --probe is for --from void:K alone");
   }
+  if (request->model_given && request->models > 0) {
+    return failure_in_usage(reading->failure,
+                            "--model is one of them, --models merged all: either the one or the other");
+  }
   if (!viewing_check(&request->viewing, reading->failure)) return false;
   if (!request_check_several(request, reading->failure) || !find_format(reading)) return false;
   if (file_format_has(request->format, FILE_RADII) && (reading->radii_seen || reading->radius_seen)) {
@@ -131,7 +135,7 @@ bool request_parse(struct request *request, enum command command, int file, int 
                    struct failure *failure) {
   memset(request, 0, sizeof *request);
   request->command = command;
-  request->model = 1;
+  request->choice = (struct file_choice)FILE_CHOICE_FIRST;
   request->frames = (struct frame_range)FRAME_RANGE_ALL;
   request->selection = (struct selection)SELECTION_EVERYTHING;
   request->highlight = (struct selection)SELECTION_EVERYTHING;

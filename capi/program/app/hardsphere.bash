@@ -4,7 +4,7 @@ _hardsphere() {
   if [ "$COMP_CWORD" -eq 1 ]; then
     words="model boundary measure voids contacts complex cells path gate pores clash query mesh map pick draw completion help --help --version"
   elif [[ $word == -* ]]; then
-    words="--help --format --radii --radius --probe --json --no-water --no-hetatm --no-hydrogens --only --hide --index --model --threads"
+    words="--help --format --radii --radius --probe --json --no-water --no-hetatm --no-hydrogens --only --hide --index --model --models --altloc --chains --assembly --threads"
     case $command in
       model) words+="" ;;
       boundary) words+=" --shells --csv --box" ;;
@@ -29,6 +29,9 @@ _hardsphere() {
       "completion completion") words="bash zsh" ;;
       *" --format") words="xyzr pdb pqr xyz cif gro sdf mol2 pdbqt" ;;
       *" --radii") words="bondi chem3d protor naccess list" ;;
+      *" --models") words="merged" ;;
+      *" --altloc") words="first occupancy" ;;
+      *" --chains") words="auth label" ;;
       "measure --surface") words="sas ses" ;;
       "measure --by") words="residue chain group" ;;
       "contacts --by") words="residue chain" ;;

@@ -52,8 +52,9 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
   struct geometry geometry = {.work = {0}};
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
-  bool done = read_molecule(request->file, request->format, request->model, keeping_of(request), &molecule, failure) &&
-              prepare(request, &molecule, notes, failure) && (!request->polar || polarity_find(&molecule, failure));
+  bool done =
+      read_molecule(request->file, request->format, &request->choice, keeping_of(request), &molecule, failure) &&
+      prepare(request, &molecule, notes, failure) && (!request->polar || polarity_find(&molecule, failure));
   if (done && request->trajectory != NULL) {
     const struct frame_work work = {.command = command};
     double *const rounding = &notes->largest_rounding;
@@ -76,7 +77,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
     notes->largest_rounding = geometry.largest_rounding;
     geometry_free(&geometry);
   }
-  if (done) notes_count_water(notes, request, &molecule);
+  if (done) notes_look_at_result(notes, request, &molecule);
   molecule_free(&molecule);
   return done;
 }
@@ -106,8 +107,8 @@ static bool run_two(enum command command, int count, char **arguments, struct te
     done = radii_list_print(out, failure);
   } else {
     for (int k = 0; k < 2 && done; ++k) {
-      done = read_molecule(request[k].file, request[k].format, request[k].model, keeping_of(&request[k]), &molecule[k],
-                           failure) &&
+      done = read_molecule(request[k].file, request[k].format, &request[k].choice, keeping_of(&request[k]),
+                           &molecule[k], failure) &&
              prepare(&request[k], &molecule[k], &notes[k], failure);
     }
     const struct molecule_request fixed = {&request[0], &molecule[0], &notes[0].largest_rounding},
@@ -116,7 +117,7 @@ static bool run_two(enum command command, int count, char **arguments, struct te
   }
   for (int k = 0; k < 2; ++k) {
     if (done && !request[0].list_radii) {
-      notes_count_water(&notes[k], &request[k], &molecule[k]);
+      notes_look_at_result(&notes[k], &request[k], &molecule[k]);
       notes_print(&notes[k], &request[k]);
     }
     notes_free(&notes[k]);

@@ -54,11 +54,17 @@ static uint32_t count_at_origin(const struct molecule *molecule) {
   return count;
 }
 
-void notes_look_at_file(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+void notes_look_at_file(struct notes *notes, const struct request *request, struct molecule *molecule) {
+  const char letter = request->choice.location;
+  if (request->choice.assembly == NULL) assemblies_list_others(molecule, &notes->assemblies);
+  if (letter != LOCATION_FIRST && letter != LOCATION_BY_OCCUPANCY && !molecule->location_found) {
+    text_buffer_add(&notes->unmatched, "--altloc %c", letter);
+  }
   const bool orders = file_format_has(molecule->format, FILE_ORDERS);
   if (molecule->remark != NULL) text_buffer_add(&notes->lines, "%s\n", molecule->remark);
-  if (request->trajectory != NULL) return;                               /* its frames are read, all of them */
-  if (molecule->models > 1 && !request->model_given && !request->json) { /* whose object has it */
+  if (request->trajectory != NULL) return; /* its frames are read, all of them */
+  const bool chosen = request->model_given || request->choice.model == EVERY_MODEL;
+  if (molecule->models > 1 && !chosen && !request->json) { /* whose object has it */
     text_buffer_add(&notes->lines, "%s 1 of %" PRIu64 " is read, and no other; --model N takes another one\n",
                     orders ? "molecule" : "model", molecule->models);
   }
@@ -73,9 +79,9 @@ void notes_look_at_file(struct notes *notes, const struct request *request, cons
 
 void notes_look_at_symmetry(struct notes *notes, const struct request *request, const struct symmetry *symmetry) {
   char text[UNIT_CELL_TEXT_BYTES];
-  if (!request->csv || request->box.source != BOX_OF_FILE || request->box.without_copies) return;
+  if (request->box.source != BOX_OF_FILE || request->box.without_copies) return;
   if (!symmetry->filled && !symmetry_is_none(symmetry)) {
-    text_buffer_add(&notes->lines, "%s\n", unit_cell_text(text, symmetry));
+    text_buffer_add(&notes->lines, "space group %s\n", unit_cell_text(text, symmetry));
   }
 }
 
@@ -96,7 +102,7 @@ static void print(const struct request *request, const struct failure *note) {
   failure_print(&line);
 }
 
-void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+void notes_look_at_result(struct notes *notes, const struct request *request, const struct molecule *molecule) {
   const bool rows = request->csv || (request->trajectory != NULL && !request->json && !request->mean);
   notes->waters = rows ? input_report_waters(molecule) : 0;
   notes->dummies = molecule->left_out.virtual_sites;
@@ -111,6 +117,13 @@ void notes_print(const struct notes *notes, const struct request *request) {
   }
   if (notes->unmatched.length > 0) {
     snprintf(note.reason, sizeof note.reason, "nothing matches %s", notes->unmatched.text);
+    print(request, &note);
+  }
+  if (notes->assemblies.length > 0) {
+    const bool several = strpbrk(notes->assemblies.text, ", ") != NULL;
+    snprintf(note.reason, sizeof note.reason, "%s %s of the file %s not what is read; --assembly %s makes %s",
+             several ? "assemblies" : "assembly", notes->assemblies.text, several ? "are" : "is",
+             several ? "N" : notes->assemblies.text, several ? "one" : "it");
     print(request, &note);
   }
   if (notes->contradicted > 0) {
@@ -156,4 +169,5 @@ void notes_print(const struct notes *notes, const struct request *request) {
 void notes_free(struct notes *notes) {
   text_buffer_free(&notes->lines);
   text_buffer_free(&notes->unmatched);
+  text_buffer_free(&notes->assemblies);
 }

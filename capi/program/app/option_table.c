@@ -36,7 +36,7 @@ const struct option *option_at(size_t i) {
       {"--hide", "S", take_atoms, EVERY, .target = IN(selection),
        .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "read only the atoms that S names, or all but them. S is chain:A,B, element:H, atom:CA,\n"
-               "residue:HOH,7,1-40,52A, water, hetatm or hydrogen, or several of these that must all\n"
+               "residue:HOH,7,1-40,52A-53, water, hetatm or hydrogen, or several of these that must all\n"
                "hold: \"chain:A&residue:1-40\"; chain:. has no name. Several --only are a union,\n"
                "and so are several --hide. What is left out blocks nothing; measure --of S lets it block"},
       {"--index", "FILE", take_path, EVERY, .target = IN(index_file),
@@ -44,6 +44,21 @@ const struct option *option_at(size_t i) {
                "group:NAME, or group:N for the one that is N, counted from 0"},
       {"--model", "N", take_model, EVERY, .what = "the number of a model, from 1 on",
        .help = "read model N of the file, counted from 1; default 1"},
+      {"--models", "merged", take_choice, EVERY, .target = IN(models), .words = "merged", .first = 1,
+       .help = "read all models as one set of balls, as of files that have one for each copy of an\n"
+               "assembly (.pdb1): chains of model 2 have -2 behind their names"},
+      {"--altloc", "first|occupancy|LETTER", take_location, EVERY, .words = "first|occupancy",
+       .what = "first, occupancy or a letter",
+       .help = "which location counts of atoms that .pdb and .cif files have at several: of each atom that\n"
+               "which comes first, the default; or of a residue that with the largest mean occupancy, or\n"
+               "with the letter, where it has it. Of disordered groups of crystals likewise"},
+      {"--chains", "auth|label", take_chains, EVERY, .target = IN(chains), .words = "auth|label", .first = 1,
+       .help = "of .cif files: chains by auth_asym_id, the default, or by label_asym_id, in which ligands and\n"
+               "water have chains of their own; each where the other one is missing"},
+      {"--assembly", "N", take_text, EVERY, .target = IN(choice.assembly), .what = "the name of an assembly",
+       .help = "make the biological assembly N that a .pdb or .cif file states (REMARK 350,\n"
+               "_pdbx_struct_assembly_gen): copies of its chains by its operators. The second copy of chain\n"
+               "A is A-2, and --only and the like know it by that name. Not with --box"},
 
       {"--threads", "N", take_threads, EVERY, .what = "how many threads",
        .help = "let N threads work on files, on frames of a trajectory or on a large molecule; default one\n"
@@ -74,8 +89,9 @@ const struct option *option_at(size_t i) {
       {"--by", "residue|chain|group", take_choice, OF(MEASURE), .target = IN(by), .words = "residue|chain|group",
        .first = 1,
        .help = "also sums over residues or chains, except for .xyz and .xyzr, or over the groups of\n"
-               "--index. A residue is a run of atoms with the same chain, name, number and insertion code;\n"
-               "a chain is all atoms with its name, or in .pdb files without chains with their segment"},
+               "--index. A residue is a run of atoms with the same chain, name, number and insertion code,\n"
+               "and without a number ends where an atom's name comes again; a chain is all atoms with its\n"
+               "name, or in .pdb files without chains with their segment, or else up to a TER"},
       {"--of", "S", take_atoms, OF(MEASURE), .target = IN(part), .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "measure only the atoms that S names, as for --only; all others that are read block. Of\n"
                "these the free area is found, and no volume; with --gradient its derivatives by all\n"

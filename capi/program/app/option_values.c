@@ -73,14 +73,38 @@ bool take_atoms(struct reading *reading, const struct option *option, const char
 }
 
 bool take_model(struct reading *reading, const struct option *option, const char *value) {
-  uint64_t *model = &reading->request->model;
+  uint64_t *model = &reading->request->choice.model;
   if (!option_value(reading, option, &value)) return false;
   if (reading->request->model_given) return option_given_twice(reading, option);
   reading->request->model_given = true;
-  if (number_parse_count(value, strlen(value), model) == NUMBER_OK && *model > 0) return true;
+  if (number_parse_count(value, strlen(value), model) == NUMBER_OK && *model > 0 && *model < EVERY_MODEL) return true;
   char shown[EXCERPT_BYTES];
   return failure_in_usage(reading->failure, "--model: '%s' is not the number of a model, from 1 on",
                           excerpt(shown, value, strlen(value)));
+}
+
+/* One of the words, or a letter. */
+bool take_location(struct reading *reading, const struct option *option, const char *value) {
+  struct request *request = reading->request;
+  if (!option_value(reading, option, &value)) return false;
+  if (request->location_given) return option_given_twice(reading, option);
+  request->location_given = true;
+  const int word = option_word(option, value);
+  request->choice.location = word >= 0 ? (char)(LOCATION_FIRST + word) : value[0];
+  if (word >= 0 || (value[0] > ' ' && value[1] == '\0')) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "--altloc: '%s' is not %s", excerpt(shown, value, strlen(value)),
+                          option->what);
+}
+
+/* By which names; users who want some chains alone write that, too. */
+bool take_chains(struct reading *reading, const struct option *option, const char *value) {
+  char shown[EXCERPT_BYTES];
+  if (!option_value(reading, option, &value)) return false;
+  if (option_word(option, value) >= 0) return take_choice(reading, option, value);
+  excerpt(shown, value, strlen(value));
+  return failure_in_usage(reading->failure, "--chains: '%s' is neither auth nor label; did you mean --only chain:%s?",
+                          shown, shown);
 }
 
 bool take_threads(struct reading *reading, const struct option *option, const char *value) {

@@ -140,6 +140,36 @@ static bool check_box(const struct request *request, struct failure *failure) {
   return other == NULL || failure_in_usage(failure, "%s is not for a --box", other);
 }
 
+/* Checks for what is read of a file that states more than one molecule. */
+static bool check_choice(struct request *request, struct failure *failure) {
+  char list[FORMAT_LIST_BYTES];
+  const char *const assembly = request->choice.assembly;
+  request->choice.label_chains = request->chains == 2;
+  if (request->models > 0) request->choice.model = EVERY_MODEL;
+  if ((request->location_given || assembly != NULL) && !file_format_has(request->format, FILE_LOCATIONS)) {
+    return failure_in_usage(failure, "%s has no use here: it is for %s files",
+                            assembly != NULL ? "--assembly" : "--altloc",
+                            file_format_list(list, ".", "and", FILE_LOCATIONS | FILE_ATOMS, true));
+  }
+  if (request->chains > 0 && !file_format_has(request->format, FILE_LABEL_CHAINS)) {
+    return failure_in_usage(failure, "--chains has no use here: it is for %s files, which have two names of a chain",
+                            file_format_list(list, ".", "and", FILE_LABEL_CHAINS | FILE_ATOMS, true));
+  }
+  if (assembly == NULL && request->models == 0) return true;
+  const char *const copies = assembly != NULL ? "--assembly" : "--models merged";
+  if (assembly != NULL && request->models > 0) {
+    return failure_in_usage(failure, "copies are either those of --assembly or those of --models merged");
+  }
+  if (assembly != NULL && request->box.source != BOX_NONE) {
+    return failure_in_usage(failure, "--assembly is not for a --box: both make copies");
+  }
+  const char *const other = request->trajectory != NULL ? "--trajectory"
+                            : request->pdb_out != NULL  ? "--pdb-out"
+                                                        : NULL;
+  return other == NULL ||
+         failure_in_usage(failure, "%s has the atoms of the file, each once: not with %s", other, copies);
+}
+
 bool request_check_several(const struct request *request, struct failure *failure) {
   if (request->command == COMMAND_CLASH) {
     return request->files == 2 ||
@@ -207,6 +237,7 @@ bool request_check(struct request *request, struct failure *failure) {
   if (!selection_suits(&request->selection, request->format, &request->index, failure)) return false;
   if (!selection_suits(&request->part, request->format, &request->index, failure)) return false;
   if (!selection_suits(&request->highlight, request->format, &request->index, failure)) return false;
+  if (!check_choice(request, failure)) return false;
   if (!check_trajectory(request, failure) || !check_measure(request, failure) || !check_part(request, failure) ||
       !check_box(request, failure)) {
     return false;

@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "read/line_reader.h"
 #include "read/residues.h"
@@ -165,9 +166,28 @@ static void rows(struct text_buffer *out, const struct request *request, const s
     add_count(out, " ", among.by_number, "number, taken as an atomic number", "numbers, taken as atomic numbers");
     text_buffer_add(out, "\n");
   }
-  if (molecule->models > 1) {
+  if (molecule->models > 1 && molecule->model == EVERY_MODEL) {
+    snprintf(value, sizeof value, "all %" PRIu64 ", as one", molecule->models);
+    report_row(out, "models", value, "");
+  } else if (molecule->models > 1) {
     snprintf(value, sizeof value, "%" PRIu64 " of %" PRIu64, molecule->model, molecule->models);
     report_row(out, "model", value, "");
+  }
+  if (request->choice.assembly != NULL) {
+    char shown[EXCERPT_BYTES];
+    snprintf(value, sizeof value, "%s, by %lu operator%s",
+             excerpt(shown, request->choice.assembly, strlen(request->choice.assembly)),
+             (unsigned long)molecule->assemblies.made, molecule->assemblies.made == 1 ? "" : "s");
+    report_row(out, "assembly", value, "");
+  }
+  if (request->choice.label_chains) report_row(out, "chains", "by label_asym_id", "");
+  if (request->location_given) {
+    const char letter[] = {request->choice.location, '\0'};
+    report_row(out, "locations",
+               letter[0] == LOCATION_FIRST          ? "the first"
+               : letter[0] == LOCATION_BY_OCCUPANCY ? "by occupancy"
+                                                    : letter,
+               "");
   }
   if (molecule->coordinates != NULL) report_row(out, "coordinates", molecule->coordinates, "");
   rows_left_out(out, &molecule->left_out);
@@ -236,8 +256,17 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
     text_buffer_add(out, ", \"coordinates\": ");
     json_text(out, molecule->coordinates == NULL ? "Cartn_x" : molecule->coordinates);
   }
-  json_count(out, "model", molecule->model);
+  if (molecule->model == EVERY_MODEL) {
+    text_buffer_add(out, ", \"model\": null");
+  } else {
+    json_count(out, "model", molecule->model);
+  }
   json_count(out, "models", molecule->models);
+  if (request->choice.assembly != NULL) {
+    text_buffer_add(out, ", \"assembly\": ");
+    json_text(out, request->choice.assembly);
+    json_count(out, "assembly_operators", molecule->assemblies.made);
+  }
   text_buffer_add(out, ", \"left_out\": {\"other_models\": %" PRIu64, left_out->other_models);
   json_count(out, "alternate_locations", left_out->alternate_locations);
   json_count(out, "virtual_sites", left_out->virtual_sites);

@@ -5,11 +5,10 @@
 
 /* Which group of the text a chain belongs to: 0 or 1, or -1 for none. */
 static int side_of(const char *text, const char *chain) {
-  const char *name = chain[0] == '\0' ? "." : chain;
   int side = 0;
   for (;;) {
     const size_t length = strcspn(text, "+,");
-    if (length == strlen(name) && strncmp(text, name, length) == 0) return side;
+    if (chain_is_named(chain, (struct field){text, length})) return side;
     if (text[length] == '\0') return -1;
     if (text[length] == ',') ++side;
     text += length + 1;

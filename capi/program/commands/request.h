@@ -10,6 +10,7 @@
 #include "commands/periodic_box.h"
 #include "draw/drawing.h"
 #include "draw/viewing.h"
+#include "read/file_choice.h"
 #include "read/file_format.h"
 #include "read/radii.h"
 #include "read/radii_table.h"
@@ -75,12 +76,15 @@ struct request {
   bool dark;         /* the page of a picture of `contacts` or `mesh` */
   const char *map;   /* a file for a picture of contacts, or NULL */
   enum grouping by;
-  const char *weights;    /* a file, or NULL */
-  const char *pdb_out;    /* a file, or NULL */
-  double probe;           /* 0 if none was given */
-  struct box_choice box;  /* of `boundary`, `measure`, `contacts` and `pores` */
-  uint64_t model;         /* counted from 1 */
-  bool model_given;       /* by the user */
+  const char *weights;   /* a file, or NULL */
+  const char *pdb_out;   /* a file, or NULL */
+  double probe;          /* 0 if none was given */
+  struct box_choice box; /* of `boundary`, `measure`, `contacts` and `pores` */
+  struct file_choice choice;
+  bool model_given;
+  bool location_given;
+  int models;             /* 1: all as one; 0: not said */
+  int chains;             /* of .cif, 1: by the authors' names, 2: by the labels'; 0: not said */
   const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
   bool frames_given;
   struct frame_range frames;

@@ -4,13 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Which residue. */
-struct residue_place {
-  char chain[12];
-  char number[12];
-  char insertion[2];
-  char segment[6]; /* four characters of it */
-};
+#include "read/words.h"
 
 struct seen_location {
   char name[8]; /* of the atom; empty for the residue as a whole */
@@ -38,7 +32,7 @@ struct residue_visit {
 };
 
 /* Labels have zeros behind their texts. */
-static struct residue_place place_of(const struct residue_label *residue, struct field segment) {
+struct residue_place residue_place_of(const struct residue_label *residue, struct field segment) {
   struct residue_place place;
   memcpy(place.chain, residue->chain, sizeof place.chain);
   memcpy(place.number, residue->number, sizeof place.number);
@@ -54,17 +48,6 @@ static struct seen_location location_of(const char *name, const struct residue_p
   memcpy(location.name, name, sizeof location.name);
   memcpy(location.residue, residue, sizeof location.residue);
   return location;
-}
-
-static uint32_t hash_of(const void *key, size_t bytes) {
-  uint64_t hash = 0;
-  for (size_t i = 0; i < bytes; i += sizeof hash) {
-    uint64_t word;
-    memcpy(&word, (const char *)key + i, sizeof word);
-    hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
-    hash ^= hash >> 32;
-  }
-  return (uint32_t)hash;
 }
 
 static bool same_key(const struct seen_location *a, const struct seen_location *b) {
@@ -101,7 +84,7 @@ static bool reserve(struct alternate_locations *locations) {
 static const struct seen_location *first_of(struct alternate_locations *locations,
                                             const struct seen_location *location) {
   if (!reserve(locations)) return NULL;
-  const uint32_t hash = hash_of(location, KEY_BYTES);
+  const uint32_t hash = word_hash(location, KEY_BYTES);
   size_t at = hash & (locations->capacity - 1);
   for (; locations->slots[at].place != 0; at = (at + 1) & (locations->capacity - 1)) {
     const struct location_slot slot = locations->slots[at];
@@ -143,7 +126,7 @@ static bool note_waiting(struct alternate_locations *locations, uint32_t atom, c
 
 /* Where the table of residues has the place, or would have it. */
 static uint32_t *residue_at(const struct alternate_locations *locations, const struct residue_place *place) {
-  size_t at = hash_of(place, sizeof *place) & (locations->residues - 1);
+  size_t at = word_hash(place, sizeof *place) & (locations->residues - 1);
   while (locations->residue[at] != 0 &&
          memcmp(&locations->visit[locations->residue[at] - 1].place, place, sizeof *place) != 0) {
     at = (at + 1) & (locations->residues - 1);
@@ -204,7 +187,7 @@ static bool show_waiting(struct alternate_locations *locations, const struct ato
 bool alternate_locations_keep(struct alternate_locations *locations, const struct molecule *molecule,
                               const struct atom_label *label, struct field segment, char letter, bool *keep) {
   static const char nobody[sizeof label->name] = "";
-  const struct residue_place place = place_of(label->residue, segment);
+  const struct residue_place place = residue_place_of(label->residue, segment);
   *keep = true;
   if (letter == ' ') return note_waiting(locations, molecule->atoms, &place, label->residue->name);
   if (!show_waiting(locations, molecule->label, &place)) return false;

@@ -8,6 +8,16 @@
 
 #include "read/molecule.h"
 
+/* Which residue. */
+struct residue_place {
+  char chain[12];
+  char number[12];
+  char insertion[2];
+  char segment[6]; /* four characters of it */
+};
+
+struct residue_place residue_place_of(const struct residue_label *residue, struct field segment);
+
 struct seen_location;
 struct location_slot;
 struct residue_visit;

@@ -29,6 +29,7 @@ static const struct {
     {"_ATOM_SITE_FRACT_X", CIF_FRACTION_X, CIF_ATOMS},
     {"_ATOM_SITE_FRACT_Y", CIF_FRACTION_Y, CIF_ATOMS},
     {"_ATOM_SITE_FRACT_Z", CIF_FRACTION_Z, CIF_ATOMS},
+    {"_ATOM_SITE_OCCUPANCY", CIF_OCCUPANCY, CIF_ATOMS},
     {"_ATOM_SITE_B_ISO_OR_EQUIV", CIF_B_FACTOR, CIF_ATOMS},
     {"_ATOM_SITE_PDBX_PDB_MODEL_NUM", CIF_MODEL, CIF_ATOMS},
     {"_ATOM_SITE_DISORDER_ASSEMBLY", CIF_DISORDER_ASSEMBLY, CIF_ATOMS},
@@ -51,6 +52,22 @@ static const struct {
     {"_CHEM_COMP_BOND_ATOM_ID_2", CIF_BOND_SECOND, CIF_BONDS},
     {"_CHEM_COMP_BOND_VALUE_ORDER", CIF_BOND_ORDER, CIF_BONDS},
     {"_CHEM_COMP_BOND_TYPE", CIF_BOND_ORDER, CIF_BONDS},
+    {"_PDBX_STRUCT_ASSEMBLY_GEN_ASSEMBLY_ID", CIF_ASSEMBLY_NAME, CIF_ASSEMBLIES},
+    {"_PDBX_STRUCT_ASSEMBLY_GEN_OPER_EXPRESSION", CIF_ASSEMBLY_EXPRESSION, CIF_ASSEMBLIES},
+    {"_PDBX_STRUCT_ASSEMBLY_GEN_ASYM_ID_LIST", CIF_ASSEMBLY_CHAINS, CIF_ASSEMBLIES},
+    {"_PDBX_STRUCT_OPER_LIST_ID", CIF_OPERATOR_NAME, CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_MATRIX[1][1]", CIF_OPERATOR_NUMBERS, CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_MATRIX[1][2]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 1), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_MATRIX[1][3]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 2), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_MATRIX[2][1]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 3), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_MATRIX[2][2]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 4), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_MATRIX[2][3]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 5), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_MATRIX[3][1]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 6), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_MATRIX[3][2]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 7), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_MATRIX[3][3]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 8), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_VECTOR[1]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 9), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_VECTOR[2]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 10), CIF_OPERATORS},
+    {"_PDBX_STRUCT_OPER_LIST_VECTOR[3]", (enum cif_item)(CIF_OPERATOR_NUMBERS + 11), CIF_OPERATORS},
     {"_CELL_LENGTH_A", CIF_CELL_A, CIF_CRYSTAL},
     {"_CELL_LENGTH_B", CIF_CELL_B, CIF_CRYSTAL},
     {"_CELL_LENGTH_C", CIF_CELL_C, CIF_CRYSTAL},
@@ -81,10 +98,12 @@ enum cif_item cif_item_of(struct field tag, enum cif_table *table) {
     *table = known[i].table;
     return known[i].item;
   }
-  *table = begins_with(tag, "_ATOM_SITE.", true)        ? CIF_ATOMS
-           : begins_with(tag, "_CHEM_COMP_ATOM.", true) ? CIF_COMPONENT
-           : begins_with(tag, "_CHEM_COMP_BOND.", true) ? CIF_BONDS
-                                                        : CIF_OTHER_TABLE;
+  *table = begins_with(tag, "_ATOM_SITE.", true)                  ? CIF_ATOMS
+           : begins_with(tag, "_CHEM_COMP_ATOM.", true)           ? CIF_COMPONENT
+           : begins_with(tag, "_CHEM_COMP_BOND.", true)           ? CIF_BONDS
+           : begins_with(tag, "_PDBX_STRUCT_ASSEMBLY_GEN.", true) ? CIF_ASSEMBLIES
+           : begins_with(tag, "_PDBX_STRUCT_OPER_LIST.", true)    ? CIF_OPERATORS
+                                                                  : CIF_OTHER_TABLE;
   return CIF_OTHER_ITEM;
 }
 

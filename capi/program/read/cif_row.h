@@ -15,6 +15,8 @@ enum cif_table {
   CIF_COMPONENT,  /* _chem_comp_atom, the atoms of a chemical component or monomer */
   CIF_BONDS,      /* _chem_comp_bond, the bonds of a component */
   CIF_CRYSTAL,    /* the cell, its space group and operators */
+  CIF_ASSEMBLIES, /* _pdbx_struct_assembly_gen */
+  CIF_OPERATORS,  /* _pdbx_struct_oper_list, of assemblies */
   CIF_OTHER_TABLE /* without a meaning here */
 };
 
@@ -38,6 +40,7 @@ enum cif_item {
   CIF_FRACTION_X,
   CIF_FRACTION_Y,
   CIF_FRACTION_Z,
+  CIF_OCCUPANCY,
   CIF_B_FACTOR,
   CIF_MODEL,
   CIF_DISORDER_ASSEMBLY,
@@ -59,6 +62,12 @@ enum cif_item {
   CIF_BOND_FIRST,
   CIF_BOND_SECOND,
   CIF_BOND_ORDER,
+  CIF_ASSEMBLY_NAME,
+  CIF_ASSEMBLY_EXPRESSION,
+  CIF_ASSEMBLY_CHAINS,
+  CIF_OPERATOR_NAME,
+  CIF_OPERATOR_NUMBERS, /* of a matrix, row by row, and a vector: */
+  CIF_OPERATOR_LAST = CIF_OPERATOR_NUMBERS + 11,
   CIF_CELL_A,
   CIF_CELL_B,
   CIF_CELL_C,

@@ -27,7 +27,9 @@ enum file_feature {
   FILE_ONE_BOX = 1024,         /* a record of the box that is of all models behind it */
   FILE_FRAMES = 2048,          /* models that are read one after the other, as frames of a trajectory */
   FILE_ATOMS = 4096,           /* molecules; else coordinates alone */
-  FILE_ORDERS = 8192           /* bonds with their kinds, of all atoms */
+  FILE_ORDERS = 8192,          /* bonds with their kinds, of all atoms */
+  FILE_LOCATIONS = 1 << 20,    /* atoms at several locations, and biological assemblies */
+  FILE_LABEL_CHAINS = 1 << 21  /* two names of a chain, the authors' and the label's */
 };
 
 struct file_format {

@@ -19,11 +19,14 @@ struct residue_block {
   struct residue_label label[RESIDUES_OF_BLOCK];
 };
 
-void molecule_init(struct molecule *molecule, const struct file_format *format, uint64_t model, unsigned keeps) {
+void molecule_init(struct molecule *molecule, const struct file_format *format, const struct file_choice *choice,
+                   unsigned keeps) {
+  const struct file_choice own = *choice; /* it may be the molecule's */
   memset(molecule, 0, sizeof *molecule);
   molecule->keeps = keeps;
   molecule->format = format;
-  molecule->model = model;
+  molecule->choice = own;
+  molecule->model = own.model;
   molecule->most = HSP_MAX_BALLS;
 }
 
@@ -31,16 +34,45 @@ void molecule_empty(struct molecule *molecule) {
   molecule->atoms = molecule->read = 0;
   molecule->residues.last = molecule->residues.first;
   molecule->residues.used = 0;
+  molecule->residue_begin = 0;
   molecule->bonds = 0;
 }
 
-/* NULL: memory is short. */
-static const struct residue_label *keep_residue(struct residue_list *list, const struct residue_label *residue) {
+static bool same_name(const struct molecule *molecule, uint32_t atom, const char *name) {
+  return memcmp(molecule->label[atom].name, name, sizeof molecule->label->name) == 0;
+}
+
+/* Whether the atom begins another residue of the same names, by its own. */
+static bool begins_again(const struct molecule *molecule, const struct residue_label *residue, const char *name) {
+  enum { MOST = 512 }; /* atoms of a residue */
+  const uint32_t last = molecule->atoms - 1;
+  const uint32_t first = last - molecule->residue_begin < MOST ? molecule->residue_begin : last - MOST;
+  const enum residue_kind kind = residue_kind_of(residue->name);
+  const bool any = strcmp(residue->name, "UNK") == 0 || strcmp(residue->name, "UNL") == 0;
+  if (residue->number[0] == '\0' && (kind == RESIDUE_OTHER || any) && strcmp(name, residue->name) != 0) return false;
+  if (same_name(molecule, molecule->residue_begin, name)) return true;
+  if (same_name(molecule, last, name)) return false;
+  for (uint32_t atom = first; atom < last; ++atom) {
+    if (same_name(molecule, atom, name)) return true;
+  }
+  return false;
+}
+
+/* The residue of the next atom; NULL: memory is short. */
+static const struct residue_label *keep_residue(struct molecule *molecule, const struct atom_label *label) {
+  struct residue_list *const list = &molecule->residues;
+  const struct residue_label *const residue = label->residue;
   if (residue == &residue_nameless) return residue;
   struct residue_block *block = list->last;
+  uint16_t repeat = 0;
   if (list->used > 0) {
     const struct residue_label *const before = &block->label[list->used - 1];
-    if (residue == before || memcmp(before, residue, sizeof *residue) == 0) return before;
+    const size_t names = offsetof(struct residue_label, repeat);
+    if (residue == before || (memcmp(before, residue, names) == 0 && before->asym == residue->asym)) {
+      const bool follows = molecule->residue_begin < molecule->atoms; /* an atom of it is there */
+      if (residue_is_numbered(before) || !follows || !begins_again(molecule, before, label->name)) return before;
+      repeat = (uint16_t)(before->repeat + 1);
+    }
   }
   if (block == NULL || list->used == RESIDUES_OF_BLOCK) {
     struct residue_block *next = block == NULL ? NULL : block->next;
@@ -53,8 +85,34 @@ static const struct residue_label *keep_residue(struct residue_list *list, const
     list->last = block = next;
     list->used = 0;
   }
+  molecule->residue_begin = molecule->atoms;
   block->label[list->used] = *residue;
+  block->label[list->used].repeat = repeat;
   return &block->label[list->used++];
+}
+
+bool chain_name_copy(struct residue_label *residue, uint64_t copy, struct failure *failure) {
+  char name[sizeof residue->chain + 24];
+  if (copy < 2) return true;
+  const size_t length = (size_t)snprintf(name, sizeof name, "%s-%" PRIu64, residue->chain, copy);
+  if (length >= sizeof residue->chain) {
+    char shown[EXCERPT_BYTES];
+    return failure_in_input(failure, 0, "a chain's name is too long for its copy's: '%s'",
+                            excerpt(shown, name, length));
+  }
+  memset(residue->chain, 0, sizeof residue->chain); /* labels have zeros behind their texts */
+  memcpy(residue->chain, name, length);
+  return true;
+}
+
+bool chain_is_nameless(const char *chain) {
+  return chain[0] == '\0' || ((chain[0] == '.' || chain[0] == '-') && chain[1] >= '1' && chain[1] <= '9');
+}
+
+bool chain_is_named(const char *chain, struct field name) {
+  if (name.length == 1 && name.text[0] == '.' && chain_is_nameless(chain)) return true;
+  if (chain[0] == '\0') chain = ".1";
+  return strlen(chain) == name.length && memcmp(chain, name.text, name.length) == 0;
 }
 
 static bool grow(struct molecule *molecule) {
@@ -91,7 +149,7 @@ bool molecule_add(struct molecule *molecule, const double xyz[3], double radius,
                             library ? "" : ", which the molecule has");
   }
   if (molecule->atoms == molecule->capacity && !grow(molecule)) return failure_of_memory(failure);
-  const struct residue_label *const residue = keep_residue(&molecule->residues, label->residue);
+  const struct residue_label *const residue = keep_residue(molecule, label);
   if (residue == NULL) return failure_of_memory(failure);
   const size_t atom = molecule->atoms++;
   memcpy(molecule->xyz + 3 * atom, xyz, 3 * sizeof *xyz);
@@ -107,6 +165,10 @@ bool molecule_add(struct molecule *molecule, const double xyz[3], double radius,
 
 struct atom_extra *molecule_last_extra(const struct molecule *molecule) {
   return molecule->extra == NULL ? NULL : &molecule->extra[molecule->atoms - 1];
+}
+
+struct residue_label *molecule_last_residue(const struct molecule *molecule) {
+  return &molecule->residues.last->label[molecule->residues.used - 1];
 }
 
 bool molecule_add_bond(struct molecule *molecule, const struct stated_bond *bond, struct failure *failure) {
@@ -185,6 +247,17 @@ static bool report_nothing(const struct molecule *molecule, const char *site, st
   }
   return failure_in_input(failure, 0, "no atoms are left: %s %s%s%s", many, site, site[0] == '\0' ? "" : ", ",
                           dummies ? (one ? "a dummy" : "dummies") : (one ? "a virtual site" : "virtual sites"));
+}
+
+void molecule_keep_atoms(struct molecule *molecule, const uint8_t *keep) {
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    if (!keep[i]) continue;
+    molecule_move_atom(molecule, kept, i);
+    if (molecule->place != NULL) molecule->place[kept] = kept;
+    ++kept;
+  }
+  molecule->atoms = molecule->read = kept;
 }
 
 void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from) {
@@ -299,7 +372,9 @@ void molecule_free(struct molecule *molecule) {
   }
   free(molecule->bond);
   symmetry_free(&molecule->symmetry);
-  molecule_init(molecule, molecule->format, molecule->model, molecule->keeps);
+  assemblies_free(&molecule->assemblies);
+  name_table_free(&molecule->asyms);
+  molecule_init(molecule, molecule->format, &molecule->choice, molecule->keeps);
 }
 
 void label_copy(char *out, size_t room, struct field text) {

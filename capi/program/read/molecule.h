@@ -6,10 +6,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "read/assembly.h"
 #include "read/failure.h"
 #include "read/fields.h"
 #include "read/file_box.h"
+#include "read/file_choice.h"
 #include "read/file_format.h"
+#include "read/name_table.h"
 #include "read/radii.h"
 #include "read/radii_table.h"
 #include "read/symmetry.h"
@@ -20,10 +23,17 @@ struct residue_label {
   char name[8];
   char number[12]; /* as written, without the insertion code */
   char insertion[2];
+  uint16_t repeat; /* where the number does not tell residues apart: which of them in a row it is, modulo 65536 */
+  uint32_t asym;   /* of mmCIF: the number of label_asym_id in the molecule's table; 0: none */
 };
 
 #define RESIDUE_LABEL_NONE \
-  { "", "", "", "" }
+  { "", "", "", "", 0, 0 }
+
+/* Whether the number tells the residue from others: it is neither missing nor stars. */
+static inline bool residue_is_numbered(const struct residue_label *residue) {
+  return residue->number[0] != '\0' && residue->number[0] != '*';
+}
 
 /* Of atoms in files without residues. */
 extern const struct residue_label residue_nameless;
@@ -70,8 +80,12 @@ struct atom_label {
   unsigned char decimals[3]; /* digits behind the points of its coordinates if they are fractions of a cell; else 0 */
 };
 
-#define ATOM_LABEL_NONE \
-  { .residue = &residue_nameless }
+#define ATOM_LABEL_NONE                                                                           \
+  {                                                                                               \
+    &residue_nameless, "", {""}, false, false, false, false, false, false, false, false, false, { \
+      0                                                                                           \
+    }                                                                                             \
+  }
 
 /* Further data of an atom in a file, which only pictures show. */
 struct atom_extra {
@@ -120,11 +134,15 @@ struct molecule {
   uint32_t points;          /* atoms whose radius was 0 then */
   struct atom_label *label; /* [atoms] */
   struct residue_list residues;
+  uint32_t residue_begin;   /* the first atom of the last of them */
   unsigned keeps;           /* what else: molecule_keeping */
   uint32_t *place;          /* [atoms], its place among those read, or NULL */
   struct atom_extra *extra; /* [atoms], or NULL */
-  uint64_t model;           /* which model was read, counted from 1 */
-  uint64_t models;          /* how many the file has */
+  struct file_choice choice;
+  bool location_found; /* some atom has the location whose letter is chosen */
+  uint64_t model;      /* which model was read, counted from 1; or EVERY_MODEL */
+  uint64_t models;     /* how many the file has */
+  uint64_t copy;       /* the model that atoms are added of, where they are added to those of others; 0 or 1: none */
   struct stated_bond *bond; /* [bonds] as they are read */
   size_t bonds;
   size_t bond_capacity;
@@ -133,26 +151,54 @@ struct molecule {
   const char *remark;       /* what a user should know of the file, in one line, not owned; or NULL */
   const char *coordinates;  /* where they are not the usual ones: the name of their first item, not owned; or NULL */
   struct symmetry symmetry; /* that goes with the box of the frame */
+  struct assemblies assemblies;
+  struct name_table asyms; /* of mmCIF: the values of label_asym_id */
 };
 
 enum molecule_keeping { KEEP_NO_MORE = 0, KEEP_PLACES = 1, KEEP_EXTRAS = 2 };
 
-/* Prepare for reading one model of a file, counted from 1. */
-void molecule_init(struct molecule *molecule, const struct file_format *format, uint64_t model, unsigned keeps);
+/* Prepare for reading what is chosen of a file. */
+void molecule_init(struct molecule *molecule, const struct file_format *format, const struct file_choice *choice,
+                   unsigned keeps);
+
+/* Whether a model of that number, counted from 1, is to be read; all that is added from now on is of this one. */
+static inline bool molecule_wants_model(struct molecule *molecule, uint64_t model) {
+  if (molecule->model == EVERY_MODEL) molecule->copy = model;
+  return molecule->model == EVERY_MODEL || molecule->model == model;
+}
+
+/* Give the chain of a residue the name that it has in a copy of that number: as it is in the first one, with "-2"
+ * behind it in the second. False: it has no room for that. */
+bool chain_name_copy(struct residue_label *residue, uint64_t copy, struct failure *failure);
+
+/* Whether a chain has no name of its own, in a copy or behind a TER record either. */
+bool chain_is_nameless(const char *chain);
+
+/* Whether a user who writes the name means the chain: "." for all that are nameless, ".1" for the first of them. */
+bool chain_is_named(const char *chain, struct field name);
 
 /* Forget all atoms, but not the memory of them. */
 void molecule_empty(struct molecule *molecule);
 
-/* Append an atom, and its residue unless it is that of the atom before. False when memory is short or there are too
- * many: for the library, or for the caller's `most`. */
+/* Append an atom, and its residue unless it is that of the atom before. Where numbers are "****" or missing the atom
+ * begins a residue if its name comes again: that of the first one, or one with others in between, as atoms that are
+ * called H may follow each other. Missing numbers count so in amino acids, nucleotides, water and ions alone: elsewhere
+ * names may be mere elements. False when memory is short or there are too many: for the library, or for the caller's
+ * `most`. */
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure);
 
 /* The data kept of the atom that was appended last beside its label; NULL: nothing. */
 struct atom_extra *molecule_last_extra(const struct molecule *molecule);
 
+/* The residue of the atom that was appended last, which has one. */
+struct residue_label *molecule_last_residue(const struct molecule *molecule);
+
 /* Append a bond that the file states. False when memory is short. */
 bool molecule_add_bond(struct molecule *molecule, const struct stated_bond *bond, struct failure *failure);
+
+/* Keep the atoms that are not 0 in keep [atoms]: as if the others had not been read. */
+void molecule_keep_atoms(struct molecule *molecule, const uint8_t *keep);
 
 /* Atom `from` takes the place of atom `to`. */
 void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from);

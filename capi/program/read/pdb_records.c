@@ -98,7 +98,11 @@ enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *mole
     const enum pdb_record record = pdb_record_of(reader->text, reader->length);
     pdb_models_step(models, record);
     if (record == PDB_OTHER) box_from_cryst1(reader, &molecule->frame.box);
-    if (record == PDB_OTHER && !symmetry_take_pdb_record(&molecule->symmetry, reader, failure)) return LINE_FAILED;
+    if (record == PDB_OTHER && (!symmetry_take_pdb_record(&molecule->symmetry, reader, failure) ||
+                                !assemblies_take_pdb_record(&molecule->assemblies, reader, failure))) {
+      return LINE_FAILED;
+    }
+    if (record == PDB_OTHER && begins_with_word(reader->text, reader->length, "TER")) ++models->ends;
     alien_seen = alien_seen || record == PDB_ALIEN;
     *record_seen = *record_seen || record == PDB_ATOM || record == PDB_MODEL || record == PDB_OTHER;
     if (record == PDB_OTHER && file_format_has(molecule->format, FILE_BONDS) &&
@@ -107,7 +111,7 @@ enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *mole
       return LINE_FAILED;
     }
     if (record != PDB_ATOM) continue;
-    if (models->count == molecule->model) return LINE_READ;
+    if (molecule_wants_model(molecule, models->count)) return LINE_READ;
     ++molecule->left_out.other_models;
   }
 }

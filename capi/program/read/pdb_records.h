@@ -35,7 +35,11 @@ bool pdb_record_is_hetatm(const char *line);
 struct pdb_models {
   uint64_t count; /* models that have begun */
   bool open;      /* the last of them has not ended */
+  uint64_t ends;  /* TER records so far */
 };
+
+#define PDB_MODELS_NONE \
+  { 0, false, 0 }
 
 /* Step over a record. */
 void pdb_models_step(struct pdb_models *models, enum pdb_record record);

@@ -1,7 +1,7 @@
 /* CIF: of each block the atoms, in a loop or as single items, in any order; cell, space group and operators.
  *   mmCIF, as the wwPDB keeps its entries: _atom_site with Cartesian coordinates. The authors' name of a chain, a
- *     residue or an atom counts, and where they are silent, the label does. A model is a run of rows with the same
- *     pdbx_PDB_model_num.
+ *     residue or an atom counts, and where they are silent, the label does; of a chain, if it is chosen so, the other
+ *     way round. A model is all rows with the same pdbx_PDB_model_num, wherever they stand.
  *   Small molecules and frameworks: _atom_site with fractions of the cell. Atoms without coordinates, and all groups of
  *     disordered atoms but the first, are left out. A block is a model.
  *   Components and monomers: _chem_comp_atom, if the file has no _atom_site; each is a model. Its bonds are in the same
@@ -16,33 +16,37 @@
 #include "read/cif_lines.h"
 #include "read/cif_row.h"
 #include "read/cif_tokens.h"
+#include "read/location_choice.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
 #include "read/words.h"
 
-enum { MOST_ITEMS = 256, MODEL_BYTES = 24 };
+enum { MOST_ITEMS = 256 };
 
 struct cif_reading {
   struct cif_tokens tokens;
   struct alternate_locations seen;
+  struct location_choice choice;
   struct molecule *molecule;
   struct failure *failure;
   struct cif_row row;
+  struct residue_place place;          /* of the last atom */
   const struct residue_label *residue; /* of the atom of the row before, which had no letter; NULL: of none */
   bool hetatm;                         /* likewise */
   struct cif_crystal crystal;          /* of this block */
   unsigned char decimals[3];           /* of the fractions of the row's atom */
   struct cif_component component;
-  enum cif_table table;    /* that is read */
-  enum cif_table source;   /* that atoms come from: what is no component comes first */
-  bool single;             /* the row is made of single items */
-  bool has[CIF_ITEMS];     /* which items the table has */
-  bool fractional;         /* its coordinates are */
-  bool within;             /* a model of this table has begun */
-  char model[MODEL_BYTES]; /* its number, or the name of the component */
-  bool taken;              /* atoms come from this block */
-  bool taken_fractional;   /* and have fractional coordinates so far */
-  bool done;               /* they came from a block before */
+  enum cif_table table;     /* that is read */
+  enum cif_table source;    /* that atoms come from: what is no component comes first */
+  bool single;              /* the row is made of single items */
+  bool has[CIF_ITEMS];      /* which items the table has */
+  bool fractional;          /* its coordinates are */
+  bool within;              /* a model of this table has begun */
+  struct name_table models; /* of this table: their numbers in the file, or names of components */
+  uint64_t models_before;   /* of tables before */
+  bool taken;               /* atoms come from this block */
+  bool taken_fractional;    /* and have fractional coordinates so far */
+  bool done;                /* they came from a block before */
 };
 
 /* By a symbol that a charge may follow, FE or O2-; where there is none, by the name, which in crystals is a label. */
@@ -82,11 +86,19 @@ static void take_name(const struct cif_row *row, struct field name, struct atom_
   }
 }
 
-static void take_residue(const struct cif_row *row, struct residue_label *residue) {
+static bool take_residue(const struct cif_row *row, struct molecule *molecule, struct residue_label *residue,
+                         struct failure *failure) {
+  const bool by_label = molecule->choice.label_chains;
+  const struct field chain = by_label ? cif_row_either(row, CIF_LABEL_CHAIN, CIF_AUTH_CHAIN)
+                                      : cif_row_either(row, CIF_AUTH_CHAIN, CIF_LABEL_CHAIN);
+  const struct field asym = cif_row_get(row, CIF_LABEL_CHAIN);
   label_copy(residue->name, sizeof residue->name, cif_row_either(row, CIF_AUTH_RESIDUE, CIF_LABEL_RESIDUE));
-  label_copy(residue->chain, sizeof residue->chain, cif_row_either(row, CIF_AUTH_CHAIN, CIF_LABEL_CHAIN));
+  label_copy(residue->chain, sizeof residue->chain, chain);
   label_copy(residue->number, sizeof residue->number, cif_row_either(row, CIF_AUTH_NUMBER, CIF_LABEL_NUMBER));
   label_copy(residue->insertion, sizeof residue->insertion, cif_row_get(row, CIF_INSERTION));
+  if (asym.length > 0) residue->asym = name_table_number(&molecule->asyms, asym);
+  if (asym.length > 0 && residue->asym == 0) return failure_of_memory(failure);
+  return chain_name_copy(residue, molecule->copy, failure);
 }
 
 /* The temperature factor, if it is kept. */
@@ -96,16 +108,23 @@ static void take_extra(const struct cif_row *row, struct atom_extra *extra) {
   extra->has_value = number_parse(factor.text, factor.length, &extra->value) == NUMBER_OK;
 }
 
-/* Whether the row belongs to the model that is read. */
+/* Whether the row belongs to the model that is read. False with a failure: memory is short. */
 static bool in_model(struct cif_reading *reading) {
   struct molecule *molecule = reading->molecule;
-  char model[MODEL_BYTES];
   const enum cif_item item = reading->table == CIF_COMPONENT ? CIF_COMPONENT_NAME : CIF_MODEL;
-  label_copy(model, sizeof model, cif_row_get(&reading->row, item));
-  if (!reading->within || strcmp(model, reading->model) != 0) ++molecule->models;
-  reading->within = true;
-  memcpy(reading->model, model, sizeof model);
-  if (molecule->models == molecule->model) {
+  if (!reading->within) {
+    name_table_free(&reading->models);
+    reading->models_before = molecule->models;
+    reading->within = true;
+  }
+  const uint32_t number = name_table_number(&reading->models, cif_row_get(&reading->row, item));
+  if (number == 0) return failure_of_memory(reading->failure);
+  molecule->models = reading->models_before + reading->models.count;
+  if (molecule->model == EVERY_MODEL && molecule->models > 1 && (reading->done || item == CIF_COMPONENT_NAME)) {
+    return failure_in_input(reading->failure, reading->row.line,
+                            "--models merged is of one structure: here begins another block or component");
+  }
+  if (molecule_wants_model(molecule, reading->models_before + number)) {
     reading->taken = true;
     return true;
   }
@@ -144,10 +163,35 @@ static bool take_fractions(struct cif_reading *reading, double xyz[3], bool *kee
       return false;
     }
   }
-  if (!cif_crystal_keeps(&reading->crystal, row, keep, reading->failure)) return false;
+  const bool first = reading->molecule->choice.location == LOCATION_FIRST;
+  if (first && !cif_crystal_keeps(&reading->crystal, row, keep, reading->failure)) return false;
   if (!*keep) ++left_out->alternate_locations;
   reading->taken_fractional = true;
   return true;
+}
+
+/* Note where the last atom stands, if it may stand elsewhere too and the user has a choice: at a location of its
+ * residue, or in a group of disordered atoms. */
+static bool note_location(struct cif_reading *reading, bool goes_on) {
+  const struct cif_row *row = &reading->row;
+  const struct molecule *molecule = reading->molecule;
+  const struct atom_label *const label = &molecule->label[molecule->atoms - 1];
+  const struct field occupancy = cif_without_uncertainty(cif_row_get(row, CIF_OCCUPANCY));
+  static const struct atom_label nameless = ATOM_LABEL_NONE;
+  if (!reading->fractional) {
+    /* A row that goes on has what it shares with the one before from there. */
+    if (!goes_on) reading->place = residue_place_of(label->residue, cif_row_get(row, CIF_LABEL_CHAIN));
+    const struct field letter = goes_on ? (struct field){"", 0} : cif_row_get(row, CIF_ALTERNATE);
+    return (letter.length == 0 && !residue_is_numbered(label->residue)) ||
+           location_choice_add(&reading->choice, molecule, &reading->place, label->name, label->residue->name, letter,
+                               occupancy, reading->failure);
+  }
+  struct residue_label assembly = RESIDUE_LABEL_NONE;
+  const struct field group = cif_row_get(row, CIF_DISORDER_GROUP);
+  label_copy(assembly.chain, sizeof assembly.chain, cif_row_get(row, CIF_DISORDER_ASSEMBLY));
+  const struct residue_place place = residue_place_of(&assembly, (struct field){"", 0});
+  return group.length == 0 || location_choice_add(&reading->choice, molecule, &place, nameless.name, nameless.name,
+                                                  group, occupancy, reading->failure);
 }
 
 /* before: the residue of the row before, if this row goes on with it. */
@@ -174,8 +218,10 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
     label.hetatm = reading->hetatm = field_is(cif_row_get(row, CIF_GROUP), "HETATM");
     const struct field alternate = cif_row_get(row, CIF_ALTERNATE);
     if (alternate.length > 0) letter = alternate.text[0];
-    take_residue(row, &residue);
-    if (!alternate_locations_keep(&reading->seen, molecule, &label, cif_row_get(row, CIF_LABEL_CHAIN), letter, &keep)) {
+    if (!take_residue(row, molecule, &residue, failure)) return false;
+    const bool later = letter != ' ' && molecule->choice.location != LOCATION_FIRST;
+    if (!later &&
+        !alternate_locations_keep(&reading->seen, molecule, &label, cif_row_get(row, CIF_LABEL_CHAIN), letter, &keep)) {
       return failure_of_memory(failure);
     }
   }
@@ -189,7 +235,7 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
   }
   if (letter == ' ') reading->residue = molecule->label[molecule->atoms - 1].residue;
   take_extra(row, molecule_last_extra(molecule));
-  return true;
+  return molecule->choice.location == LOCATION_FIRST || note_location(reading, before != NULL);
 }
 
 /* Its coordinates follow when all atoms are known. */
@@ -217,7 +263,7 @@ static bool take_row(struct cif_reading *reading) {
   reading->residue = NULL;
   reading->row.goes_on = false;
   if (reading->row.text.out_of_memory) return failure_of_memory(reading->failure);
-  if (before == NULL && !in_model(reading)) return true;
+  if (before == NULL && !in_model(reading)) return reading->failure->exit_status == 0;
   return reading->table == CIF_COMPONENT ? take_component_atom(reading) : take_atom(reading, before);
 }
 
@@ -226,7 +272,7 @@ static void drop_component(struct cif_reading *reading) {
   struct molecule *molecule = reading->molecule;
   if (reading->source != CIF_COMPONENT) return;
   molecule_empty(molecule);
-  molecule->models = 0;
+  molecule->models = molecule->copy = 0;
   memset(&molecule->left_out, 0, sizeof molecule->left_out);
   cif_component_free(&reading->component);
   reading->taken = reading->done = false;
@@ -280,12 +326,33 @@ static bool take_bond(struct cif_reading *reading) {
          cif_component_take_bond(&reading->row, reading->molecule, reading->failure);
 }
 
-/* The end of single items: they are one atom or bond. */
+/* A row of another table than the atoms', which has a meaning. */
+static bool take_other_row(struct cif_reading *reading, enum cif_table table) {
+  const struct cif_row *row = &reading->row;
+  struct assemblies *const assemblies = &reading->molecule->assemblies;
+  struct field number[12];
+  if (table == CIF_BONDS) return take_bond(reading);
+  if (table == CIF_OTHER_TABLE || reading->done) return true;
+  if (row->text.out_of_memory) return failure_of_memory(reading->failure);
+  if (table == CIF_ASSEMBLIES) {
+    return assemblies_add_part(assemblies, cif_row_get(row, CIF_ASSEMBLY_NAME),
+                               cif_row_get(row, CIF_ASSEMBLY_EXPRESSION), cif_row_get(row, CIF_ASSEMBLY_CHAINS),
+                               reading->failure);
+  }
+  for (int k = 0; k < 12; ++k) number[k] = cif_row_get(row, (enum cif_item)(CIF_OPERATOR_NUMBERS + k));
+  return assemblies_add_operator(assemblies, cif_row_get(row, CIF_OPERATOR_NAME), number, reading->failure);
+}
+
+static bool is_other_table(enum cif_table table) {
+  return table == CIF_BONDS || table == CIF_ASSEMBLIES || table == CIF_OPERATORS;
+}
+
+/* The end of single items: they are one row. */
 static bool end_single(struct cif_reading *reading) {
   bool atoms = false;
   if (!reading->single) return true;
   reading->single = false;
-  if (reading->table == CIF_BONDS) return take_bond(reading);
+  if (is_other_table(reading->table)) return take_other_row(reading, reading->table);
   if (!check_items(reading, reading->row.line, true, &atoms)) return false;
   return !atoms || take_row(reading);
 }
@@ -301,6 +368,7 @@ static bool end_block(struct cif_reading *reading) {
     molecule->bonds = 0;
   }
   if (!reading->taken) symmetry_free(&molecule->symmetry);
+  if (!reading->taken) assemblies_free(&molecule->assemblies);
   if (!reading->taken || reading->source == CIF_COMPONENT) return true;
   if (reading->taken_fractional) molecule->coordinates = "fract_x";
   return cif_crystal_finish(&reading->crystal, reading->taken_fractional, molecule, reading->failure);
@@ -349,14 +417,14 @@ static bool read_rows(struct cif_reading *reading, const enum cif_item *items, s
                           (unsigned)count);
 }
 
-/* The values of any other loop, of which operators count, and bonds of components. */
-static bool skip_rows(struct cif_reading *reading, const enum cif_item *items, size_t count) {
+/* The values of any other loop, of which operators count, and rows of some tables. */
+static bool skip_rows(struct cif_reading *reading, enum cif_table table, const enum cif_item *items, size_t count) {
   struct cif_tokens *tokens = &reading->tokens;
   for (size_t at = 0; tokens->kind == CIF_VALUE; at = (at + 1) % count, cif_tokens_next(tokens)) {
     const enum cif_item item = at < MOST_ITEMS ? items[at] : CIF_OTHER_ITEM;
     if (at == 0) cif_row_clear(&reading->row, tokens->line);
-    if (item >= CIF_BOND_COMPONENT && item <= CIF_BOND_ORDER) cif_row_put(&reading->row, item, tokens);
-    if (at + 1 == count && !take_bond(reading)) return false;
+    if (item >= CIF_BOND_COMPONENT && item <= CIF_OPERATOR_LAST) cif_row_put(&reading->row, item, tokens);
+    if (at + 1 == count && !take_other_row(reading, table)) return false;
     if (item >= CIF_CELL_A && item <= CIF_OPERATOR && !take_crystal(reading, item)) return false;
   }
   return tokens->kind != CIF_FAILED;
@@ -368,25 +436,28 @@ static bool read_loop(struct cif_reading *reading) {
   enum cif_item items[MOST_ITEMS];
   size_t count = 0;
   bool mmcif = false, atoms = false;
+  enum cif_table other = CIF_OTHER_TABLE;
   begin_table(reading, CIF_OTHER_TABLE);
   for (cif_tokens_next(tokens); tokens->kind == CIF_TAG; cif_tokens_next(tokens)) {
     enum cif_table table;
     const enum cif_item item = cif_item_of(tokens->text, &table);
     const bool of_atoms = table == CIF_ATOMS || table == CIF_COMPONENT;
     if (of_atoms) reading->table = table;
+    if (is_other_table(table)) other = table;
     mmcif = mmcif || (of_atoms && memchr(tokens->text.text, '.', tokens->text.length) != NULL);
     if (reading->table != CIF_OTHER_TABLE && count >= MOST_ITEMS) {
       return failure_in_input(reading->failure, tokens->line, "_atom_site has more than %d items", (int)MOST_ITEMS);
     }
     if (of_atoms && !note_item(reading, tokens->text, item)) return false;
-    if (count < MOST_ITEMS) items[count] = item;
+    const bool unused = item == CIF_OCCUPANCY && reading->molecule->choice.location == LOCATION_FIRST;
+    if (count < MOST_ITEMS) items[count] = unused ? CIF_OTHER_ITEM : item;
     ++count;
   }
   if (count == 0 && tokens->kind != CIF_FAILED) {
     return failure_in_input(reading->failure, line, "loop_ without a tag behind it");
   }
   if (reading->table != CIF_OTHER_TABLE && !check_items(reading, line, mmcif, &atoms)) return false;
-  return atoms ? read_rows(reading, items, count) : skip_rows(reading, items, count);
+  return atoms ? read_rows(reading, items, count) : skip_rows(reading, other, items, count);
 }
 
 /* A tag and its value, outside of loops. */
@@ -395,7 +466,7 @@ static bool read_item(struct cif_reading *reading) {
   const uint64_t line = tokens->line;
   enum cif_table table;
   const enum cif_item item = cif_item_of(tokens->text, &table);
-  const bool of_row = table == CIF_ATOMS || table == CIF_COMPONENT || table == CIF_BONDS;
+  const bool of_row = table == CIF_ATOMS || table == CIF_COMPONENT || is_other_table(table);
   if ((!of_row || table != reading->table) && !end_single(reading)) return false;
   if (of_row) {
     if (!reading->single) {
@@ -403,7 +474,7 @@ static bool read_item(struct cif_reading *reading) {
       cif_row_clear(&reading->row, line);
     }
     reading->single = true;
-    if (table != CIF_BONDS && !note_item(reading, tokens->text, item)) return false;
+    if (!is_other_table(table) && !note_item(reading, tokens->text, item)) return false;
   }
   char tag[EXCERPT_BYTES];
   excerpt(tag, tokens->text.text, tokens->text.length);
@@ -455,8 +526,11 @@ static bool read_cif(struct line_reader *reader, struct molecule *molecule, stru
   if (done && reading.source == CIF_COMPONENT && molecule->atoms > 0) {
     done = cif_component_finish(&reading.component, molecule, failure);
   }
+  done = done && location_choice_finish(&reading.choice, molecule, failure);
   cif_tokens_free(&reading.tokens);
   alternate_locations_free(&reading.seen);
+  location_choice_free(&reading.choice);
+  name_table_free(&reading.models);
   cif_component_free(&reading.component);
   text_buffer_free(&reading.row.text);
   return done;
@@ -466,6 +540,7 @@ const struct file_format cif_format = {.name = "cif",
                                        .extensions = "CIF MMCIF",
                                        ANGSTROM,
                                        .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM |
-                                                   FILE_TEMPERATURE_FACTORS | FILE_COORDINATE_ITEMS,
+                                                   FILE_TEMPERATURE_FACTORS | FILE_COORDINATE_ITEMS | FILE_LOCATIONS |
+                                                   FILE_LABEL_CHAINS,
                                        .nameless = "no type_symbol, and no element",
                                        .read = read_cif};

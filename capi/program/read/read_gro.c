@@ -63,7 +63,8 @@ static bool read_atom(const struct line_reader *reader, size_t width, struct ele
   word_put(residue.name, word_label(word_at(text + 5), 5));
   word_put(label.name, word_label(word_at(text + 10), 5));
   atom_take_element_again(seen, (struct field){label.name, strlen(label.name)}, &label);
-  return molecule_add(molecule, xyz, 0.0, &label, reader->number, failure);
+  return chain_name_copy(&residue, molecule->copy, failure) &&
+         molecule_add(molecule, xyz, 0.0, &label, reader->number, failure);
 }
 
 static bool is_empty(const struct line_reader *reader) {
@@ -121,7 +122,9 @@ static enum line_status find_model(struct line_reader *reader, struct molecule *
     status = line_reader_next(reader, failure);
     if (status == LINE_READ && is_count(reader, count)) return LINE_READ;
     if (empty || status == LINE_FAILED) continue; /* what follows empty lines is a title */
-    if (status == LINE_END && molecule->models >= molecule->model) return LINE_END;
+    if (status == LINE_END &&
+        (molecule->model == EVERY_MODEL ? molecule->models > 0 : molecule->models >= molecule->model))
+      return LINE_END;
     failure_in_input(failure, reader->number, "expected the number of atoms alone on the line after the title");
     return LINE_FAILED;
   }

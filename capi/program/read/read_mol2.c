@@ -58,6 +58,7 @@ static bool read_atom(const struct line_reader *reader, struct field *column, si
   struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
   if (columns >= 8) take_residue(&residue, column[6], column[7]);
+  if (!chain_name_copy(&residue, molecule->copy, failure)) return false;
   if (residue.name[0] != '\0') label.residue = &residue;
   label_copy(label.name, sizeof label.name, column[1]);
   const struct atom_evidence evidence = {ATOM_TYPES, column[1], column[5]};
@@ -99,15 +100,26 @@ static bool read_bond(const struct field *column, size_t columns, struct molecul
   return molecule_add_bond(molecule, &bond, failure);
 }
 
-static void begin_section(struct reading *reading, const char *name, struct molecule *molecule) {
+/* Whether the model that ends here has as many atoms as it announces. */
+static bool end_model(struct reading *reading, struct failure *failure) {
+  const uint64_t announced = reading->announced, found = reading->found;
+  reading->announced = reading->found = 0;
+  return found == announced || failure_in_input(failure, reading->counts_line,
+                                                "%" PRIu64 " atoms announced, %" PRIu64 " found", announced, found);
+}
+
+static bool begin_section(struct reading *reading, const char *name, struct molecule *molecule,
+                          struct failure *failure) {
   const struct field section = {name, strcspn(name, " \t")};
   reading->section = field_is(section, "MOLECULE") ? NAME
                      : field_is(section, "ATOM")   ? ATOMS
                      : field_is(section, "BOND")   ? BONDS
                                                    : OTHER;
-  if (reading->section != NAME) return;
-  reading->wanted = ++molecule->models == molecule->model;
+  if (reading->section != NAME) return true;
+  if (!end_model(reading, failure)) return false;
+  reading->wanted = molecule_wants_model(molecule, ++molecule->models);
   reading->no_charges = false;
+  return true;
 }
 
 static bool read_line(const struct line_reader *reader, struct reading *reading, struct molecule *molecule,
@@ -152,14 +164,12 @@ static bool read_mol2(struct line_reader *reader, struct molecule *molecule, str
   enum line_status status;
   while ((status = line_reader_next(reader, failure)) == LINE_READ) {
     if (strncmp(reader->text, head, sizeof head - 1) == 0) {
-      begin_section(&reading, reader->text + sizeof head - 1, molecule);
+      if (!begin_section(&reading, reader->text + sizeof head - 1, molecule, failure)) return false;
     } else if (!read_line(reader, &reading, molecule, failure)) {
       return false;
     }
   }
-  if (status == LINE_FAILED || reading.found == reading.announced) return status == LINE_END;
-  return failure_in_input(failure, reading.counts_line, "%" PRIu64 " atoms announced, %" PRIu64 " found",
-                          reading.announced, reading.found);
+  return status == LINE_END && end_model(&reading, failure);
 }
 
 const struct file_format mol2_format = {

@@ -24,7 +24,7 @@ bool serial_of_number(struct field text, struct serial_label *serial) {
 bool read_announced_model(struct line_reader *reader, uint64_t count, announced_atoms *read_atoms,
                           struct molecule *molecule, struct failure *failure) {
   const uint64_t count_line = reader->number;
-  const bool wanted = ++molecule->models == molecule->model;
+  const bool wanted = molecule_wants_model(molecule, ++molecule->models);
   uint64_t read = 0;
   if (read_atoms(reader, count, wanted, molecule, &read, failure) == LINE_FAILED) return false;
   if (!wanted) molecule->left_out.other_models += read;
@@ -36,18 +36,19 @@ bool read_announced_model(struct line_reader *reader, uint64_t count, announced_
 
 /* Nothing follows from a file without atoms, but that something went wrong before. */
 static bool check_atoms(const struct molecule *molecule, struct failure *failure) {
-  if (molecule->model > 1 && molecule->model > molecule->models) {
+  if (molecule->model > 1 && molecule->model != EVERY_MODEL && molecule->model > molecule->models) {
     return failure_in_input(failure, 0, "no model %" PRIu64 ": the file has %" PRIu64, molecule->model,
                             molecule->models);
   }
   if (molecule->atoms > 0) return true;
-  if (molecule->models <= 1) return failure_in_input(failure, 0, "no atoms in the file");
+  if (molecule->models <= 1 || molecule->model == EVERY_MODEL)
+    return failure_in_input(failure, 0, "no atoms in the file");
   return failure_in_input(failure, 0, "no atoms in model %" PRIu64, molecule->model);
 }
 
-bool read_molecule(const char *path, const struct file_format *format, uint64_t model, unsigned keeps,
+bool read_molecule(const char *path, const struct file_format *format, const struct file_choice *choice, unsigned keeps,
                    struct molecule *molecule, struct failure *failure) {
-  molecule_init(molecule, format, model, keeps);
+  molecule_init(molecule, format, choice, keeps);
   failure->file = input_name(path);
   struct line_reader *reader = malloc(sizeof *reader);
   if (reader == NULL) return failure_of_memory(failure);
@@ -58,5 +59,6 @@ bool read_molecule(const char *path, const struct file_format *format, uint64_t 
     if (done) molecule_agree_elements(molecule);
   }
   free(reader);
-  return done && check_atoms(molecule, failure);
+  molecule->copy = 0; /* what comes now is named as it is */
+  return done && check_atoms(molecule, failure) && (choice->assembly == NULL || assembly_make(molecule, failure));
 }

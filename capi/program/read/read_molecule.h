@@ -20,10 +20,10 @@ typedef enum line_status announced_atoms(struct line_reader *reader, uint64_t co
 bool read_announced_model(struct line_reader *reader, uint64_t count, announced_atoms *read_atoms,
                           struct molecule *molecule, struct failure *failure);
 
-/* Read one model of a file (line_reader_open), counted from 1, into a molecule that was not initialised; free it with
- * molecule_free on true and on false. Radii are 0 in formats without radii: molecule_take_radii is to follow. keeps:
+/* Read what is chosen of a file (line_reader_open) into a molecule that was not initialised; free it with molecule_free
+ * on true and on false. Radii are 0 in formats without radii: molecule_take_radii is to follow. keeps:
  * molecule_keeping. Every file is either read in full or refused, and so is one without atoms. */
-bool read_molecule(const char *path, const struct file_format *format, uint64_t model, unsigned keeps,
+bool read_molecule(const char *path, const struct file_format *format, const struct file_choice *choice, unsigned keeps,
                    struct molecule *molecule, struct failure *failure);
 
 #endif

@@ -1,15 +1,17 @@
 /* .pdb: records in fixed columns, after "Protein Data Bank contents guide", version 3.3. Of an atom record count, in
  * columns from 1: name 13-16, alternate location 17, residue 18-20, chain 22, number and insertion code 23-27,
- * x 31-38, y 39-46, z 47-54, element 77-78; where there is no chain, the segment in 73-76. Neighbouring fields may
- * touch. Serial numbers, 7-11, are texts that CONECT records name atoms by. .pdbqt: the same with a charge in 71-76 and
- * a type of AutoDock's in 78-80. */
+ * x 31-38, y 39-46, z 47-54, occupancy 55-60, element 77-78; where there is no chain, the segment in 73-76. Column 21
+ * is one of the residue or of the chain (pdb_names.h). Neighbouring fields may touch. Serial numbers, 7-11, are texts
+ * that CONECT records name atoms by. .pdbqt: the same with a charge in 71-76 and a type of AutoDock's in 78-80. */
 #include <string.h>
 
 #include "read/alternate_locations.h"
 #include "read/atom_elements.h"
 #include "read/characters.h"
 #include "read/frame_title.h"
+#include "read/location_choice.h"
 #include "read/number.h"
+#include "read/pdb_names.h"
 #include "read/pdb_records.h"
 #include "read/read_molecule.h"
 #include "read/words.h"
@@ -49,14 +51,34 @@ static struct field segment_of(const struct line_reader *reader) {
   return numbered ? (struct field){"", 0} : field_in_columns(reader->text, reader->length, 73, 76);
 }
 
-static void label_residue(const struct line_reader *reader, struct residue_label *label) {
+/* The data kept from one plain record to the next: columns 18-25, 20-27 and 69-76, zeros after other records, and the
+ * residue in them, here and in the molecule. */
+struct plain_records {
+  uint64_t columns[3];
+  struct residue_label residue;
+  const struct residue_label *kept;
+};
+
+/* A file that is being read. */
+struct pdb_reading {
+  struct pdb_models models;
+  struct pdb_names names;
+  struct alternate_locations seen;
+  struct location_choice choice;
+  struct plain_records plain;
+  uint64_t model; /* that the last atom is of */
+};
+
+static bool label_residue(const struct line_reader *reader, struct pdb_reading *reading, uint64_t copy,
+                          const char *atom, struct residue_label *label, struct failure *failure) {
   const char *text = reader->text;
   const size_t length = reader->length;
-  label_copy(label->name, sizeof label->name, field_in_columns(text, length, 18, 20));
-  const struct field chain = field_in_columns(text, length, 22, 22);
-  label_copy(label->chain, sizeof label->chain, chain.length > 0 ? chain : segment_of(reader));
+  pdb_names_read(&reading->names, text, label);
+  if (label->chain[0] == '\0') label_copy(label->chain, sizeof label->chain, segment_of(reader));
   label_copy(label->number, sizeof label->number, field_in_columns(text, length, 23, 26));
   label_copy(label->insertion, sizeof label->insertion, field_in_columns(text, length, 27, 27));
+  if (label->chain[0] == '\0') pdb_names_number(&reading->names, reading->models.ends, atom, label);
+  return chain_name_copy(label, copy, failure);
 }
 
 /* Tabs behind the coordinates are blanks; before their end nobody knows which columns they stand for. */
@@ -97,7 +119,36 @@ static void move_charge(const struct line_reader *reader, char charge[7]) {
   }
 }
 
-static bool read_atom(const struct line_reader *reader, struct alternate_locations *seen, struct molecule *molecule,
+/* Whether the record belongs to the molecule, or may as soon as it is known which locations count. */
+static bool keeps(struct pdb_reading *reading, const struct molecule *molecule, const struct atom_label *label,
+                  struct field segment, char letter, bool *keep) {
+  const bool later = molecule->choice.location != LOCATION_FIRST && letter != ' ';
+  *keep = true;
+  return later || alternate_locations_keep(&reading->seen, molecule, label, segment, letter, keep);
+}
+
+/* Note the location of the last atom, if the user has a choice. */
+static bool note_location(const struct line_reader *reader, struct location_choice *choice,
+                          const struct molecule *molecule, struct failure *failure) {
+  const char letter = reader->text[16];
+  const struct atom_label *const label = &molecule->label[molecule->atoms - 1];
+  if (letter == ' ' && !residue_is_numbered(label->residue)) return true;
+  const struct residue_place place =
+      residue_place_of(label->residue, field_in_columns(reader->text, reader->length, 73, 76));
+  return location_choice_add(choice, molecule, &place, label->name, label->residue->name,
+                             (struct field){&letter, letter == ' ' ? 0 : 1},
+                             field_in_columns(reader->text, reader->length, 55, 60), failure);
+}
+
+/* Note of the last atom, which was added, what is decided at the end of the file. */
+static inline bool note_atom(const struct line_reader *reader, struct pdb_reading *reading, struct molecule *molecule,
+                             struct failure *failure) {
+  if (reader->text[20] != ' ' && !pdb_names_note(&reading->names, reader->text, molecule, failure)) return false;
+  take_extra(reader, molecule_last_extra(molecule));
+  return molecule->choice.location == LOCATION_FIRST || note_location(reader, &reading->choice, molecule, failure);
+}
+
+static bool read_atom(const struct line_reader *reader, struct pdb_reading *reading, struct molecule *molecule,
                       struct failure *failure) {
   const uint64_t line = reader->number;
   const bool autodock = is_autodock(molecule);
@@ -115,34 +166,25 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   label.residue = &residue;
   const struct field name = field_in_columns(reader->text, reader->length, 13, 16);
   label_copy(label.name, sizeof label.name, name);
-  label_residue(reader, &residue);
+  if (!label_residue(reader, reading, molecule->copy, label.name, &residue, failure)) return false;
   label.hetatm = pdb_record_is_hetatm(reader->text);
   const struct field segment = field_in_columns(reader->text, reader->length, 73, 76);
   bool keep;
-  if (!alternate_locations_keep(seen, molecule, &label, segment, column(reader, 17), &keep))
-    return failure_of_memory(failure);
+  if (!keeps(reading, molecule, &label, segment, column(reader, 17), &keep)) return failure_of_memory(failure);
   if (!keep) {
     ++molecule->left_out.alternate_locations;
     return true;
   }
   label_element(reader, autodock, &label);
-  if (!molecule_add(molecule, xyz, 0.0, &label, line, failure)) return false;
+  if (!molecule_add(molecule, xyz, 0.0, &label, line, failure) || !note_atom(reader, reading, molecule, failure))
+    return false;
   struct atom_extra *const extra = molecule_last_extra(molecule);
-  take_extra(reader, extra);
   if (autodock && extra != NULL) {
     const struct field value = field_in_columns(charge, 6, 1, 6);
     extra->has_value = number_parse(value.text, value.length, &extra->value) == NUMBER_OK;
   }
   return true;
 }
-
-/* The data kept from one plain record to the next: columns 18-25, 20-27 and 69-76, zeros after other records, and the
- * residue in them, here and in the molecule. */
-struct plain_records {
-  uint64_t columns[3];
-  struct residue_label residue;
-  const struct residue_label *kept;
-};
 
 /* Whether there is a tab among 72 characters. */
 static bool has_tab(const char *text) {
@@ -156,10 +198,15 @@ static bool goes_on(const struct plain_records *plain, const uint64_t columns[3]
   return columns[0] == plain->columns[0] && columns[1] == plain->columns[1] && segment == 0;
 }
 
-static void plain_residue(const char *text, const uint64_t columns[3], struct plain_records *plain) {
+static void plain_residue(const char *text, const uint64_t columns[3], const struct pdb_names *names,
+                          struct plain_records *plain) {
   memset(&plain->residue, 0, sizeof plain->residue);
-  word_put(plain->residue.name, word_label(columns[0], 3));
-  plain->residue.chain[0] = text[21];
+  if (text[20] == ' ') {
+    word_put(plain->residue.name, word_label(columns[0], 3));
+    plain->residue.chain[0] = text[21];
+  } else {
+    pdb_names_read(names, text, &plain->residue);
+  }
   word_put(plain->residue.number, word_label(columns[1] >> 24, 4));
   if (text[26] != ' ') plain->residue.insertion[0] = text[26];
 }
@@ -167,10 +214,11 @@ static void plain_residue(const char *text, const uint64_t columns[3], struct pl
 /* Most records, eight columns at a time: one with all columns, a chain, a usual element, decimals that end in the last
  * of their columns, without tabs and without a letter of its location. LINE_END: it is no such record, whatever else,
  * and nothing was done. */
-static enum line_status read_plain_atom(const struct line_reader *reader, struct plain_records *plain,
-                                        struct alternate_locations *seen, struct molecule *molecule,
-                                        struct failure *failure) {
+static enum line_status read_plain_atom(const struct line_reader *reader, struct pdb_reading *reading,
+                                        struct molecule *molecule, struct failure *failure) {
   const char *const text = reader->text;
+  struct plain_records *const plain = &reading->plain;
+  struct alternate_locations *const seen = &reading->seen;
   struct atom_label label = ATOM_LABEL_NONE;
   double xyz[3];
   if (reader->length < 78 || text[16] != ' ' || !pdb_record_is_plain_atom(text, reader->length)) return LINE_END;
@@ -181,7 +229,10 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
   const uint64_t columns[3] = {word_at(text + 17), word_at(text + 19), word_at(text + 68)};
   const bool on = goes_on(plain, columns);
   if (!on && text[21] == ' ') return LINE_END; /* it may be the segment's name that tells the chain */
-  if (!on) plain_residue(text, columns, plain);
+  if (!on) {
+    plain_residue(text, columns, &reading->names, plain);
+    if (molecule->copy > 1 && !chain_name_copy(&plain->residue, molecule->copy, failure)) return LINE_FAILED;
+  }
   label.residue = on ? plain->kept : &plain->residue;
   if (text[76] != ' ' || is_letter(text[78]) || !atom_is_usual(text[77], label.residue->name)) return LINE_END;
   label.element.text[0] = text[77];
@@ -198,38 +249,45 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
   if (!molecule_add(molecule, xyz, 0.0, &label, reader->number, failure)) return LINE_FAILED;
   memcpy(plain->columns, columns, sizeof columns);
   plain->kept = molecule->label[molecule->atoms - 1].residue;
-  take_extra(reader, molecule_last_extra(molecule));
-  return LINE_READ;
+  return note_atom(reader, reading, molecule, failure) ? LINE_READ : LINE_FAILED;
 }
 
-static bool read_any_atom(struct line_reader *reader, struct plain_records *plain, struct alternate_locations *seen,
-                          struct molecule *molecule, struct failure *failure) {
+static bool read_any_atom(struct line_reader *reader, struct pdb_reading *reading, struct molecule *molecule,
+                          struct failure *failure) {
   const enum line_status status =
-      is_autodock(molecule) ? LINE_END : read_plain_atom(reader, plain, seen, molecule, failure);
-  if (status == LINE_END) plain->columns[0] = 0;
-  return status == LINE_END ? read_atom(reader, seen, molecule, failure) : status == LINE_READ;
+      is_autodock(molecule) ? LINE_END : read_plain_atom(reader, reading, molecule, failure);
+  if (status == LINE_END) reading->plain.columns[0] = 0;
+  return status == LINE_END ? read_atom(reader, reading, molecule, failure) : status == LINE_READ;
+}
+
+static void free_reading(struct pdb_reading *reading) {
+  alternate_locations_free(&reading->seen);
+  location_choice_free(&reading->choice);
+  pdb_names_free(&reading->names);
 }
 
 static bool read_pdb(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
-  struct alternate_locations seen = ALTERNATE_LOCATIONS_NONE;
-  struct pdb_models models = {0, false};
-  struct plain_records plain = {{0, 0, 0}, RESIDUE_LABEL_NONE, NULL};
+  struct pdb_reading reading = {.model = 0};
   bool record_seen = false;
   enum line_status status;
   for (;;) {
-    status = pdb_next_atom(reader, molecule, &models, &record_seen, failure);
-    if (status == LINE_READ && !read_any_atom(reader, &plain, &seen, molecule, failure)) status = LINE_FAILED;
+    status = pdb_next_atom(reader, molecule, &reading.models, &record_seen, failure);
+    if (reading.models.count != reading.model) { /* of another one that is read with those before */
+      reading.model = reading.models.count;
+      reading.plain.columns[0] = reading.names.number = 0;
+    }
+    if (status == LINE_READ && !read_any_atom(reader, &reading, molecule, failure)) status = LINE_FAILED;
     if (status != LINE_READ) break;
   }
-  alternate_locations_free(&seen);
+  pdb_names_finish(&reading.names);
+  if (status == LINE_END && !location_choice_finish(&reading.choice, molecule, failure)) status = LINE_FAILED;
+  free_reading(&reading);
   return status == LINE_END;
 }
 
 /* Read the records of one model, from the one after its MODEL, if that has begun, to its end. */
-static enum line_status read_records(struct line_reader *reader, bool *begun, bool wanted,
-                                     struct alternate_locations *seen, struct molecule *molecule,
-                                     struct failure *failure) {
-  struct plain_records plain = {{0, 0, 0}, RESIDUE_LABEL_NONE, NULL};
+static enum line_status read_records(struct line_reader *reader, bool *begun, bool wanted, struct pdb_reading *reading,
+                                     struct molecule *molecule, struct failure *failure) {
   for (;;) {
     const enum line_status status = line_reader_next(reader, failure);
     const bool within = *begun;
@@ -241,15 +299,15 @@ static enum line_status read_records(struct line_reader *reader, bool *begun, bo
     if (within && (record == PDB_MODEL || record == PDB_END)) return LINE_READ;
     if (record == PDB_OTHER && !within) frame_title_read(reader->text, &molecule->frame);
     if (record == PDB_OTHER) box_from_cryst1(reader, &molecule->frame.box);
-    if (record == PDB_ATOM && wanted && !read_any_atom(reader, &plain, seen, molecule, failure)) return LINE_FAILED;
+    if (record == PDB_ATOM && wanted && !read_any_atom(reader, reading, molecule, failure)) return LINE_FAILED;
   }
 }
 
 static enum line_status next_pdb(struct line_reader *reader, bool *begun, bool wanted, struct molecule *molecule,
                                  struct failure *failure) {
-  struct alternate_locations seen = ALTERNATE_LOCATIONS_NONE;
-  const enum line_status status = read_records(reader, begun, wanted, &seen, molecule, failure);
-  alternate_locations_free(&seen);
+  struct pdb_reading reading = {.model = 0};
+  const enum line_status status = read_records(reader, begun, wanted, &reading, molecule, failure);
+  free_reading(&reading);
   return status;
 }
 
@@ -258,7 +316,7 @@ const struct file_format pdb_format = {.name = "pdb",
                                        ANGSTROM,
                                        .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM |
                                                    FILE_TEMPERATURE_FACTORS | FILE_BONDS | FILE_AREA_COLUMNS |
-                                                   FILE_ONE_BOX | FILE_FRAMES,
+                                                   FILE_ONE_BOX | FILE_FRAMES | FILE_LOCATIONS,
                                        .nameless = "no element in columns 77-78, and none",
                                        .read = read_pdb,
                                        .next = next_pdb};

@@ -6,6 +6,7 @@
 
 #include "read/atom_elements.h"
 #include "read/characters.h"
+#include "read/pdb_names.h"
 #include "read/pdb_records.h"
 #include "read/read_molecule.h"
 
@@ -104,8 +105,8 @@ static void label_number(struct field number, struct residue_label *label) {
   label_copy(label->number, sizeof label->number, number);
 }
 
-static bool read_atom(const struct line_reader *reader, struct elements_seen *seen, struct molecule *molecule,
-                      struct failure *failure) {
+static bool read_atom(const struct line_reader *reader, struct elements_seen *seen, struct pdb_names *names,
+                      uint64_t ends, struct molecule *molecule, struct failure *failure) {
   const uint64_t line = reader->number;
   struct record record;
   double value[4];
@@ -127,6 +128,8 @@ static bool read_atom(const struct line_reader *reader, struct elements_seen *se
   label_copy(residue.name, sizeof residue.name, record.residue);
   label_copy(residue.chain, sizeof residue.chain, record.chain);
   label_number(record.number, &residue);
+  if (residue.chain[0] == '\0') pdb_names_number(names, ends, label.name, &residue);
+  if (!chain_name_copy(&residue, molecule->copy, failure)) return false;
   label.hetatm = pdb_record_is_hetatm(reader->text);
   /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
   const struct atom_evidence evidence = {ATOM_NAMES, record.name, record.element};
@@ -147,14 +150,15 @@ static bool read_atom(const struct line_reader *reader, struct elements_seen *se
 }
 
 static bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
-  struct pdb_models models = {0, false};
+  struct pdb_models models = PDB_MODELS_NONE;
+  struct pdb_names names = {0};
   struct elements_seen seen;
   bool record_seen = false;
   memset(&seen, 0, sizeof seen);
   for (;;) {
     const enum line_status status = pdb_next_atom(reader, molecule, &models, &record_seen, failure);
     if (status != LINE_READ) return status == LINE_END;
-    if (!read_atom(reader, &seen, molecule, failure)) return false;
+    if (!read_atom(reader, &seen, &names, models.ends, molecule, failure)) return false;
   }
 }
 

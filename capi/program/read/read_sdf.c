@@ -204,8 +204,9 @@ static const char *kind_of_title(const char *title) {
   return NULL;
 }
 
-static bool lies_in_plane(const struct molecule *molecule) {
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+/* Of a record whose atoms are these and those behind them. */
+static bool lies_in_plane(const struct molecule *molecule, uint32_t first) {
+  for (uint32_t i = first; i < molecule->atoms; ++i) {
     if (molecule->xyz[3 * (size_t)i + 2] != 0.0) return false;
   }
   return true;
@@ -231,7 +232,8 @@ static bool read_atoms(struct line_reader *reader, const struct header *header, 
 static bool read_record(struct line_reader *reader, const struct header *header, struct molecule *molecule,
                         struct failure *failure) {
   const uint64_t line = reader->number;
-  if (++molecule->models != molecule->model) {
+  const uint32_t first = molecule->atoms;
+  if (!molecule_wants_model(molecule, ++molecule->models)) {
     bool known;
     molecule->left_out.other_models += count_in(reader, 1, 3, &known);
     return true;
@@ -240,7 +242,7 @@ static bool read_record(struct line_reader *reader, const struct header *header,
   const bool done = read_atoms(reader, header, molecule, failure);
   if (!header->drawn) return done;
   /* Some programs write the mark over coordinates in space, where others have none to give. */
-  if (lies_in_plane(molecule)) {
+  if (lies_in_plane(molecule, first)) {
     return failure_in_input(failure, line - 2, "a drawing in two dimensions, 2D: it says nothing of space");
   }
   molecule->remark = "marked 2D, but not all z are 0: taken as a molecule in space";

@@ -18,6 +18,7 @@ static const struct largest_area largest_areas[] = {
     {"PRO", 159}, {"SER", 155}, {"THR", 172}, {"TRP", 285}, {"TYR", 263}, {"VAL", 174}};
 
 double largest_residue_area(const char *name) {
+  if (strcmp(name, "MSE") == 0) name = "MET"; /* with selenium for its sulfur */
   for (size_t i = 0; i < sizeof largest_areas / sizeof largest_areas[0]; ++i) {
     if (strcmp(name, largest_areas[i].name) == 0) return largest_areas[i].area;
   }

@@ -22,7 +22,7 @@ const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_labe
 
 bool residue_label_same(const struct residue_label *a, const struct residue_label *b) {
   if (a == b) return true;
-  return strcmp(a->number, b->number) == 0 && strcmp(a->insertion, b->insertion) == 0 &&
+  return a->repeat == b->repeat && strcmp(a->number, b->number) == 0 && strcmp(a->insertion, b->insertion) == 0 &&
          strcmp(a->name, b->name) == 0 && strcmp(a->chain, b->chain) == 0;
 }
 

@@ -20,6 +20,7 @@ struct selection_item {
   bool numbers;                 /* of residues: low .. high */
   int64_t low;
   int64_t high;
+  char low_code, high_code;        /* insertion codes that the range begins and ends with; '\0': any */
   const struct index_group *group; /* of groups, as soon as it is found */
   bool ends_term;
   bool ends_selection;
@@ -51,16 +52,32 @@ static size_t whole_number(struct field text, int64_t *value) {
   return at;
 }
 
-/* "40", "-5", "1-40", "-5--1". False: the text is no such thing. */
-static bool parse_numbers(struct field text, int64_t *low, int64_t *high) {
-  const size_t first = whole_number(text, low);
-  *high = *low;
+/* An insertion code, in capitals, that ends at the text's end or before a '-'; '\0' where there is none. */
+static char code_at(struct field text, size_t *at) {
+  const bool there = *at < text.length && is_letter(text.text[*at]);
+  return there ? to_upper(text.text[(*at)++]) : '\0';
+}
+
+/* "40", "-5", "1-40", "-5--1", "52A-53". False: the text is no such thing, or "52A" alone. */
+static bool parse_numbers(struct selection_item *item) {
+  const struct field text = item->text;
+  size_t first = whole_number(text, &item->low);
+  item->high = item->low;
   if (first == 0) return false;
   if (first == text.length) return true;
-  if (text.text[first] != '-') return false;
+  item->low_code = code_at(text, &first);
+  if (first == text.length || text.text[first] != '-') return false;
   const struct field rest = {text.text + first + 1, text.length - first - 1};
-  const size_t second = whole_number(rest, high);
-  return second != 0 && second == rest.length;
+  size_t second = whole_number(rest, &item->high);
+  if (second == 0) return false;
+  item->high_code = code_at(rest, &second);
+  return second == rest.length;
+}
+
+/* Whether no residue is in the range. */
+static bool range_is_empty(const struct selection_item *item) {
+  if (item->low != item->high) return item->low > item->high;
+  return item->high_code != '\0' && item->low_code > item->high_code;
 }
 
 static bool parse_item(struct selection_item *item, const char *option, struct failure *failure) {
@@ -73,8 +90,8 @@ static bool parse_item(struct selection_item *item, const char *option, struct f
                             "\"chain:A&residue:1-40\", for atoms that have either the option twice",
                             option, excerpt(shown, item->text.text, item->text.length));
   }
-  item->numbers = item->key == KEY_RESIDUE && parse_numbers(item->text, &item->low, &item->high);
-  if (item->numbers && item->low > item->high) {
+  item->numbers = item->key == KEY_RESIDUE && parse_numbers(item);
+  if (item->numbers && range_is_empty(item)) {
     return failure_in_usage(failure, "%s: the range '%s' is empty", option,
                             excerpt(shown, item->text.text, item->text.length));
   }
@@ -194,8 +211,11 @@ static bool holds_of_residue(const struct selection_item *item, const struct res
   const struct field written = {residue->number, strlen(residue->number)};
   if (item->numbers) {
     int64_t number;
-    return written.length > 0 && whole_number(written, &number) == written.length && item->low <= number &&
-           number <= item->high;
+    if (written.length == 0 || whole_number(written, &number) != written.length) return false;
+    if (number < item->low || number > item->high) return false;
+    const char code = to_upper(residue->insertion[0]);
+    return (number > item->low || item->low_code <= code) &&
+           (number < item->high || item->high_code == '\0' || code <= item->high_code);
   }
   char number[sizeof residue->number + sizeof residue->insertion];
   snprintf(number, sizeof number, "%s%s", residue->number, residue->insertion);
@@ -204,11 +224,10 @@ static bool holds_of_residue(const struct selection_item *item, const struct res
 
 static bool holds(const struct selection_item *item, const struct molecule *molecule, uint32_t atom) {
   const struct atom_label *const label = &molecule->label[atom];
-  const char *chain = label->residue->chain;
+  const char *const chain = label->residue->chain;
   switch (item->key) {
     case KEY_CHAIN:
-      if (chain[0] == '\0') return item->text.length == 1 && item->text.text[0] == '.';
-      return strlen(chain) == item->text.length && memcmp(chain, item->text.text, item->text.length) == 0;
+      return chain_is_named(chain, item->text);
     case KEY_RESIDUE:
       return holds_of_residue(item, label->residue);
     case KEY_ELEMENT:

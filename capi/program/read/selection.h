@@ -16,10 +16,11 @@
  *   term      = key ":" item {"," item}      one of the items holds
  *             | "water" | "hetatm" | "hydrogen"
  *   key       = "chain" | "residue" | "element" | "atom" | "group"
- * An item of `chain` is a chain's name as it stands, "." for the chain without one; of `element` a symbol; of `atom` an
- * atom's name. An item of `residue` is a residue's name, its number with the insertion code, or a number or a range of
- * numbers, A-B, whatever the insertion code; of `group` a group of an index file, by its name or, from 0 on, its
- * number; "_&_" in it is of the name. Chains and groups are case-sensitive, all other items are not. */
+ * An item of `chain` is a chain's name as it stands, "." for those without one, of which TER records make ".1", ".2"
+ * ..; of `element` a symbol; of `atom` an atom's name. An item of `residue` is a residue's name, its number with the
+ * insertion code, or a number or a range of numbers, A-B, whatever the insertion code; where an end of a range has one,
+ * 52A-53, it is of numbers and then of codes, none before A; of `group` a group of an index file, by its name or, from
+ * 0 on, its number; "_&_" in it is of the name. Chains and groups are case-sensitive, all other items are not. */
 struct selection_item;
 
 /* The selections of a command line. They point to its texts. */

@@ -26,24 +26,27 @@ static bool add_operator(struct symmetry *symmetry, const struct symmetry_operat
   return true;
 }
 
+bool symmetry_row(const struct field *field, size_t fields, size_t row, struct symmetry_operator *out) {
+  bool good = fields == 8;
+  for (size_t k = 0; good && k < 4; ++k) {
+    double *const value = k < 3 ? &out->rotation[3 * row + k] : &out->translation[row];
+    good = number_parse(field[4 + k].text, field[4 + k].length, value) == NUMBER_OK;
+  }
+  return good;
+}
+
 /* REMARK 290 SMTRYr n a b c t: row r of operator n. */
 static bool take_row(struct symmetry *symmetry, const struct field *field, size_t fields, struct failure *failure) {
   static const struct symmetry_operator zeros = {{0}, {0}};
   const size_t row = (size_t)(field[2].text[field[2].length - 1] - '1');
-  double number[4];
   uint64_t serial;
-  bool good = !symmetry->unreadable && fields == 8 && row == symmetry->rows % 3;
-  good = good && number_parse_count(field[3].text, field[3].length, &serial) == NUMBER_OK &&
-         serial == symmetry->count + (row == 0 ? 1 : 0);
-  for (size_t k = 0; good && k < 4; ++k) {
-    good = number_parse(field[4 + k].text, field[4 + k].length, &number[k]) == NUMBER_OK;
-  }
+  const bool good = !symmetry->unreadable && fields > 3 && row == symmetry->rows % 3 &&
+                    number_parse_count(field[3].text, field[3].length, &serial) == NUMBER_OK &&
+                    serial == symmetry->count + (row == 0 ? 1 : 0);
   if (!good) return give_up(symmetry);
   if (row == 0 && !add_operator(symmetry, &zeros, failure)) return false;
   if (symmetry->unreadable) return true;
-  struct symmetry_operator *last = &symmetry->operators[symmetry->count - 1];
-  memcpy(last->rotation + 3 * row, number, 3 * sizeof *number);
-  last->translation[row] = number[3];
+  if (!symmetry_row(field, fields, row, &symmetry->operators[symmetry->count - 1])) return give_up(symmetry);
   symmetry->rows = row + 1;
   symmetry->cartesian = true;
   return true;

@@ -37,6 +37,10 @@ struct symmetry {
  * short. */
 bool symmetry_take_pdb_record(struct symmetry *symmetry, const struct line_reader *reader, struct failure *failure);
 
+/* Put four numbers, the fields 5 to 8 of a line as REMARK 290 and 350 have them, into a row of an operator. False: it
+ * has other fields. */
+bool symmetry_row(const struct field *field, size_t fields, size_t row, struct symmetry_operator *out);
+
 /* Take an operator as crystallographers write it, -x,y+1/2,-z. False: memory is short. */
 bool symmetry_take_triplet(struct symmetry *symmetry, struct field text, struct failure *failure);
 

@@ -27,7 +27,8 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
   trajectory->path = path;
   trajectory->atoms = atoms;
   failure->file = input_name(path);
-  molecule_init(&trajectory->model, trajectory->format, 1, KEEP_NO_MORE);
+  static const struct file_choice first = FILE_CHOICE_FIRST;
+  molecule_init(&trajectory->model, trajectory->format, &first, KEEP_NO_MORE);
   if (has_models(trajectory)) {
     trajectory->lines = malloc(sizeof *trajectory->lines);
     if (trajectory->lines == NULL) return failure_of_memory(failure);

@@ -158,6 +158,18 @@ static inline uint64_t word_label(uint64_t word, unsigned width) {
   return word_first(word >> first, (last - first) / 8 + 1);
 }
 
+/* Of a key whose length is a multiple of 8. */
+static inline uint32_t word_hash(const void *key, size_t bytes) {
+  uint64_t hash = 0;
+  for (size_t i = 0; i < bytes; i += sizeof hash) {
+    uint64_t word;
+    memcpy(&word, (const char *)key + i, sizeof word);
+    hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
+    hash ^= hash >> 32;
+  }
+  return (uint32_t)hash;
+}
+
 /* A bit for each of sixteen characters: those below `limit`, 1 to 128, those that equal `byte`, those that equal one of
  * two, and those that differ from other ones. */
 #ifdef __SSE2__

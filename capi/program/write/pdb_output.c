@@ -107,7 +107,7 @@ bool pdb_output_write(const char *from, const struct molecule *molecule, const d
   struct line_reader *reader = malloc(sizeof *reader);
   if (reader == NULL) return failure_of_memory(failure);
   const char *file_before = failure->file;
-  struct copying copying = {reader, molecule, area, 0, {0, false}, false, false, TEXT_BUFFER_EMPTY, failure};
+  struct copying copying = {reader, molecule, area, 0, PDB_MODELS_NONE, false, false, TEXT_BUFFER_EMPTY, failure};
   failure->file = input_name(from);
   const bool done = copy(&copying, from) && output_file_write_text(to, &copying.out, failure);
   if (done) failure->file = file_before;

@@ -1,0 +1,453 @@
+#include "read/assembly.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "read/characters.h"
+#include "read/growing_array.h"
+#include "read/molecule.h"
+#include "read/number.h"
+
+enum { MOST_PARTS = 10000, MOST_OPERATORS = 20000 };
+
+/* Nobody writes more than one line of stderr has room for. */
+enum { MOST_LISTED = 6 };
+
+static void free_part(struct assembly_part *part) {
+  text_buffer_free(&part->chains);
+  text_buffer_free(&part->expression);
+}
+
+static struct assembly_part *add_part(struct assemblies *assemblies, struct field name) {
+  if (assemblies->parts == MOST_PARTS) { /* more would take too long to compare */
+    assemblies->unreadable = true;
+    free_part(&assemblies->part[--assemblies->parts]);
+  }
+  struct assembly_part *const grown =
+      array_with_room(assemblies->part, sizeof *grown, assemblies->parts, &assemblies->part_room);
+  if (grown == NULL) return NULL;
+  assemblies->part = grown;
+  struct assembly_part *const part = &grown[assemblies->parts++];
+  memset(part, 0, sizeof *part);
+  label_copy(part->name, sizeof part->name, name);
+  part->first = assemblies->count;
+  return part;
+}
+
+static struct assembly_operator *add_operator(struct assemblies *assemblies, struct field name) {
+  struct assembly_operator *const grown =
+      array_with_room(assemblies->operators, sizeof *grown, assemblies->count, &assemblies->room);
+  if (grown == NULL) return NULL;
+  assemblies->operators = grown;
+  memset(&grown[assemblies->count], 0, sizeof *grown);
+  label_copy(grown[assemblies->count].name, sizeof grown->name, name);
+  return &grown[assemblies->count++];
+}
+
+static bool is_separator(char c) {
+  return c == ',' || is_blank(c) || c == '\n' || c == '\r';
+}
+
+/* The next name of a list. *at steps behind it. Empty: there is none. */
+static struct field next_name(const struct text_buffer *list, size_t *at) {
+  while (*at < list->length && is_separator(list->text[*at])) ++*at;
+  const size_t begin = *at;
+  while (*at < list->length && !is_separator(list->text[*at])) ++*at;
+  return (struct field){list->text == NULL ? "" : list->text + begin, *at - begin};
+}
+
+static bool give_up(struct assemblies *assemblies) {
+  assemblies->unreadable = true;
+  return true;
+}
+
+/* BIOMTr n a b c t: row r of operator n of the last part. */
+static bool take_biomt(struct assemblies *assemblies, const struct field field[8], size_t fields,
+                       struct failure *failure) {
+  const size_t row = (size_t)(field[2].text[5] - '1');
+  if (fields < 4 || assemblies->parts == 0 || row != assemblies->rows % 3) return give_up(assemblies);
+  if (row == 0 && add_operator(assemblies, field[3]) == NULL) return failure_of_memory(failure);
+  if (!symmetry_row(field, fields, row, &assemblies->operators[assemblies->count - 1].to)) return give_up(assemblies);
+  assemblies->rows = row + 1;
+  assemblies->part[assemblies->parts - 1].count = assemblies->count - assemblies->part[assemblies->parts - 1].first;
+  return true;
+}
+
+bool assemblies_take_pdb_record(struct assemblies *assemblies, const struct line_reader *reader,
+                                struct failure *failure) {
+  static const char lead[] = "REMARK 350 ";
+  if (reader->length < sizeof lead || memcmp(reader->text, lead, sizeof lead - 1) != 0) return true;
+  struct field field[8];
+  const size_t fields = fields_split(reader->text, reader->length, field, 8);
+  const char *const colon = memchr(reader->text, ':', reader->length);
+  if (fields < 3) return true;
+  if (field[2].length == 6 && memcmp(field[2].text, "BIOMT", 5) == 0 && field[2].text[5] >= '1' &&
+      field[2].text[5] <= '3') {
+    return take_biomt(assemblies, field, fields, failure);
+  }
+  if (colon == NULL) return true;
+  const size_t behind = (size_t)(colon + 1 - reader->text);
+  const struct field value = field_in_columns(reader->text, reader->length, behind + 1, reader->length);
+  if (field_is(field[2], "BIOMOLECULE:")) label_copy(assemblies->name, sizeof assemblies->name, value);
+  const bool begins = field_is(field[2], "APPLY"), goes_on = field_is(field[2], "AND") && assemblies->parts > 0;
+  if (!begins && !goes_on) return true;
+  const struct field name = {assemblies->name, strlen(assemblies->name)};
+  struct assembly_part *const part = begins ? add_part(assemblies, name) : &assemblies->part[assemblies->parts - 1];
+  if (part == NULL) return failure_of_memory(failure);
+  text_buffer_append(&part->chains, ",", 1);
+  text_buffer_append(&part->chains, value.text, value.length);
+  if (begins) assemblies->rows = 0;
+  return !part->chains.out_of_memory || failure_of_memory(failure);
+}
+
+bool assemblies_add_part(struct assemblies *assemblies, struct field name, struct field expression, struct field chains,
+                         struct failure *failure) {
+  struct assembly_part *const part = add_part(assemblies, name);
+  if (part == NULL) return failure_of_memory(failure);
+  text_buffer_append(&part->chains, chains.text, chains.length);
+  text_buffer_append(&part->expression, expression.text, expression.length);
+  return !(part->chains.out_of_memory || part->expression.out_of_memory) || failure_of_memory(failure);
+}
+
+bool assemblies_add_operator(struct assemblies *assemblies, struct field name, const struct field number[12],
+                             struct failure *failure) {
+  struct assembly_operator *const own = add_operator(assemblies, name);
+  if (own == NULL) return failure_of_memory(failure);
+  for (size_t k = 0; k < 12; ++k) {
+    double *const value = k < 9 ? &own->to.rotation[k] : &own->to.translation[k - 9];
+    if (number_parse(number[k].text, number[k].length, value) != NUMBER_OK) return give_up(assemblies);
+  }
+  return true;
+}
+
+/* ---- operators of a part ---- */
+
+struct operator_list {
+  struct symmetry_operator *of;
+  size_t count, room;
+};
+
+static bool list_add(struct operator_list *list, const struct symmetry_operator *added, struct failure *failure) {
+  if (list->count == MOST_OPERATORS) {
+    return failure_in_input(failure, 0, "an assembly of more than %d operators", (int)MOST_OPERATORS);
+  }
+  struct symmetry_operator *const grown = array_with_room(list->of, sizeof *grown, list->count, &list->room);
+  if (grown == NULL) return failure_of_memory(failure);
+  list->of = grown;
+  list->of[list->count++] = *added;
+  return true;
+}
+
+/* The operator that does what `first` does, and then `second`. */
+static struct symmetry_operator product(const struct symmetry_operator *second, const struct symmetry_operator *first) {
+  struct symmetry_operator out;
+  for (int row = 0; row < 3; ++row) {
+    const double *const r = second->rotation + 3 * row;
+    for (int column = 0; column < 3; ++column) {
+      out.rotation[3 * row + column] =
+          r[0] * first->rotation[column] + r[1] * first->rotation[3 + column] + r[2] * first->rotation[6 + column];
+    }
+    out.translation[row] = r[0] * first->translation[0] + r[1] * first->translation[1] + r[2] * first->translation[2] +
+                           second->translation[row];
+  }
+  return out;
+}
+
+static const struct symmetry_operator *find_operator(const struct assemblies *assemblies, struct field name) {
+  for (size_t k = 0; k < assemblies->count; ++k) {
+    const char *const own = assemblies->operators[k].name;
+    if (strlen(own) == name.length && memcmp(own, name.text, name.length) == 0) return &assemblies->operators[k].to;
+  }
+  return NULL;
+}
+
+static bool add_named(const struct assemblies *assemblies, struct field name, struct operator_list *list,
+                      struct failure *failure) {
+  const struct symmetry_operator *const found = find_operator(assemblies, name);
+  char shown[EXCERPT_BYTES];
+  if (found != NULL) return list_add(list, found, failure);
+  return failure_in_input(failure, 0, "_pdbx_struct_assembly_gen: there is no operator '%s'",
+                          excerpt(shown, name.text, name.length));
+}
+
+/* One item of a group: a name, or a range of numbers, 1-60. */
+static bool add_item(const struct assemblies *assemblies, struct field item, struct operator_list *list,
+                     struct failure *failure) {
+  const char *const dash = item.length == 0 ? NULL : memchr(item.text, '-', item.length);
+  uint64_t low = 0, high = 0;
+  const size_t before = dash == NULL ? 0 : (size_t)(dash - item.text);
+  if (dash == NULL || find_operator(assemblies, item) != NULL ||
+      number_parse_count(item.text, before, &low) != NUMBER_OK ||
+      number_parse_count(dash + 1, item.length - before - 1, &high) != NUMBER_OK) {
+    return add_named(assemblies, item, list, failure);
+  }
+  for (uint64_t number = low; number <= high; ++number) {
+    char name[24];
+    const int length = snprintf(name, sizeof name, "%" PRIu64, number);
+    if (!add_named(assemblies, (struct field){name, (size_t)length}, list, failure)) return false;
+    if (number == UINT64_MAX) break;
+  }
+  return true;
+}
+
+/* The operators of an expression: groups in parentheses are applied from the right to the left, as the dictionary of
+ * mmCIF has it. */
+static bool expand_expression(const struct assemblies *assemblies, const struct text_buffer *text,
+                              struct operator_list *list, struct failure *failure) {
+  static const struct symmetry_operator identity = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+  bool done = list_add(list, &identity, failure);
+  for (size_t at = 0; done && at < text->length;) {
+    struct operator_list group = {NULL, 0, 0}, products = {NULL, 0, 0};
+    const char *const begin = text->text + at;
+    size_t length = strcspn(begin, "()");
+    const size_t named = length;
+    for (size_t from = 0; done && from <= named;) {
+      const size_t size = strcspn(begin + from, ",()");
+      struct field item = {begin + from, size};
+      while (item.length > 0 && is_separator(item.text[0])) ++item.text, --item.length;
+      while (item.length > 0 && is_separator(item.text[item.length - 1])) --item.length;
+      if (item.length > 0) done = add_item(assemblies, item, &group, failure);
+      from += size + 1;
+    }
+    at += length + 1;
+    for (size_t a = 0; done && group.count > 0 && a < list->count; ++a) {
+      for (size_t b = 0; done && b < group.count; ++b) {
+        const struct symmetry_operator both = product(&list->of[a], &group.of[b]);
+        done = list_add(&products, &both, failure);
+      }
+    }
+    if (group.count > 0) {
+      free(list->of);
+      *list = products;
+    }
+    free(group.of);
+  }
+  return done;
+}
+
+static bool expand(const struct assemblies *assemblies, const struct assembly_part *part, struct operator_list *list,
+                   struct failure *failure) {
+  *list = (struct operator_list){NULL, 0, 0};
+  if (assemblies->unreadable)
+    return failure_in_input(failure, 0, "the operators of the file's assemblies cannot be read");
+  if (part->expression.length > 0) return expand_expression(assemblies, &part->expression, list, failure);
+  for (size_t k = 0; k < part->count; ++k) {
+    if (!list_add(list, &assemblies->operators[part->first + k].to, failure)) return false;
+  }
+  return list->count > 0 || failure_in_input(failure, 0, "assembly '%s' has no operators", part->name);
+}
+
+/* ---- chains of a part ---- */
+
+/* The search begins at *from, where the last one ended: chains come in the order of the list. */
+static bool has_chain(const struct assembly_part *part, const char *chain, size_t *from) {
+  const size_t length = strlen(chain), begin = *from;
+  const bool nameless = chain_is_nameless(chain);
+  bool wrapped = false;
+  for (size_t at = begin; !wrapped || at < begin;) {
+    const struct field name = next_name(&part->chains, &at);
+    if (name.length == 0) {
+      if (wrapped) return false;
+      wrapped = true;
+      at = 0;
+      continue;
+    }
+    *from = at;
+    if (length == name.length && memcmp(chain, name.text, length) == 0) return true;
+    if (nameless && field_is(name, "NULL")) return true;
+  }
+  return false;
+}
+
+static const char *chain_of(const struct molecule *molecule, const struct residue_label *residue) {
+  return residue->asym > 0 ? molecule->asyms.names[residue->asym - 1].text : residue->chain;
+}
+
+static bool same_chain(const struct residue_label *a, const struct residue_label *b) {
+  return a == b || (a->asym == b->asym && strcmp(a->chain, b->chain) == 0);
+}
+
+/* ---- copies ---- */
+
+/* Copies of the first `atoms` that are in the part by an operator. number[atoms]: how many copies there are before. */
+static bool add_copy(struct molecule *molecule, uint32_t atoms, const uint8_t *in, const uint32_t *number,
+                     uint32_t further, const struct symmetry_operator *to, struct failure *failure) {
+  const struct residue_label *before = NULL; /* the residue that the last one is a copy of */
+  for (uint32_t i = 0; i < atoms; ++i) {
+    if (!in[i]) continue;
+    const double *const r = to->rotation;
+    const double xyz[3] = {molecule->xyz[3 * (size_t)i], molecule->xyz[3 * (size_t)i + 1],
+                           molecule->xyz[3 * (size_t)i + 2]};
+    double moved[3];
+    for (int k = 0; k < 3; ++k) {
+      moved[k] = r[3 * k] * xyz[0] + r[3 * k + 1] * xyz[1] + r[3 * k + 2] * xyz[2] + to->translation[k];
+      if (!is_finite(moved[k])) return failure_in_input(failure, molecule->line[i], "a coordinate is too large");
+    }
+    struct atom_label label = molecule->label[i];
+    struct residue_label residue = *label.residue;
+    if (label.residue == before) {
+      label.residue = molecule->label[molecule->atoms - 1].residue;
+    } else {
+      before = label.residue;
+      label.residue = &residue;
+      if (!chain_name_copy(&residue, (uint64_t)number[i] + further + 1, failure)) return false;
+    }
+    if (!molecule_add(molecule, moved, molecule->radius[i], &label, molecule->line[i], failure)) return false;
+    if (molecule->place != NULL) molecule->place[molecule->atoms - 1] = molecule->place[i];
+    if (molecule->extra != NULL) molecule->extra[molecule->atoms - 1] = molecule->extra[i];
+  }
+  return true;
+}
+
+/* Append all copies. */
+static bool add_copies(struct molecule *molecule, uint32_t atoms, uint8_t *in, uint32_t *number,
+                       struct failure *failure) {
+  struct assemblies *const assemblies = &molecule->assemblies;
+  bool done = true;
+  for (size_t k = 0; done && k < assemblies->parts; ++k) {
+    const struct assembly_part *const part = &assemblies->part[k];
+    if (strcmp(part->name, molecule->choice.assembly) != 0) continue;
+    struct operator_list list;
+    size_t at = 0;
+    for (uint32_t i = 0; i < atoms; ++i) {
+      const struct residue_label *const own = molecule->label[i].residue;
+      const bool as_before = i > 0 && same_chain(molecule->label[i - 1].residue, own);
+      in[i] = as_before ? in[i - 1] : has_chain(part, chain_of(molecule, own), &at);
+    }
+    done = expand(assemblies, part, &list, failure);
+    for (size_t op = 0; done && op < list.count; ++op) {
+      done = add_copy(molecule, atoms, in, number, (uint32_t)op, &list.of[op], failure);
+    }
+    for (uint32_t i = 0; i < atoms; ++i) number[i] += in[i] ? (uint32_t)list.count : 0;
+    assemblies->made += list.count;
+    free(list.of);
+  }
+  return done;
+}
+
+static bool is_listed_before(const struct assemblies *assemblies, size_t part) {
+  for (size_t k = 0; k < part; ++k) {
+    if (strcmp(assemblies->part[k].name, assemblies->part[part].name) == 0) return true;
+  }
+  return false;
+}
+
+static void list_name(struct text_buffer *out, const char *name, size_t listed) {
+  char shown[EXCERPT_BYTES];
+  excerpt(shown, name, strlen(name));
+  if (listed < MOST_LISTED) text_buffer_add(out, "%s%s", listed == 0 ? "" : ", ", shown);
+  if (listed == MOST_LISTED) text_buffer_add(out, " and more");
+}
+
+static bool report_none(const struct molecule *molecule, struct failure *failure) {
+  const struct assemblies *const assemblies = &molecule->assemblies;
+  struct text_buffer list = TEXT_BUFFER_EMPTY;
+  size_t listed = 0;
+  char shown[EXCERPT_BYTES];
+  if (assemblies->parts == 0) return failure_in_input(failure, 0, "the file states no assemblies: not with --assembly");
+  for (size_t k = 0; k < assemblies->parts && listed <= MOST_LISTED; ++k) {
+    if (!is_listed_before(assemblies, k)) list_name(&list, assemblies->part[k].name, listed++);
+  }
+  if (list.out_of_memory) {
+    failure_of_memory(failure);
+  } else {
+    failure_in_input(failure, 0, "no assembly '%s': the file has %s",
+                     excerpt(shown, molecule->choice.assembly, strlen(molecule->choice.assembly)), list.text);
+  }
+  text_buffer_free(&list);
+  return false;
+}
+
+bool assembly_make(struct molecule *molecule, struct failure *failure) {
+  const struct assemblies *const assemblies = &molecule->assemblies;
+  const uint32_t atoms = molecule->atoms, read = molecule->read;
+  bool any = false;
+  for (size_t k = 0; k < assemblies->parts; ++k) {
+    any = any || strcmp(assemblies->part[k].name, molecule->choice.assembly) == 0;
+  }
+  if (!any) return report_none(molecule, failure);
+  uint8_t *const in = malloc((size_t)atoms + 1);
+  uint32_t *const number = calloc((size_t)atoms + 1, sizeof *number);
+  bool done = (in != NULL && number != NULL) || failure_of_memory(failure);
+  done = done && add_copies(molecule, atoms, in, number, failure);
+  for (uint32_t i = 0; done && i < atoms; ++i) {
+    if (number[i] == 0) ++molecule->left_out.others;
+  }
+  free(in);
+  free(number);
+  if (!done) return false;
+  /* The copies take the places of the atoms before them. */
+  for (uint32_t i = atoms; i < molecule->atoms; ++i) molecule_move_atom(molecule, i - atoms, i);
+  molecule->atoms -= atoms;
+  molecule->read = read;
+  return molecule->atoms > 0 ||
+         failure_in_input(failure, 0, "assembly '%s' has none of the chains that are read", molecule->choice.assembly);
+}
+
+/* ---- whether they differ from what is read ---- */
+
+static bool is_identity(const struct symmetry_operator *to) {
+  static const double blur = 1e-4; /* of matrices with six decimals, and of angstrom */
+  for (int k = 0; k < 9; ++k) {
+    if (!(fabs(to->rotation[k] - (k % 4 == 0 ? 1.0 : 0.0)) <= blur)) return false;
+  }
+  return fabs(to->translation[0]) <= blur && fabs(to->translation[1]) <= blur && fabs(to->translation[2]) <= blur;
+}
+
+/* Whether the part leaves its chains as they are. */
+static bool is_plain(const struct assemblies *assemblies, const struct assembly_part *part) {
+  struct failure unused = {0, NULL, 0, ""};
+  struct operator_list list;
+  const bool plain = expand(assemblies, part, &list, &unused) && list.count == 1 && is_identity(&list.of[0]);
+  free(list.of);
+  return plain;
+}
+
+/* Whether one part of the assembly has the chain. */
+static bool is_in_one(struct assemblies *assemblies, const char *name, const char *chain) {
+  size_t count = 0;
+  for (size_t k = 0; k < assemblies->parts; ++k) {
+    struct assembly_part *const part = &assemblies->part[k];
+    if (strcmp(part->name, name) == 0 && has_chain(part, chain, &part->looked_at)) ++count;
+  }
+  return count == 1;
+}
+
+/* Whether the assembly has each chain that was read once. Atoms without a chain's name count for nothing: old files
+ * have their water so. */
+static bool has_all_once(struct molecule *molecule, const char *assembly) {
+  struct assemblies *const assemblies = &molecule->assemblies;
+  for (size_t k = 0; k < molecule->asyms.count; ++k) {
+    if (!is_in_one(assemblies, assembly, molecule->asyms.names[k].text)) return false;
+  }
+  for (uint32_t i = 0; molecule->asyms.count == 0 && i < molecule->atoms; ++i) {
+    const struct residue_label *const own = molecule->label[i].residue;
+    if (i > 0 && same_chain(molecule->label[i - 1].residue, own)) continue;
+    if (!chain_is_nameless(own->chain) && !is_in_one(assemblies, assembly, own->chain)) return false;
+  }
+  return true;
+}
+
+bool assemblies_list_others(struct molecule *molecule, struct text_buffer *out) {
+  const struct assemblies *const assemblies = &molecule->assemblies;
+  size_t listed = 0;
+  for (size_t k = 0; k < assemblies->parts && listed <= MOST_LISTED; ++k) {
+    const char *const name = assemblies->part[k].name;
+    if (is_listed_before(assemblies, k)) continue;
+    bool plain = true;
+    for (size_t other = k; plain && other < assemblies->parts; ++other) {
+      if (strcmp(assemblies->part[other].name, name) == 0) plain = is_plain(assemblies, &assemblies->part[other]);
+    }
+    if (!plain || !has_all_once(molecule, name)) list_name(out, name, listed++);
+  }
+  return !out->out_of_memory;
+}
+
+void assemblies_free(struct assemblies *assemblies) {
+  for (size_t k = 0; k < assemblies->parts; ++k) free_part(&assemblies->part[k]);
+  free(assemblies->part);
+  free(assemblies->operators);
+  memset(assemblies, 0, sizeof *assemblies);
+}

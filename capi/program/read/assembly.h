@@ -1,0 +1,65 @@
+/* Biological assemblies, as files of the Protein Data Bank state them: which chains by which operators. */
+#ifndef HARDSPHERE_TOOL_ASSEMBLY_H
+#define HARDSPHERE_TOOL_ASSEMBLY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "read/failure.h"
+#include "read/fields.h"
+#include "read/line_reader.h"
+#include "read/symmetry.h"
+#include "read/text_buffer.h"
+
+struct molecule;
+
+/* Points in angstrom. */
+struct assembly_operator {
+  char name[24];
+  struct symmetry_operator to;
+};
+
+/* Chains that some operators make copies of. */
+struct assembly_part {
+  char name[24];                 /* of the assembly, which may have several */
+  struct text_buffer chains;     /* with commas between them */
+  struct text_buffer expression; /* of .cif: "(1-60)(61,62)"; else its operators are */
+  size_t first, count;
+  size_t looked_at; /* among the chains */
+};
+
+/* Zeros at first. */
+struct assemblies {
+  struct assembly_part *part;
+  size_t parts, part_room;
+  struct assembly_operator *operators;
+  size_t count, room;
+  char name[24]; /* of REMARK 350: the assembly that lines are of */
+  size_t rows;   /* likewise: of the last operator so far */
+  bool unreadable;
+  size_t made; /* by how many operators that which was chosen is made */
+};
+
+/* Take a line of REMARK 350, if it is one. False: memory is short. */
+bool assemblies_take_pdb_record(struct assemblies *assemblies, const struct line_reader *reader,
+                                struct failure *failure);
+
+/* Take a row of _pdbx_struct_assembly_gen, or one of _pdbx_struct_oper_list: its matrix row by row, and its vector.
+ * False: memory is short. */
+bool assemblies_add_part(struct assemblies *assemblies, struct field name, struct field expression, struct field chains,
+                         struct failure *failure);
+bool assemblies_add_operator(struct assemblies *assemblies, struct field name, const struct field number[12],
+                             struct failure *failure);
+
+/* The atoms of the molecule become those of the assembly that its choice names: for each operator a copy of the atoms
+ * of its chains, in the order of the file. The chains of the second copy have "-2" behind their names, and so on; where
+ * the file is .cif, chains are those of label_asym_id. Atoms of other chains are left out. False: there is no such
+ * assembly, it cannot be read, or memory is short. */
+bool assembly_make(struct molecule *molecule, struct failure *failure);
+
+/* Add "1, 2": assemblies that are not what was read, all chains as they stand. False: memory is short. */
+bool assemblies_list_others(struct molecule *molecule, struct text_buffer *out);
+
+void assemblies_free(struct assemblies *assemblies);
+
+#endif
