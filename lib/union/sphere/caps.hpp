@@ -37,8 +37,8 @@ uint32_t put_selected_first(uint32_t earlier, const uint32_t *selected, Span<uin
   return first;
 }
 
-// One of so many classes of caps by their size, the largest first. b runs from -1 (the whole sphere) to 1 (nothing); NaN
-// goes last.
+// One of so many classes of caps by their size, the largest first. b runs from -1 (the whole sphere) to 1 (nothing);
+// NaN goes last.
 inline uint32_t size_class(double b, uint32_t classes) {
   const double scaled = (b + 1.0) * (0.5 * classes);
   if (!(scaled < classes)) return classes - 1;
@@ -80,6 +80,10 @@ struct Caps {
   // proper circles. Their caps follow with make_doubles, if they are needed, once.
   void take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components);
   void make_doubles();
+  // Those of some of these caps alone, in arrays of their own; `to.ball` is not written. As many of the first as are
+  // certain to be circles, up to most_at_once.
+  static constexpr uint32_t most_at_once = 32;
+  uint32_t make_doubles_of(Span<const uint32_t> numbers, const CapArrays &to) const;
 
   // The normal of its plane, from centre to centre.
   exact::Vector direction(uint32_t k) const;

@@ -5,9 +5,14 @@
 namespace hsp {
 namespace {
 
-void load(const Caps &caps, const uint32_t *numbers, uint32_t count, CapBatch &batch) {
-  batch.count = count;
-  for (uint32_t k = 0; k < count; ++k) {
+// The first caps of some numbers: a whole batch if there are as many, fewer if one is not certain to be a circle.
+void load(const Caps &caps, bool balls_alone, Span<const uint32_t> numbers, CapBatch &batch) {
+  batch.count = numbers.size() < CapBatch::most ? numbers.size() : CapBatch::most;
+  if (balls_alone) {
+    batch.count = caps.make_doubles_of(numbers.part(0, batch.count), {batch.ux, batch.uy, batch.uz, batch.b, nullptr});
+    return;
+  }
+  for (uint32_t k = 0; k < batch.count; ++k) {
     const uint32_t from = numbers[k];
     batch.ux[k] = caps.ux[from];
     batch.uy[k] = caps.uy[from];
@@ -29,27 +34,39 @@ uint32_t deepest_of(const CapBatch &batch, uint32_t bits) {
 }  // namespace
 
 // The largest caps come first: after few of them most balls are known to be buried.
-void ExposedCaps::order_by_size(const Caps &caps) {
+template <class Real>
+void ExposedCaps::order_by_size(const Real *b, uint32_t count) {
   constexpr uint32_t classes = 64;
   uint32_t start[classes + 1] = {};
-  for (uint32_t k = 0; k < caps.count; ++k) {
-    state_[k] = static_cast<uint8_t>(size_class(caps.b[k], classes));
+  for (uint32_t k = 0; k < count; ++k) {
+    state_[k] = static_cast<uint8_t>(size_class(b[k], classes));
     ++start[state_[k] + 1];
   }
   for (uint32_t c = 0; c < classes; ++c) start[c + 1] += start[c];
-  for (uint32_t k = 0; k < caps.count; ++k) order_[start[state_[k]]++] = k;
+  for (uint32_t k = 0; k < count; ++k) {
+    order_[start[state_[k]]++] = k;
+    state_[k] = dropped;
+  }
 }
 
-bool ExposedCaps::find(const Caps &caps) {
+bool ExposedCaps::find(const Caps &caps, const float *sizes) {
   const uint32_t count = caps.count;
-  order_by_size(caps);
-  for (uint32_t k = 0; k < count; ++k) state_[k] = dropped;
+  const bool balls_alone = sizes != nullptr;
+  if (balls_alone) {
+    order_by_size(sizes, count);
+  } else {
+    order_by_size(caps.b.data(), count);
+  }
   OuterCell cell;
   cell.start();
   CapBatch batch{};
-  for (uint32_t t = 0; t < count; t += CapBatch::most) {
-    load(caps, &order_[t], count - t < CapBatch::most ? count - t : CapBatch::most, batch);
-    for (uint32_t bits = caps_that_may_cut(caps.target, cell, batch); bits != 0;) {
+  for (uint32_t t = 0; t < count; t += batch.count) {
+    load(caps, balls_alone, order_.part(t, count), batch);
+    if (batch.count == 0) {
+      state_[order_[t++]] = doubtful;
+      continue;
+    }
+    for (uint32_t bits = caps_that_may_cut(caps.target, cell, batch, batch.all()); bits != 0;) {
       const uint32_t k = deepest_of(batch, bits), number = order_[t + k];
       bits &= ~(1U << k);
       switch (cell.cut(caps.target, {batch.ux[k], batch.uy[k], batch.uz[k], batch.b[k]}, number)) {
@@ -63,7 +80,7 @@ bool ExposedCaps::find(const Caps &caps) {
         case OuterCell::Cut::cuts:
           if (cell.lies_inside_sphere()) return false;
           state_[number] = cuts;
-          if (bits != 0) bits &= caps_that_may_cut(caps.target, cell, batch);
+          if (bits != 0) bits = caps_that_may_cut(caps.target, cell, batch, bits);
           break;
       }
     }
@@ -77,9 +94,9 @@ bool ExposedCaps::find(const Caps &caps) {
   for (uint32_t k = 0; k < count; ++k) {
     if (state_[k] == cuts || state_[k] == doubtful) order_[asked++] = k;
   }
-  for (uint32_t t = 0; t < asked; t += CapBatch::most) {
-    load(caps, &order_[t], asked - t < CapBatch::most ? asked - t : CapBatch::most, batch);
-    const uint32_t bits = caps_that_may_cut(caps.target, cell, batch);
+  for (uint32_t t = 0; t<asked; t += batch.count> 0 ? batch.count : 1) {
+    load(caps, balls_alone, order_.part(t, asked), batch);
+    const uint32_t bits = caps_that_may_cut(caps.target, cell, batch, batch.all());
     for (uint32_t k = 0; k < batch.count; ++k) {
       if ((bits >> k & 1U) == 0) state_[order_[t + k]] = dropped;
     }

@@ -16,16 +16,18 @@ class ExposedCaps {
 
   // Memory, [caps] each.
   ExposedCaps(Span<uint32_t> order, Span<uint8_t> state) : order_(order), state_(state) {}
-  // False if nothing of the sphere is free. Its radius is not 0.
-  bool find(const Caps &caps);
+  // False if nothing of the sphere is free. Its radius is not 0. sizes: where of caps the balls alone are known, their
+  // b in floats; doubles are made of those caps alone that are looked at.
+  bool find(const Caps &caps, const float *sizes = nullptr);
   // After find: whether cap k is one of them.
   bool has(uint32_t k) const { return state_[k] != dropped; }
 
  private:
-  // What is known of a cap; a doubtful one, or one whose plane has cut, is asked again at the end.
+  // States of a cap; a doubtful one, or one whose plane has cut, is asked again at the end.
   static constexpr uint8_t dropped = 0, cuts = 1, doubtful = 2, face = 3;
 
-  void order_by_size(const Caps &caps);
+  template <class Real>
+  void order_by_size(const Real *b, uint32_t count);
 
   Span<uint32_t> order_;
   Span<uint8_t> state_;

@@ -101,9 +101,8 @@ bool SearchInLanes::find_few(Caps &caps, FewCaps &found) {
 }
 
 bool SearchInLanes::keep_exposed(Caps &caps, ExposedCaps exposed) {
-  caps.make_doubles();
-  if (!exposed.find(caps)) return false;
   const FloatCaps &f = sweep_.caps;
+  if (!exposed.find(caps, f.b)) return false;
   uint32_t kept = 0;
   for (uint32_t k = 0; k < caps.count; ++k) {
     if (!exposed.has(k)) continue;

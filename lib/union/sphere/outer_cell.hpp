@@ -1,16 +1,16 @@
 // A polyhedron in doubles around what the caps of one ball leave free: some of the caps' planes bound it. On the unit
 // sphere of caps.hpp a cap u.x >= b takes a half-space away; what all caps leave of space is the ball's power cell, and
-// what some of them leave, as here, contains it. What certainly misses this misses the power cell.
+// what some of them leave, as here, contains it. A cap that certainly misses this misses the power cell.
 //
-//        ___________ the cube at first                 a cap that cuts                a cap that misses
-//       |   _---_   |                                  ____________                     ____________
-//       |  /     \  |   caps come one by one,         |          / |                   |          /\  \ .
-//       | | ball  | |   a plane cuts vertices off:    |  ball   / cap                  |  ball   /  \  \ cap
-//       |  \_   _/  |                                 |________/___|                   |________/    \  \ .
-//       |____---____|
+//     +-----------+        +-------.            +-------.  /
+//     |   .---.   |        |   .---.\           |   .---.\/
+//     |  ( ball ) |   ->   |  ( ball \|    ->   |  ( ball\|\ a cap that misses
+//     |   '---'   |        |   '---'  |         |   '---'  |
+//     +-----------+        +----------+         +----------+
+//       the cube at first    a cap has cut        drops out
 //
-// It is kept as its vertices alone, each a triple of planes; there are no edges and no neighbours. Why that is enough, and
-// that the answers "misses", "buries" and "inside the ball" are certain: exact/PROOFS.md, section 7.
+// It is kept as its vertices alone, each a triple of planes; there are no edges and no neighbours. Why that is enough,
+// and that the answers are certain: exact/PROOFS.md, section 7.
 #pragma once
 
 #include "core/status.hpp"
@@ -58,10 +58,12 @@ struct CapBatch {
   double ux[most], uy[most], uz[most], b[most];
   double depth[most];  // how far a plane cuts into the polyhedron, about
   uint32_t count = 0;
+
+  uint32_t all() const { return count < most ? (1U << count) - 1U : ~0U; }
 };
 
-// Bits of the caps of a batch that are not certain to miss the polyhedron, whose depths are set.
-HSP_KERNEL(uint32_t, caps_that_may_cut, (const OuterCell &cell, CapBatch &caps), (cell, caps))
+// Bits of those of `asked` caps of a batch that are not certain to miss the polyhedron, whose depths are set.
+HSP_KERNEL(uint32_t, caps_that_may_cut, (const OuterCell &cell, CapBatch &caps, uint32_t asked), (cell, caps, asked))
 
 // On which side of a plane vertices are.
 struct VertexSides {

@@ -8,11 +8,12 @@ using CellLanes = Wide<double, register_lanes>;
 
 }  // namespace
 
-uint32_t caps_that_may_cut(const OuterCell &cell, CapBatch &caps) {
+uint32_t caps_that_may_cut(const OuterCell &cell, CapBatch &caps, uint32_t asked) {
   constexpr uint32_t n = CellLanes::lanes;
   static_assert(CapBatch::most % (2 * n) == 0);
   uint32_t cut = 0;
-  for (uint32_t k = 0; k < caps.count; k += 2 * n) {
+  for (uint32_t k = 0; k < CapBatch::most; k += 2 * n) {
+    if ((asked >> k & ((1U << 2 * n) - 1U)) == 0) continue;
     // Two registers at a time: one product does not wait for the other.
     const CellLanes::Real x[2] = {CellLanes::load(caps.ux + k), CellLanes::load(caps.ux + k + n)},
                           y[2] = {CellLanes::load(caps.uy + k), CellLanes::load(caps.uy + k + n)},
@@ -34,7 +35,7 @@ uint32_t caps_that_may_cut(const OuterCell &cell, CapBatch &caps) {
       cut |= static_cast<uint32_t>(CellLanes::set_lanes(~(b > most[half]))) << first;
     }
   }
-  return caps.count < CapBatch::most ? cut & ((1U << caps.count) - 1U) : cut;
+  return cut & asked;
 }
 
 VertexSides sides_of_vertices(const OuterCell &cell, const OuterCell::Plane &plane) {
