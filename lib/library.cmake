@@ -57,10 +57,13 @@ set(HSP_LIBRARY_SOURCES
   lib/union/sphere/caps.cpp
   lib/union/sphere/cube_candidates.cpp
   lib/union/sphere/few_caps.kernel.cpp
+  lib/union/sphere/exposed_caps.cpp
   lib/union/sphere/float_caps.kernel.cpp
   lib/union/sphere/great_circles.cpp
   lib/union/sphere/lane_search.cpp
   lib/union/sphere/near_balls.kernel.cpp
+  lib/union/sphere/outer_cell.cpp
+  lib/union/sphere/outer_cell.kernel.cpp
   lib/union/sphere/pair_sweep.kernel.cpp
   lib/union/sphere/root_discriminants.kernel.cpp
   lib/union/sphere/vertex_finder.cpp

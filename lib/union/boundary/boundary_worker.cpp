@@ -156,7 +156,7 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
   const uint32_t first_vertex = vertices_.size(), first_circle = circles_.size();
   if (by_lanes) {
     clusters = lanes.find(balls, caps, finder_, vertices_, circles_);
-  } else {
+  } else if (finder_.keep_exposed(caps)) {
     finder_.find(balls, caps, vertices_, circles_);
   }
   if (selected_ != nullptr) order_balls_of_records(first_vertex, first_circle);
@@ -214,7 +214,7 @@ void BoundaryWorker::link(const BallSet &balls, BlockSweep &sweep, const Boundar
   loops.first = most_loops_before(own.first);
   loops.last = link_half_edges(balls, own, chain, loops.first, a);
   faces.first = loops.first + own.first;
-  faces.last = face_finder_.find(balls, sweep, boundary, own, loops, faces.first, caps,
+  faces.last = face_finder_.find(balls, sweep, boundary, own, loops, faces.first, caps, finder_,
                                  scratch.part(loops.first, most_loops_before(own.last)), a);
 }
 

@@ -88,10 +88,12 @@ static_assert((few_caps + 1) * BoundaryArrays::one_cluster <= 256);
 // If a sphere has a free point, its free faces and its clusters alternate around the loops as the nodes of a tree whose
 // edges are the loops (the sphere less disjoint closed curves). Hence #faces = #loops - #clusters + 1.
 void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball,
-                            uint32_t first_loop, uint32_t counted_clusters, Caps &caps, DisjointSets &loops) {
+                            uint32_t first_loop, uint32_t counted_clusters, Caps &caps, const VertexFinder &finder,
+                            DisjointSets &loops) {
   uint32_t clusters = counted_clusters;
   const auto gather_again = [&]() {
     caps.gather(balls, sweep.block_around_ball(ball), ball, nullptr);
+    finder.keep_exposed(caps);
     clusters = clusters_.find(caps);
   };
   if (clusters == not_counted && !small_code) {
@@ -115,7 +117,8 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
 }
 
 uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, BallRange range,
-                          IdRange loops, uint32_t first, Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays) {
+                          IdRange loops, uint32_t first, Caps &caps, const VertexFinder &finder, Span<uint32_t> scratch,
+                          BoundaryArrays &arrays) {
   uint32_t faces = first;
   for (uint32_t i = range.first; i < range.last; ++i) {
     const uint32_t first_face = arrays.first[i].face = faces;
@@ -128,7 +131,8 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
     DisjointSets sets(scratch.part(0, own.size()));
     sets.reset();
     if (own.size() > 1) {
-      join_loops(balls, sweep, boundary, i, own.first, arrays.ball_state[i] / BoundaryArrays::one_cluster, caps, sets);
+      join_loops(balls, sweep, boundary, i, own.first, arrays.ball_state[i] / BoundaryArrays::one_cluster, caps, finder,
+                 sets);
     }
     if (!number_faces(sets, i, own, faces, arrays)) {
       sort_loops_by_face(boundary, i, own, {first_face, faces}, scratch, arrays);

@@ -5,6 +5,7 @@
 #include "model/block_sweep.hpp"
 #include "sphere/cap_clusters.hpp"
 #include "sphere/great_circles.hpp"
+#include "sphere/vertex_finder.hpp"
 
 namespace hsp {
 
@@ -22,11 +23,11 @@ class FaceFinder {
   // loops, and all if these do not hang together. And so they are if only meridians show which loops belong together.
   // `sweep` is before these balls, `arrays` are those of the boundary; scratch [loops].
   uint32_t find(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, BallRange range, IdRange loops,
-                uint32_t first, Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays);
+                uint32_t first, Caps &caps, const VertexFinder &finder, Span<uint32_t> scratch, BoundaryArrays &arrays);
 
  private:
   void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball, uint32_t first_loop,
-                  uint32_t counted_clusters, Caps &caps, DisjointSets &loops);
+                  uint32_t counted_clusters, Caps &caps, const VertexFinder &finder, DisjointSets &loops);
   void join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, DisjointSets &loops);
 
   CapClusters clusters_;

@@ -162,6 +162,18 @@ void Caps::make_doubles() {
   first_later = later;
 }
 
+uint32_t Caps::make_doubles_of(Span<const uint32_t> numbers, const CapArrays &to) const {
+  if constexpr (has_lanes) {
+    uint32_t near[most_at_once + spare_ids], taken[most_at_once + spare_ids];
+    const uint32_t n = numbers.size();
+    for (uint32_t k = 0; k < n; ++k) near[k] = ball[numbers[k]];
+    for (uint32_t k = n; k < n + 4; ++k) near[k] = origin;
+    double longest = 0.0;
+    return caps_of_circles(target, arrays_of(*balls_), origin, near, n, {to.ux, to.uy, to.uz, to.b, taken}, longest);
+  }
+  return 0;
+}
+
 // The same, some balls at a time.
 void Caps::gather_in_lanes(const CubeBlock &block, Joining &joining) {
   if constexpr (has_lanes) {

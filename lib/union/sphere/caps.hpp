@@ -37,6 +37,14 @@ uint32_t put_selected_first(uint32_t earlier, const uint32_t *selected, Span<uin
   return first;
 }
 
+// One of so many classes of caps by their size, the largest first. b runs from -1 (the whole sphere) to 1 (nothing);
+// NaN goes last.
+inline uint32_t size_class(double b, uint32_t classes) {
+  const double scaled = (b + 1.0) * (0.5 * classes);
+  if (!(scaled < classes)) return classes - 1;
+  return scaled > 0.0 ? static_cast<uint32_t>(scaled) : 0;
+}
+
 // Caps in ascending order of the grid's ball ids, structure of arrays over scratch memory of fixed capacity.
 struct Caps {
   static constexpr uint32_t padding = has_lanes ? 8 : 0;  // may be written behind the spare slot
@@ -72,6 +80,10 @@ struct Caps {
   // proper circles. Their caps follow with make_doubles, if they are needed, once.
   void take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components);
   void make_doubles();
+  // Those of some of these caps alone, in arrays of their own; `to.ball` is not written. As many of the first as are
+  // certain to be circles, up to most_at_once.
+  static constexpr uint32_t most_at_once = 32;
+  uint32_t make_doubles_of(Span<const uint32_t> numbers, const CapArrays &to) const;
 
   // The normal of its plane, from centre to centre.
   exact::Vector direction(uint32_t k) const;
@@ -90,16 +102,23 @@ struct Caps {
   // Drops the caps of balls that keep(ball) refuses.
   template <class Keep>
   void keep_if(Keep keep) {
-    uint32_t kept = 0;
+    keep_numbers([&](uint32_t k) { return keep(ball[k]); });
+  }
+  // The same by their numbers.
+  template <class Keep>
+  void keep_numbers(Keep keep) {
+    uint32_t kept = 0, later = 0;
     for (uint32_t k = 0; k < count; ++k) {
-      if (!keep(ball[k])) continue;
+      if (!keep(k)) continue;
       ux[kept] = ux[k];
       uy[kept] = uy[k];
       uz[kept] = uz[k];
       b[kept] = b[k];
       ball[kept++] = ball[k];
+      if (k < first_later) later = kept;
     }
     count = kept;
+    first_later = later;
   }
 
   Vec3 axis(uint32_t k) const { return {ux[k], uy[k], uz[k]}; }

@@ -22,6 +22,14 @@ namespace hsp {
 struct FloatCaps {
   static constexpr uint32_t spare = 8;  // entries behind the last cap that may be written and read
   float *x = nullptr, *y = nullptr, *z = nullptr, *b = nullptr;
+
+  // Caps in which nothing lies, behind so many others.
+  void pad(uint32_t count) const {
+    for (uint32_t k = count; k < count + spare; ++k) {
+      x[k] = y[k] = z[k] = 0.0F;
+      b[k] = 4.0F;
+    }
+  }
 };
 
 // The caps of `count` balls near ball i, followed by as many in which nothing lies as there are lanes. Returns false if

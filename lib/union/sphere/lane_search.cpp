@@ -100,8 +100,25 @@ bool SearchInLanes::find_few(Caps &caps, FewCaps &found) {
                              caps.first_later, found);
 }
 
+bool SearchInLanes::keep_exposed(Caps &caps, ExposedCaps exposed) {
+  const FloatCaps &f = sweep_.caps;
+  if (!exposed.find(caps, f.b)) return false;
+  uint32_t kept = 0;
+  for (uint32_t k = 0; k < caps.count; ++k) {
+    if (!exposed.has(k)) continue;
+    f.x[kept] = f.x[k];
+    f.y[kept] = f.y[k];
+    f.z[kept] = f.z[k];
+    f.b[kept++] = f.b[k];
+  }
+  f.pad(kept);
+  caps.keep_numbers([&](uint32_t k) { return exposed.has(k); });
+  return true;
+}
+
 uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &finder,
                              FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
+  if (ExposedCaps::are_many(caps) && !keep_exposed(caps, finder.exposed_caps())) return 0;
   if (caps.count > most_few_caps) {
     find_many(balls, caps, finder, vertices, circles);
     return 0;

@@ -44,6 +44,7 @@ class SearchInLanes {
   bool doubles = true;
 
  private:
+  bool keep_exposed(Caps &caps, ExposedCaps exposed);
   bool find_few(Caps &caps, FewCaps &found);
   void find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
                  FixedVector<CircleRecord> &circles);

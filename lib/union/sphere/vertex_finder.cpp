@@ -10,13 +10,6 @@ using Two = Wide<double, 2>;
 
 constexpr uint32_t size_classes = 8;
 
-uint32_t size_class(double b) {
-  // b runs from -1 (the whole sphere) to 1 (nothing); NaN goes last.
-  const double scaled = (b + 1.0) * (size_classes / 2.0);
-  if (!(scaled < size_classes)) return size_classes - 1;
-  return scaled > 0.0 ? static_cast<uint32_t>(scaled) : 0;
-}
-
 enum class PointAnswer { covered, free, uncertain };
 
 // A point, for testing against pairs of caps.
@@ -85,10 +78,10 @@ void CapTests::carve(Workspace &workspace, uint32_t capacity) {
 void CapTests::fill(const Caps &caps) {
   count = caps.count;
   uint32_t start[size_classes + 1] = {};
-  for (uint32_t k = 0; k < caps.count; ++k) ++start[size_class(caps.b[k]) + 1];
+  for (uint32_t k = 0; k < caps.count; ++k) ++start[size_class(caps.b[k], size_classes) + 1];
   for (uint32_t c = 0; c < size_classes; ++c) start[c + 1] += start[c];
   for (uint32_t k = 0; k < caps.count; ++k) {
-    const uint32_t slot = start[size_class(caps.b[k])]++;
+    const uint32_t slot = start[size_class(caps.b[k], size_classes)]++;
     ux[slot] = caps.ux[k];
     uy[slot] = caps.uy[k];
     uz[slot] = caps.uz[k];
@@ -155,6 +148,14 @@ void VertexFinder::decide_pair(const BallSet &balls, const Caps &caps, uint32_t 
 
 void VertexFinder::decide_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const {
   if (state_[j] == 0 && is_free_circle(caps, tests_, j)) circles.push({{caps.origin, caps.ball[j]}, {no_id, no_id}});
+}
+
+bool VertexFinder::keep_exposed(Caps &caps) const {
+  if (!ExposedCaps::are_many(caps)) return true;
+  ExposedCaps exposed = exposed_caps();
+  if (!exposed.find(caps)) return false;
+  caps.keep_numbers([&](uint32_t k) { return exposed.has(k); });
+  return true;
 }
 
 void VertexFinder::start(const Caps &caps) {

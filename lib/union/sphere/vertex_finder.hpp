@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
-#include "sphere/caps.hpp"
+#include "sphere/exposed_caps.hpp"
 #include "sphere/half_edges.hpp"
 
 namespace hsp {
@@ -23,6 +23,12 @@ struct CapTests {
 class VertexFinder {
  public:
   void carve(Workspace &workspace, uint32_t capacity);
+
+  // Of many caps those that matter, in memory of this one that is idle before the search.
+  ExposedCaps exposed_caps() const { return {tests_.cap, state_}; }
+  // Of many caps keeps these. False if nothing of the sphere is free.
+  bool keep_exposed(Caps &caps) const;
+
   // Among caps from caps.first_later on.
   void find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);

@@ -1,0 +1,36 @@
+// Of many caps of one ball, those that may touch its free part. The others are covered by these, strictly, so that
+// whatever is found of the free part of the sphere is found with these alone: vertices, circles, clusters, ties.
+// (exact/PROOFS.md, section 7.) In sets of many overlaps, models of one molecule or poses of a ligand, a ball has a
+// thousand caps, and mostly a dozen of these cover it.
+#pragma once
+
+#include "sphere/caps.hpp"
+
+namespace hsp {
+
+class ExposedCaps {
+ public:
+  // Fewer are searched as they are: that is as quick. Spheres without a radius have no directions in doubles.
+  static constexpr uint32_t fewest = 160;
+  static bool are_many(const Caps &caps) { return caps.count >= fewest && caps.sphere.W > 0; }
+
+  // Memory, [caps] each.
+  ExposedCaps(Span<uint32_t> order, Span<uint8_t> state) : order_(order), state_(state) {}
+  // False if nothing of the sphere is free. Its radius is not 0. sizes: where of caps the balls alone are known, their
+  // b in floats; doubles are made of those caps alone that are looked at.
+  bool find(const Caps &caps, const float *sizes = nullptr);
+  // After find: whether cap k is one of them.
+  bool has(uint32_t k) const { return state_[k] != dropped; }
+
+ private:
+  // States of a cap; a doubtful one, or one whose plane has cut, is asked again at the end.
+  static constexpr uint8_t dropped = 0, cuts = 1, doubtful = 2, face = 3;
+
+  template <class Real>
+  void order_by_size(const Real *b, uint32_t count);
+
+  Span<uint32_t> order_;
+  Span<uint8_t> state_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,75 @@
+// A polyhedron in doubles around what the caps of one ball leave free: some of the caps' planes bound it. On the unit
+// sphere of caps.hpp a cap u.x >= b takes a half-space away; what all caps leave of space is the ball's power cell, and
+// what some of them leave, as here, contains it. A cap that certainly misses this misses the power cell.
+//
+//     +-----------+        +-------.            +-------.  /
+//     |   .---.   |        |   .---.\           |   .---.\/
+//     |  ( ball ) |   ->   |  ( ball \|    ->   |  ( ball\|\ a cap that misses
+//     |   '---'   |        |   '---'  |         |   '---'  |
+//     +-----------+        +----------+         +----------+
+//       the cube at first    a cap has cut        drops out
+//
+// It is kept as its vertices alone, each a triple of planes; there are no edges and no neighbours. Why that is enough,
+// and that the answers are certain: exact/PROOFS.md, section 7.
+#pragma once
+
+#include "core/status.hpp"
+#include "lanes/target.hpp"
+
+namespace hsp {
+
+struct OuterCell {
+  static constexpr uint32_t most_faces = 64;                     // bits of a word
+  static constexpr uint32_t most_vertices = 2 * most_faces - 4;  // of a polyhedron whose vertices have three edges each
+  static constexpr uint32_t room = most_vertices + 4;            // whole registers are read
+
+  // Vertices: where they are, how far the computed depth of a plane may be off there, their planes.
+  double x[room], y[room], z[room], error[room];
+  uint8_t face[room][3];
+  uint32_t vertices = 0;
+  // Planes u.x = b of the caps that have cut, by number.
+  double ux[most_faces], uy[most_faces], uz[most_faces], b[most_faces];
+  uint32_t cap[most_faces];  // no_id: a side of the cube
+  uint64_t faces = 0;        // bits of those that have a vertex
+
+  // The cube around the unit sphere.
+  void start();
+  // Whether no part of it reaches the unit sphere.
+  bool lies_inside_sphere() const;
+
+  enum class Cut : uint8_t {
+    misses,    // the cap certainly touches nothing of it
+    cuts,      // the cap's plane is a face now
+    doubtful,  // nothing has changed: a vertex is too near the plane, a new one not certain enough, or there is no room
+    buries     // all of it certainly lies in the cap
+  };
+  struct Plane {
+    double ux, uy, uz, b;
+  };
+  Cut cut(Target target, const Plane &plane, uint32_t cap);
+
+ private:
+  bool place_vertex(uint32_t v, uint32_t p, uint32_t q, uint32_t r);
+};
+
+// Some caps in the order in which they are tried, as arrays for the kernels.
+struct CapBatch {
+  static constexpr uint32_t most = 32;
+  double ux[most], uy[most], uz[most], b[most];
+  double depth[most];  // how far a plane cuts into the polyhedron, about
+  uint32_t count = 0;
+
+  uint32_t all() const { return count < most ? (1U << count) - 1U : ~0U; }
+};
+
+// Bits of those of `asked` caps of a batch that are not certain to miss the polyhedron, whose depths are set.
+HSP_KERNEL(uint32_t, caps_that_may_cut, (const OuterCell &cell, CapBatch &caps, uint32_t asked), (cell, caps, asked))
+
+// On which side of a plane vertices are.
+struct VertexSides {
+  uint64_t outside[2];  // bits: certainly in the cap
+  bool certain;         // all others are certainly not
+};
+HSP_KERNEL(VertexSides, sides_of_vertices, (const OuterCell &cell, const OuterCell::Plane &plane), (cell, plane))
+
+}  // namespace hsp

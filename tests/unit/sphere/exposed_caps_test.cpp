@@ -1,0 +1,168 @@
+// Which caps stay, of any number of them: all that is found with these alone is what is found with all.
+#include "sphere/exposed_caps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "built_grid.hpp"
+#include "lattice_lengths.hpp"
+#include "random_balls.hpp"
+#include "runnable_targets.hpp"
+#include "sphere/cap_clusters.hpp"
+#include "sphere/float_caps.hpp"
+#include "sphere/vertex_finder.hpp"
+#include "sweep_length.hpp"
+
+namespace {
+
+using oracle::RandomSource;
+
+// The search on the caps of one ball, as if it came before all others.
+class Search {
+ public:
+  explicit Search(uint32_t capacity) {
+    memory_of_caps_.carve(caps_, capacity);
+    memory_of_finder_.carve(finder_, capacity);
+    memory_of_clusters_.carve(clusters_, capacity);
+    order_.resize(capacity);
+    state_.resize(capacity);
+    vertices_.resize(6 * size_t{capacity} * capacity + 16);
+    circles_.resize(capacity + 1);
+  }
+
+  void gather(const hsp::CubeGrid &grid, uint32_t ball, hsp::Target target) {
+    hsp::BlockSweep sweep(grid);
+    caps_.target = target;
+    caps_.gather(grid.balls(), sweep.block_around_ball(ball), ball, nullptr);
+    caps_.first_later = 0;
+  }
+  const hsp::Caps &caps() const { return caps_; }
+
+  // All that is found of the free part, as text.
+  std::string found(const hsp::BallSet &balls) {
+    hsp::FixedVector<hsp::VertexRecord> vertices(
+        hsp::Span<hsp::VertexRecord>(vertices_.data(), static_cast<uint32_t>(vertices_.size())));
+    hsp::FixedVector<hsp::CircleRecord> circles(
+        hsp::Span<hsp::CircleRecord>(circles_.data(), static_cast<uint32_t>(circles_.size())));
+    finder_.find(balls, caps_, vertices, circles);
+    std::string text;
+    for (const hsp::VertexRecord &v : vertices.items()) {
+      text += std::to_string(v.ball[1]) + " " + std::to_string(v.ball[2]) + " " + std::to_string(v.code) + "\n";
+    }
+    for (const hsp::CircleRecord &c : circles.items()) text += std::to_string(c.ball[1]) + "\n";
+    if (!text.empty()) text += std::to_string(clusters_.find(caps_)) + " clusters";
+    return text;
+  }
+  // Keeps the exposed ones. False if nothing is free.
+  bool keep_exposed(const float *sizes) {
+    hsp::ExposedCaps exposed({order_.data(), static_cast<uint32_t>(order_.size())},
+                             {state_.data(), static_cast<uint32_t>(state_.size())});
+    if (!exposed.find(caps_, sizes)) return false;
+    caps_.keep_numbers([&](uint32_t k) { return exposed.has(k); });
+    return true;
+  }
+
+ private:
+  CarvedMemory memory_of_caps_, memory_of_finder_, memory_of_clusters_;
+  hsp::Caps caps_;
+  hsp::VertexFinder finder_;
+  hsp::CapClusters clusters_;
+  std::vector<uint32_t> order_;
+  std::vector<uint8_t> state_;
+  std::vector<hsp::VertexRecord> vertices_;
+  std::vector<hsp::CircleRecord> circles_;
+};
+
+struct Counts {
+  int balls = 0, buried = 0, dropped = 0, kept = 0;
+};
+
+// One ball after the other; sizes as floats, too, which say as much.
+void expect_same_finds(const support::BallList &balls, Counts &counts) {
+  const BuiltGrid built(balls);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  const uint32_t n = balls.size();
+  Search search(n);
+  for (const hsp::Target target : runnable_targets()) {
+    for (uint32_t i = 0; i < n; ++i) {
+      search.gather(built.grid(), i, target);
+      if (search.caps().contained || search.caps().count == 0 || !(built.grid().balls().r[i] > 0)) continue;
+      const uint32_t all = search.caps().count;
+      const std::string expected = search.found(built.grid().balls());
+      std::vector<float> sizes;
+      for (uint32_t k = 0; k < all; ++k) sizes.push_back(static_cast<float>(search.caps().b[k]));
+      const float *const ways[] = {nullptr, hsp::has_lanes ? sizes.data() : nullptr};
+      for (const float *const given : ways) {
+        search.gather(built.grid(), i, target);
+        const bool some = search.keep_exposed(given);
+        EXPECT_EQ(some ? search.found(built.grid().balls()) : "", expected) << "ball " << i;
+        ++counts.balls;
+        counts.buried += some ? 0 : 1;
+        if (some) counts.dropped += static_cast<int>(all - search.caps().count);
+        if (some) counts.kept += static_cast<int>(search.caps().count);
+      }
+    }
+  }
+}
+
+struct Kind {
+  const char *name;
+  oracle::Balls (*make)(RandomSource &, size_t);
+  int64_t most;
+};
+
+void PrintTo(const Kind &kind, std::ostream *out) {
+  *out << kind.name;
+}
+
+class ExposedCaps : public testing::TestWithParam<Kind> {};
+
+TEST_P(ExposedCaps, FindWhatAllFind) {
+  RandomSource random(31);
+  Counts counts;
+  for (int k = 0; k < oracle::rounds(40, 800); ++k) {
+    const oracle::Balls balls = GetParam().make(random, static_cast<size_t>(random.in(2, GetParam().most)));
+    expect_same_finds(oracle::in_lengths(balls, 1), counts);
+  }
+  EXPECT_GT(counts.balls, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, ExposedCaps,
+    testing::Values(Kind{"loose", oracle::loose_balls, 40}, Kind{"dense", oracle::dense_balls, 40},
+                    Kind{"clustered", oracle::clustered_balls, 40}, Kind{"belted", oracle::belted_balls, 30},
+                    Kind{"grid", oracle::grid_balls, 30}, Kind{"coplanar", oracle::coplanar_balls, 30},
+                    Kind{"collinear", oracle::collinear_balls, 20},
+                    Kind{"through_point", oracle::balls_through_point, 20},
+                    Kind{"through_circle", oracle::balls_through_circle, 20},
+                    Kind{"tangent", oracle::tangent_balls, 30}, Kind{"lattice", oracle::lattice_balls, 30},
+                    Kind{"repeated", oracle::repeated_balls, 30}, Kind{"crowned", oracle::crowned_balls, 34},
+                    Kind{"mixed", oracle::degenerate_balls, 30}),
+    [](const auto &kind) { return std::string(kind.param.name); });
+
+// Models of one molecule: most balls are buried by a few others, and of the rest most caps go.
+TEST(ExposedCapsOfCopies, AreFew) {
+  RandomSource random(7);
+  for (const int64_t jitter : {0, 1, 30, 3000}) {
+    Counts counts;
+    support::BallList balls;
+    int64_t place[12][3];
+    for (auto &p : place) {
+      for (int64_t &x : p) x = random.in(-20000, 20000);
+    }
+    for (int copy = 0; copy < 14; ++copy) {
+      for (const auto &p : place) {
+        const auto at = [&](int axis) { return static_cast<double>(p[axis] + random.in(-jitter, jitter)); };
+        const double x = at(0), y = at(1), z = at(2);
+        balls.add(x, y, z, 16000);
+      }
+    }
+    expect_same_finds(balls, counts);
+    EXPECT_GT(counts.buried, jitter == 3000 ? counts.balls / 4 : -1);
+    EXPECT_GT(counts.dropped, jitter >= 30 ? counts.kept : -1);
+  }
+}
+
+}  // namespace
