@@ -4,15 +4,17 @@
 // thousand caps, and mostly a dozen of these cover it.
 #pragma once
 
+#include "core/small_code.hpp"
 #include "sphere/caps.hpp"
 
 namespace hsp {
 
 class ExposedCaps {
  public:
-  // Fewer are searched as they are: that is as quick. Spheres without a radius have no directions in doubles.
+  // Fewer are searched as they are: that is as quick. Spheres without a radius have no directions in doubles. Small
+  // code does without: where flash counts, balls have few caps.
   static constexpr uint32_t fewest = 160;
-  static bool are_many(const Caps &caps) { return caps.count >= fewest && caps.sphere.W > 0; }
+  static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest && caps.sphere.W > 0; }
 
   // Memory, [caps] each.
   ExposedCaps(Span<uint32_t> order, Span<uint8_t> state) : order_(order), state_(state) {}
