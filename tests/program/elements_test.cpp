@@ -503,7 +503,7 @@ TEST(Elements, OfLabels) {
   named.replace(named.find("_atom_site_label"), std::strlen("_atom_site_label"), "_atom_site.label_atom_id");
   EXPECT_EQ(elements_of(named, "cif"), (Words{"C", "C", "N"}));
   for (const char *label : {"CO1", "NI1", "CA1", "Kk", "max", "T1", "M1", "Xx", "1C", "CLA"}) {
-    for (const Writer *write : {as_fractions, as_cartesian_alone}) {
+    for (Writer *const write : {as_fractions, as_cartesian_alone}) {
       const TemporaryFile file("label.cif", write({{"", label, "", ""}}));
       const Outcome outcome = run_program({"measure", file.path()});
       EXPECT_EQ(outcome.status, 1) << label;

@@ -5,22 +5,6 @@
 namespace hsp {
 namespace {
 
-// The first caps of some numbers: a whole batch if there are as many, fewer if one is not certain to be a circle.
-void load(const Caps &caps, bool balls_alone, Span<const uint32_t> numbers, CapBatch &batch) {
-  batch.count = numbers.size() < CapBatch::most ? numbers.size() : CapBatch::most;
-  if (balls_alone) {
-    batch.count = caps.make_doubles_of(numbers.part(0, batch.count), {batch.ux, batch.uy, batch.uz, batch.b, nullptr});
-    return;
-  }
-  for (uint32_t k = 0; k < batch.count; ++k) {
-    const uint32_t from = numbers[k];
-    batch.ux[k] = caps.ux[from];
-    batch.uy[k] = caps.uy[from];
-    batch.uz[k] = caps.uz[from];
-    batch.b[k] = caps.b[from];
-  }
-}
-
 // The one of those whose plane cuts deepest: few planes cut then.
 uint32_t deepest_of(const CapBatch &batch, uint32_t bits) {
   uint32_t deepest = static_cast<uint32_t>(__builtin_ctz(bits));
@@ -43,64 +27,124 @@ void ExposedCaps::order_by_size(const Real *b, uint32_t count) {
     ++start[state_[k] + 1];
   }
   for (uint32_t c = 0; c < classes; ++c) start[c + 1] += start[c];
-  for (uint32_t k = 0; k < count; ++k) {
-    order_[start[state_[k]]++] = k;
-    state_[k] = dropped;
+  for (uint32_t k = 0; k < count; ++k) order_[start[state_[k]]++] = k;
+}
+
+// The polyhedron of one ball, and its caps some at a time.
+class ExposedCaps::Cutting {
+ public:
+  Cutting(const Caps &caps, bool balls_alone, Span<uint8_t> state)
+      : caps_(caps), balls_alone_(balls_alone), state_(state) {
+    cell_.start();
   }
+
+  // Cuts by those whose planes go deeper than that; the others wait. False if nothing of the sphere is left.
+  bool cut_by(Span<const uint32_t> numbers, double least_depth) {
+    for (uint32_t t = 0; t < numbers.size();) {
+      if (!load(numbers.part(t, numbers.size()))) {
+        state_[numbers[t++]] = doubtful;
+        continue;
+      }
+      for (uint32_t k = 0; k < batch_.count; ++k) state_[numbers[t + k]] = dropped;
+      for (uint32_t bits = may_cut(batch_.all()); bits != 0;) {
+        const uint32_t k = deepest_of(batch_, bits), number = numbers[t + k];
+        if (batch_.depth[k] < least_depth) {
+          for (; bits != 0; bits &= bits - 1) state_[numbers[t + static_cast<uint32_t>(__builtin_ctz(bits))]] = waits;
+          break;
+        }
+        bits &= ~(1U << k);
+        switch (cell_.cut(caps_.target, {batch_.ux[k], batch_.uy[k], batch_.uz[k], batch_.b[k]}, number)) {
+          case OuterCell::Cut::misses:
+            break;
+          case OuterCell::Cut::buries:
+            return false;
+          case OuterCell::Cut::doubtful:
+            state_[number] = doubtful;
+            break;
+          case OuterCell::Cut::cuts:
+            if (cell_.lies_inside_sphere()) return false;
+            state_[number] = has_cut;
+            if (bits != 0) bits = may_cut(bits);
+            break;
+        }
+      }
+      t += batch_.count;
+    }
+    return true;
+  }
+  // Drops those that miss what is left.
+  void drop(Span<const uint32_t> numbers) {
+    for (uint32_t t = 0; t < numbers.size();) {
+      if (!load(numbers.part(t, numbers.size()))) {
+        ++t;
+        continue;
+      }
+      const uint32_t bits = may_cut(batch_.all());
+      for (uint32_t k = 0; k < batch_.count; ++k) {
+        if ((bits >> k & 1U) == 0) state_[numbers[t + k]] = dropped;
+      }
+      t += batch_.count;
+    }
+  }
+  void mark_faces() {
+    for (uint64_t left = cell_.faces; left != 0; left &= left - 1) {
+      const uint32_t number = cell_.cap[__builtin_ctzll(left)];
+      if (number != no_id) state_[number] = is_face;
+    }
+  }
+
+ private:
+  uint32_t may_cut(uint32_t asked) { return caps_that_may_cut(caps_.target, cell_, batch_, asked); }
+
+  // The first ones, a whole batch if there are as many. False if the first is not certain to be a circle.
+  bool load(Span<const uint32_t> numbers) {
+    batch_.count = numbers.size() < CapBatch::most ? numbers.size() : CapBatch::most;
+    if (balls_alone_) {
+      const CapArrays to{batch_.ux, batch_.uy, batch_.uz, batch_.b, nullptr};
+      batch_.count = caps_.make_doubles_of(numbers.part(0, batch_.count), to);
+      return batch_.count > 0;
+    }
+    for (uint32_t k = 0; k < batch_.count; ++k) {
+      const uint32_t from = numbers[k];
+      batch_.ux[k] = caps_.ux[from];
+      batch_.uy[k] = caps_.uy[from];
+      batch_.uz[k] = caps_.uz[from];
+      batch_.b[k] = caps_.b[from];
+    }
+    return true;
+  }
+
+  const Caps &caps_;
+  bool balls_alone_;
+  Span<uint8_t> state_;
+  OuterCell cell_;
+  CapBatch batch_{};
+};
+
+// Of all caps those in some states, in their order.
+template <class Chosen>
+Span<const uint32_t> ExposedCaps::in_state(uint32_t count, Chosen chosen) {
+  uint32_t found = 0;
+  for (uint32_t k = 0; k < count; ++k) {
+    if (chosen(state_[k])) order_[found++] = k;
+  }
+  return order_.part(0, found);
 }
 
 bool ExposedCaps::find(const Caps &caps, const float *sizes) {
+  // Where planes nearly agree, as of copies of one ball, the deepest of all is to cut, not one after the other.
+  constexpr double deep = 0x1p-5;
   const uint32_t count = caps.count;
-  const bool balls_alone = sizes != nullptr;
-  if (balls_alone) {
+  if (sizes != nullptr) {
     order_by_size(sizes, count);
   } else {
     order_by_size(caps.b.data(), count);
   }
-  OuterCell cell;
-  cell.start();
-  CapBatch batch{};
-  for (uint32_t t = 0; t < count; t += batch.count) {
-    load(caps, balls_alone, order_.part(t, count), batch);
-    if (batch.count == 0) {
-      state_[order_[t++]] = doubtful;
-      continue;
-    }
-    for (uint32_t bits = caps_that_may_cut(caps.target, cell, batch, batch.all()); bits != 0;) {
-      const uint32_t k = deepest_of(batch, bits), number = order_[t + k];
-      bits &= ~(1U << k);
-      switch (cell.cut(caps.target, {batch.ux[k], batch.uy[k], batch.uz[k], batch.b[k]}, number)) {
-        case OuterCell::Cut::misses:
-          break;
-        case OuterCell::Cut::buries:
-          return false;
-        case OuterCell::Cut::doubtful:
-          state_[number] = doubtful;
-          break;
-        case OuterCell::Cut::cuts:
-          if (cell.lies_inside_sphere()) return false;
-          state_[number] = cuts;
-          if (bits != 0) bits = caps_that_may_cut(caps.target, cell, batch, bits);
-          break;
-      }
-    }
-  }
-  for (uint64_t left = cell.faces; left != 0; left &= left - 1) {
-    const uint32_t number = cell.cap[__builtin_ctzll(left)];
-    if (number != no_id) state_[number] = face;
-  }
-  // Those whose face is gone, or has never been there.
-  uint32_t asked = 0;
-  for (uint32_t k = 0; k < count; ++k) {
-    if (state_[k] == cuts || state_[k] == doubtful) order_[asked++] = k;
-  }
-  for (uint32_t t = 0; t<asked; t += batch.count> 0 ? batch.count : 1) {
-    load(caps, balls_alone, order_.part(t, asked), batch);
-    const uint32_t bits = caps_that_may_cut(caps.target, cell, batch, batch.all());
-    for (uint32_t k = 0; k < batch.count; ++k) {
-      if ((bits >> k & 1U) == 0) state_[order_[t + k]] = dropped;
-    }
-  }
+  Cutting cutting(caps, sizes != nullptr, state_);
+  if (!cutting.cut_by(order_.part(0, count), deep)) return false;
+  if (!cutting.cut_by(in_state(count, [](uint8_t state) { return state == waits; }), 0.0)) return false;
+  cutting.mark_faces();
+  cutting.drop(in_state(count, [](uint8_t state) { return state == has_cut || state == doubtful; }));
   return true;
 }
 

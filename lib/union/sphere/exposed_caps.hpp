@@ -25,11 +25,14 @@ class ExposedCaps {
   bool has(uint32_t k) const { return state_[k] != dropped; }
 
  private:
-  // States of a cap; a doubtful one, or one whose plane has cut, is asked again at the end.
-  static constexpr uint8_t dropped = 0, cuts = 1, doubtful = 2, face = 3;
+  // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; or that is in doubt.
+  static constexpr uint8_t dropped = 0, waits = 1, has_cut = 2, doubtful = 3, is_face = 4;
+  class Cutting;
 
   template <class Real>
   void order_by_size(const Real *b, uint32_t count);
+  template <class Chosen>
+  Span<const uint32_t> in_state(uint32_t count, Chosen chosen);
 
   Span<uint32_t> order_;
   Span<uint8_t> state_;
