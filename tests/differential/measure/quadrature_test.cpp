@@ -48,6 +48,24 @@ TEST(Measures, OfCrownedSetsAreThoseOfSlices) {
     ASSERT_EQ(complaint_about_smallest(oracle::crowned_balls(random, 20), measures_differ), "");
 }
 
+// Models of three balls, exact copies, and nearly equal ones in the long form: each ball has more than 160 neighbours,
+// most of which do not matter (sphere/exposed_caps).
+TEST(Measures, OfCopiesAreThoseOfSlices) {
+  RandomSource random(69);
+  constexpr int64_t jitters[] = {0, 1, 40, 300};
+  for (int k = 0; k < oracle::rounds(1, 4); ++k) {
+    const int64_t jitter = jitters[k];
+    Balls balls;
+    for (int copy = 0; copy < 60; ++copy) {
+      const auto off = [&]() { return random.in(-jitter, jitter); };
+      for (const int64_t at : {0, 900, 1700}) {
+        balls.push_back({at + off(), at / 3 + off(), (at * at) % 700 + off(), 1000 + at / 10});
+      }
+    }
+    EXPECT_EQ(measures_differ(balls), "") << jitter;
+  }
+}
+
 TEST(Measures, OfNamedSetsAreThoseOfSlices) {
   for (const oracle::KnownBalls &set : oracle::known_balls())
     if (set.balls.size() <= 32) {
