@@ -22,6 +22,20 @@ Span<uint32_t> idle_while_searching(const BoundaryArrays &arrays, Span<uint32_t>
           static_cast<uint32_t>(words <= UINT32_MAX ? words : UINT32_MAX)};
 }
 
+// In cubes of so many balls each is compared with the largest one around first: of nested balls most lie in it.
+constexpr uint32_t many_in_a_cube = 64;
+
+// Of equal ones the first, which contains the others.
+uint32_t largest_ball(const BallSet &balls, const CubeBlock &block) {
+  uint32_t largest = block.range[0].first;
+  for (uint32_t k = 0; k < block.ranges; ++k) {
+    for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
+      largest = balls.r[j] > balls.r[largest] ? j : largest;
+    }
+  }
+  return largest;
+}
+
 }  // namespace
 
 BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
@@ -97,7 +111,15 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
     const CubeBlock &block = sweep.block_around(cube);
     cover(block);
     const bool in_lanes = lanes.start_cube(grid, cube, block);
-    for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, joined, ball_state);
+    const uint32_t largest = own.last - own.first < many_in_a_cube ? no_id : largest_ball(balls, block);
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      if (largest == no_id || is_left_out(i) || !lies_inside(balls, i, largest)) {
+        search_ball(balls, block, i, in_lanes, joined, ball_state);
+        continue;
+      }
+      if (joined != nullptr) joined->join(i, largest);
+      ball_state[i] = BoundaryArrays::contained | BoundaryArrays::without_caps;
+    }
   }
   lanes.end();
 }

@@ -184,9 +184,8 @@ void VertexFinder::find_on_last(const BallSet &balls, const Caps &caps, FixedVec
 namespace {
 
 // False for virtual planes (the view's silhouette), which have no ball.
-bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
-  if (inner == no_id || outer == no_id) return false;
-  return exact::pair_relation(balls.ball(inner), balls.ball(outer)) == exact::PairRelation::first_in_second;
+bool has_ball_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
+  return inner != no_id && outer != no_id && lies_inside(balls, inner, outer);
 }
 
 // Whether a cap is to be asked about points that may be free: one of them is nearer to its circle than doubles tell.
@@ -218,8 +217,8 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
     if (points != nullptr && !leaves_open(*points, tests, t, free)) continue;
     const exact::PointStatus status = predicates.point_status(P, Q, caps.plane(l));
     // Balls inside the origin ball have no cap here, so only the other two are left to ask.
-    const bool ties = (status.tied[0] || status.tied[1]) && !lies_inside(balls, caps.ball[l], caps.ball[j]) &&
-                      !lies_inside(balls, caps.ball[l], caps.ball[k]);
+    const bool ties = (status.tied[0] || status.tied[1]) && !has_ball_inside(balls, caps.ball[l], caps.ball[j]) &&
+                      !has_ball_inside(balls, caps.ball[l], caps.ball[k]);
     for (int point = 0; point < 2; ++point) {
       free[point] = free[point] && status.side[point] < 0;
       tied[point] = tied[point] || (ties && status.tied[point]);
