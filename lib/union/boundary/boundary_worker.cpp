@@ -1,6 +1,7 @@
 #include "boundary/boundary_worker.hpp"
 
 #include "core/first_index.hpp"
+#include "core/small_code.hpp"
 #include "exact/discriminant.hpp"
 #include "model/block_sweep.hpp"
 #include "sphere/root_discriminants.hpp"
@@ -111,9 +112,10 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
     const CubeBlock &block = sweep.block_around(cube);
     cover(block);
     const bool in_lanes = lanes.start_cube(grid, cube, block);
-    const uint32_t largest = own.last - own.first < many_in_a_cube ? no_id : largest_ball(balls, block);
+    const bool crowded = !small_code && own.last - own.first >= many_in_a_cube;
+    const uint32_t largest = crowded ? largest_ball(balls, block) : no_id;
     for (uint32_t i = own.first; i < own.last; ++i) {
-      if (largest == no_id || is_left_out(i) || !lies_inside(balls, i, largest)) {
+      if (!crowded || is_left_out(i) || !lies_inside(balls, i, largest)) {
         search_ball(balls, block, i, in_lanes, joined, ball_state);
         continue;
       }
