@@ -5,6 +5,13 @@
 
 namespace hsp {
 
+bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
+  const Vec3 v = balls.difference(inner, outer);
+  const double difference = balls.r[outer] - balls.r[inner];
+  return inner != outer && dot(v, v) <= difference * difference * certainly_above &&
+         exact::pair_relation(balls.ball(inner), balls.ball(outer)) == exact::PairRelation::first_in_second;
+}
+
 void Caps::carve(Workspace &workspace, uint32_t capacity) {
   const uint64_t padded = static_cast<uint64_t>(capacity) + 1 + padding;
   ux = workspace.take<double>(padded);

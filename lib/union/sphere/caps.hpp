@@ -9,7 +9,6 @@
 #include "core/workspace.hpp"
 #include "exact/predicates.hpp"
 #include "model/cube_grid.hpp"
-#include "model/meeting.hpp"
 #include "sphere/near_balls.hpp"
 
 namespace hsp {
@@ -20,12 +19,7 @@ inline BallArrays arrays_of(const BallSet &balls) {
 }
 
 // Of two balls, or of one, which does not lie inside itself.
-inline bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
-  const Vec3 v = balls.difference(inner, outer);
-  const double difference = balls.r[outer] - balls.r[inner];
-  return inner != outer && dot(v, v) <= difference * difference * certainly_above &&
-         exact::pair_relation(balls.ball(inner), balls.ball(outer)) == exact::PairRelation::first_in_second;
-}
+bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer);
 
 // Moves those of the first `earlier` balls that are selected before the others, with what further arrays have of them;
 // returns how many these are.
