@@ -1,14 +1,18 @@
 #include "sphere/caps.hpp"
 
 #include "core/first_index.hpp"
+#include "core/small_code.hpp"
 #include "model/meeting.hpp"
 
 namespace hsp {
 
 bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
-  const Vec3 v = balls.difference(inner, outer);
-  const double difference = balls.r[outer] - balls.r[inner];
-  return inner != outer && dot(v, v) <= difference * difference * certainly_above &&
+  if constexpr (!small_code) {
+    const Vec3 v = balls.difference(inner, outer);
+    const double difference = balls.r[outer] - balls.r[inner];
+    if (dot(v, v) > difference * difference * certainly_above) return false;
+  }
+  return inner != outer &&
          exact::pair_relation(balls.ball(inner), balls.ball(outer)) == exact::PairRelation::first_in_second;
 }
 
