@@ -53,7 +53,7 @@ class ExposedCaps::Cutting {
           break;
         }
         bits &= ~(1U << k);
-        switch (cell_.cut(caps_.target, {batch_.ux[k], batch_.uy[k], batch_.uz[k], batch_.b[k]}, number)) {
+        switch (cell_.cut(caps_.target, {batch_.ux[k], batch_.uy[k], batch_.uz[k], batch_.b[k]})) {
           case OuterCell::Cut::misses:
             break;
           case OuterCell::Cut::buries:
@@ -72,7 +72,8 @@ class ExposedCaps::Cutting {
     }
     return true;
   }
-  // Drops those that miss what is left.
+
+  // Drops those that miss what is left. Faces do not: their planes go through vertices.
   void drop(Span<const uint32_t> numbers) {
     for (uint32_t t = 0; t < numbers.size();) {
       if (!load(numbers.part(t, numbers.size()))) {
@@ -84,12 +85,6 @@ class ExposedCaps::Cutting {
         if ((bits >> k & 1U) == 0) state_[numbers[t + k]] = dropped;
       }
       t += batch_.count;
-    }
-  }
-  void mark_faces() {
-    for (uint64_t left = cell_.faces; left != 0; left &= left - 1) {
-      const uint32_t number = cell_.cap[__builtin_ctzll(left)];
-      if (number != no_id) state_[number] = is_face;
     }
   }
 
@@ -143,7 +138,6 @@ bool ExposedCaps::find(const Caps &caps, const float *sizes) {
   Cutting cutting(caps, sizes != nullptr, state_);
   if (!cutting.cut_by(order_.part(0, count), deep)) return false;
   if (!cutting.cut_by(in_state(count, [](uint8_t state) { return state == waits; }), 0.0)) return false;
-  cutting.mark_faces();
   cutting.drop(in_state(count, [](uint8_t state) { return state == has_cut || state == doubtful; }));
   return true;
 }

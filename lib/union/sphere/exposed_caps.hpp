@@ -26,7 +26,7 @@ class ExposedCaps {
 
  private:
   // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; or that is in doubt.
-  static constexpr uint8_t dropped = 0, waits = 1, has_cut = 2, doubtful = 3, is_face = 4;
+  static constexpr uint8_t dropped = 0, waits = 1, has_cut = 2, doubtful = 3;
   class Cutting;
 
   template <class Real>

@@ -48,7 +48,6 @@ void OuterCell::start() {
     uy[f] = f % 3 == 1 ? sign : 0.0;
     uz[f] = f % 3 == 2 ? sign : 0.0;
     b[f] = 1.0;
-    cap[f] = no_id;
   }
   faces = (1U << sides) - 1;
   for (vertices = 0; vertices < 8; ++vertices) {
@@ -58,7 +57,7 @@ void OuterCell::start() {
   }
 }
 
-OuterCell::Cut OuterCell::cut(Target target, const Plane &plane, uint32_t number) {
+OuterCell::Cut OuterCell::cut(Target target, const Plane &plane) {
   const VertexSides sides = sides_of_vertices(target, *this, plane);
   if (!sides.certain) return Cut::doubtful;
   const uint32_t old = vertices;
@@ -72,7 +71,6 @@ OuterCell::Cut OuterCell::cut(Target target, const Plane &plane, uint32_t number
   uy[face_of_cap] = plane.uy;
   uz[face_of_cap] = plane.uz;
   b[face_of_cap] = plane.b;
-  cap[face_of_cap] = number;
 
   // The directed edges of the triples that go; those whose opposite stays get a vertex with the new plane.
   uint64_t edges[most_faces];

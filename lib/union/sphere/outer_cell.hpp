@@ -13,7 +13,6 @@
 // and that the answers are certain: exact/PROOFS.md, section 7.
 #pragma once
 
-#include "core/status.hpp"
 #include "lanes/target.hpp"
 
 namespace hsp {
@@ -27,10 +26,9 @@ struct OuterCell {
   double x[room], y[room], z[room], error[room];
   uint8_t face[room][3];
   uint32_t vertices = 0;
-  // Planes u.x = b of the caps that have cut, by number.
+  // Planes u.x = b of the cube and of the caps that have cut.
   double ux[most_faces], uy[most_faces], uz[most_faces], b[most_faces];
-  uint32_t cap[most_faces];  // no_id: a side of the cube
-  uint64_t faces = 0;        // bits of those that have a vertex
+  uint64_t faces = 0;  // bits of those that have a vertex
 
   // The cube around the unit sphere.
   void start();
@@ -46,7 +44,7 @@ struct OuterCell {
   struct Plane {
     double ux, uy, uz, b;
   };
-  Cut cut(Target target, const Plane &plane, uint32_t cap);
+  Cut cut(Target target, const Plane &plane);
 
  private:
   bool place_vertex(uint32_t v, uint32_t p, uint32_t q, uint32_t r);
