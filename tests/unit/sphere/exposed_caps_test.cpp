@@ -32,11 +32,12 @@ class Search {
     circles_.resize(capacity + 1);
   }
 
-  void gather(const hsp::CubeGrid &grid, uint32_t ball, hsp::Target target) {
+  // The caps of all others, or of later ones as the boundary has them.
+  void gather(const hsp::CubeGrid &grid, uint32_t ball, hsp::Target target, bool all) {
     hsp::BlockSweep sweep(grid);
     caps_.target = target;
     caps_.gather(grid.balls(), sweep.block_around_ball(ball), ball, nullptr);
-    caps_.first_later = 0;
+    if (all) caps_.first_later = 0;
   }
   const hsp::Caps &caps() const { return caps_; }
 
@@ -87,21 +88,24 @@ void expect_same_finds(const support::BallList &balls, Counts &counts) {
   Search search(n);
   for (const hsp::Target target : runnable_targets()) {
     for (uint32_t i = 0; i < n; ++i) {
-      search.gather(built.grid(), i, target);
+      search.gather(built.grid(), i, target, true);
       if (search.caps().contained || search.caps().count == 0 || !(built.grid().balls().r[i] > 0)) continue;
       const uint32_t all = search.caps().count;
-      const std::string expected = search.found(built.grid().balls());
       std::vector<float> sizes;
       for (uint32_t k = 0; k < all; ++k) sizes.push_back(static_cast<float>(search.caps().b[k]));
       const float *const ways[] = {nullptr, hsp::has_lanes ? sizes.data() : nullptr};
-      for (const float *const given : ways) {
-        search.gather(built.grid(), i, target);
-        const bool some = search.keep_exposed(given);
-        EXPECT_EQ(some ? search.found(built.grid().balls()) : "", expected) << "ball " << i;
-        ++counts.balls;
-        counts.buried += some ? 0 : 1;
-        if (some) counts.dropped += static_cast<int>(all - search.caps().count);
-        if (some) counts.kept += static_cast<int>(search.caps().count);
+      for (const bool of_all : {true, false}) {
+        search.gather(built.grid(), i, target, of_all);
+        const std::string expected = search.found(built.grid().balls());
+        for (const float *const given : ways) {
+          search.gather(built.grid(), i, target, of_all);
+          const bool some = search.keep_exposed(given);
+          EXPECT_EQ(some ? search.found(built.grid().balls()) : "", expected) << "ball " << i;
+          ++counts.balls;
+          counts.buried += some ? 0 : 1;
+          if (some) counts.dropped += static_cast<int>(all - search.caps().count);
+          if (some) counts.kept += static_cast<int>(search.caps().count);
+        }
       }
     }
   }

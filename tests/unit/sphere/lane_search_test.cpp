@@ -136,6 +136,19 @@ TEST(LaneSearch, RandomSets) {
   }
 }
 
+// So many caps a ball that those which may touch its free part are looked for first (exposed_caps).
+TEST(LaneSearch, CrowdedSets) {
+  oracle::RandomSource random(812);
+  for (const double box : {0.5, 1.2}) {
+    support::BallList balls;
+    for (int i = 0; i < 220; ++i) {
+      const double x = random.fraction(), y = random.fraction(), z = random.fraction();
+      balls.add(box * x, box * y, box * z, 1.0 + 0.2 * random.fraction());
+    }
+    EXPECT_GT(expect_same_results("crowded", balls, 0.0, 0.0), 20U);
+  }
+}
+
 // Whole numbers: balls that touch, contain and equal each other, points among them.
 TEST(LaneSearch, SmallIntegers) {
   oracle::RandomSource random(812);
