@@ -8,6 +8,7 @@
 
 #include "built_grid.hpp"
 #include "lattice_lengths.hpp"
+#include "model/block_sweep.hpp"
 #include "random_balls.hpp"
 #include "runnable_targets.hpp"
 #include "sphere/cap_clusters.hpp"
