@@ -37,13 +37,8 @@ static void look_for_contradictions(struct notes *notes, const struct molecule *
   }
 }
 
-/* All at z = 0, as in drawings and in files that never had coordinates; three are always in a plane. */
-static bool is_flat(const struct molecule *molecule) {
-  enum { ENOUGH = 4 };
-  uint32_t atom = 0;
-  while (atom < molecule->atoms && molecule->xyz[3 * (size_t)atom + 2] == 0.0) ++atom;
-  return atom == molecule->atoms && atom >= ENOUGH;
-}
+/* Three atoms are always in a plane. */
+enum { ENOUGH_FOR_SPACE = 4 };
 
 static uint32_t count_at_origin(const struct molecule *molecule) {
   uint32_t count = 0;
@@ -72,7 +67,7 @@ void notes_look_at_file(struct notes *notes, const struct request *request, stru
   if (at_origin > 1) {
     text_buffer_add(&notes->lines, "%" PRIu32 " atoms stand in one point, 0 0 0: they may have no coordinates\n",
                     at_origin);
-  } else if (orders && is_flat(molecule)) {
+  } else if (orders && molecule->atoms >= ENOUGH_FOR_SPACE && molecule_is_flat(molecule, 0)) {
     text_buffer_add(&notes->lines, "all z are 0: a flat molecule, or a drawing, which says nothing of space\n");
   }
 }

@@ -22,14 +22,6 @@ static double nearest(double value) {
   return floor(value + 0.5);
 }
 
-static void apply(const struct symmetry_operator *symmetry, const double point[3], double out[3]) {
-  const double *r = symmetry->rotation;
-  for (int row = 0; row < 3; ++row) {
-    out[row] =
-        r[3 * row] * point[0] + r[3 * row + 1] * point[1] + r[3 * row + 2] * point[2] + symmetry->translation[row];
-  }
-}
-
 /* An operator of points in angstrom becomes one of fractions. */
 static void make_fractional(const struct box_record *box, struct symmetry_operator *symmetry) {
   struct symmetry_operator out;
@@ -37,7 +29,7 @@ static void make_fractional(const struct box_record *box, struct symmetry_operat
   memset(rotation.translation, 0, sizeof rotation.translation);
   for (int column = 0; column < 3; ++column) {
     double image[3], fraction[3];
-    apply(&rotation, box->vector + 3 * column, image);
+    symmetry_apply(&rotation, box->vector + 3 * column, image);
     box_fractions(box, image, fraction);
     for (int row = 0; row < 3; ++row) out.rotation[3 * row + column] = fraction[row];
   }
@@ -53,7 +45,7 @@ static bool is_isometry(const struct box_record *box, const struct symmetry_oper
   for (int k = 0; k < 3; ++k) {
     double unit[3] = {0.0, 0.0, 0.0}, turned[3];
     unit[k] = 1.0;
-    apply(&rotation, unit, turned);
+    symmetry_apply(&rotation, unit, turned);
     box_point(box, turned, image[k]);
   }
   for (int k = 0; k < 9; ++k) {
@@ -113,7 +105,7 @@ static void find_shift(const double *fraction, uint32_t atoms, const struct symm
   for (uint32_t i = 0; i < atoms; ++i) {
     for (int k = 0; k < 3; ++k) mean[k] += fraction[3 * (size_t)i + (size_t)k] / atoms;
   }
-  apply(symmetry, mean, image);
+  symmetry_apply(symmetry, mean, image);
   for (int k = 0; k < 3; ++k) shift[k] = -floor(image[k]);
 }
 
@@ -123,7 +115,7 @@ static bool add_copy(struct molecule *molecule, struct image_table *there, const
   find_shift(fraction, atoms, symmetry, shift);
   for (uint32_t i = 0; i < atoms; ++i) {
     double image[3], xyz[3], own[3], error[3];
-    apply(symmetry, fraction + 3 * (size_t)i, image);
+    symmetry_apply(symmetry, fraction + 3 * (size_t)i, image);
     image_table_error(there, i, own);
     for (int k = 0; k < 3; ++k) {
       const double *const row = symmetry->rotation + 3 * k;

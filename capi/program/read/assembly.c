@@ -149,9 +149,8 @@ static struct symmetry_operator product(const struct symmetry_operator *second, 
       out.rotation[3 * row + column] =
           r[0] * first->rotation[column] + r[1] * first->rotation[3 + column] + r[2] * first->rotation[6 + column];
     }
-    out.translation[row] = r[0] * first->translation[0] + r[1] * first->translation[1] + r[2] * first->translation[2] +
-                           second->translation[row];
   }
+  symmetry_apply(second, first->translation, out.translation);
   return out;
 }
 
@@ -277,12 +276,9 @@ static bool add_copy(struct molecule *molecule, uint32_t atoms, const uint8_t *i
   const struct residue_label *before = NULL; /* the residue that the last one is a copy of */
   for (uint32_t i = 0; i < atoms; ++i) {
     if (!in[i]) continue;
-    const double *const r = to->rotation;
-    const double xyz[3] = {molecule->xyz[3 * (size_t)i], molecule->xyz[3 * (size_t)i + 1],
-                           molecule->xyz[3 * (size_t)i + 2]};
     double moved[3];
+    symmetry_apply(to, molecule->xyz + 3 * (size_t)i, moved);
     for (int k = 0; k < 3; ++k) {
-      moved[k] = r[3 * k] * xyz[0] + r[3 * k + 1] * xyz[1] + r[3 * k + 2] * xyz[2] + to->translation[k];
       if (!is_finite(moved[k])) return failure_in_input(failure, molecule->line[i], "a coordinate is too large");
     }
     struct atom_label label = molecule->label[i];

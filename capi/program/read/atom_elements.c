@@ -17,12 +17,6 @@ struct name {
   size_t letters; /* that it begins with */
 };
 
-static void to_capitals(char out[NAME_BYTES], const char *text, size_t length) {
-  size_t at = 0;
-  for (; at < length && at + 1 < NAME_BYTES; ++at) out[at] = to_upper(text[at]);
-  out[at] = '\0';
-}
-
 static size_t leading_letters(const char *text, size_t length) {
   size_t letters = 0;
   while (letters < length && is_letter(text[letters])) ++letters;
@@ -35,7 +29,7 @@ static struct name name_of(struct field field) {
   while (begin < end && !is_letter(field.text[begin])) ++begin;
   while (end > begin && field.text[end - 1] == ' ') --end;
   label_copy(name.written, sizeof name.written, (struct field){field.text + begin, end - begin});
-  to_capitals(name.capitals, name.written, strlen(name.written));
+  to_capitals(name.capitals, sizeof name.capitals, name.written, strlen(name.written));
   name.letters = leading_letters(name.written, strlen(name.written));
   return name;
 }
@@ -106,7 +100,7 @@ static bool is_no_atom(struct field text, bool queries, struct element_symbol *s
                                     "MH", "MOD", "POL", "Q",   "QH",  "R",   "XH"};
   const size_t letters = leading_letters(text.text, text.length);
   char word[NAME_BYTES];
-  to_capitals(word, text.text, letters);
+  to_capitals(word, sizeof word, text.text, letters);
   *symbol = element_unknown;
   if (queries && text.length > 0 && (text.text[0] == '*' || text.text[0] == '[')) return true;
   if (!IS_AMONG(word, dummies) && !(queries && IS_AMONG(word, any))) return false;
@@ -151,7 +145,7 @@ static bool element_in_cofactor(const struct name *name, const char *residue, st
       {"OEY", "MNCA"}, {"OHX", "OS"}, {"SRM", "FE"}, {"XCC", "NIFE"},
   };
   char capitals[NAME_BYTES];
-  to_capitals(capitals, residue, strlen(residue));
+  to_capitals(capitals, sizeof capitals, residue, strlen(residue));
   const struct cofactor *const found =
       bsearch(capitals, known, sizeof known / sizeof known[0], sizeof known[0], order_of_cofactors);
   if (found == NULL) return false;
@@ -167,7 +161,7 @@ static bool has_sulfur(const char *residue) {
   static const char *const names[] = {"CME",  "CSE", "CSO", "CYM", "CYN", "CYS",
                                       "CYSH", "CYX", "MET", "MSE", "SEC", "UNK"};
   char capitals[NAME_BYTES];
-  to_capitals(capitals, residue, strlen(residue));
+  to_capitals(capitals, sizeof capitals, residue, strlen(residue));
   /* At the end of a chain: NCYS. */
   const bool end = strlen(capitals) == 4 && (capitals[0] == 'N' || capitals[0] == 'C') && strcmp(capitals, "CYSH") != 0;
   return IS_AMONG(capitals + (end ? 1 : 0), names);
@@ -199,7 +193,7 @@ static enum atom_kind kind_in_residue(const char *name, enum residue_kind kind, 
   if (name[0] == 'S' && name[1] == 'E') {
     static const char *const names[] = {"CSE", "MSE", "SEC"};
     char capitals[NAME_BYTES];
-    to_capitals(capitals, residue, strlen(residue));
+    to_capitals(capitals, sizeof capitals, residue, strlen(residue));
     if (IS_AMONG(capitals, names)) return element_symbol_parse("Se", 2, element) ? ATOM_KNOWN : ATOM_UNKNOWN;
   }
   if (kind != RESIDUE_WATER && (name[0] == 'B' || (name[0] == 'S' && !has_sulfur(residue)))) return ATOM_BEAD;
@@ -320,7 +314,7 @@ static bool take_symbol_beside_name(const struct atom_evidence *evidence, struct
   if (!symbol_with_charge(evidence->stated, &stated)) return false;
   if (element_symbol_exists(stated)) {
     char capitals[NAME_BYTES];
-    to_capitals(capitals, label->name, strlen(label->name));
+    to_capitals(capitals, sizeof capitals, label->name, strlen(label->name));
     const bool guessed = strcmp(stated.text, "B") == 0 || strcmp(stated.text, "S") == 0;
     label->bead = guessed && is_bead_name(capitals, residue_kind_of(label->residue->name));
     label->element = label->bead ? (struct element_symbol){""} : stated;
@@ -410,7 +404,7 @@ static bool take_evidence(const struct atom_evidence *evidence, struct atom_labe
 
 bool atom_take_element(const struct atom_evidence *evidence, struct atom_label *label) {
   char capitals[NAME_BYTES];
-  to_capitals(capitals, label->residue->name, strlen(label->residue->name));
+  to_capitals(capitals, sizeof capitals, label->residue->name, strlen(label->residue->name));
   if (strcmp(capitals, "DUM") == 0) return set_virtual(label, dummy);
   if (!take_evidence(evidence, label)) return false;
   label->contradicted =

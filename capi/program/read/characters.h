@@ -3,6 +3,7 @@
 #define HARDSPHERE_TOOL_CHARACTERS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 static inline bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -24,6 +25,12 @@ static inline char to_lower(char c) {
 }
 static inline char to_upper(char c) {
   return is_lower(c) ? (char)(c - 'a' + 'A') : c;
+}
+/* As much of a text in capitals as there is room for, and a zero. */
+static inline void to_capitals(char *out, size_t room, const char *text, size_t length) {
+  size_t at = 0;
+  for (; at < length && at + 1 < room; ++at) out[at] = to_upper(text[at]);
+  out[at] = '\0';
 }
 
 #endif

@@ -382,3 +382,10 @@ void label_copy(char *out, size_t room, struct field text) {
   if (length > 0) memcpy(out, text.text, length); /* an empty field may have no text */
   out[length] = '\0';
 }
+
+bool molecule_is_flat(const struct molecule *molecule, uint32_t first) {
+  for (uint32_t i = first; i < molecule->atoms; ++i) {
+    if (molecule->xyz[3 * (size_t)i + 2] != 0.0) return false;
+  }
+  return true;
+}

@@ -233,4 +233,7 @@ void molecule_free(struct molecule *molecule);
 /* Copy a field into a label; what does not fit is cut off. */
 void label_copy(char *out, size_t room, struct field text);
 
+/* Whether z is 0 of all atoms from that one on, as in drawings and in files that never had coordinates. */
+bool molecule_is_flat(const struct molecule *molecule, uint32_t first);
+
 #endif

@@ -16,8 +16,7 @@ static bool is_lipid(const char *name) {
   static const char tails[] = "DA DB DE DL DM DO DP DS DY PD PL PO SA SD SL SO";
   static const char *const others[] = {"CHL1", "CHOL", "CHSD", "ERG1"};
   char capital[5];
-  for (int i = 0; i < 4; ++i) capital[i] = to_upper(name[i]);
-  capital[4] = '\0';
+  to_capitals(capital, sizeof capital, name, 4);
   for (size_t k = 0; k < sizeof others / sizeof others[0]; ++k) {
     if (strcmp(capital, others[k]) == 0) return true;
   }

@@ -204,14 +204,6 @@ static const char *kind_of_title(const char *title) {
   return NULL;
 }
 
-/* Of a record whose atoms are these and those behind them. */
-static bool lies_in_plane(const struct molecule *molecule, uint32_t first) {
-  for (uint32_t i = first; i < molecule->atoms; ++i) {
-    if (molecule->xyz[3 * (size_t)i + 2] != 0.0) return false;
-  }
-  return true;
-}
-
 static bool read_atoms(struct line_reader *reader, const struct header *header, struct molecule *molecule,
                        struct failure *failure) {
   const struct field version = field_in_columns(reader->text, reader->length, 34, 39);
@@ -242,7 +234,7 @@ static bool read_record(struct line_reader *reader, const struct header *header,
   const bool done = read_atoms(reader, header, molecule, failure);
   if (!header->drawn) return done;
   /* Some programs write the mark over coordinates in space, where others have none to give. */
-  if (lies_in_plane(molecule, first)) {
+  if (molecule_is_flat(molecule, first)) {
     return failure_in_input(failure, line - 2, "a drawing in two dimensions, 2D: it says nothing of space");
   }
   molecule->remark = "marked 2D, but not all z are 0: taken as a molecule in space";

@@ -33,12 +33,6 @@ static const struct known_residue residues[] = {
     {"TYM", A},  {"TYR", A},  {"U", N},    {"U3", N},   {"U5", N},   {"UNK", A},  {"URA", N},  {"VAL", A}, {"WAT", W},
 };
 
-static void to_capitals(char out[NAME_BYTES], const char *name, size_t length) {
-  size_t at = 0;
-  for (; at < length && at + 1 < NAME_BYTES; ++at) out[at] = to_upper(name[at]);
-  out[at] = '\0';
-}
-
 static int order_of_names(const void *name, const void *residue) {
   return strcmp(name, ((const struct known_residue *)residue)->name);
 }
@@ -51,7 +45,7 @@ static enum residue_kind kind_of_capitals(const char *name) {
 
 enum residue_kind residue_kind_of(const char *name) {
   char capitals[NAME_BYTES];
-  to_capitals(capitals, name, strlen(name));
+  to_capitals(capitals, sizeof capitals, name, strlen(name));
   const enum residue_kind kind = kind_of_capitals(capitals);
   /* Amber calls residues at the ends of chains NALA and CALA. */
   const bool end = kind == RESIDUE_OTHER && strlen(capitals) == 4 && (capitals[0] == 'N' || capitals[0] == 'C');

@@ -7,6 +7,14 @@
 #include "read/growing_array.h"
 #include "read/number.h"
 
+void symmetry_apply(const struct symmetry_operator *symmetry, const double point[3], double out[3]) {
+  const double *r = symmetry->rotation;
+  for (int row = 0; row < 3; ++row) {
+    out[row] =
+        r[3 * row] * point[0] + r[3 * row + 1] * point[1] + r[3 * row + 2] * point[2] + symmetry->translation[row];
+  }
+}
+
 /* A conventional cell has 192 at most. */
 enum { MOST_OPERATORS = 1000 };
 

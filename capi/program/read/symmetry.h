@@ -14,6 +14,9 @@ struct symmetry_operator {
   double translation[3];
 };
 
+/* Where the operator takes a point, which is not `out`. */
+void symmetry_apply(const struct symmetry_operator *symmetry, const double point[3], double out[3]);
+
 /* Zeros at first. */
 struct symmetry {
   char space_group[24]; /* as written; empty where the file does not say */

@@ -1,5 +1,7 @@
 #include "measure/tangency.hpp"
 
+#include "sphere/caps.hpp"
+
 namespace hsp {
 namespace {
 
@@ -11,12 +13,10 @@ bool within(const exact::Vector &v, int64_t s) {
 }  // namespace
 
 bool lies_inside_another(const CubeGrid &grid, uint32_t i) {
-  const exact::LatticeBall own = grid.balls().ball(i);
-  const CubeBlock block = grid.block_around(grid.cube_at(own.centre));
+  const CubeBlock block = grid.block_around(grid.cube_at(grid.balls().ball(i).centre));
   for (uint32_t r = 0; r < block.ranges; ++r) {
     for (uint32_t j = block.range[r].first; j < block.range[r].last; ++j) {
-      if (j != i && exact::pair_relation(own, grid.balls().ball(j)) == exact::PairRelation::first_in_second)
-        return true;
+      if (lies_inside(grid.balls(), i, j)) return true;
     }
   }
   return false;
