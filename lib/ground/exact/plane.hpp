@@ -16,6 +16,7 @@
 
 #include <cstdint>
 
+#include "core/small_code.hpp"
 #include "core/vec3.hpp"
 #include "exact/rank.hpp"
 
@@ -24,7 +25,9 @@ namespace hsp::exact {
 struct Vector {
   int64_t x, y, z;
 
-  friend constexpr Vector operator-(const Vector &a, const Vector &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  HSP_APART_IF_SMALL friend constexpr Vector operator-(const Vector &a, const Vector &b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
 };
 
 constexpr int64_t dot(const Vector &a, const Vector &b) {
