@@ -30,7 +30,6 @@
  *   hardsphere/map.h        the visibility map: faces, edges and vertices of the view plane (Section 5.2)
  *   hardsphere/sticks.h     balls and sticks in an order to paint them
  *   hardsphere/picture.h    a view, a map, or balls and sticks as SVG, EPS or PDF
- *   hardsphere/deprecated.h  old names, for one version
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
  * WORDS
@@ -247,9 +246,5 @@
 #include "hardsphere/topology.h"
 #include "hardsphere/version.h"
 #include "hardsphere/view.h"
-
-#ifndef HSP_NO_DEPRECATED
-#include "hardsphere/deprecated.h"
-#endif
 
 #endif

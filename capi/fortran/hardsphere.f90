@@ -37,13 +37,13 @@ module hardsphere
 
   ! ---- version.h: the version of the header and of the library -------------------------------------------------------
 
-  character(*), parameter :: HSP_VERSION_STRING = '0.2.0'
+  character(*), parameter :: HSP_VERSION_STRING = '0.3.0'
   integer(c_int32_t), parameter :: HSP_VERSION_MAJOR = 0_c_int32_t  ! 0 until the interface is frozen
   ! raised when something is added, and until 1.0 when something changes
-  integer(c_int32_t), parameter :: HSP_VERSION_MINOR = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VERSION_MINOR = 3_c_int32_t
   integer(c_int32_t), parameter :: HSP_VERSION_PATCH = 0_c_int32_t  ! raised when only mistakes were mended
   ! Version of this header: 10000 * major + 100 * minor + patch.
-  integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 200_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 300_c_int32_t
   ! The binary interface that stable headers describe; the shared library's file name ends with it.
   integer(c_int32_t), parameter :: HSP_ABI_NUMBER = 1_c_int32_t
   ! The binary interface that provisional headers describe.

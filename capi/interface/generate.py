@@ -18,7 +18,7 @@ except ModuleNotFoundError as missing:
     print("skipped: there is no python3-pycparser here")
     sys.exit(77)
 
-from write.abi import abi_constants, abi_deprecated, abi_functions, abi_since, abi_structs
+from write.abi import abi_constants, abi_functions, abi_since, abi_structs
 from write.cdef import cdef
 from write.exactness import exactness_page
 from write.foreign import julia_declarations, rust_declarations
@@ -41,7 +41,6 @@ GENERATED = {
     "capi/fortran/hardsphere_workspace.f90": workspace_module,
     "capi/abi/since.txt": abi_since,  # before functions.txt, which says what is new
     "capi/abi/functions.txt": abi_functions,
-    "capi/abi/deprecated.txt": abi_deprecated,
     "capi/abi/constants.txt": abi_constants,
     "capi/abi/structs.txt": abi_structs,
     "capi/guide/all_functions.md": function_index,

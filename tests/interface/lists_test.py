@@ -81,11 +81,6 @@ HSP_X_BYTES(n,m) ((size_t)(n) + (size_t)(m))
             "hsp_places.struct_size 0 uint32_t 1", "hsp_places.n 4 uint32_t 1", "hsp_places.x 8 hsp_x* 1",
             "hsp_places.name 16/12 char* 1", "hsp_places.bytes 24/16 size_t 1", "hsp_places.a 32/20 double 1"])
 
-    def test_old_names(self):
-        self.interface.deprecated = {"hsp_f": ("uint32_t hsp_f(uint32_t b)", "hsp_a"), "hsp_c": ("int hsp_c(void)", "hsp_b")}
-        self.assertEqual(abi.abi_deprecated(self.interface).split("\n")[1:],
-                         ["int hsp_c(void) -> hsp_b", "uint32_t hsp_f(uint32_t b) -> hsp_a", ""])
-
     def test_since_when(self):
         title = "# The version since which each function is declared as it is, and its tier\n"
         # The declaration of hsp_b is another one than in the record.

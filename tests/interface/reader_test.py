@@ -73,19 +73,6 @@ class Declarations(Reading):
         with self.assertRaises(ValueError):
             interface_of(DECLARED, listed=())
 
-    def test_old_names_are_kept_apart(self):
-        found = interface_of("/** New.  */\nuint32_t hsp_new(uint32_t a);\n", deprecated="""
-static inline uint32_t hsp_deprecated_twice(uint32_t a) { return 2 * a; }
-/** hsp_new of half. */
-__attribute__((deprecated("call hsp_new")))
-static inline uint32_t hsp_old(uint32_t a) {
-  return hsp_new(hsp_deprecated_twice(a));
-}
-""")
-        self.assertEqual([f.name for f in found.functions], ["hsp_new"])
-        self.assertEqual(found.headers, {"x.h": "what it is for"})
-        self.assertEqual(found.deprecated, {"hsp_old": ("uint32_t hsp_old(uint32_t a)", "hsp_new")})
-
     def test_more_than_eight_arguments(self):
         comment = "F.\n@retval HSP_E_RANGE  a is 0"
         names = [f"uint32_t a{k}" for k in range(9)]

@@ -22,18 +22,14 @@ typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
 """
 
 
-def interface_of(text, listed=("x.h",), tier="Stable: from version 1.0 on this stays as it is, and is only added to.",
-                 deprecated=""):
-    """The interface of a header x.h that holds the text, and says of which tier it is; `deprecated`: of the header of
-    old names."""
+def interface_of(text, listed=("x.h",), tier="Stable: from version 1.0 on this stays as it is, and is only added to."):
+    """The interface of a header x.h that holds the text, and says of which tier it is."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "hardsphere").mkdir()
         (Path(folder) / "hardsphere" / "x.h").write_text(
             f"/* hardsphere/x.h: what it is for.\n *\n * {tier} */\n#include <stddef.h>\n#include <stdint.h>\n" + text)
         names = "".join(f" *   hardsphere/{name}  what it is for\n" for name in listed)
-        (Path(folder) / "hardsphere" / "deprecated.h").write_text(deprecated)
-        (Path(folder) / "hardsphere.h").write_text(f'/*\n{names} *   hardsphere/deprecated.h  old\n */\n'
-                                                   '#include "hardsphere/x.h"\n#include "hardsphere/deprecated.h"\n')
+        (Path(folder) / "hardsphere.h").write_text(f'/*\n{names} */\n#include "hardsphere/x.h"\n')
         return read_interface(folder)
 
 

@@ -8,7 +8,6 @@ from pycparser import c_ast, c_parser, c_generator
 from .comments import comment_before, remark_at
 from .interface import Argument, Constant, Field, Function, Interface, Macro, Struct
 
-DEPRECATED = "deprecated.h"  # old names, which are functions of that header
 STUBS = Path(__file__).parent / "stubs"
 
 
@@ -17,7 +16,7 @@ def read_declarations(include):
     include = Path(include)
     interface = Interface()
     listed = re.findall(r"\* +hardsphere/(\w+\.h) +(.*)", (include / "hardsphere.h").read_text())
-    interface.headers = {name: subject for name, subject in listed if name != DEPRECATED}
+    interface.headers = dict(listed)
     interface.text = (include / "hardsphere.h").read_text()
     rows = {name: (include / "hardsphere" / name).read_text().split("\n") for name in interface.headers}
     by_header = {name: [] for name in interface.headers}
@@ -25,8 +24,6 @@ def read_declarations(include):
         header = Path(node.coord.file).name
         if header in by_header:
             by_header[header].append(node)
-        elif header == DEPRECATED:
-            take_deprecated(interface, node, include)
         elif header not in ("stddef.h", "stdint.h"):
             raise ValueError(f"hardsphere.h does not list {header}")
     for header, nodes in by_header.items():
@@ -54,16 +51,6 @@ def take(interface, node, header, rows):
         struct = node.type.type
         interface.structs[node.name] = Struct(node.name, [field_of(part, rows) for part in struct.decls], header,
                                               comment_before(rows, struct.coord.line))
-
-
-def take_deprecated(interface, node, include):
-    """Adds an old name, with what replaces it: what its comment begins with."""
-    if not isinstance(node, c_ast.FuncDef) or node.decl.name.startswith("hsp_deprecated_"):
-        return
-    rows = (include / "hardsphere" / DEPRECATED).read_text().split("\n")
-    comment = comment_before(rows, next(k for k, row in enumerate(rows, 1) if f" {node.decl.name}(" in row) - 1)
-    function = function_of(node.decl, DEPRECATED, rows)
-    interface.deprecated[function.name] = (function.c, comment.split()[0])
 
 
 def function_of(node, header, rows):

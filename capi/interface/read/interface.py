@@ -108,7 +108,6 @@ class Interface:
     text: str = ""  # hardsphere.h
     open_headers: list[str] = field(default_factory=list)  # what they leave open
     functions: list[Function] = field(default_factory=list)
-    deprecated: dict[str, tuple[str, str]] = field(default_factory=dict)  # old names: declaration, what replaces each
     structs: dict[str, Struct] = field(default_factory=dict)
     handles: dict[str, str] = field(default_factory=dict)  # and the header of each
     callbacks: dict[str, str] = field(default_factory=dict)  # and the declaration of each in C

@@ -37,11 +37,6 @@ def abi_functions(interface):
                    lambda tier: [sorted_rows(interface, tier, declared), sorted_rows(interface, tier, macros)])
 
 
-def abi_deprecated(interface):
-    rows = [f"{declared} -> {replacement}" for declared, replacement in interface.deprecated.values()]
-    return "\n".join(["# Functions of hardsphere/deprecated.h alone, and what replaces each", *sorted(rows), ""])
-
-
 def abi_constants(interface):
     rows = [(c.header, f"{c.name} {c.value}") for c in interface.constants.values() if not OF_RELEASES.match(c.name)]
     return by_tier(interface, "Constants", lambda tier: [sorted_rows(interface, tier, rows)])
