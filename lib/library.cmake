@@ -27,11 +27,11 @@ set(HSP_LIBRARY_SOURCES
   lib/balls/model/ray_query.cpp
   lib/balls/model/set_digest.cpp
   lib/balls/model/vertical_ray.cpp
-  lib/balls/poses/near_pairs.kernel.cpp
-  lib/balls/poses/pose.cpp
-  lib/balls/poses/pose_queries.cpp
-  lib/balls/poses/rational_pose.cpp
-  lib/balls/poses/sphere_tree.cpp
+  lib/motion/poses/near_pairs.kernel.cpp
+  lib/motion/poses/pose.cpp
+  lib/motion/poses/pose_queries.cpp
+  lib/motion/poses/rational_pose.cpp
+  lib/motion/poses/sphere_tree.cpp
   lib/space/cells/arrangement.cpp
   lib/space/cells/cell_location.cpp
   lib/space/cells/cube_contacts.cpp
@@ -69,7 +69,7 @@ set(HSP_LIBRARY_SOURCES
   lib/union/sphere/vertex_finder.cpp
   lib/union/boundary/boundary_builder.cpp
   lib/union/boundary/boundary_check.cpp
-  lib/union/boundary/boundary_part.cpp
+  lib/motion/moving/boundary_part.cpp
   lib/union/boundary/boundary_worker.cpp
   lib/union/boundary/components.cpp
   lib/union/boundary/faces.cpp
@@ -81,8 +81,8 @@ set(HSP_LIBRARY_SOURCES
   lib/union/measure/areas.cpp
   lib/union/measure/boundary_metric_check.cpp
   lib/union/measure/boundary_positions.cpp
-  lib/union/measure/curvature.cpp
-  lib/union/measure/edge_sums.kernel.cpp
+  lib/curvature/curvature/curvature.cpp
+  lib/curvature/curvature/edge_sums.kernel.cpp
   lib/union/measure/gradients.cpp
   lib/union/measure/tangency.cpp
   lib/union/topology/regions.cpp
@@ -94,10 +94,10 @@ set(HSP_LIBRARY_SOURCES
   lib/union/topology/topology_builder.cpp
   lib/union/topology/topology_check.cpp
   lib/union/topology/traversal.cpp
-  lib/union/moving/ball_cells.cpp
-  lib/union/moving/ball_group.cpp
-  lib/union/moving/component_update.cpp
-  lib/union/moving/moving_balls.cpp
+  lib/motion/moving/ball_cells.cpp
+  lib/motion/moving/ball_group.cpp
+  lib/motion/moving/component_update.cpp
+  lib/motion/moving/moving_balls.cpp
   lib/union/contacts/chord_clipper.cpp
   lib/union/contacts/chord_cuts.kernel.cpp
   lib/union/contacts/chord_ends.cpp
@@ -107,16 +107,16 @@ set(HSP_LIBRARY_SOURCES
   lib/union/contacts/contact_measures.kernel.cpp
   lib/union/contacts/contacts_builder.cpp
   lib/union/contacts/contacts_check.cpp
-  lib/union/periodic/periodic_box.cpp
-  lib/union/periodic/periodic_check.cpp
-  lib/union/periodic/periodic_images.cpp
-  lib/union/periodic/periodic_measures.cpp
-  lib/union/periodic/periodic_morphometry.cpp
-  lib/union/periodic/periodic_queries.cpp
-  lib/union/periodic/periodic_records.cpp
-  lib/union/periodic/periodic_union.cpp
-  lib/union/periodic/surface_volume.cpp
-  lib/union/periodic/windings.cpp
+  lib/boxes/periodic/periodic_box.cpp
+  lib/boxes/periodic/periodic_check.cpp
+  lib/boxes/periodic/periodic_images.cpp
+  lib/boxes/periodic/periodic_measures.cpp
+  lib/boxes/periodic/periodic_morphometry.cpp
+  lib/boxes/periodic/periodic_queries.cpp
+  lib/boxes/periodic/periodic_records.cpp
+  lib/boxes/periodic/periodic_union.cpp
+  lib/boxes/periodic/surface_volume.cpp
+  lib/boxes/periodic/windings.cpp
   lib/space/pores/ascent.cpp
   lib/space/pores/balls_around.cpp
   lib/space/pores/class_tree.cpp
@@ -216,58 +216,57 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/picture/prefix_code.cpp
   lib/sight/picture/svg_path.cpp
   lib/sight/picture/svg_writer.cpp
-  capi/shims/hsp_status.cpp
-  capi/shims/element_radii.cpp
-  capi/shims/element_symbols.cpp
-  capi/shims/hsp_element.cpp
-  capi/shims/residue_radii.cpp
-  capi/shims/hsp_residue.cpp
-  capi/shims/hsp_model.cpp
-  capi/shims/hsp_query.cpp
-  capi/shims/hsp_areas.cpp
-  capi/shims/hsp_body.cpp
-  capi/shims/hsp_boundary.cpp
-  capi/shims/hsp_measure.cpp
-  capi/shims/hsp_gradient.cpp
-  capi/shims/hsp_curvature.cpp
-  capi/shims/hsp_contacts.cpp
-  capi/shims/hsp_periodic.cpp
-  capi/shims/hsp_periodic_boundary.cpp
-  capi/shims/hsp_periodic_curvature.cpp
-  capi/shims/hsp_periodic_queries.cpp
-  capi/shims/hsp_moving.cpp
-  capi/shims/hsp_surface.cpp
-  capi/shims/hsp_surface_records.cpp
-  capi/shims/hsp_map.cpp
-  capi/shims/hsp_map_records.cpp
-  capi/shims/hsp_mesh.cpp
-  capi/shims/hsp_topology.cpp
-  capi/shims/hsp_topology_records.cpp
-  capi/shims/hsp_topology_regions.cpp
-  capi/shims/hsp_cells.cpp
-  capi/shims/hsp_paths.cpp
-  capi/shims/hsp_pores.cpp
-  capi/shims/hsp_pores_pockets.cpp
-  capi/shims/hsp_view.cpp
-  capi/shims/hsp_view_records.cpp
-  capi/shims/hsp_picture.cpp
-  capi/shims/hsp_sticks.cpp
-  capi/shims/hsp_sticks_map.cpp)
+  capi/shims/core/hsp_status.cpp
+  capi/shims/core/element_radii.cpp
+  capi/shims/core/element_symbols.cpp
+  capi/shims/core/hsp_element.cpp
+  capi/shims/residues/residue_radii.cpp
+  capi/shims/residues/hsp_residue.cpp
+  capi/shims/core/hsp_model.cpp
+  capi/shims/core/hsp_query.cpp
+  capi/shims/core/hsp_areas.cpp
+  capi/shims/motion/hsp_body.cpp
+  capi/shims/core/hsp_boundary.cpp
+  capi/shims/core/hsp_measure.cpp
+  capi/shims/core/hsp_gradient.cpp
+  capi/shims/curvature/hsp_curvature.cpp
+  capi/shims/core/hsp_contacts.cpp
+  capi/shims/boxes/hsp_periodic.cpp
+  capi/shims/boxes/hsp_periodic_boundary.cpp
+  capi/shims/boxes/hsp_periodic_curvature.cpp
+  capi/shims/boxes/hsp_periodic_queries.cpp
+  capi/shims/motion/hsp_moving.cpp
+  capi/shims/smooth/hsp_surface.cpp
+  capi/shims/smooth/hsp_surface_records.cpp
+  capi/shims/sight/hsp_map.cpp
+  capi/shims/sight/hsp_map_records.cpp
+  capi/shims/smooth/hsp_mesh.cpp
+  capi/shims/core/hsp_topology.cpp
+  capi/shims/core/hsp_topology_records.cpp
+  capi/shims/core/hsp_topology_regions.cpp
+  capi/shims/space/hsp_cells.cpp
+  capi/shims/space/hsp_paths.cpp
+  capi/shims/space/hsp_pores.cpp
+  capi/shims/space/hsp_pores_pockets.cpp
+  capi/shims/sight/hsp_view.cpp
+  capi/shims/sight/hsp_view_records.cpp
+  capi/shims/sight/hsp_picture.cpp
+  capi/shims/sight/hsp_sticks.cpp
+  capi/shims/sight/hsp_sticks_map.cpp)
 
 # The wings: which sources are theirs, the interface's among them, and whose headers those of lib/ find. The part of
 # the interface that no other pattern takes is union's.
 set(ground_pattern "lib/ground/")
-set(balls_pattern "lib/balls/|capi/shims/(element_(radii|symbols)|residue_radii|hsp_(status|element|residue|model|query|body))\\.cpp")
-set(union_pattern "lib/union/|capi/shims/")
+set(balls_pattern "lib/balls/|capi/shims/core/(element_(radii|symbols)|hsp_(status|element|model|query))\\.cpp|capi/shims/residues/|capi/shims/motion/hsp_body")
+set(union_pattern "lib/|capi/shims/")
 foreach(component ${HSP_ALL_COMPONENTS})
-  list(JOIN HSP_${component}_HEADERS "|" headers)
-  set(${component}_pattern "lib/${component}/|capi/shims/hsp_(${headers})")
+  set(${component}_pattern "lib/${component}/|capi/shims/${component}/")
 endforeach()
 set(ground_roots ground)
-set(balls_roots ground balls)
-set(union_roots ground balls union)
+set(balls_roots ground balls motion)
+set(union_roots ground balls union curvature motion boxes)
 set(smooth_roots ground balls union smooth)
-set(space_roots ground balls union space)
+set(space_roots ground balls union wide curvature boxes space)
 set(sight_roots ground balls union sight)
 # In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
 set(sources ${HSP_LIBRARY_SOURCES})
@@ -284,6 +283,9 @@ foreach(wing ground balls smooth space sight union)
     set(HSP_${wing}_ROOTS ${roots} CACHE INTERNAL "Where its sources find headers")
     list(APPEND wings ${wing})
     list(APPEND folders ${PROJECT_SOURCE_DIR}/lib/${wing})
+    if(wing STREQUAL union)
+      list(APPEND folders ${PROJECT_SOURCE_DIR}/lib/curvature ${PROJECT_SOURCE_DIR}/lib/motion ${PROJECT_SOURCE_DIR}/lib/boxes ${PROJECT_SOURCE_DIR}/lib/wide)
+    endif()
   endif()
 endforeach()
 set(HSP_WINGS ${wings} CACHE INTERNAL "The wings that are built")
@@ -397,6 +399,9 @@ function(hsp_library_objects name)
       string(REGEX MATCH "([a-z]+)/([a-z_0-9]+)(\\.kernel)?\\.cpp$" file ${source})
       set(room ${CMAKE_MATCH_1})
       set(file ${CMAKE_MATCH_2})
+      if(source MATCHES "capi/shims/")
+        set(room shims)
+      endif()
       foreach(target ${targets})
         set(roots ${HSP_${wing}_ROOTS})
         set(unit ${room})
@@ -410,7 +415,10 @@ function(hsp_library_objects name)
             set(roots ${HSP_WING_FOLDERS})
           endif()
         elseif(room STREQUAL "shims")
-          list(APPEND roots ${HSP_INCLUDE_FOLDER} ${hardsphere_SOURCE_DIR}/capi/shims)
+          list(APPEND roots ${HSP_INCLUDE_FOLDER})
+          foreach(folder core residues curvature motion boxes smooth space sight)
+            list(APPEND roots ${hardsphere_SOURCE_DIR}/capi/shims/${folder})
+          endforeach()
           set(unit ${file})
           if(NOT wing STREQUAL "balls")
             set(unit ${wing}_shims)

@@ -1,10 +1,10 @@
 # The suites that time other programs beside the library. A peer whose package is not there is left out with a line that
 # says so.
 set(peers ${CMAKE_CURRENT_SOURCE_DIR}/peers)
-add_executable(bench_peers_surfaces suites/bench_peers_surfaces.cpp)
+add_executable(bench_peers_surfaces suites/smooth/bench_peers_surfaces.cpp)
 add_executable(bench_peers_queries suites/bench_peers_queries.cpp)
-add_executable(bench_peers_visibility suites/bench_peers_visibility.cpp)
-add_executable(bench_peers_poses suites/bench_peers_poses.cpp)
+add_executable(bench_peers_visibility suites/sight/bench_peers_visibility.cpp)
+add_executable(bench_peers_poses suites/motion/bench_peers_poses.cpp)
 foreach(suite bench_peers_surfaces bench_peers_queries bench_peers_visibility bench_peers_poses)
   target_link_libraries(${suite} PRIVATE benchmark_suite section_3_structures hardsphere_warnings hardsphere_sanitizers)
 endforeach()

@@ -122,7 +122,7 @@ typedef struct hsp_pore_access {
  *  - Property 2: areas sum to the area of the union; in a box volumes to free_volume of hsp_periodic_totals.
  *
  *  Source: in a box volumes come from surfaces alone, for regions that go on for ever up to whole boxes: as a product
- *  of three phases (lib/union/periodic/surface_volume.hpp). Accuracy: about 1e-14 of the box.
+ *  of three phases (lib/boxes/periodic/surface_volume.hpp). Accuracy: about 1e-14 of the box.
  *  Cost: O(size of the boundary), and that of hsp_pores_locate for each shell.
  *  @param[in,out] pores   of which no other regions are needed any more
  *  @param[in] boundary    of the model that the pores were computed of; NULL in a box, which has its own

@@ -24,7 +24,7 @@ if [ -z "$objects" ]; then
     esac
     for unit in $units; do echo "#include \"$source/$file\"" >>"$unit.cpp"; done
   done
-  wings=("$source"/lib/*/)
+  wings=("$source"/lib/*/ "$source"/capi/shims/*/)
   wide=(-DHSP_AVX2=1 -DHSP_LANES=1)
   [ "$("$cxx" -dumpmachine | cut -d- -f1)" = x86_64 ] || { wide=() && rm avx2.cpp; }
   for unit in *.cpp; do
@@ -32,7 +32,7 @@ if [ -z "$objects" ]; then
       avx2.cpp) echo "$unit.o $unit -DHSP_TARGET=avx2 -mavx2 -mfma -mpopcnt" ;;
       *) echo "$unit.o $unit -DHSP_TARGET=baseline" ;;
     esac
-  done | xargs -P 2 -L 1 "$cxx" "${wide[@]}" -std=c++20 -O2 -I"$source/include" "${wings[@]/#/-I}" -I"$source/capi/shims" \
+  done | xargs -P 2 -L 1 "$cxx" "${wide[@]}" -std=c++20 -O2 -I"$source/include" "${wings[@]/#/-I}" \
     -ffp-contract=off -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics -fcallgraph-info=su \
     -fstack-usage -c -o
 fi

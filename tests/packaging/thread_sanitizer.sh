@@ -21,7 +21,7 @@ run cmake -S "$source" -B "$work/build" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COM
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" -DHSP_SANITIZE=thread -DHSP_TESTS=ON \
   -DHSP_ALL_TESTS=ON -DHSP_SLOW_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_INSTALL=OFF
 run cmake --build "$work/build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-2}" --target hardsphere_tool \
-  api_boundary_tests api_gradient_tests api_surface_tests api_periodic_tests api_handle_threads api_workspace_cxx20 \
+  api_boundary_tests api_gradient_tests api_surface_tests api_periodic_tests api_whole_handle_threads api_whole_workspace_cxx20 \
   differential_boundary_tests program_tests
 tests='api_(boundary_executor|gradient_(executor|rows|shared)|surface_gradient|periodic_areas|handle_threads|workspace_cxx20)'
 tests="($tests|differential_boundary_selected|program_threads)"

@@ -1,4 +1,4 @@
-// The outcome of an operation. The numbers are those of hardsphere.h (checked in capi/shims/conversion.hpp).
+// The outcome of an operation. The numbers are those of hardsphere.h (checked in capi/shims/core/conversion.hpp).
 #pragma once
 
 #include <cstdint>

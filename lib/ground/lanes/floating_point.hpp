@@ -3,8 +3,8 @@
 // compile.
 //
 // A NaN says that nothing is certain of a lane, and lanes behind the last thing of a vector may hold anything: both
-// raise exceptions. Entry points mask them and put back the caller's flags (capi/shims/library_arithmetic.hpp); nothing
-// here reads flags.
+// raise exceptions. Entry points mask them and put back the caller's flags (capi/shims/core/library_arithmetic.hpp);
+// nothing here reads flags.
 #pragma once
 
 #include <cfloat>

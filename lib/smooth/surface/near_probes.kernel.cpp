@@ -1,5 +1,5 @@
 #include "surface/near_probes.hpp"
-#include "lanes/front.hpp"
+#include "surface/front.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {

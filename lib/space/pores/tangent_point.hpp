@@ -22,8 +22,8 @@
 #pragma once
 
 #include "model/ball_set.hpp"
-#include "pores/bounded_double.hpp"
-#include "pores/long_integer.hpp"
+#include "numbers/bounded_double.hpp"
+#include "numbers/long_integer.hpp"
 
 namespace hsp {
 

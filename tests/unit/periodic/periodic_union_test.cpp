@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 
+#include "curvature/morphometry.hpp"
 #include "lattice_lengths.hpp"
 #include "measure/boundary_positions.hpp"
-#include "measure/morphometry.hpp"
 #include "molecule_file.hpp"
 #include "periodic_crystals.hpp"
 

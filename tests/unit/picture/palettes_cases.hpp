@@ -1,4 +1,5 @@
-// Palettes: colours by which elements are known, unknown elements, and chains. Every colour is in api_palette_colours.
+// Palettes: colours by which elements are known, unknown elements, and chains. Every colour is in
+// api_sight_palette_colours.
 #pragma once
 
 #include <initializer_list>

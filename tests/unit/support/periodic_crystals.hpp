@@ -9,8 +9,8 @@
 
 #include "built_contacts.hpp"
 #include "built_periodic.hpp"
+#include "curvature/curvature.hpp"
 #include "measure/areas.hpp"
-#include "measure/curvature.hpp"
 #include "periodic/periodic_check.hpp"
 #include "random_balls.hpp"
 
