@@ -111,6 +111,7 @@ void require_simplices(hsp_contacts *contacts, const Result &result) {
   }
 }
 
+#if HSP_HAS_CURVATURE
 void require_curvature(const computed &base, fuzz::Bytes &bytes) {
   hsp_curvatures totals{};
   std::vector<double> mean(base.n), centre(3 * size_t{base.n}), by_radius(base.n), sigma(base.n);
@@ -136,6 +137,7 @@ void require_curvature(const computed &base, fuzz::Bytes &bytes) {
   for (const double x : by_radius) finite = finite && std::isfinite(x);
   FUZZ_REQUIRE(finite, "a derivative that is no number");
 }
+#endif
 
 }  // namespace
 
@@ -148,7 +150,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require_laws(contacts.get(), base.get(), reference);
   require_groups(contacts.get(), reference, set.n(), bytes);
   require_simplices(contacts.get(), reference);
+#if HSP_HAS_CURVATURE
   require_curvature(base.get(), bytes);
+#endif
 
   const Result plain = result_of(contacts, base.get(), false);
   FUZZ_REQUIRE(

@@ -30,6 +30,7 @@
  *   hardsphere/map.h        the visibility map: faces, edges and vertices of the view plane (Section 5.2)
  *   hardsphere/sticks.h     balls and sticks in an order to paint them
  *   hardsphere/picture.h    a view, a map, or balls and sticks as SVG, EPS or PDF
+ * A build may leave out components: hardsphere/components.h says which of them a library has.
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
  * WORDS
@@ -220,31 +221,46 @@
 #define HARDSPHERE_H
 
 #include "hardsphere/boundary.h"
-#include "hardsphere/cells.h"
+#include "hardsphere/components.h"
 #include "hardsphere/contacts.h"
-#include "hardsphere/curvature.h"
 #include "hardsphere/element.h"
 #include "hardsphere/executor.h"
 #include "hardsphere/gradient.h"
-#include "hardsphere/map.h"
 #include "hardsphere/measure.h"
-#include "hardsphere/mesh.h"
 #include "hardsphere/model.h"
-#include "hardsphere/moving.h"
-#include "hardsphere/paths.h"
-#include "hardsphere/periodic.h"
-#include "hardsphere/periodic_boundary.h"
-#include "hardsphere/picture.h"
-#include "hardsphere/pockets.h"
-#include "hardsphere/pores.h"
-#include "hardsphere/pose.h"
 #include "hardsphere/query.h"
-#include "hardsphere/residue.h"
 #include "hardsphere/status.h"
-#include "hardsphere/sticks.h"
-#include "hardsphere/surface.h"
 #include "hardsphere/topology.h"
 #include "hardsphere/version.h"
+#if HSP_HAS_RESIDUES
+#include "hardsphere/residue.h"
+#endif
+#if HSP_HAS_CURVATURE
+#include "hardsphere/curvature.h"
+#endif
+#if HSP_HAS_MOTION
+#include "hardsphere/moving.h"
+#include "hardsphere/pose.h"
+#endif
+#if HSP_HAS_BOXES
+#include "hardsphere/periodic.h"
+#include "hardsphere/periodic_boundary.h"
+#endif
+#if HSP_HAS_SMOOTH
+#include "hardsphere/mesh.h"
+#include "hardsphere/surface.h"
+#endif
+#if HSP_HAS_SPACE
+#include "hardsphere/cells.h"
+#include "hardsphere/paths.h"
+#include "hardsphere/pockets.h"
+#include "hardsphere/pores.h"
+#endif
+#if HSP_HAS_SIGHT
+#include "hardsphere/map.h"
+#include "hardsphere/picture.h"
+#include "hardsphere/sticks.h"
 #include "hardsphere/view.h"
+#endif
 
 #endif

@@ -197,9 +197,11 @@ class workspace {
   }
   hsp_topology *topology() { return boundary(), once(2, hsp_workspace_topology), work_.topology; }
   hsp_contacts *contacts() { return boundary(), once(4, hsp_workspace_contacts), work_.contacts; }
-  // ---- surface.h
-  hsp_surface *surface() { return boundary(), once(8, hsp_workspace_surface), work_.surface; }
-  // ---- boundary.h
+#if HSP_HAS_SMOOTH
+  hsp_surface *surface() {
+    return boundary(), once(8, hsp_workspace_surface), work_.surface;
+  }
+#endif
 
   // selected: empty, or a number for each ball; those with 0 only block.
   hardsphere::measures measure(std::span<const uint8_t> selected = {}) {

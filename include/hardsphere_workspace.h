@@ -17,8 +17,7 @@
  * call, as they move when they grow. A workspace may be copied; use only one of the copies. Distinct workspaces may be
  * used by distinct threads.
  *
- * A row such as `---- model.h` begins what is for that header, to the next one. Where a component was left out of the
- * library, what is for its headers is left out, too.
+ * Of the library's components those are served that it has (hardsphere/components.h).
  *
  * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. A call that fails leaves
  * the workspace such that every function may be called again; what it was to compute holds no results.
@@ -32,36 +31,60 @@
 
 /** All zeros at first. The handles may be read; the rest is this file's. */
 typedef struct hsp_workspace {
-  hsp_model *model;                    /**< NULL before hsp_workspace_set (hardsphere/model.h) */
-  hsp_boundary *boundary;              /**< NULL before hsp_workspace_boundary (hardsphere/boundary.h) */
-  hsp_topology *topology;              /**< NULL before hsp_workspace_topology (hardsphere/topology.h) */
-  hsp_view *view;                      /**< NULL before hsp_workspace_view (hardsphere/view.h) */
-  hsp_surface *surface;                /**< NULL before hsp_workspace_surface (hardsphere/surface.h) */
-  hsp_mesh *mesh;                      /**< NULL before hsp_workspace_mesh (hardsphere/mesh.h) */
-  hsp_map *map;                        /**< NULL before hsp_workspace_map (hardsphere/map.h) */
-  hsp_contacts *contacts;              /**< NULL before hsp_workspace_contacts (hardsphere/contacts.h) */
-  hsp_cells *cells;                    /**< NULL before hsp_workspace_cells (hardsphere/cells.h) */
-  hsp_paths *paths;                    /**< NULL before hsp_workspace_path (hardsphere/paths.h) */
-  hsp_gate *gate;                      /**< NULL before hsp_workspace_gate (hardsphere/paths.h) */
-  hsp_pores *pores;                    /**< NULL before hsp_workspace_pores (hardsphere/pores.h) */
-  hsp_moving *moving;                  /**< NULL before hsp_workspace_moving (hardsphere/moving.h) */
-  hsp_periodic *periodic;              /**< NULL before hsp_workspace_periodic (hardsphere/periodic.h) */
+  hsp_model *model;       /**< NULL before hsp_workspace_set (hardsphere/model.h) */
+  hsp_boundary *boundary; /**< NULL before hsp_workspace_boundary (hardsphere/boundary.h) */
+  hsp_topology *topology; /**< NULL before hsp_workspace_topology (hardsphere/topology.h) */
+#if HSP_HAS_SIGHT
+  hsp_view *view; /**< NULL before hsp_workspace_view (hardsphere/view.h) */
+#endif
+#if HSP_HAS_SMOOTH
+  hsp_surface *surface; /**< NULL before hsp_workspace_surface (hardsphere/surface.h) */
+  hsp_mesh *mesh;       /**< NULL before hsp_workspace_mesh (hardsphere/mesh.h) */
+#endif
+#if HSP_HAS_SIGHT
+  hsp_map *map; /**< NULL before hsp_workspace_map (hardsphere/map.h) */
+#endif
+  hsp_contacts *contacts; /**< NULL before hsp_workspace_contacts (hardsphere/contacts.h) */
+#if HSP_HAS_SPACE
+  hsp_cells *cells; /**< NULL before hsp_workspace_cells (hardsphere/cells.h) */
+  hsp_paths *paths; /**< NULL before hsp_workspace_path (hardsphere/paths.h) */
+  hsp_gate *gate;   /**< NULL before hsp_workspace_gate (hardsphere/paths.h) */
+  hsp_pores *pores; /**< NULL before hsp_workspace_pores (hardsphere/pores.h) */
+#endif
+#if HSP_HAS_MOTION
+  hsp_moving *moving; /**< NULL before hsp_workspace_moving (hardsphere/moving.h) */
+#endif
+#if HSP_HAS_BOXES
+  hsp_periodic *periodic; /**< NULL before hsp_workspace_periodic (hardsphere/periodic.h) */
+#endif
   void *memory[14];                    /**< of the handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what it has room for (hardsphere/boundary.h) */
   hsp_topology_limits topology_limits; /**< what it has room for (hardsphere/topology.h) */
-  hsp_view_limits view_limits;         /**< what it has room for (hardsphere/view.h) */
-  hsp_surface_limits surface_limits;   /**< what it has room for (hardsphere/surface.h) */
-  hsp_mesh_limits mesh_limits;         /**< what it has room for (hardsphere/mesh.h) */
-  hsp_map_limits map_limits;           /**< what it has room for (hardsphere/map.h) */
+#if HSP_HAS_SIGHT
+  hsp_view_limits view_limits; /**< what it has room for (hardsphere/view.h) */
+#endif
+#if HSP_HAS_SMOOTH
+  hsp_surface_limits surface_limits; /**< what it has room for (hardsphere/surface.h) */
+  hsp_mesh_limits mesh_limits;       /**< what it has room for (hardsphere/mesh.h) */
+#endif
+#if HSP_HAS_SIGHT
+  hsp_map_limits map_limits; /**< what it has room for (hardsphere/map.h) */
+#endif
   hsp_contacts_limits contacts_limits; /**< what it has room for (hardsphere/contacts.h) */
-  hsp_cells_limits cells_limits;       /**< what it has room for (hardsphere/cells.h) */
-  hsp_paths_limits paths_limits;       /**< what it has room for (hardsphere/paths.h) */
-  hsp_gate_limits gate_limits;         /**< what it has room for (hardsphere/paths.h) */
-  hsp_pores_limits pores_limits;       /**< what it has room for (hardsphere/pores.h) */
-  hsp_moving_limits moving_limits;     /**< what it has room for (hardsphere/moving.h) */
+#if HSP_HAS_SPACE
+  hsp_cells_limits cells_limits; /**< what it has room for (hardsphere/cells.h) */
+  hsp_paths_limits paths_limits; /**< what it has room for (hardsphere/paths.h) */
+  hsp_gate_limits gate_limits;   /**< what it has room for (hardsphere/paths.h) */
+  hsp_pores_limits pores_limits; /**< what it has room for (hardsphere/pores.h) */
+#endif
+#if HSP_HAS_MOTION
+  hsp_moving_limits moving_limits; /**< what it has room for (hardsphere/moving.h) */
+#endif
+#if HSP_HAS_BOXES
   hsp_periodic_limits periodic_limits; /**< what it has room for (hardsphere/periodic.h) */
+#endif
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */
@@ -72,42 +95,50 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 }
 
 /* Drops what was computed from a handle, before the memory of that handle is given back. */
-/* ---- model.h */
 static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
-  (void)work; /* where an installed copy leaves out all of it */
+  (void)work;
   if (work->boundary != NULL) (void)hsp_boundary_compute(work->boundary, NULL, NULL); /* hardsphere/boundary.h */
   if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/topology.h */
+#if HSP_HAS_SIGHT
   if (work->view != NULL) (void)hsp_view_compute(work->view, NULL, NULL, NULL, NULL); /* hardsphere/view.h */
-  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL);    /* hardsphere/surface.h */
-  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);          /* hardsphere/mesh.h */
-  if (work->map != NULL) (void)hsp_map_compute(work->map, NULL, NULL, NULL);          /* hardsphere/map.h */
+#endif
+#if HSP_HAS_SMOOTH
+  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL); /* hardsphere/surface.h */
+  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);       /* hardsphere/mesh.h */
+#endif
+#if HSP_HAS_SIGHT
+  if (work->map != NULL) (void)hsp_map_compute(work->map, NULL, NULL, NULL); /* hardsphere/map.h */
+#endif
   if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL); /* hardsphere/contacts.h */
+#if HSP_HAS_SPACE
   if (work->cells != NULL) (void)hsp_cells_compute(work->cells, NULL, NULL);          /* hardsphere/cells.h */
   if (work->paths != NULL) (void)hsp_paths_compute(work->paths, NULL, NULL);          /* hardsphere/paths.h */
   if (work->gate != NULL) (void)hsp_gate_compute(work->gate, NULL, NULL, NULL, NULL); /* hardsphere/paths.h */
   if (work->pores != NULL) (void)hsp_pores_compute(work->pores, NULL, NULL, NULL);    /* hardsphere/pores.h */
+#endif
 }
 
-/* ---- boundary.h */
 static inline void hsp_workspace_drop_of_boundary(hsp_workspace *work) {
-  (void)work; /* where an installed copy leaves out all of it */
+  (void)work;
   if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/topology.h */
-  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL);    /* hardsphere/surface.h */
-  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);          /* hardsphere/mesh.h */
+#if HSP_HAS_SMOOTH
+  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL); /* hardsphere/surface.h */
+  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);       /* hardsphere/mesh.h */
+#endif
   if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL); /* hardsphere/contacts.h */
 }
 
-/* ---- periodic.h */
+#if HSP_HAS_BOXES
 static inline void hsp_workspace_drop_of_periodic(hsp_workspace *work) {
-  (void)work; /* where an installed copy leaves out all of it */
+  (void)work;
+#if HSP_HAS_SPACE
   if (work->pores != NULL) (void)hsp_pores_compute(work->pores, NULL, NULL, NULL); /* hardsphere/pores.h */
+#endif
 }
-
-/* ---- model.h */
+#endif
 
 /* make: a handle of the current limits, without results. ready: the same, if there is none yet. grow: one of larger
  * limits. */
-/* ---- boundary.h */
 static inline int32_t hsp_workspace_make_boundary(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_boundary_bytes(&work->boundary_limits, &bytes);
@@ -134,7 +165,6 @@ static inline int32_t hsp_workspace_grow_boundary(hsp_workspace *work, const hsp
   return hsp_workspace_make_boundary(work);
 }
 
-/* ---- topology.h */
 static inline int32_t hsp_workspace_make_topology(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_topology_bytes(&work->topology_limits, &bytes);
@@ -160,7 +190,7 @@ static inline int32_t hsp_workspace_grow_topology(hsp_workspace *work, const hsp
   return hsp_workspace_make_topology(work);
 }
 
-/* ---- view.h */
+#if HSP_HAS_SIGHT
 static inline int32_t hsp_workspace_make_view(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_view_bytes(&work->view_limits, &bytes);
@@ -185,8 +215,9 @@ static inline int32_t hsp_workspace_grow_view(hsp_workspace *work, const hsp_vie
   work->view_limits = *limits;
   return hsp_workspace_make_view(work);
 }
+#endif
 
-/* ---- surface.h */
+#if HSP_HAS_SMOOTH
 static inline int32_t hsp_workspace_make_surface(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_surface_bytes(&work->surface_limits, &bytes);
@@ -212,7 +243,6 @@ static inline int32_t hsp_workspace_grow_surface(hsp_workspace *work, const hsp_
   return hsp_workspace_make_surface(work);
 }
 
-/* ---- mesh.h */
 static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_mesh_bytes(&work->mesh_limits, &bytes);
@@ -223,8 +253,9 @@ static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
   }
   return status;
 }
+#endif
 
-/* ---- map.h */
+#if HSP_HAS_SIGHT
 static inline int32_t hsp_workspace_make_map(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_map_bytes(&work->map_limits, &bytes);
@@ -249,8 +280,8 @@ static inline int32_t hsp_workspace_grow_map(hsp_workspace *work, const hsp_map_
   work->map_limits = *limits;
   return hsp_workspace_make_map(work);
 }
+#endif
 
-/* ---- contacts.h */
 static inline int32_t hsp_workspace_make_contacts(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_contacts_bytes(&work->contacts_limits, &bytes);
@@ -276,7 +307,7 @@ static inline int32_t hsp_workspace_grow_contacts(hsp_workspace *work, const hsp
   return hsp_workspace_make_contacts(work);
 }
 
-/* ---- cells.h */
+#if HSP_HAS_SPACE
 static inline int32_t hsp_workspace_make_cells(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_cells_bytes(&work->cells_limits, &bytes);
@@ -302,7 +333,6 @@ static inline int32_t hsp_workspace_grow_cells(hsp_workspace *work, const hsp_ce
   return hsp_workspace_make_cells(work);
 }
 
-/* ---- paths.h */
 static inline int32_t hsp_workspace_make_paths(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_paths_bytes(&work->paths_limits, &bytes);
@@ -328,7 +358,6 @@ static inline int32_t hsp_workspace_grow_paths(hsp_workspace *work, const hsp_pa
   return hsp_workspace_make_paths(work);
 }
 
-/* ---- paths.h */
 static inline int32_t hsp_workspace_make_gate(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_gate_bytes(&work->gate_limits, &bytes);
@@ -354,7 +383,6 @@ static inline int32_t hsp_workspace_grow_gate(hsp_workspace *work, const hsp_gat
   return hsp_workspace_make_gate(work);
 }
 
-/* ---- pores.h */
 static inline int32_t hsp_workspace_make_pores(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_pores_bytes(&work->pores_limits, &bytes);
@@ -379,8 +407,9 @@ static inline int32_t hsp_workspace_grow_pores(hsp_workspace *work, const hsp_po
   work->pores_limits = *limits;
   return hsp_workspace_make_pores(work);
 }
+#endif
 
-/* ---- moving.h */
+#if HSP_HAS_MOTION
 static inline int32_t hsp_workspace_make_moving(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_moving_bytes(&work->moving_limits, &bytes);
@@ -405,8 +434,9 @@ static inline int32_t hsp_workspace_grow_moving(hsp_workspace *work, const hsp_m
   work->moving_limits = *limits;
   return hsp_workspace_make_moving(work);
 }
+#endif
 
-/* ---- periodic.h */
+#if HSP_HAS_BOXES
 static inline int32_t hsp_workspace_make_periodic(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_periodic_bytes(&work->periodic_limits, &bytes);
@@ -432,8 +462,7 @@ static inline int32_t hsp_workspace_grow_periodic(hsp_workspace *work, const hsp
   hsp_workspace_drop_of_periodic(work);
   return hsp_workspace_make_periodic(work);
 }
-
-/* ---- model.h */
+#endif
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
  *  contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
@@ -501,7 +530,7 @@ static inline int32_t hsp_workspace_topology(hsp_workspace *work) {
   return status;
 }
 
-/* ---- view.h */
+#if HSP_HAS_SIGHT
 
 /** Compute a view, of the model alone or, with use_boundary not 0, of the boundary that hsp_workspace_boundary has
  *  computed. options as for hsp_view_compute. HSP_E_ARGUMENT: no hsp_workspace_set before, or no hsp_workspace_boundary
@@ -521,8 +550,6 @@ static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, 
   return status;
 }
 
-/* ---- map.h */
-
 /** Compute the visibility map of the model. options as for hsp_map_compute. */
 static inline int32_t hsp_workspace_map(hsp_workspace *work, const hsp_view_options *options) {
   int32_t status = hsp_workspace_ready_map(work);
@@ -534,8 +561,7 @@ static inline int32_t hsp_workspace_map(hsp_workspace *work, const hsp_view_opti
   }
   return status;
 }
-
-/* ---- contacts.h */
+#endif
 
 /** Compute the contacts of the balls of the boundary that hsp_workspace_boundary has computed. */
 static inline int32_t hsp_workspace_contacts(hsp_workspace *work) {
@@ -549,7 +575,7 @@ static inline int32_t hsp_workspace_contacts(hsp_workspace *work) {
   return status;
 }
 
-/* ---- cells.h */
+#if HSP_HAS_SPACE
 
 /** Cut the free space of the model into cells. */
 static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
@@ -562,8 +588,6 @@ static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
   }
   return status;
 }
-
-/* ---- paths.h */
 
 /** Find a path from one point to another, both [3], through the free space of the model; arguments and statuses as
  *  hsp_paths_find. Parts that depend on the model alone are computed the first time. */
@@ -594,8 +618,6 @@ static inline int32_t hsp_workspace_gate(hsp_workspace *work, const double *from
   }
   return status;
 }
-
-/* ---- pores.h */
 
 /** Find maxima, gates and classes of the free space of the model; arguments and statuses as hsp_pores_compute. */
 static inline int32_t hsp_workspace_pores(hsp_workspace *work, const hsp_pores_options *options) {
@@ -669,8 +691,9 @@ static inline int32_t hsp_workspace_cheapest_tunnel_periodic(hsp_workspace *work
                                                              hsp_tunnel *tunnel) {
   return hsp_workspace_some_tunnel(work, 1, 1, options, from, to, avoided, count, tunnel);
 }
+#endif
 
-/* ---- moving.h */
+#if HSP_HAS_MOTION
 
 /** Take the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
  *  neighbours of each at least, or for all balls. */
@@ -687,6 +710,9 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
   }
   return status;
 }
+#endif
+
+#if HSP_HAS_BOXES
 
 /** Compute the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
  *  used. */
@@ -715,8 +741,9 @@ static inline int32_t hsp_workspace_periodic_with(hsp_workspace *work, uint32_t 
   }
   return status;
 }
+#endif
 
-/* ---- surface.h */
+#if HSP_HAS_SMOOTH
 
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
  *  all of it if shells is NULL. */
@@ -736,8 +763,6 @@ static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32
 static inline int32_t hsp_workspace_surface(hsp_workspace *work) {
   return hsp_workspace_surface_of(work, NULL, 0);
 }
-
-/* ---- mesh.h */
 
 /* Limits of the mesh that suffice for edges of this length, too. */
 static inline int32_t hsp_workspace_raise_mesh_limits(hsp_workspace *work, int use_surface, double edge) {
@@ -772,8 +797,7 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
     work->mesh_limits = limits;
   }
 }
-
-/* ---- model.h */
+#endif
 
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {

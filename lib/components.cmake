@@ -1,132 +1,104 @@
-# Parts that a build may leave out, so that nothing of them is in the library, its headers, its Fortran modules and its
-# package. Ground, balls and union, on which they stand, are always there.
-set(HSP_ALL_COMPONENTS smooth space sight)
-set(HSP_COMPONENTS ${HSP_ALL_COMPONENTS} CACHE STRING "Parts of the library besides models, queries, unions and boxes")
-# Their parts of include/hardsphere.
-set(HSP_smooth_HEADERS surface mesh)
-set(HSP_space_HEADERS cells paths pores pockets)
-set(HSP_sight_HEADERS view map sticks picture)
+# The parts of the library: ground, balls and union, which are the core, and components, which a build may leave out, so
+# that nothing of them is in the library, its headers, its Fortran modules and its package. core.cmake and the
+# component.cmake of each component's folder say what belongs to each.
 
+# hsp_part(name STANDS_ON part... HEADERS header... SOURCES file... SHIMS shim... SHIMS_APART shim... LEVELS unit level...)
+#   STANDS_ON     parts whose headers its sources find, and those on which these stand
+#   HEADERS       its headers in include/hardsphere; all others are the core's
+#   SOURCES       in the folder of its name
+#   SHIMS         its sources of the interface in capi/shims/<name>, the core's in capi/shims/core: they are one unit
+#   SHIMS_APART   those that are units of their own: programs that call one link little else, whatever their linker
+#   LEVELS        rooms and shims that take less optimization than -O3: no frame waits for them, and they compile sooner
+# All of it is kept in the cache, so that projects that carry this one as a subdirectory can make units, too.
+function(hsp_part name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "STANDS_ON;HEADERS;SOURCES;SHIMS;SHIMS_APART;LEVELS")
+  set(ARG_PARTS "") # and those on which it stands, below it
+  foreach(lower ${ARG_STANDS_ON})
+    list(APPEND ARG_PARTS ${HSP_${lower}_PARTS})
+  endforeach()
+  list(APPEND ARG_PARTS ${name})
+  list(REMOVE_DUPLICATES ARG_PARTS)
+  list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/lib/${name}/)
+  set(shims ${name})
+  if(name MATCHES "^(balls|union)$")
+    set(shims core)
+  endif()
+  foreach(list ARG_SHIMS ARG_SHIMS_APART)
+    list(TRANSFORM ${list} PREPEND ${PROJECT_SOURCE_DIR}/capi/shims/${shims}/)
+    list(TRANSFORM ${list} APPEND .cpp)
+  endforeach()
+  foreach(list PARTS HEADERS SOURCES SHIMS SHIMS_APART LEVELS)
+    set(HSP_${name}_${list} ${ARG_${list}} CACHE INTERNAL "Of the part ${name}")
+  endforeach()
+endfunction()
+
+include(${CMAKE_CURRENT_LIST_DIR}/core.cmake)
+# Each behind those that it stands on.
+set(HSP_ALL_COMPONENTS residues curvature motion boxes wide smooth space sight)
+foreach(component ${HSP_ALL_COMPONENTS})
+  include(${CMAKE_CURRENT_LIST_DIR}/${component}/component.cmake)
+endforeach()
+
+set(HSP_COMPONENTS ${HSP_ALL_COMPONENTS} CACHE STRING "Components of the library; without any it is the stable tier")
+set(parts ground balls union)
 foreach(component ${HSP_COMPONENTS})
   if(NOT component IN_LIST HSP_ALL_COMPONENTS)
     message(FATAL_ERROR "HSP_COMPONENTS: there is no component ${component}; there are ${HSP_ALL_COMPONENTS}")
   endif()
+  list(APPEND parts ${HSP_${component}_PARTS})
 endforeach()
+list(REMOVE_DUPLICATES parts)
+set(HSP_PARTS ${parts} CACHE INTERNAL "The parts that are built")
+list(TRANSFORM parts PREPEND ${PROJECT_SOURCE_DIR}/lib/)
+set(HSP_PART_FOLDERS ${parts} CACHE INTERNAL "Their folders in lib")
 set(HSP_LEFT_OUT ${HSP_ALL_COMPONENTS})
-list(REMOVE_ITEM HSP_LEFT_OUT ${HSP_COMPONENTS})
-# Names that files of left-out components declare, and the rooms of lib that are theirs.
-set(HSP_LEFT_OUT_NAMES "")
-foreach(component ${HSP_LEFT_OUT})
-  foreach(header ${HSP_${component}_HEADERS})
-    file(STRINGS ${PROJECT_SOURCE_DIR}/include/hardsphere/${header}.h declarations REGEX "^(HSP_API|}|typedef struct|#define) ")
-    string(REGEX MATCHALL "hsp_[a-z0-9_]+[(;]|(#define|struct) +[A-Za-z0-9_]+" names "${declarations}")
-    list(TRANSFORM names REPLACE "(#define|struct) +|[(;]" "")
-    list(APPEND HSP_LEFT_OUT_NAMES ${names})
-  endforeach()
-  file(GLOB rooms RELATIVE ${PROJECT_SOURCE_DIR}/lib/${component} ${PROJECT_SOURCE_DIR}/lib/${component}/*)
-  list(TRANSFORM rooms APPEND /)
-  list(APPEND HSP_LEFT_OUT_NAMES ${rooms})
-endforeach()
-list(REMOVE_DUPLICATES HSP_LEFT_OUT_NAMES)
+list(REMOVE_ITEM HSP_LEFT_OUT ${HSP_PARTS})
 
-# hsp_needs_left_out(result file): whether a file of tests, benchmarks or fuzzing names anything of a left-out component, or
-# includes one of their files that does, of its own folder or a shared one.
-set(HSP_SHARED_FOLDERS tests/support tests/oracle tests/api/support tests/differential/support tests/differential/degenerate
-  tests/differential/topology tests/laws/support tests/unit/support fuzz/support bench/suites)
-list(TRANSFORM HSP_SHARED_FOLDERS PREPEND ${PROJECT_SOURCE_DIR}/)
-function(hsp_needs_left_out result file)
-  if(NOT HSP_LEFT_OUT)
-    set(${result} FALSE PARENT_SCOPE)
-    return()
+# A program asks HSP_HAS_<COMPONENT> (hardsphere/components.h). Files of tests, fuzzing, benchmarks and examples belong to
+# a component if a folder above them has its name or that of one of its rooms; those in a folder `whole` need all.
+set(HSP_COMPONENT_DEFINITIONS "")
+set(HSP_FOLDERS_LEFT_OUT "")
+# The tests that take the whole are those of the program and of packages, too.
+set(HSP_FOLDERS_BEYOND_CORE whole laws pictures interface packaging program python bindings clients portability mutation)
+foreach(component ${HSP_ALL_COMPONENTS})
+  file(GLOB rooms RELATIVE ${PROJECT_SOURCE_DIR}/lib/${component} ${PROJECT_SOURCE_DIR}/lib/${component}/*)
+  list(APPEND HSP_FOLDERS_BEYOND_CORE ${component} ${rooms})
+  if(component IN_LIST HSP_LEFT_OUT)
+    list(APPEND HSP_FOLDERS_LEFT_OUT whole ${component} ${rooms})
+    string(TOUPPER HSP_HAS_${component}=0 definition)
+    list(APPEND HSP_COMPONENT_DEFINITIONS ${definition})
   endif()
-  get_filename_component(file ${file} ABSOLUTE)
-  get_property(answer GLOBAL PROPERTY HSP_NEEDS_LEFT_OUT_${file})
-  if("${answer}" STREQUAL "")
-    set_property(GLOBAL PROPERTY HSP_NEEDS_LEFT_OUT_${file} FALSE) # in case files include each other
-    set(answer FALSE)
-    file(READ ${file} text)
-    string(REGEX REPLACE "/[*]([^*]|[*]+[^*/])*[*]+/|//[^\n]*|\n *![^\n]*" "" text "${text}") # without comments
-    string(REGEX MATCHALL "(hsp_|HSP_)[A-Za-z0-9_]+|\"[a-z]+/" names "${text}")
-    list(TRANSFORM names REPLACE "\"" "")
-    foreach(name ${names})
-      if(name IN_LIST HSP_LEFT_OUT_NAMES)
-        set(answer TRUE)
-        break()
-      endif()
-    endforeach()
-    if(NOT answer)
-      string(REGEX MATCHALL "#include [<\"][^>\"]+[>\"]" included "${text}")
-      get_filename_component(own ${file} DIRECTORY)
-      foreach(include ${included})
-        string(REGEX REPLACE "#include [<\"]([^>\"]+)[>\"]" "\\1" include "${include}")
-        foreach(folder ${own} ${HSP_SHARED_FOLDERS})
-          if(NOT answer AND EXISTS ${folder}/${include})
-            hsp_needs_left_out(answer ${folder}/${include})
-          endif()
-        endforeach()
-      endforeach()
-    endif()
-    set_property(GLOBAL PROPERTY HSP_NEEDS_LEFT_OUT_${file} ${answer})
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+endforeach()
+set(HSP_COMPONENT_DEFINITIONS ${HSP_COMPONENT_DEFINITIONS} CACHE INTERNAL "Of the components that are left out")
+
+# The sources of the Fortran modules: as they stand here, or of what is there, which takes Python and its pycparser.
+set(HSP_FORTRAN_FOLDER ${PROJECT_SOURCE_DIR}/capi/fortran)
+if(HSP_LEFT_OUT)
+  set(HSP_FORTRAN_FOLDER ${PROJECT_BINARY_DIR}/fortran)
+  execute_process(RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said
+    COMMAND python3 ${PROJECT_SOURCE_DIR}/capi/interface/generate.py --fortran ${HSP_FORTRAN_FOLDER} ${HSP_PARTS})
+  if(HSP_FORTRAN AND NOT status EQUAL 0)
+    message(STATUS "no Fortran modules of these components: ${said}")
+    set(HSP_FORTRAN OFF)
   endif()
-  set(${result} ${answer} PARENT_SCOPE)
+endif()
+
+# hsp_lies_in(result file folder...): whether a folder above a file of the current one has one of these names.
+function(hsp_lies_in result file)
+  file(RELATIVE_PATH path ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  list(JOIN ARGN "|" names)
+  string(REGEX MATCH "(^|/)(${names}|/)/" found ${path})
+  set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# hsp_remove_left_out(list): from a list of files of the current folder those that need what is left out.
+# hsp_remove_left_out(list): from a list of files of the current folder those of components that are left out.
 function(hsp_remove_left_out list)
   set(kept "")
   foreach(file ${${list}})
-    hsp_needs_left_out(left_out ${file})
+    hsp_lies_in(left_out ${file} ${HSP_FOLDERS_LEFT_OUT})
     if(NOT left_out)
       list(APPEND kept ${file})
     endif()
   endforeach()
   set(${list} ${kept} PARENT_SCOPE)
 endfunction()
-
-# hsp_copy_what_is_there(from to): a copy of a text without rows that name a header that is left out, as
-# hardsphere/view.h, and without what stands from a row with `---- view.h` to the next row with ---- and a header, or to
-# the end of what such rows divide.
-function(hsp_copy_what_is_there from to)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${from})
-  file(READ ${from} text)
-  string(ASCII 1 mark)
-  string(REGEX REPLACE "---- ([a-z_]+\\.h)" "${mark}\\1" text "${text}")
-  string(REGEX REPLACE "\n( *! ----\n|  (abstract |end )?interface|end module|#endif)" "\n${mark}${mark}\\1" text "${text}")
-  foreach(component ${HSP_LEFT_OUT})
-    foreach(header ${HSP_${component}_HEADERS})
-      string(REGEX REPLACE "[^\n]*hardsphere/${header}\\.h[^\n]*\n" "" text "${text}")
-      string(REGEX REPLACE "[^\n${mark}]*${mark}${header}\\.h[^\n]*\n([^\n${mark}]*\n)*" "" text "${text}")
-    endforeach()
-  endforeach()
-  string(REPLACE "${mark}${mark}" "" text "${text}")
-  string(REPLACE "${mark}" "---- " text "${text}")
-  file(CONFIGURE OUTPUT ${to} CONTENT "${text}" @ONLY)
-endfunction()
-
-# The headers and the sources of the Fortran modules: as they stand here, or copies that declare what is there.
-set(folder ${PROJECT_SOURCE_DIR}/include)
-set(HSP_FORTRAN_FOLDER ${PROJECT_SOURCE_DIR}/capi/fortran)
-if(HSP_LEFT_OUT)
-  set(folder ${PROJECT_BINARY_DIR}/include)
-  set(HSP_FORTRAN_FOLDER ${PROJECT_BINARY_DIR}/fortran)
-  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/hardsphere/*.h)
-  foreach(component ${HSP_LEFT_OUT})
-    list(TRANSFORM HSP_${component}_HEADERS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/include/hardsphere/\\1.h"
-      OUTPUT_VARIABLE own)
-    list(REMOVE_ITEM headers ${own})
-    list(TRANSFORM HSP_${component}_HEADERS REPLACE "(.+)" "${folder}/hardsphere/\\1.h" OUTPUT_VARIABLE own)
-    file(REMOVE ${own})
-  endforeach()
-  foreach(header ${headers})
-    get_filename_component(name ${header} NAME)
-    configure_file(${header} ${folder}/hardsphere/${name} COPYONLY)
-  endforeach()
-  foreach(header hardsphere.h hardsphere_workspace.h hardsphere.hpp)
-    hsp_copy_what_is_there(${PROJECT_SOURCE_DIR}/include/${header} ${folder}/${header})
-  endforeach()
-  foreach(module hardsphere.f90 hardsphere_workspace.f90)
-    hsp_copy_what_is_there(${PROJECT_SOURCE_DIR}/capi/fortran/${module} ${HSP_FORTRAN_FOLDER}/${module})
-  endforeach()
-endif()
-set(HSP_INCLUDE_FOLDER ${folder} CACHE INTERNAL "Where the headers are")

@@ -1,295 +1,5 @@
-# The library: its sources, as objects for tests and as what is installed, an archive or with BUILD_SHARED_LIBS a shared
-# library. No program that links either needs the C++ run-time library.
-
-# In the order of the rooms.
-set(HSP_LIBRARY_SOURCES
-  lib/ground/core/elementary.cpp
-  lib/ground/core/executor.cpp
-  lib/ground/core/key_ranks.kernel.cpp
-  lib/ground/exact/exact_predicates.cpp
-  lib/balls/model/ball_set.cpp
-  lib/balls/model/block_sweep.cpp
-  lib/balls/model/cube_grid.cpp
-  lib/balls/model/cube_index.cpp
-  lib/balls/model/digit_sort.cpp
-  lib/balls/model/grid_order.cpp
-  lib/balls/model/halo.cpp
-  lib/balls/model/meeting.cpp
-  lib/balls/model/neighbour_lists.cpp
-  lib/balls/model/ordered_balls.cpp
-  lib/balls/model/packing_statistics.cpp
-  lib/balls/model/pair_block.kernel.cpp
-  lib/balls/model/queries.cpp
-  lib/balls/model/query_hits.cpp
-  lib/balls/model/query_hits.kernel.cpp
-  lib/balls/model/rounded_block.kernel.cpp
-  lib/balls/model/row_directory.cpp
-  lib/balls/model/ray_query.cpp
-  lib/balls/model/set_digest.cpp
-  lib/balls/model/vertical_ray.cpp
-  lib/motion/poses/near_pairs.kernel.cpp
-  lib/motion/poses/pose.cpp
-  lib/motion/poses/pose_queries.cpp
-  lib/motion/poses/rational_pose.cpp
-  lib/motion/poses/sphere_tree.cpp
-  lib/space/cells/arrangement.cpp
-  lib/space/cells/cell_location.cpp
-  lib/space/cells/cube_contacts.cpp
-  lib/space/cells/cube_cover.cpp
-  lib/space/cells/empty_runs.cpp
-  lib/space/cells/facet_overlay.cpp
-  lib/space/cells/facet_parts.cpp
-  lib/space/cells/free_space_builder.cpp
-  lib/space/cells/free_space_check.cpp
-  lib/space/cells/power_cell.cpp
-  lib/space/cells/power_cell.kernel.cpp
-  lib/space/cells/power_polytope.cpp
-  lib/space/cells/power_predicates.cpp
-  lib/space/cells/side_facets.cpp
-  lib/space/paths/cell_crossing.cpp
-  lib/space/paths/cell_search.cpp
-  lib/space/paths/free_segments.cpp
-  lib/space/paths/path_finder.cpp
-  lib/space/paths/widest_probe.cpp
-  lib/union/sphere/arc_geometry.cpp
-  lib/union/sphere/cap_clusters.cpp
-  lib/union/sphere/candidate_block.kernel.cpp
-  lib/union/sphere/caps.cpp
-  lib/union/sphere/cube_candidates.cpp
-  lib/union/sphere/few_caps.kernel.cpp
-  lib/union/sphere/exposed_caps.cpp
-  lib/union/sphere/float_caps.kernel.cpp
-  lib/union/sphere/great_circles.cpp
-  lib/union/sphere/lane_search.cpp
-  lib/union/sphere/near_balls.kernel.cpp
-  lib/union/sphere/outer_cell.cpp
-  lib/union/sphere/outer_cell.kernel.cpp
-  lib/union/sphere/pair_sweep.kernel.cpp
-  lib/union/sphere/root_discriminants.kernel.cpp
-  lib/union/sphere/vertex_finder.cpp
-  lib/union/boundary/boundary_builder.cpp
-  lib/union/boundary/boundary_check.cpp
-  lib/motion/moving/boundary_part.cpp
-  lib/union/boundary/boundary_worker.cpp
-  lib/union/boundary/components.cpp
-  lib/union/boundary/faces.cpp
-  lib/union/boundary/half_edge_links.cpp
-  lib/union/boundary/point_location.cpp
-  lib/union/boundary/shells.cpp
-  lib/union/measure/arc_batches.cpp
-  lib/union/measure/arc_sums.kernel.cpp
-  lib/union/measure/areas.cpp
-  lib/union/measure/boundary_metric_check.cpp
-  lib/union/measure/boundary_positions.cpp
-  lib/curvature/curvature/curvature.cpp
-  lib/curvature/curvature/edge_sums.kernel.cpp
-  lib/union/measure/gradients.cpp
-  lib/union/measure/tangency.cpp
-  lib/union/topology/regions.cpp
-  lib/union/topology/cut_arcs.cpp
-  lib/union/topology/positions.cpp
-  lib/union/topology/shell_volumes.cpp
-  lib/union/topology/simple_faces.cpp
-  lib/union/topology/subdivision.cpp
-  lib/union/topology/topology_builder.cpp
-  lib/union/topology/topology_check.cpp
-  lib/union/topology/traversal.cpp
-  lib/motion/moving/ball_cells.cpp
-  lib/motion/moving/ball_group.cpp
-  lib/motion/moving/component_update.cpp
-  lib/motion/moving/moving_balls.cpp
-  lib/union/contacts/chord_clipper.cpp
-  lib/union/contacts/chord_cuts.kernel.cpp
-  lib/union/contacts/chord_ends.cpp
-  lib/union/contacts/chord_ends.kernel.cpp
-  lib/union/contacts/chord_walk.cpp
-  lib/union/contacts/contact_measures.cpp
-  lib/union/contacts/contact_measures.kernel.cpp
-  lib/union/contacts/contacts_builder.cpp
-  lib/union/contacts/contacts_check.cpp
-  lib/boxes/periodic/periodic_box.cpp
-  lib/boxes/periodic/periodic_check.cpp
-  lib/boxes/periodic/periodic_images.cpp
-  lib/boxes/periodic/periodic_measures.cpp
-  lib/boxes/periodic/periodic_morphometry.cpp
-  lib/boxes/periodic/periodic_queries.cpp
-  lib/boxes/periodic/periodic_records.cpp
-  lib/boxes/periodic/periodic_union.cpp
-  lib/boxes/periodic/surface_volume.cpp
-  lib/boxes/periodic/windings.cpp
-  lib/space/pores/ascent.cpp
-  lib/space/pores/balls_around.cpp
-  lib/space/pores/class_tree.cpp
-  lib/space/pores/critical_points.cpp
-  lib/space/pores/cube_halves.kernel.cpp
-  lib/space/pores/gate_finder.cpp
-  lib/space/pores/leaf_points.cpp
-  lib/space/pores/plugs.cpp
-  lib/space/pores/pockets.cpp
-  lib/space/pores/point_records.cpp
-  lib/space/pores/pore_balls.cpp
-  lib/space/pores/pores_builder.cpp
-  lib/space/pores/region_finder.cpp
-  lib/space/pores/tangent_point.cpp
-  lib/space/pores/tied_balls.cpp
-  lib/space/pores/tunnel.cpp
-  lib/space/pores/way_up.cpp
-  lib/smooth/surface/arc_parts.cpp
-  lib/smooth/surface/coincident_patches.cpp
-  lib/smooth/surface/concave_patches.cpp
-  lib/smooth/surface/covered_gaps.cpp
-  lib/smooth/surface/crease_lengths.cpp
-  lib/smooth/surface/cusped_circles.cpp
-  lib/smooth/surface/cut_patches.cpp
-  lib/smooth/surface/degenerate_balls.cpp
-  lib/smooth/surface/flat_patches.cpp
-  lib/smooth/surface/near_probes.kernel.cpp
-  lib/smooth/surface/patch_corners.cpp
-  lib/smooth/surface/probe_caps.cpp
-  lib/smooth/surface/probe_grid.cpp
-  lib/smooth/surface/probe_positions.cpp
-  lib/smooth/surface/region_pieces.cpp
-  lib/smooth/surface/saddle.cpp
-  lib/smooth/surface/saddle_sums.kernel.cpp
-  lib/smooth/surface/settled_circles.cpp
-  lib/smooth/surface/surface_areas.cpp
-  lib/smooth/surface/surface_gradients.cpp
-  lib/smooth/surface/surface_builder.cpp
-  lib/smooth/surface/surface_check.cpp
-  lib/smooth/surface/surface_map.cpp
-  lib/smooth/surface/surface_patches.cpp
-  lib/smooth/surface/surface_positions.cpp
-  lib/smooth/surface/surface_shells.cpp
-  lib/smooth/surface/probe_triangles.kernel.cpp
-  lib/smooth/surface/weighted_joints.cpp
-  lib/smooth/mesh/boundary_curves.cpp
-  lib/smooth/mesh/boundary_outline.cpp
-  lib/smooth/mesh/concave_outline.cpp
-  lib/smooth/mesh/convex_outline.cpp
-  lib/smooth/mesh/flat_strips.cpp
-  lib/smooth/mesh/mesh_builder.cpp
-  lib/smooth/mesh/pinched_cells.cpp
-  lib/smooth/mesh/pinched_patch.cpp
-  lib/smooth/mesh/sphere_triangulation.cpp
-  lib/smooth/mesh/saddle_band.cpp
-  lib/smooth/mesh/saddle_grids.cpp
-  lib/smooth/mesh/spherical_patch.cpp
-  lib/smooth/mesh/surface_curves.cpp
-  lib/smooth/mesh/surface_outline.cpp
-  lib/smooth/mesh/surface_vertices.cpp
-  lib/sight/view/depth_buffer.cpp
-  lib/sight/view/depth_order.cpp
-  lib/sight/view/depth_rows.kernel.cpp
-  lib/sight/view/occlusion.cpp
-  lib/sight/view/piece_arcs.cpp
-  lib/sight/view/projected_arcs.cpp
-  lib/sight/view/view_builder.cpp
-  lib/sight/view/view_frame.cpp
-  lib/sight/view/view_rotation.cpp
-  lib/sight/view/visible_piece.cpp
-  lib/sight/maps/arc_finder.cpp
-  lib/sight/maps/disc_grid.cpp
-  lib/sight/maps/face_pole.cpp
-  lib/sight/maps/map_builder.cpp
-  lib/sight/maps/map_paths.cpp
-  lib/sight/maps/seen_balls.cpp
-  lib/sight/maps/stick_arcs.cpp
-  lib/sight/maps/stick_map_builder.cpp
-  lib/sight/maps/stick_outlines.cpp
-  lib/sight/maps/stick_scene.cpp
-  lib/sight/maps/strand_lines.cpp
-  lib/sight/maps/stick_sweep.cpp
-  lib/sight/maps/stick_view_builder.cpp
-  lib/sight/maps/trigonometric_roots.cpp
-  lib/sight/picture/byte_sink.cpp
-  lib/sight/picture/deflate.cpp
-  lib/sight/picture/eps_writer.cpp
-  lib/sight/picture/escaped_text.cpp
-  lib/sight/picture/ink.cpp
-  lib/sight/picture/number_text.cpp
-  lib/sight/picture/page.cpp
-  lib/sight/picture/painted_paths.cpp
-  lib/sight/picture/paint.cpp
-  lib/sight/picture/palettes.cpp
-  lib/sight/picture/pdf_writer.cpp
-  lib/sight/picture/picture.cpp
-  lib/sight/picture/prefix_code.cpp
-  lib/sight/picture/svg_path.cpp
-  lib/sight/picture/svg_writer.cpp
-  capi/shims/core/hsp_status.cpp
-  capi/shims/core/element_radii.cpp
-  capi/shims/core/element_symbols.cpp
-  capi/shims/core/hsp_element.cpp
-  capi/shims/residues/residue_radii.cpp
-  capi/shims/residues/hsp_residue.cpp
-  capi/shims/core/hsp_model.cpp
-  capi/shims/core/hsp_query.cpp
-  capi/shims/core/hsp_areas.cpp
-  capi/shims/motion/hsp_body.cpp
-  capi/shims/core/hsp_boundary.cpp
-  capi/shims/core/hsp_measure.cpp
-  capi/shims/core/hsp_gradient.cpp
-  capi/shims/curvature/hsp_curvature.cpp
-  capi/shims/core/hsp_contacts.cpp
-  capi/shims/boxes/hsp_periodic.cpp
-  capi/shims/boxes/hsp_periodic_boundary.cpp
-  capi/shims/boxes/hsp_periodic_curvature.cpp
-  capi/shims/boxes/hsp_periodic_queries.cpp
-  capi/shims/motion/hsp_moving.cpp
-  capi/shims/smooth/hsp_surface.cpp
-  capi/shims/smooth/hsp_surface_records.cpp
-  capi/shims/sight/hsp_map.cpp
-  capi/shims/sight/hsp_map_records.cpp
-  capi/shims/smooth/hsp_mesh.cpp
-  capi/shims/core/hsp_topology.cpp
-  capi/shims/core/hsp_topology_records.cpp
-  capi/shims/core/hsp_topology_regions.cpp
-  capi/shims/space/hsp_cells.cpp
-  capi/shims/space/hsp_paths.cpp
-  capi/shims/space/hsp_pores.cpp
-  capi/shims/space/hsp_pores_pockets.cpp
-  capi/shims/sight/hsp_view.cpp
-  capi/shims/sight/hsp_view_records.cpp
-  capi/shims/sight/hsp_picture.cpp
-  capi/shims/sight/hsp_sticks.cpp
-  capi/shims/sight/hsp_sticks_map.cpp)
-
-# The wings: which sources are theirs, the interface's among them, and whose headers those of lib/ find. The part of
-# the interface that no other pattern takes is union's.
-set(ground_pattern "lib/ground/")
-set(balls_pattern "lib/balls/|capi/shims/core/(element_(radii|symbols)|hsp_(status|element|model|query))\\.cpp|capi/shims/residues/|capi/shims/motion/hsp_body")
-set(union_pattern "lib/|capi/shims/")
-foreach(component ${HSP_ALL_COMPONENTS})
-  set(${component}_pattern "lib/${component}/|capi/shims/${component}/")
-endforeach()
-set(ground_roots ground)
-set(balls_roots ground balls motion)
-set(union_roots ground balls union curvature motion boxes)
-set(smooth_roots ground balls union smooth)
-set(space_roots ground balls union wide curvature boxes space)
-set(sight_roots ground balls union sight)
-# In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
-set(sources ${HSP_LIBRARY_SOURCES})
-set(wings "")
-set(folders "")
-foreach(wing ground balls smooth space sight union)
-  set(own ${sources})
-  list(FILTER own INCLUDE REGEX "^(${${wing}_pattern})")
-  list(FILTER sources EXCLUDE REGEX "^(${${wing}_pattern})")
-  if(NOT wing IN_LIST HSP_LEFT_OUT)
-    list(TRANSFORM own PREPEND ${PROJECT_SOURCE_DIR}/)
-    set(HSP_${wing}_SOURCES ${own} CACHE INTERNAL "The sources of the wing ${wing}")
-    list(TRANSFORM ${wing}_roots PREPEND ${PROJECT_SOURCE_DIR}/lib/ OUTPUT_VARIABLE roots)
-    set(HSP_${wing}_ROOTS ${roots} CACHE INTERNAL "Where its sources find headers")
-    list(APPEND wings ${wing})
-    list(APPEND folders ${PROJECT_SOURCE_DIR}/lib/${wing})
-    if(wing STREQUAL union)
-      list(APPEND folders ${PROJECT_SOURCE_DIR}/lib/curvature ${PROJECT_SOURCE_DIR}/lib/motion ${PROJECT_SOURCE_DIR}/lib/boxes ${PROJECT_SOURCE_DIR}/lib/wide)
-    endif()
-  endif()
-endforeach()
-set(HSP_WINGS ${wings} CACHE INTERNAL "The wings that are built")
-set(HSP_WING_FOLDERS ${folders} CACHE INTERNAL "The folders of their rooms")
+# The library: the sources of its parts (components.cmake), as objects for tests and as what is installed, an archive or
+# with BUILD_SHARED_LIBS a shared library. No program that links either needs the C++ run-time library.
 
 # Position-independent code as CMAKE_POSITION_INDEPENDENT_CODE says. Without it: so that shared libraries, Python modules
 # for instance, can contain the archive, but not for machines without an operating system.
@@ -307,6 +17,13 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND NOT CMAKE_CXX_FLAG
   set(HSP_OPTIMIZATION -O3)
 endif()
 set(HSP_OPTIMIZATION ${HSP_OPTIMIZATION} CACHE INTERNAL "Optimization of the library where there is no build type")
+# Where all would take -O3, some rooms and shims take less.
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+set(HSP_OPTIMIZED OFF)
+if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${HSP_OPTIMIZATION}" MATCHES "(^| )-O3( |$)")
+  set(HSP_OPTIMIZED ON)
+endif()
+set(HSP_OPTIMIZED ${HSP_OPTIMIZED} CACHE INTERNAL "Whether units may have a level of optimization of their own")
 
 # Kernels for AVX2 beside those of the target's baseline, chosen at run time (lib/ground/lanes/target.hpp). Small targets do
 # without.
@@ -363,101 +80,106 @@ set(HSP_SOURCES_OF_LANES
 list(TRANSFORM HSP_SOURCES_OF_LANES PREPEND ${PROJECT_SOURCE_DIR}/)
 set(HSP_SOURCES_OF_LANES ${HSP_SOURCES_OF_LANES} CACHE INTERNAL "Sources with lanes of registers alone")
 
+# hsp_add_to_unit(unit source target folders): for hsp_library_objects, a source to one of its units, or by itself.
+function(hsp_add_to_unit unit source target folders)
+  set(file ${source})
+  if(HSP_UNITY_BUILD OR NOT target STREQUAL "baseline")
+    set(file ${HSP_UNIT_FOLDER}/${unit}.cpp)
+    set(text "${HSP_TEXT_${unit}}")
+    if(NOT text AND NOT target STREQUAL "baseline")
+      set(text "#undef HSP_TARGET\n#define HSP_TARGET ${target}\n")
+    endif()
+    set(HSP_TEXT_${unit} "${text}#include \"${source}\"\n" PARENT_SCOPE)
+    set(HSP_UNITS ${HSP_UNITS} ${unit} PARENT_SCOPE)
+  endif()
+  set(HSP_FILES ${HSP_FILES} ${file} PARENT_SCOPE)
+  set(options "")
+  if(target STREQUAL "avx2")
+    set(options ${HSP_AVX2_OPTIONS})
+  elseif(HSP_OPTIMIZED)
+    list(FIND HSP_${part}_LEVELS ${room} at)
+    if(at GREATER_EQUAL 0)
+      math(EXPR at "${at} + 1")
+      list(GET HSP_${part}_LEVELS ${at} options)
+    endif()
+  endif()
+  set_source_files_properties(${file} PROPERTIES INCLUDE_DIRECTORIES "${folders}" COMPILE_OPTIONS "${options}")
+endfunction()
+
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.
 #
-# A source finds the headers of its wing and of those that the wing stands on. So the compiler holds the order of wings, and
+# A source finds the headers of its part and of those that the part stands on. So the compiler holds the order of parts, and
 # a test that of the rooms within one (tests/packaging/include_direction.sh). Sources of lib/ do not find the interface's.
-# Those of the interface to a component find union's as well, which are always there.
+# Those of the interface find the core's as well.
 #
 # Kernels, *.kernel.cpp, are compiled once more for each further target, in its namespace (lib/ground/lanes/target.hpp).
 # HSP_SOURCES_OF_LANES are there where registers of the baseline hold several numbers.
 #
-# With HSP_UNITY_BUILD a room is one unit and the interface to a wing another: most of the time that a source takes alone
-# goes into its headers. The interface to balls is compiled file by file, and the kernels of a further target as two units,
-# those of ground and balls and the rest, which finds all headers: so a program that only asks which balls are hit links
-# little else, whatever its linker. Those of the baseline are in the units of their rooms.
+# With HSP_UNITY_BUILD a room is one unit, the interface to a part another, and the kernels for a further target three more,
+# those of ground and balls, of union, of components: most of the time that a source takes alone goes into its headers.
+# Those of the baseline are in the units of their rooms.
 function(hsp_library_objects name)
-  set(targets baseline)
   set(wide OFF)
   if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2 AND NOT "HSP_AVX2=0" IN_LIST ARGN)
-    list(APPEND targets avx2)
     set(wide ON)
   endif()
   set(lanes OFF)
   if(HSP_WIDE_CODE AND HSP_BASELINE_HAS_LANES AND NOT "HSP_LANES=0" IN_LIST ARGN)
     set(lanes ON)
   endif()
-  set(files "")
-  set(units "")
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/Unity)
-  foreach(wing ${HSP_WINGS})
-    foreach(source ${HSP_${wing}_SOURCES})
+  set(HSP_FILES "")
+  set(HSP_UNITS "")
+  set(HSP_UNIT_FOLDER ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/Unity)
+  foreach(part ${HSP_PARTS})
+    list(TRANSFORM HSP_${part}_PARTS PREPEND ${hardsphere_SOURCE_DIR}/lib/ OUTPUT_VARIABLE own_roots)
+    foreach(source ${HSP_${part}_SOURCES})
+      set(roots ${own_roots})
       if(source IN_LIST HSP_SOURCES_OF_LANES AND NOT lanes)
         continue()
       endif()
       string(REGEX MATCH "([a-z]+)/([a-z_0-9]+)(\\.kernel)?\\.cpp$" file ${source})
       set(room ${CMAKE_MATCH_1})
-      set(file ${CMAKE_MATCH_2})
-      if(source MATCHES "capi/shims/")
-        set(room shims)
+      hsp_add_to_unit(${room} ${source} baseline "${roots}")
+      if(wide AND CMAKE_MATCH_3)
+        set(unit union_avx2)
+        if(NOT HSP_UNITY_BUILD)
+          set(unit ${room}_${CMAKE_MATCH_2}_avx2)
+        elseif(part MATCHES "^(ground|balls)$")
+          set(unit balls_avx2)
+        elseif(NOT part STREQUAL "union")
+          set(unit components_avx2)
+          set(roots ${HSP_PART_FOLDERS})
+        endif()
+        hsp_add_to_unit(${unit} ${source} avx2 "${roots}")
       endif()
-      foreach(target ${targets})
-        set(roots ${HSP_${wing}_ROOTS})
-        set(unit ${room})
-        if(NOT target STREQUAL "baseline")
-          if(NOT source MATCHES "\\.kernel\\.cpp$")
-            continue()
-          endif()
-          set(unit balls_${target})
-          if(NOT wing MATCHES "ground|balls")
-            set(unit all_${target})
-            set(roots ${HSP_WING_FOLDERS})
-          endif()
-        elseif(room STREQUAL "shims")
-          list(APPEND roots ${HSP_INCLUDE_FOLDER})
-          foreach(folder core residues curvature motion boxes smooth space sight)
-            list(APPEND roots ${hardsphere_SOURCE_DIR}/capi/shims/${folder})
-          endforeach()
-          set(unit ${file})
-          if(NOT wing STREQUAL "balls")
-            set(unit ${wing}_shims)
-            list(APPEND roots ${HSP_union_ROOTS})
-          endif()
-        endif()
-        if(NOT HSP_UNITY_BUILD AND target STREQUAL "baseline")
-          set(unit ${source})
-        else()
-          if(NOT HSP_UNITY_BUILD)
-            set(unit ${room}_${file}_${target})
-          endif()
-          list(APPEND units ${unit})
-          if(NOT DEFINED text_${unit} AND NOT target STREQUAL "baseline")
-            set(text_${unit} "#undef HSP_TARGET\n#define HSP_TARGET ${target}\n")
-          endif()
-          string(APPEND text_${unit} "#include \"${source}\"\n")
-          set(unit ${folder}/${unit}.cpp)
-        endif()
-        list(APPEND files ${unit})
-        set_source_files_properties(${unit} PROPERTIES INCLUDE_DIRECTORIES "${roots}")
-        if(target STREQUAL "avx2")
-          set_source_files_properties(${unit} PROPERTIES COMPILE_OPTIONS "${HSP_AVX2_OPTIONS}")
-        endif()
-      endforeach()
+    endforeach()
+    set(roots ${own_roots})
+    list(APPEND roots ${hardsphere_SOURCE_DIR}/lib/balls ${hardsphere_SOURCE_DIR}/lib/union ${hardsphere_SOURCE_DIR}/include)
+    foreach(shims core ${HSP_${part}_PARTS})
+      list(APPEND roots ${hardsphere_SOURCE_DIR}/capi/shims/${shims})
+    endforeach()
+    set(room shims)
+    foreach(source ${HSP_${part}_SHIMS} ${HSP_${part}_SHIMS_APART})
+      set(unit ${part}_shims)
+      if(source IN_LIST HSP_${part}_SHIMS_APART)
+        get_filename_component(unit ${source} NAME_WE)
+      endif()
+      hsp_add_to_unit(${unit} ${source} baseline "${roots}")
     endforeach()
   endforeach()
-  list(REMOVE_DUPLICATES files)
-  list(REMOVE_DUPLICATES units)
-  foreach(unit ${units})
-    file(CONFIGURE OUTPUT ${folder}/${unit}.cpp CONTENT "${text_${unit}}" @ONLY)
+  list(REMOVE_DUPLICATES HSP_FILES)
+  list(REMOVE_DUPLICATES HSP_UNITS)
+  foreach(unit ${HSP_UNITS})
+    file(CONFIGURE OUTPUT ${HSP_UNIT_FOLDER}/${unit}.cpp CONTENT "${HSP_TEXT_${unit}}" @ONLY)
   endforeach()
-  add_library(${name} OBJECT ${files})
+  add_library(${name} OBJECT ${HSP_FILES})
   target_compile_features(${name} PUBLIC cxx_std_20)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ${HSP_POSITION_INDEPENDENT}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  target_include_directories(${name} INTERFACE ${HSP_INCLUDE_FOLDER} ${HSP_WING_FOLDERS})
-  target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1>
-    $<$<BOOL:${wide}>:HSP_AVX2=1> $<$<BOOL:${lanes}>:HSP_LANES=1> ${ARGN} PRIVATE HSP_TARGET=baseline)
+  target_include_directories(${name} INTERFACE ${hardsphere_SOURCE_DIR}/include ${HSP_PART_FOLDERS})
+  target_compile_definitions(${name} PUBLIC ${HSP_COMPONENT_DEFINITIONS}
+    $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> $<$<BOOL:${wide}>:HSP_AVX2=1> $<$<BOOL:${lanes}>:HSP_LANES=1> ${ARGN} PRIVATE HSP_TARGET=baseline)
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
   # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. A section for each function and
   # table, so that the linker can leave out what a program does not call. -fno-gnu-unique: constants of headers are weak
@@ -545,7 +267,8 @@ else()
   set_target_properties(hardsphere PROPERTIES LINKER_LANGUAGE C)
 endif()
 target_include_directories(hardsphere PUBLIC
-  $<BUILD_INTERFACE:${HSP_INCLUDE_FOLDER}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_compile_definitions(hardsphere PUBLIC "$<BUILD_INTERFACE:${HSP_COMPONENT_DEFINITIONS}>")
 # Systems that have no libm of its own find sqrt in their C library.
 if(UNIX AND NOT APPLE)
   target_link_libraries(hardsphere PUBLIC m)

@@ -9,12 +9,21 @@ function(hsp_name_test result file)
   set(${result} ${name} PARENT_SCOPE)
 endfunction()
 
+# hsp_label_test(name file): what the core needs has the label `core`: all but what lies in a folder of a component.
+function(hsp_label_test name file)
+  hsp_lies_in(beyond ${file} ${HSP_FOLDERS_BEYOND_CORE})
+  if(NOT beyond)
+    set_property(TEST ${name} APPEND PROPERTY LABELS core)
+  endif()
+endfunction()
+
 # Tests that take longer than a few seconds: those of the names that this build has. They start first, so that no core
 # waits for another at the end.
 function(hsp_slow_tests)
   foreach(name ${ARGN})
     if(TEST ${name})
-      set_tests_properties(${name} PROPERTIES LABELS slow COST 1000)
+      set_property(TEST ${name} APPEND PROPERTY LABELS slow)
+      set_tests_properties(${name} PROPERTIES COST 1000)
     endif()
   endforeach()
 endfunction()

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hardsphere.h"
-#include "owned_handle.hpp"
+#include "owned_boxes.hpp"
 #include "paper_molecules.hpp"
 
 namespace bench {

@@ -3,6 +3,8 @@
 
   generate.py           writes
   generate.py --check   compares; fails if a file is not what would be written
+  generate.py --fortran FOLDER PART...
+                        writes the Fortran modules of a library that has these parts alone (lib/components.cmake)
 
 Both fail on any open question: on what the comments leave open. Exit status 77: there is no python3-pycparser."""
 import difflib
@@ -18,6 +20,7 @@ except ModuleNotFoundError as missing:
     print("skipped: there is no python3-pycparser here")
     sys.exit(77)
 
+from read.components import restricted
 from write.abi import abi_constants, abi_functions, abi_since, abi_structs
 from write.cdef import cdef
 from write.exactness import exactness_page
@@ -54,8 +57,20 @@ GENERATED = {
 }
 
 
+FORTRAN = ("capi/fortran/hardsphere.f90", "capi/fortran/hardsphere_workspace.f90")
+
+
+def write_fortran(interface, folder, parts):
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    for name in FORTRAN:
+        (Path(folder) / Path(name).name).write_text(GENERATED[name](restricted(interface, parts)))
+    return 0
+
+
 def main(options):
     interface = read_interface(ROOT / "include")
+    if options[:1] == ["--fortran"]:
+        return write_fortran(interface, options[1], options[2:])
     questions = interface.open_questions()
     for question in questions:
         print(f"open: {question}")

@@ -2,13 +2,31 @@
 # library), hardsphere_development (archive, headers, CMake package, pkg-config file, Fortran module) and
 # hardsphere_documentation. With a shared library hardsphere_python too: the module, from where it finds that library.
 
-install(DIRECTORY ${HSP_INCLUDE_FOLDER}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+# The headers of what was built, of which components.h says what that is.
+set(HSP_LEFT_OUT_HEADERS components)
+foreach(component ${HSP_LEFT_OUT})
+  list(APPEND HSP_LEFT_OUT_HEADERS ${HSP_${component}_HEADERS})
+endforeach()
+list(JOIN HSP_LEFT_OUT_HEADERS "|" HSP_LEFT_OUT_HEADERS)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp"
+  REGEX "/hardsphere/(${HSP_LEFT_OUT_HEADERS})\\.h$" EXCLUDE)
+file(READ ${PROJECT_SOURCE_DIR}/include/hardsphere/components.h text)
+foreach(component ${HSP_LEFT_OUT})
+  string(TOUPPER HSP_HAS_${component} macro)
+  string(REPLACE "${macro} 1" "${macro} 0" text "${text}")
+endforeach()
+file(CONFIGURE OUTPUT components.h CONTENT "${text}" @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/components.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
+  COMPONENT hardsphere_development)
 
+# Without what users cannot ask for.
+set(HSP_PACKED_COMPONENTS ${HSP_ALL_COMPONENTS})
+list(REMOVE_ITEM HSP_PACKED_COMPONENTS ${HSP_LEFT_OUT} wide)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere-config.cmake.in hardsphere-config.cmake
   INSTALL_DESTINATION ${HSP_PACKAGE_FOLDER})
 write_basic_package_version_file(hardsphere-config-version.cmake COMPATIBILITY SameMinorVersion)
-list(JOIN HSP_COMPONENTS " " HSP_PC_COMPONENTS)
+list(JOIN HSP_PACKED_COMPONENTS " " HSP_PC_COMPONENTS)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere.pc.in hardsphere.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config-version.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
@@ -18,9 +36,10 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.pc DESTINATION ${CMAKE_INST
 
 # The Fortran modules' source is part of every package: what is compiled of it (see fortran/CMakeLists.txt) serves one
 # compiler only.
-install(FILES ${HSP_FORTRAN_FOLDER}/hardsphere.f90 ${HSP_FORTRAN_FOLDER}/hardsphere_workspace.f90
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
-  COMPONENT hardsphere_development)
+if(EXISTS ${HSP_FORTRAN_FOLDER}/hardsphere.f90)
+  install(FILES ${HSP_FORTRAN_FOLDER}/hardsphere.f90 ${HSP_FORTRAN_FOLDER}/hardsphere_workspace.f90
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere COMPONENT hardsphere_development)
+endif()
 # Declarations without a preprocessor, for cffi and others.
 install(FILES ${PROJECT_SOURCE_DIR}/capi/interface/hardsphere.cdef ${PROJECT_SOURCE_DIR}/capi/bindings/hardsphere.rs
   ${PROJECT_SOURCE_DIR}/capi/bindings/hardsphere.jl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere

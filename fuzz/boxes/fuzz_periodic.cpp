@@ -12,6 +12,7 @@
 
 #include "box_records.hpp"
 #include "crystal_input.hpp"
+#include "owned_boxes.hpp"
 #include "required_limits.hpp"
 
 namespace {

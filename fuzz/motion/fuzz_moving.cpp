@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "computed_set.hpp"
+#include "owned_motion.hpp"
 #include "required_limits.hpp"
 #include "topology_input.hpp"
 

@@ -10,6 +10,7 @@
 
 #include "ball_list.hpp"
 #include "crystal_input.hpp"
+#include "owned_boxes.hpp"
 #include "owned_spaces.hpp"
 #include "required_limits.hpp"
 

@@ -181,6 +181,7 @@ static void reading(void) {
   CHECK_EQUAL(counts.regular[2], 4);
 }
 
+#if HSP_HAS_CURVATURE
 static void curvature(void) {
   hsp_curvatures totals;
   hsp_morphometry_request factors = {.struct_size = sizeof factors, .bending = 1};
@@ -254,6 +255,7 @@ static void curvature(void) {
   CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, SIZED(hsp_morphometry_outputs, .energy = &energy)),
               HSP_E_STATE);
 }
+#endif
 
 static void no_balls(void) {
   hsp_complex counts;
@@ -274,7 +276,9 @@ int main(void) {
   computing();
   small_limits();
   reading();
+#if HSP_HAS_CURVATURE
   curvature();
+#endif
   no_balls();
   return check_report();
 }

@@ -133,6 +133,7 @@ static void points(void) {
   }
 }
 
+#if HSP_HAS_BOXES
 /* Of a box its vectors count, too. */
 static void points_in_a_box(void) {
   static unsigned char box_memory[1 << 20];
@@ -144,6 +145,7 @@ static void points_in_a_box(void) {
   CHECK_EQUAL(hsp_periodic_init(box_memory, sizeof box_memory, &limits, &periodic), HSP_OK);
   CHECK_EQUAL(hsp_periodic_compute(periodic, 2, xyz, zero, NULL, box, NULL, NULL), HSP_OK);
 }
+#endif
 
 /* The report on roundings against the roundings. */
 static void roundings(void) {
@@ -222,6 +224,7 @@ static void largest_radius_given_back(void) {
   }
 }
 
+#if HSP_HAS_MOTION
 /* A model that balls that move have written describes itself as one that is set. */
 static void written_by_moving(void) {
   static unsigned char moving_memory[HSP_MOVING_BYTES(MOST, MOST)], other_memory[HSP_MODEL_BYTES(MOST)];
@@ -243,15 +246,20 @@ static void written_by_moving(void) {
   CHECK_BYTES(&info, &expected, sizeof info);
   CHECK_EQUAL(hsp_query_pairs(other, 0, (uint32_t[4]){0}, (uint32_t[9]){0}, 9, NULL), HSP_OK);
 }
+#endif
 
 int main(void) {
   CHECK_EQUAL(hsp_model_init(memory, sizeof memory, MOST, &model), HSP_OK);
   units();
   small_beside_large();
   points();
+#if HSP_HAS_BOXES
   points_in_a_box();
+#endif
   roundings();
   largest_radius_given_back();
+#if HSP_HAS_MOTION
   written_by_moving();
+#endif
   return check_report();
 }

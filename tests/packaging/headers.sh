@@ -20,7 +20,7 @@ for header in "$include"/hardsphere.h "$include"/hardsphere_workspace.h "$includ
     complain "$name is no C99 on its own"
   "$cxx" -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror -I "$include" -x c++ -fsyntax-only - <<<"$text" ||
     complain "$name is no C++20 on its own"
-  case $name in hardsphere/export.h | hardsphere_workspace.h | hardsphere.h) continue ;; esac
+  case $name in hardsphere/export.h | hardsphere/components.h | hardsphere_workspace.h | hardsphere.h) continue ;; esac
   grep -qF "#include \"$name\"" "$include/hardsphere.h" || complain "hardsphere.h does not include $name"
   grep -qF " *   $name " "$include/hardsphere.h" || complain "hardsphere.h does not say what $name is"
 done

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ball_list.hpp"
-#include "owned_handle.hpp"
+#include "owned_boxes.hpp"
 
 namespace support {
 

@@ -1,4 +1,4 @@
-// Handles of the C interface that own their memory: models, and those of union. Those with limits take more memory
+// Handles of the C interface that own their memory: models, and those of the core. Those with limits take more memory
 // until their computation succeeds. The kinds of each component have a file of their own.
 #pragma once
 
@@ -60,19 +60,6 @@ struct ContactsKind : KindOf<hsp_contacts, hsp_contacts_limits, 3, hsp_contacts_
     return HSP_CONTACTS_BYTES(most.balls, most.neighbours, most.contacts, most.triangles, most.tetrahedra);
   }
 };
-struct PeriodicKind : KindOf<hsp_periodic, hsp_periodic_limits, 5, hsp_periodic_bytes, hsp_periodic_init> {
-  static constexpr const char *name = "hsp_periodic";
-  static constexpr std::array limits = {&Limits::balls,    &Limits::images,  &Limits::neighbours,
-                                        &Limits::vertices, &Limits::circles, &Limits::contacts};
-  static size_t most_bytes(const Limits &most) {
-    return HSP_PERIODIC_BYTES(most.balls, most.images, most.neighbours, most.vertices, most.circles, most.contacts);
-  }
-};
-struct MovingKind : KindOf<hsp_moving, hsp_moving_limits, 2, hsp_moving_bytes, hsp_moving_init> {
-  static constexpr const char *name = "hsp_moving";
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours};
-  static size_t most_bytes(const Limits &most) { return HSP_MOVING_BYTES(most.balls, most.neighbours); }
-};
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.
 template <class Kind>
@@ -126,7 +113,6 @@ class OwnedHandle {
 using OwnedBoundary = OwnedHandle<BoundaryKind>;
 using OwnedTopology = OwnedHandle<TopologyKind>;
 using OwnedContacts = OwnedHandle<ContactsKind>;
-using OwnedPeriodic = OwnedHandle<PeriodicKind>;
 
 hsp_boundary_limits default_boundary_limits(uint32_t balls);
 hsp_topology_limits topology_limits_for(const hsp_boundary *boundary);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "handles.hpp"
-#include "owned_handle.hpp"
+#include "owned_motion.hpp"
 
 namespace bench {
 

@@ -34,7 +34,7 @@ def fortran_module(interface):
     }
     texts = [f"  character(*), parameter :: {name} = '{text}'" for name, text in interface.texts.items()]
     parts["constants"][2:2] = texts  # all of them are in version.h, the first header
-    return filled(TEMPLATE, r" *! <(\w+)>", parts.get)
+    return filled(TEMPLATE, r" *! <(\w+)>", parts.get, interface.headers)
 
 
 def sections(interface, indent, items, rows_of, apart=False):

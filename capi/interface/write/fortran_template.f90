@@ -8,8 +8,8 @@
 ! THE FORTRAN ARRAY ELEMENT OF ID i IS THEREFORE i + 1; hsp_index(i) COMPUTES THAT.
 !
 ! The purpose, statuses and costs of each function are documented in hardsphere.h; nothing of that changes here.
-! A row such as `---- model.h` begins what include/hardsphere/model.h declares, and the next row with `----` ends it, so
-! that headers can be left out.
+! A row such as `---- model.h` begins what include/hardsphere/model.h declares, the next row with `----` ends it. For a
+! library without some of its components a module is generated without their headers.
 ! How C maps to Fortran:
 !   double xyz[n][3]             real(c_double) :: xyz(3, n)
 !   uint32_t onext[edges][4]     integer(c_int32_t) :: onext(0:3, 0:edges - 1), and indices are ids

@@ -2,7 +2,9 @@
 module of workspaces, too."""
 from pathlib import Path
 
-from .template import filled
+from read.components import component_of_headers
+
+from .template import filled, guarded
 
 TEMPLATE = Path(__file__).with_name("workspace_template.h")
 # The handles behind the model, in the order in which they stand in a workspace.
@@ -15,6 +17,10 @@ MADE_BY = {"model": "set", "paths": "path"}
 COMPUTED_FROM = {"periodic": ("pores",)}
 
 
+def handles_of(interface):
+    return [noun for noun in HANDLES if f"hsp_{noun}" in interface.handles]
+
+
 def header_of(interface, noun):
     return interface.handles[f"hsp_{noun}"]
 
@@ -23,12 +29,13 @@ def dependents(interface, source):
     """The handles whose results end with those of another, and the function that computes each: all that come from a
     model end with it."""
     found = []
-    for noun in HANDLES:
+    for noun in handles_of(interface):
         compute = interface.function(f"hsp_{noun}_compute")
         sources = [a.base for a in compute.arguments[1:] if a.kind == "handle" and a.null == "never"] if compute else []
         if sources and source == "model" or f"hsp_{source}" in sources:
             found.append((noun, compute))
-    return found + [(noun, interface.function(f"hsp_{noun}_compute_{source}")) for noun in COMPUTED_FROM.get(source, ())]
+    return found + [(noun, interface.function(f"hsp_{noun}_compute_{source}")) for noun in COMPUTED_FROM.get(source, ())
+                    if f"hsp_{noun}" in interface.handles]
 
 
 def first_limits_from(interface, noun):
@@ -53,7 +60,7 @@ def workspace_header(interface):
             return compute_rows(interface.function(f"hsp_{noun}_compute{join}{how}"), noun, join + how)
         return {"fields": field_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
-    return filled(TEMPLATE, r" */\* <(.*)> \*/", part)
+    return "\n".join(guarded(filled(TEMPLATE, r" */\* <(.*)> \*/", part).split("\n"), component_of_headers()))
 
 
 def field_rows(interface):
@@ -74,7 +81,7 @@ def drop_rows(interface):
         if dependents(interface, source):
             rows += [f"/* ---- {header_of(interface, source)} */",
                      f"static inline void hsp_workspace_drop_of_{source}(hsp_workspace *work) {{",
-                     "  (void)work; /* where an installed copy leaves out all of it */"]
+                     "  (void)work;"]
             calls = []
             for noun, compute in dependents(interface, source):
                 nothing = ", ".join("NULL" if a.stars else "0" for a in compute.arguments[1:])

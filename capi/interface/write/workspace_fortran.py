@@ -3,7 +3,7 @@ from pathlib import Path
 
 from .fortran import declaration, wrapped
 from .template import filled
-from .workspace import HANDLES, dependents, first_limits_from, header_of, passed_on
+from .workspace import dependents, first_limits_from, handles_of, header_of, passed_on
 
 TEMPLATE = Path(__file__).with_name("workspace_template.f90")
 SELF = "    class(hsp_workspace), intent(inout), target :: self"
@@ -20,33 +20,33 @@ def workspace_module(interface):
             return compute_rows(compute, noun, f"compute_{noun}" if alone else f"compute_{noun}{join}{how}")
         return {"fields": field_rows, "private": private_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
-    return filled(TEMPLATE, r" *! <(.*)>", part)
+    return filled(TEMPLATE, r" *! <(.*)>", part, interface.headers)
 
 
 def field_rows(interface):
     def remark(noun):
         return f" ! hardsphere/{header_of(interface, noun)}"
 
-    return [*(f"    type(c_ptr) :: {noun} = c_null_ptr{remark(noun)}" for noun in ("model", *HANDLES)),
+    return [*(f"    type(c_ptr) :: {noun} = c_null_ptr{remark(noun)}" for noun in ("model", *handles_of(interface))),
             "    integer(c_int32_t), private :: most_balls = 0",
-            f"    type(memory_block), private :: memory({1 + len(HANDLES)})",
-            *(f"    type(hsp_{noun}_limits), private :: {noun}_limits{remark(noun)}" for noun in HANDLES)]
+            f"    type(memory_block), private :: memory({1 + len(handles_of(interface))})",
+            *(f"    type(hsp_{noun}_limits), private :: {noun}_limits{remark(noun)}" for noun in handles_of(interface))]
 
 
 def private_rows(interface):
     names = [row.split("(")[0].split()[-1] for row in [*drop_rows(interface), *make_rows(interface)]
              if row.startswith(("  function", "  subroutine"))]
-    return [f"  private :: {', '.join(own)} ! hardsphere/{header_of(interface, noun)}" for noun in ("model", *HANDLES)
+    return [f"  private :: {', '.join(own)} ! hardsphere/{header_of(interface, noun)}" for noun in ("model", *handles_of(interface))
             if (own := [name for name in names if name.endswith(f"_{noun}")])]
 
 
 def drop_rows(interface):
     rows = []
-    for source in ("model", *HANDLES):
+    for source in ("model", *handles_of(interface)):
         if dependents(interface, source):
             rows += [f"  ! ---- {header_of(interface, source)}", f"  subroutine drop_of_{source}(self)", SELF,
                      "    integer(c_int32_t) :: ignored",
-                     "    ! Where an installed copy leaves out all others, this line keeps both names in use.",
+                     "    ! Where a build leaves out all others, this line keeps both names in use.",
                      "    if (.not. c_associated(self%model)) ignored = HSP_OK"]
             for noun, compute in dependents(interface, source):
                 nothing = ", ".join(nothing_for(a) for a in compute.arguments[1:]
@@ -70,7 +70,7 @@ def nothing_for(argument):
 
 def make_rows(interface):
     rows = []
-    for place, noun in enumerate(HANDLES, 2):
+    for place, noun in enumerate(handles_of(interface), 2):
         memory = f"self%memory({place})"
         rows += [f"  ! ---- {header_of(interface, noun)}", f"  function make_{noun}(self) result(status)", SELF, STATUS, "    integer(c_size_t) :: bytes",
                  f"    self%{noun} = c_null_ptr",

@@ -13,8 +13,8 @@
 ! take them from the workspace after each call. Declare it with TARGET, and do not assign it to another: the handles of
 ! a copy are those of the original. Memory is given back when the workspace goes out of scope.
 !
-! A row such as `---- model.h` begins what is for that header, to the next one. Where a component was left out of the
-! library, what is for its headers is left out, too.
+! A row such as `---- model.h` begins what is for that header, to the next one. For a library without some of its
+! components a module is generated without their headers.
 !
 ! STATUS: that of the function of the module hardsphere that fails, and HSP_E_MEMORY where an allocation fails.
 module hardsphere_workspace
@@ -48,13 +48,12 @@ module hardsphere_workspace
     procedure :: find_tunnel_periodic ! hardsphere/pores.h
     procedure :: find_cheapest_tunnel ! hardsphere/pores.h
     procedure :: find_cheapest_tunnel_periodic ! hardsphere/pores.h
-    procedure :: set_moving
-    procedure :: compute_periodic
-    procedure :: compute_periodic_with
+    procedure :: set_moving ! hardsphere/moving.h
+    procedure :: compute_periodic ! hardsphere/periodic.h
+    procedure :: compute_periodic_with ! hardsphere/periodic.h
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_contacts, set_moving, compute_periodic, &
-             compute_periodic_with, allocated_to
+  private :: set_balls, compute_boundary, compute_topology, compute_contacts, allocated_to
   private :: compute_view ! hardsphere/view.h
   private :: compute_surface ! hardsphere/surface.h
   private :: compute_mesh, raise_mesh_limits ! hardsphere/mesh.h
@@ -63,6 +62,8 @@ module hardsphere_workspace
   private :: find_path, compute_gate ! hardsphere/paths.h
   private :: compute_pores, compute_pores_periodic, find_tunnel, find_tunnel_periodic ! hardsphere/pores.h
   private :: find_cheapest_tunnel, find_cheapest_tunnel_periodic, find_some_tunnel ! hardsphere/pores.h
+  private :: set_moving ! hardsphere/moving.h
+  private :: compute_periodic, compute_periodic_with ! hardsphere/periodic.h
   ! <private>
 
 contains
@@ -352,6 +353,8 @@ contains
       status = grow_moving(self, limits)
     end do
   end function
+
+  ! ---- periodic.h
 
   ! Computes the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
   ! used.

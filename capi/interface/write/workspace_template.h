@@ -17,8 +17,7 @@
  * call, as they move when they grow. A workspace may be copied; use only one of the copies. Distinct workspaces may be
  * used by distinct threads.
  *
- * A row such as `---- model.h` begins what is for that header, to the next one. Where a component was left out of the
- * library, what is for its headers is left out, too.
+ * Of the library's components those are served that it has (hardsphere/components.h).
  *
  * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. A call that fails leaves
  * the workspace such that every function may be called again; what it was to compute holds no results.
@@ -233,6 +232,8 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
   }
   return status;
 }
+
+/* ---- periodic.h */
 
 /** Compute the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
  *  used. */

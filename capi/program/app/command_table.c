@@ -3,17 +3,17 @@
 #include <string.h>
 
 /* Commands that need a component of the library, and nothing if the build leaves that out. */
-#ifdef HSP_WITHOUT_SMOOTH
+#if !HSP_HAS_SMOOTH
 #define SMOOTH(function) NULL
 #else
 #define SMOOTH(function) function
 #endif
-#ifdef HSP_WITHOUT_SPACE
+#if !HSP_HAS_SPACE
 #define SPACE(function) NULL
 #else
 #define SPACE(function) function
 #endif
-#ifdef HSP_WITHOUT_SIGHT
+#if !HSP_HAS_SIGHT
 #define SIGHT(function) NULL
 #else
 #define SIGHT(function) function
@@ -381,13 +381,13 @@ bool command_find(const char *name, enum command *command) {
 }
 
 bool component_is_built(const char *component) {
-#ifdef HSP_WITHOUT_SMOOTH
+#if !HSP_HAS_SMOOTH
   if (strcmp(component, "smooth") == 0) return false;
 #endif
-#ifdef HSP_WITHOUT_SPACE
+#if !HSP_HAS_SPACE
   if (strcmp(component, "space") == 0) return false;
 #endif
-#ifdef HSP_WITHOUT_SIGHT
+#if !HSP_HAS_SIGHT
   if (strcmp(component, "sight") == 0) return false;
 #endif
   return component[0] != '\0';

@@ -6,7 +6,7 @@
 #include "commands/input_report.h"
 #include "write/mesh_file.h"
 #include "write/output_file.h"
-#ifndef HSP_WITHOUT_SIGHT
+#if HSP_HAS_SIGHT
 #include "commands/mesh_pockets.h"
 #include "draw/mesh_facing.h"
 #include "draw/mesh_picture.h"
@@ -60,7 +60,7 @@ static bool check_second_file(const struct request *request, struct failure *fai
   return !request_reads(request, faces) || failure_in_usage(failure, "-o would write over the file that is read");
 }
 
-#ifndef HSP_WITHOUT_SIGHT
+#if HSP_HAS_SIGHT
 /* Voids are small, and shown whole: of shorter triangles than what is cut. */
 static const double edge_of_voids = 0.6;
 
@@ -80,7 +80,7 @@ static bool add_finer_voids(const struct request *request, const struct molecule
 
 static bool find_pockets(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                          struct triangle_mesh *mesh, struct mesh_pockets *pockets, struct failure *failure) {
-#ifdef HSP_WITHOUT_SPACE
+#if !HSP_HAS_SPACE
   (void)request;
   (void)molecule;
   (void)geometry;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "four_handles.h"
+#include "topology_result.h"
 #include "untouched.h"
 
 enum { CAGE = 26, CUBES = 64, ENTRIES = 512, CELLS = 800, PAIRS = 4000, MARKS = 1000, FACETS = 2000, CORNERS = 9000 };
@@ -174,20 +174,24 @@ static void cage(void) {
 
 /* With a topology, which must be one of the same model, and have results. */
 static void checking(void) {
-  const four_handles h = four_handles_make(BALLS);
-  four_handles_compute(&h);
+  static const double xyz[12] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0, 9, 0, 0}, radius[4] = {1.5, 1.5, 1.25, 1};
+  computed base;
+  topology_result result;
+  CHECK_EQUAL(computed_make(4, xyz, radius, NULL, &base), HSP_OK);
+  CHECK_EQUAL(topology_result_make(&base, &result), HSP_OK);
   set_one();
   check_has_results();
   FILL(invariant);
-  CHECK_EQUAL(hsp_cells_check(cells, h.topology, &invariant, &violated_at), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_cells_compute(cells, h.model, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_topology_compute(h.topology, NULL, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_cells_check(cells, h.topology, &invariant, &violated_at), HSP_E_STATE);
+  CHECK_EQUAL(hsp_cells_check(cells, result.topology, &invariant, &violated_at), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_compute(cells, base.model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(result.topology, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_check(cells, result.topology, &invariant, &violated_at), HSP_E_STATE);
   CHECK_UNTOUCHED(invariant);
-  four_handles_compute(&h);
-  CHECK_EQUAL(hsp_cells_compute(cells, h.model, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_cells_check(cells, h.topology, &invariant, &violated_at), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(result.topology, base.boundary, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_cells_check(cells, result.topology, &invariant, &violated_at), HSP_OK);
   CHECK(invariant == 0 && violated_at == HSP_NONE);
+  topology_result_release(&result);
+  computed_release(&base);
 }
 
 /* Three unit spheres that share two points, and one apart. Words one too few are refused. */
