@@ -101,9 +101,11 @@ chmod +x "$tree/debian/rules"
 echo 'usr/lib/*/libhardsphere.so.*' >"$tree/debian/libhardsphere$abi.install"
 printf '%s\n' usr/include 'usr/lib/*/libhardsphere.a' 'usr/lib/*/libhardsphere.so' 'usr/lib/*/cmake' 'usr/lib/*/pkgconfig' \
   usr/share/doc/libhardsphere-dev/README.md usr/share/doc/libhardsphere-dev/CHANGELOG.md usr/share/doc/libhardsphere-dev/guide usr/share/doc/libhardsphere-dev/examples \
+  usr/share/doc/libhardsphere-dev/clients \
   >"$tree/debian/libhardsphere-dev.install"
-printf '%s\n' usr/bin usr/share/man >"$tree/debian/hardsphere.install"
-echo usr/share/doc/libhardsphere-dev/LICENSE >"$tree/debian/not-installed"
+printf '%s\n' usr/bin usr/share/man usr/share/bash-completion usr/share/zsh >"$tree/debian/hardsphere.install"
+# The Python module comes as a wheel (capi/python).
+printf '%s\n' usr/share/doc/libhardsphere-dev/LICENSE 'usr/lib/*/python3' >"$tree/debian/not-installed"
 {
   echo 'Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/'
   printf 'Upstream-Name: hardsphere\n\nFiles: *\nCopyright: '

@@ -28,7 +28,7 @@ hsp_part(balls
     model/ray_query.cpp
     model/set_digest.cpp
     model/vertical_ray.cpp
-  SHIMS_APART hsp_status element_radii element_symbols hsp_element hsp_model hsp_query)
+  SHIMS_APART versioned_struct hsp_status element_radii element_symbols hsp_element hsp_model hsp_query)
 hsp_part(union
   STANDS_ON balls
   SOURCES
@@ -81,5 +81,5 @@ hsp_part(union
     contacts/contact_measures.kernel.cpp
     contacts/contacts_builder.cpp
     contacts/contacts_check.cpp
-  SHIMS hsp_areas hsp_boundary hsp_measure hsp_gradient hsp_contacts hsp_topology hsp_topology_records
+  SHIMS caller_executor hsp_areas hsp_boundary hsp_measure hsp_gradient hsp_contacts hsp_topology hsp_topology_records
     hsp_topology_regions)

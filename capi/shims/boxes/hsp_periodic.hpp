@@ -8,12 +8,15 @@ struct hsp_periodic {
   using Builder = hsp::PeriodicUnion;
   static constexpr auto kind = hsp::capi::HandleKind::periodic;
   using Given = hsp_periodic_limits;
-  struct Limits : hsp::capi::LimitFields<hsp::PeriodicLimits, Given, &Given::balls, &Given::images, &Given::neighbours,
-                                         &Given::vertices, &Given::circles, &Given::contacts, &Given::workers> {
+  struct Limits
+      : hsp::capi::LimitFields<hsp::PeriodicLimits, Given, offsetof(Given, balls), offsetof(Given, images),
+                               offsetof(Given, neighbours), offsetof(Given, vertices), offsetof(Given, circles),
+                               offsetof(Given, contacts), offsetof(Given, workers)> {
     static int32_t read(const Given *given, hsp::PeriodicLimits &limits) {
       const int32_t status = LimitFields::read(given, limits);
+      if (status != HSP_OK) return status;
       const bool fits = limits.balls + limits.images <= HSP_MAX_BALLS && limits.workers <= HSP_MAX_WORKERS;
-      return status == HSP_OK && !fits ? HSP_E_RANGE : status;
+      return fits ? HSP_OK : HSP_E_RANGE;
     }
   };
 

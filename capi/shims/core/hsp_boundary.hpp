@@ -8,8 +8,9 @@ struct hsp_boundary {
   using Builder = hsp::BoundaryBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::boundary;
   using Given = hsp_boundary_limits;
-  struct Limits : hsp::capi::LimitFields<hsp::BoundaryLimits, Given, &Given::balls, &Given::neighbours,
-                                         &Given::vertices, &Given::circles, &Given::workers> {
+  struct Limits
+      : hsp::capi::LimitFields<hsp::BoundaryLimits, Given, offsetof(Given, balls), offsetof(Given, neighbours),
+                               offsetof(Given, vertices), offsetof(Given, circles), offsetof(Given, workers)> {
     static int32_t read(const Given *given, hsp::BoundaryLimits &limits) {
       const int32_t status = LimitFields::read(given, limits);
       return status == HSP_OK && limits.workers > HSP_MAX_WORKERS ? HSP_E_RANGE : status;

@@ -9,8 +9,9 @@ struct hsp_contacts {
   using Builder = hsp::ContactsBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::contacts;
   using Given = hsp_contacts_limits;
-  using Limits = hsp::capi::LimitFields<hsp::ContactLimits, Given, &Given::balls, &Given::neighbours, &Given::contacts,
-                                        &Given::triangles, &Given::tetrahedra>;
+  using Limits =
+      hsp::capi::LimitFields<hsp::ContactLimits, Given, offsetof(Given, balls), offsetof(Given, neighbours),
+                             offsetof(Given, contacts), offsetof(Given, triangles), offsetof(Given, tetrahedra)>;
 
   uintptr_t tag;
   Builder builder;

@@ -8,8 +8,8 @@ struct hsp_topology {
   using Builder = hsp::TopologyBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::topology;
   using Given = hsp_topology_limits;
-  using Limits = hsp::capi::LimitFields<hsp::TopologyLimits, Given, &Given::balls, &Given::neighbours, &Given::edges,
-                                        &Given::cut_arcs, &Given::shells>;
+  using Limits = hsp::capi::LimitFields<hsp::TopologyLimits, Given, offsetof(Given, balls), offsetof(Given, neighbours),
+                                        offsetof(Given, edges), offsetof(Given, cut_arcs), offsetof(Given, shells)>;
 
   uintptr_t tag;
   Builder builder;

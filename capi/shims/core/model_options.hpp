@@ -13,9 +13,7 @@ constexpr hsp_model_options default_model_options() {
 
 // It ended with `step` in version 0.1.
 template <>
-constexpr bool is_earlier_size<hsp_model_options>(uint32_t size) {
-  return size == 24;
-}
+inline constexpr uint32_t earlier_bytes<hsp_model_options> = 24;
 
 // The balls and how to read them. The options may be null.
 inline int32_t get_input(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,

@@ -8,7 +8,7 @@ struct hsp_moving {
   using Builder = hsp::MovingBalls;
   static constexpr auto kind = hsp::capi::HandleKind::moving;
   using Given = hsp_moving_limits;
-  using Limits = hsp::capi::LimitFields<hsp::MovingLimits, Given, &Given::balls, &Given::neighbours>;
+  using Limits = hsp::capi::LimitFields<hsp::MovingLimits, Given, offsetof(Given, balls), offsetof(Given, neighbours)>;
 
   uintptr_t tag;
   Builder builder;

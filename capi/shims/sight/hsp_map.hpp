@@ -8,7 +8,8 @@ struct hsp_map {
   using Builder = hsp::MapBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::map;
   using Given = hsp_map_limits;
-  using Limits = hsp::capi::LimitFields<hsp::MapLimits, Given, &Given::balls, &Given::neighbours, &Given::edges>;
+  using Limits = hsp::capi::LimitFields<hsp::MapLimits, Given, offsetof(Given, balls), offsetof(Given, neighbours),
+                                        offsetof(Given, edges)>;
 
   uintptr_t tag;
   Builder builder;

@@ -212,9 +212,7 @@ namespace hsp::capi {
 
 // It ended with `reserved` in version 0.1.
 template <>
-constexpr bool is_earlier_size<hsp_picture_options>(uint32_t size) {
-  return size == 72;
-}
+inline constexpr uint32_t earlier_bytes<hsp_picture_options> = 72;
 
 }  // namespace hsp::capi
 

@@ -8,8 +8,8 @@ struct hsp_sticks {
   using Builder = hsp::StickViewBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::sticks;
   using Given = hsp_sticks_limits;
-  using Limits =
-      hsp::capi::LimitFields<hsp::StickLimits, Given, &Given::balls, &Given::sticks, &Given::pairs, &Given::edges>;
+  using Limits = hsp::capi::LimitFields<hsp::StickLimits, Given, offsetof(Given, balls), offsetof(Given, sticks),
+                                        offsetof(Given, pairs), offsetof(Given, edges)>;
 
   uintptr_t tag;
   Builder builder;

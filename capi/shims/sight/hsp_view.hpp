@@ -8,7 +8,8 @@ struct hsp_view {
   using Builder = hsp::ViewBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::view;
   using Given = hsp_view_limits;
-  using Limits = hsp::capi::LimitFields<hsp::ViewLimits, Given, &Given::balls, &Given::neighbours, &Given::arcs>;
+  using Limits = hsp::capi::LimitFields<hsp::ViewLimits, Given, offsetof(Given, balls), offsetof(Given, neighbours),
+                                        offsetof(Given, arcs)>;
 
   uintptr_t tag;
   Builder builder;

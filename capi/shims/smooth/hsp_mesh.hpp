@@ -8,8 +8,8 @@ struct hsp_mesh {
   using Builder = hsp::MeshBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::mesh;
   using Given = hsp_mesh_limits;
-  using Limits = hsp::capi::LimitFields<hsp::MeshLimits, Given, &Given::balls, &Given::curves, &Given::vertices,
-                                        &Given::triangles, &Given::points>;
+  using Limits = hsp::capi::LimitFields<hsp::MeshLimits, Given, offsetof(Given, balls), offsetof(Given, curves),
+                                        offsetof(Given, vertices), offsetof(Given, triangles), offsetof(Given, points)>;
 
   uintptr_t tag;
   Builder builder;

@@ -8,8 +8,9 @@ struct hsp_surface {
   using Builder = hsp::SurfaceBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::surface;
   using Given = hsp_surface_limits;
-  using Limits = hsp::capi::LimitFields<hsp::SurfaceLimits, Given, &Given::vertices, &Given::faces, &Given::neighbours,
-                                        &Given::pieces, &Given::arcs, &Given::cusped_circles>;
+  using Limits = hsp::capi::LimitFields<hsp::SurfaceLimits, Given, offsetof(Given, vertices), offsetof(Given, faces),
+                                        offsetof(Given, neighbours), offsetof(Given, pieces), offsetof(Given, arcs),
+                                        offsetof(Given, cusped_circles)>;
 
   uintptr_t tag;
   Builder builder;

@@ -9,9 +9,10 @@ struct hsp_cells {
   using Builder = hsp::FreeSpaceBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::cells;
   using Given = hsp_cells_limits;
-  using Limits = hsp::capi::LimitFields<hsp::FreeSpaceLimits, Given, &Given::cubes, &Given::entries, &Given::cells,
-                                        &Given::adjacencies, &Given::landmarks, &Given::facets, &Given::corners,
-                                        &Given::cube_balls, &Given::cube_corners>;
+  using Limits = hsp::capi::LimitFields<hsp::FreeSpaceLimits, Given, offsetof(Given, cubes), offsetof(Given, entries),
+                                        offsetof(Given, cells), offsetof(Given, adjacencies),
+                                        offsetof(Given, landmarks), offsetof(Given, facets), offsetof(Given, corners),
+                                        offsetof(Given, cube_balls), offsetof(Given, cube_corners)>;
 
   uintptr_t tag;
   Builder builder;

@@ -10,9 +10,11 @@ struct hsp_paths {
   using Builder = hsp::PathFinder;
   static constexpr auto kind = hsp::capi::HandleKind::paths;
   using Given = hsp_paths_limits;
-  using Limits = hsp::capi::LimitFields<hsp::PathLimits, Given, &Given::cubes, &Given::entries, &Given::cells,
-                                        &Given::adjacencies, &Given::landmarks, &Given::facets, &Given::corners,
-                                        &Given::cube_balls, &Given::cube_corners, &Given::points>;
+  using Limits =
+      hsp::capi::LimitFields<hsp::PathLimits, Given, offsetof(Given, cubes), offsetof(Given, entries),
+                             offsetof(Given, cells), offsetof(Given, adjacencies), offsetof(Given, landmarks),
+                             offsetof(Given, facets), offsetof(Given, corners), offsetof(Given, cube_balls),
+                             offsetof(Given, cube_corners), offsetof(Given, points)>;
 
   uintptr_t tag;
   Builder builder;
@@ -27,9 +29,11 @@ struct hsp_gate {
   using Builder = hsp::GateFinder;
   static constexpr auto kind = hsp::capi::HandleKind::gate;
   using Given = hsp_gate_limits;
-  using Limits = hsp::capi::LimitFields<hsp::ProbeLimits, Given, &Given::cubes, &Given::entries, &Given::cells,
-                                        &Given::adjacencies, &Given::landmarks, &Given::facets, &Given::corners,
-                                        &Given::cube_balls, &Given::cube_corners, &Given::balls>;
+  using Limits =
+      hsp::capi::LimitFields<hsp::ProbeLimits, Given, offsetof(Given, cubes), offsetof(Given, entries),
+                             offsetof(Given, cells), offsetof(Given, adjacencies), offsetof(Given, landmarks),
+                             offsetof(Given, facets), offsetof(Given, corners), offsetof(Given, cube_balls),
+                             offsetof(Given, cube_corners), offsetof(Given, balls)>;
 
   uintptr_t tag;
   Builder builder;

@@ -10,8 +10,9 @@ struct hsp_pores {
   using Builder = hsp::PoreQuestions;
   static constexpr auto kind = hsp::capi::HandleKind::pores;
   using Given = hsp_pores_limits;
-  using Limits = hsp::capi::LimitFields<hsp::PoreQuestionLimits, Given, &Given::balls, &Given::maxima, &Given::gates,
-                                        &Given::tied, &Given::candidates, &Given::neighbours, &Given::points>;
+  using Limits = hsp::capi::LimitFields<hsp::PoreQuestionLimits, Given, offsetof(Given, balls), offsetof(Given, maxima),
+                                        offsetof(Given, gates), offsetof(Given, tied), offsetof(Given, candidates),
+                                        offsetof(Given, neighbours), offsetof(Given, points)>;
 
   uintptr_t tag;
   Builder builder;
