@@ -2,10 +2,11 @@
 # No call races with another: the tests with executors, of hardsphere.hpp's threads and of handles in several threads, and
 # the program's --threads, by clang's thread sanitizer. Loops of tests have a thread for each task there, which start
 # together (tests/api/support/loops.c).
-#   thread_sanitizer.sh SOURCE-FOLDER WORK-FOLDER
+#   thread_sanitizer.sh SOURCE-FOLDER WORK-FOLDER core|whole
+# core: the library without components, and its tests with executors.
 # The work folder stays, so that a change costs what it touches.
 set -euo pipefail
-source=$1 work=$2
+source=$1 work=$2 part=$3
 molecule=$source/bench/molecules/crambin.pdb
 export TSAN_OPTIONS=halt_on_error=1:exitcode=66
 mkdir -p "$work"
@@ -16,17 +17,27 @@ command -v clang++ >/dev/null || { echo "no clang++" && exit 77; }
 echo 'int main() {}' >"$work/probe.cpp"
 clang++ -fsanitize=thread "$work/probe.cpp" -o "$work/probe" 2>/dev/null || { echo "no thread sanitizer" && exit 77; }
 # Without checked indices: what they count is no thread's own.
+targets=(api_boundary_tests api_gradient_tests differential_boundary_tests)
+tests='api_boundary_executor|api_gradient_(executor|rows)|differential_boundary_selected'
+count=4
+options=(-DHSP_COMPONENTS= -DHSP_TOOL=OFF)
+if [ "$part" = whole ]; then
+  targets+=(api_surface_tests api_periodic_tests api_whole_handle_threads api_whole_workspace_cxx20 program_tests
+    hardsphere_tool)
+  tests+='|api_boxes_(gradient_shared|periodic_areas)|api_smooth_surface_gradient|api_whole_(handle_threads|workspace_cxx20)'
+  tests+='|program_threads'
+  count=10
+  options=()
+fi
 run cmake -S "$source" -B "$work/build" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
   -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_C_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" \
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" -DHSP_SANITIZE=thread -DHSP_TESTS=ON \
-  -DHSP_ALL_TESTS=ON -DHSP_SLOW_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_INSTALL=OFF
-run cmake --build "$work/build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-2}" --target hardsphere_tool \
-  api_boundary_tests api_gradient_tests api_surface_tests api_periodic_tests api_whole_handle_threads api_whole_workspace_cxx20 \
-  differential_boundary_tests program_tests
-tests='api_(boundary_executor|gradient_(executor|rows|shared)|surface_gradient|periodic_areas|handle_threads|workspace_cxx20)'
-tests="($tests|differential_boundary_selected|program_threads)"
-ctest --test-dir "$work/build" -R "^$tests\$" --no-tests=error --output-on-failure | tee "$work/tests"
-[ "$(grep -c ' Passed ' "$work/tests")" -eq 10 ] || { echo "not all of ten tests ran" && exit 1; }
+  -DHSP_ALL_TESTS=ON -DHSP_SLOW_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_INSTALL=OFF \
+  "${options[@]}"
+run cmake --build "$work/build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-2}" --target "${targets[@]}"
+ctest --test-dir "$work/build" -R "^($tests)\$" --no-tests=error --output-on-failure | tee "$work/tests"
+[ "$(grep -c ' Passed ' "$work/tests")" -eq $count ] || { echo "not all of $count tests ran" && exit 1; }
+[ "$part" = whole ] || exit 0
 
 # Of one file, of several, and of frames.
 cp "$molecule" "$work/other.pdb"

@@ -29,8 +29,8 @@ bool is_struct_size(StructSize known, uint32_t struct_size);
 // Writes as much of a value as a program knows, and zeros behind. Nothing is written if it cannot be.
 int32_t write_versioned(const void *value, StructSize known, void *out, uint32_t struct_size);
 
-// The limits of a kind of handles, a struct of the header with struct_size and numbers alone: where each of these is, in
-// the order of those of a struct of lib.
+// The limits of a kind of handles, a struct of the header with struct_size and numbers alone: where each of these is,
+// in the order of those of a struct of lib.
 struct LimitTable {
   StructSize known;
   uint32_t count;

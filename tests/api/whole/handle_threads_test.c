@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "boundary_hash.h"
 #include "check.h"
 #include "gradients.h"
 #include "handle_life.h"

@@ -44,9 +44,6 @@ enum {
 };
 extern const kind_of_life kinds_of_life[KINDS];
 
-/* FNV-1a, goes on from a hash. */
-uint64_t mixed_hash(uint64_t hash, const void *bytes, size_t size);
-
 enum { GATES_OF_BALLS = 4, CELLS_OF_BALLS = 20, STICKS_OF_BALLS = 40 };
 
 /* All that is computed of one set. */

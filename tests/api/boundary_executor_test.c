@@ -5,10 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ball_sets.h"
+#include "boundary_hash.h"
 #include "check.h"
 #include "gradients.h"
 #include "guarded_memory.h"
-#include "handle_life.h"
 #include "loops.h"
 #include "topology_sets.h"
 
@@ -41,8 +42,16 @@ static int32_t compute(hsp_boundary *boundary, const hsp_model *model, loop *own
   return hsp_boundary_compute_with(boundary, model, &request, limits);
 }
 
-static uint64_t hash_of(const hsp_boundary *boundary, const computations *all, unsigned char *buffer) {
-  return kinds_of_life[BOUNDARY].hash(boundary, &all->boundary, buffer, all->room);
+static uint64_t hash_of(const hsp_boundary *boundary, const computed *c, unsigned char *buffer) {
+  return boundary_hash(boundary, c, buffer, boundary_room(c));
+}
+
+static unsigned char *buffer_for(const computed *c) {
+  return test_zeros(boundary_room(c), sizeof(hsp_vertex) + sizeof(hsp_arc));
+}
+
+static int make_computed(const ball_set *set, computed *c) {
+  return CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, c), HSP_OK);
 }
 
 /* ---- the same bits ---- */
@@ -52,10 +61,10 @@ enum { NUMBERS_TRIED = sizeof workers_tried / sizeof workers_tried[0] };
 
 /* hsp_boundary_compute_with, property 1; with as many parts as there are workers, some more, and more than cubes. */
 static void every_split(const ball_set *set) {
-  computations all;
+  computed all;
   int which, way;
-  if (computations_make(set, NULL, &all)) {
-    const computed *c = &all.boundary;
+  if (make_computed(set, &all)) {
+    const computed *c = &all;
     unsigned char *buffer = buffer_for(&all);
     const uint64_t expected = hash_of(c->boundary, &all, buffer);
     CHECK(expected != 0);
@@ -74,7 +83,7 @@ static void every_split(const ball_set *set) {
         needed.workers = c->needed.workers;
         CHECK_BYTES(&needed, &c->needed, sizeof needed);
         CHECK(hash_of(boundary, &all, buffer) == expected);
-        CHECK(kinds_of_life[BOUNDARY].use(boundary));
+        CHECK(use_boundary(boundary));
         CHECK(workers > 1 ? own.runs > 1 && own.most_tasks == parts : own.runs == 0);
       }
       CHECK_EQUAL(hsp_boundary_compute(boundary, c->model, NULL), HSP_OK);
@@ -84,7 +93,7 @@ static void every_split(const ball_set *set) {
     }
     free(buffer);
   }
-  computations_release(&all);
+  computed_release(&all);
 }
 
 typedef struct measures {
@@ -105,11 +114,11 @@ static hsp_measure_outputs outputs_into(measures *m, uint32_t n, int which) {
 /* hsp_boundary_get_measures, property 1, with and without each of its outputs. */
 static void every_measure(const ball_set *set) {
   static measures alone, shared;
-  computations all;
+  computed all;
   int number, way, which;
   uint32_t i;
-  if (computations_make(set, NULL, &all)) {
-    const computed *c = &all.boundary;
+  if (make_computed(set, &all)) {
+    const computed *c = &all;
     const uint32_t n = set->n;
     uint8_t selected[BALL_SET_MOST];
     for (i = 0; i < n; ++i) selected[i] = i % 3 != 1;
@@ -145,17 +154,17 @@ static void every_measure(const ball_set *set) {
       CHECK_BYTES(&shared.totals, &alone.totals, sizeof alone.totals);
     }
   }
-  computations_release(&all);
+  computed_release(&all);
 }
 
 /* ---- what is refused ---- */
 
 /* Limits that are too small are said as hsp_boundary_compute says them. */
 static void small_limits(const ball_set *set) {
-  computations all;
+  computed all;
   int which;
-  if (computations_make(set, NULL, &all)) {
-    const computed *c = &all.boundary;
+  if (make_computed(set, &all)) {
+    const computed *c = &all;
     for (which = 1; which <= 4; ++which) {
       limit_numbers given = {{0}};
       uint32_t workers;
@@ -181,7 +190,7 @@ static void small_limits(const ball_set *set) {
       }
     }
   }
-  computations_release(&all);
+  computed_release(&all);
 }
 
 /* Fewer parts than workers: limits become some with a part for each. */
@@ -274,13 +283,12 @@ static void refused_requests(const computed *c, uint32_t n) {
 /* ---- loops that break the rules ---- */
 
 /* In every stage; afterwards the handle serves as before. */
-static void broken_loops(const computations *all, const ball_set *set) {
+static void broken_loops(const computed *c, const ball_set *set) {
   static measures alone, shared;
   static gradients gradient, shared_gradient;
-  const computed *c = &all->boundary;
   const uint32_t n = set->n;
-  unsigned char *buffer = buffer_for(all);
-  const uint64_t expected = hash_of(c->boundary, all, buffer);
+  unsigned char *buffer = buffer_for(c);
+  const uint64_t expected = hash_of(c->boundary, c, buffer);
   guarded_memory memory;
   hsp_boundary *const boundary = make(&c->needed, 5, &memory);
   hsp_measure_outputs outputs = outputs_into(&alone, n, 0);
@@ -309,7 +317,7 @@ static void broken_loops(const computations *all, const ball_set *set) {
       CHECK_BYTES(&limits, &c->needed, sizeof limits);
       CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
       CHECK_EQUAL(compute(boundary, c->model, &right, 3, NULL), HSP_OK);
-      CHECK(hash_of(boundary, all, buffer) == expected);
+      CHECK(hash_of(boundary, c, buffer) == expected);
     }
     {
       loop own = loop_of(way);
@@ -338,7 +346,7 @@ static void broken_loops(const computations *all, const ball_set *set) {
 
 int main(void) {
   static ball_set set;
-  computations all;
+  computed all;
   uint32_t which;
   for (which = 0; which < topology_set_count(); ++which) {
     topology_set_make(which, &set);
@@ -351,11 +359,11 @@ int main(void) {
   every_split(&set);
   every_measure(&set);
   small_limits(&set);
-  if (computations_make(&set, NULL, &all)) {
-    more_workers_than_parts(&all.boundary);
-    refused_requests(&all.boundary, set.n);
+  if (make_computed(&set, &all)) {
+    more_workers_than_parts(&all);
+    refused_requests(&all, set.n);
     broken_loops(&all, &set);
   }
-  computations_release(&all);
+  computed_release(&all);
   return check_report();
 }
