@@ -127,9 +127,20 @@ void require_curvature(const computed &base, fuzz::Bytes &bytes) {
   }
   FUZZ_REQUIRE(finite, "a mean curvature that is no number");
   FUZZ_REQUIRE(sum == 6 * base.counts.euler, "Gauss-Bonnet");
-  const hsp_morphometry_request factors{sizeof factors, 0, 1, 1, 1, 1, sigma.data(), nullptr};
+  hsp_morphometry_request factors{};
+  factors.struct_size = sizeof factors;
+  factors.pressure = 1;
+  factors.tension = 1;
+  factors.bending = 1;
+  factors.gaussian = 1;
+  factors.sigma = sigma.data();
   hsp_morphometric_energy energy{};
-  hsp_morphometry_outputs outputs{sizeof outputs, base.n, 0, 0, &energy, centre.data(), by_radius.data(), nullptr};
+  hsp_morphometry_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = base.n;
+  outputs.energy = &energy;
+  outputs.d_centre = centre.data();
+  outputs.d_radius = by_radius.data();
   FUZZ_REQUIRE(hsp_boundary_get_morphometry(base.boundary, &factors, &outputs) == HSP_OK,
                "hsp_boundary_get_morphometry");
   finite = std::isfinite(energy.value);

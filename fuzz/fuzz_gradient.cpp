@@ -44,7 +44,10 @@ void require_short_rows(const computed &c, uint32_t tangency, fuzz::Bytes &bytes
 void require_all_rows(const computed &c, uint32_t tangency, fuzz::Bytes &bytes) {
   loop own = loop_of(LOOP_REVERSED);
   const hsp_executor executor = executor_of(&own, bytes.below(4));
-  const hsp_derivatives_request request{sizeof request, tangency, nullptr, &executor};
+  hsp_derivatives_request request{};
+  request.struct_size = sizeof request;
+  request.tangency = tangency;
+  request.executor = &executor;
   std::vector<uint32_t> first(c.n + 1);
   uint32_t entries = 0;
   const int32_t counted =

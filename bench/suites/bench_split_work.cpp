@@ -49,9 +49,13 @@ void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
 // Split for two workers, of which there may be one.
 void compute_split(hsp_boundary *boundary, const hsp_model *model, uint32_t threads, Measures &out) {
   const hsp_executor executor{sizeof executor, 2, &threads, run_tasks};
-  const hsp_boundary_request request{sizeof request, 0, &executor, nullptr};
+  hsp_boundary_request request{};
+  request.struct_size = sizeof request;
+  request.executor = &executor;
   support::expect_ok(hsp_boundary_compute_with(boundary, model, &request, nullptr), "hsp_boundary_compute_with");
-  const hsp_measure_request measuring{sizeof measuring, 0, nullptr, &executor};
+  hsp_measure_request measuring{};
+  measuring.struct_size = sizeof measuring;
+  measuring.executor = &executor;
   hsp_measure_outputs outputs{};
   outputs.struct_size = sizeof outputs;
   outputs.capacity = static_cast<uint32_t>(out.area.size());

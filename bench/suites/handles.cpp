@@ -67,11 +67,16 @@ hsp_curvatures Boundary::curvature() {
 }
 
 hsp_morphometric_energy Boundary::curvature_gradient() {
-  const hsp_morphometry_request bending{sizeof bending, 0, 0, 0, 1, 0, nullptr, nullptr};
+  hsp_morphometry_request bending{};
+  bending.struct_size = sizeof bending;
+  bending.bending = 1;
   hsp_morphometric_energy energy{};
-  hsp_morphometry_outputs outputs{
-      sizeof outputs, static_cast<uint32_t>(by_radius_.size()), 0, 0, &energy, by_centre_.data(), by_radius_.data(),
-      nullptr};
+  hsp_morphometry_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = static_cast<uint32_t>(by_radius_.size());
+  outputs.energy = &energy;
+  outputs.d_centre = by_centre_.data();
+  outputs.d_radius = by_radius_.data();
   expect_ok(hsp_boundary_get_morphometry(boundary_.get(), &bending, &outputs), "hsp_boundary_get_morphometry");
   return energy;
 }

@@ -60,8 +60,18 @@ hsp_energy energy_of(int32_t (*get)(const Handle *, const hsp_gradient_request *
                      std::vector<double> &by_radius, const char *call) {
   hsp_energy energy{};
   const auto n = static_cast<uint32_t>(by_radius.size());
-  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, sigma, nullptr};
-  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &energy, by_centre.data(), by_radius.data(), nullptr, nullptr};
+  hsp_gradient_request request{};
+  request.struct_size = sizeof request;
+  request.tangency = HSP_TANGENT_OVERLAP;
+  request.tension = 1.0;
+  request.pressure = 1.0;
+  request.sigma = sigma;
+  hsp_gradient_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = n;
+  outputs.energy = &energy;
+  outputs.d_centre = by_centre.data();
+  outputs.d_radius = by_radius.data();
   expect_ok(get(handle, &request, &outputs), call);
   return energy;
 }

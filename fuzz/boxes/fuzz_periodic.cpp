@@ -87,8 +87,15 @@ int32_t compute(hsp_periodic *handle, const Crystal &crystal, hsp_periodic_limit
 void require_areas_alone(const Crystal &crystal, const Result &whole, uint32_t workers) {
   loop own = loop_of(LOOP_REVERSED);
   const hsp_executor executor = executor_of(&own, workers);
-  const hsp_periodic_request request{sizeof request, 1, &crystal.options, &executor};
-  const hsp_gradient_request energy{sizeof energy, HSP_TANGENT_OVERLAP, 1, 0, nullptr, nullptr};
+  hsp_periodic_request request{};
+  request.struct_size = sizeof request;
+  request.areas_alone = 1;
+  request.options = &crystal.options;
+  request.executor = &executor;
+  hsp_gradient_request energy{};
+  energy.struct_size = sizeof energy;
+  energy.tangency = HSP_TANGENT_OVERLAP;
+  energy.tension = 1;
   const uint32_t n = crystal.n();
   support::OwnedPeriodic periodic;
   hsp_periodic_limits limits{};
@@ -143,33 +150,35 @@ Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
                                                       "hsp_periodic_get_windings");
   result.component = support::all_records<uint32_t>([p](auto... out) { return hsp_periodic_get_components(p, out...); },
                                                     "hsp_periodic_get_components");
-  const hsp_gradient_request energy{sizeof energy, HSP_TANGENT_OVERLAP, 1, 0.5, nullptr, nullptr};
-  hsp_periodic_gradient_outputs gradient{sizeof gradient,
-                                         n,
-                                         0,
-                                         0,
-                                         &result.energy,
-                                         result.centre.data(),
-                                         result.radius.data(),
-                                         nullptr,
-                                         result.strain.data(),
-                                         result.box.data(),
-                                         nullptr};
+  hsp_gradient_request energy{};
+  energy.struct_size = sizeof energy;
+  energy.tangency = HSP_TANGENT_OVERLAP;
+  energy.tension = 1;
+  energy.pressure = 0.5;
+  hsp_periodic_gradient_outputs gradient{};
+  gradient.struct_size = sizeof gradient;
+  gradient.capacity = n;
+  gradient.energy = &result.energy;
+  gradient.d_centre = result.centre.data();
+  gradient.d_radius = result.radius.data();
+  gradient.d_strain = result.strain.data();
+  gradient.d_box = result.box.data();
   FUZZ_REQUIRE(hsp_periodic_get_gradient(p, &energy, &gradient) == HSP_OK, "gradient");
   result.curved_radius.resize(n);
   result.curved_centre.resize(3 * size_t{n});
   result.curved_flags.resize(n);
-  const hsp_morphometry_request bending{sizeof bending, 0, 0, 0, 1, 0, nullptr, nullptr};
-  hsp_periodic_morphometry_outputs curved{sizeof curved,
-                                          n,
-                                          0,
-                                          0,
-                                          &result.morphometric,
-                                          result.curved_centre.data(),
-                                          result.curved_radius.data(),
-                                          result.curved_flags.data(),
-                                          result.curved_strain.data(),
-                                          result.curved_box.data()};
+  hsp_morphometry_request bending{};
+  bending.struct_size = sizeof bending;
+  bending.bending = 1;
+  hsp_periodic_morphometry_outputs curved{};
+  curved.struct_size = sizeof curved;
+  curved.capacity = n;
+  curved.energy = &result.morphometric;
+  curved.d_centre = result.curved_centre.data();
+  curved.d_radius = result.curved_radius.data();
+  curved.flags = result.curved_flags.data();
+  curved.d_strain = result.curved_strain.data();
+  curved.d_box = result.curved_box.data();
   FUZZ_REQUIRE(hsp_periodic_get_morphometry(p, &bending, &curved) == HSP_OK, "morphometric energy");
   std::vector<uint32_t> group(size_t{n} + 1);
   for (uint32_t i = 0; i < n; ++i) group[i] = i % 3 == 2 ? HSP_NONE : i % 3;

@@ -82,11 +82,19 @@ Numbers fresh_numbers(const hsp_model *model, const hsp_moving *moving, const Ba
   FUZZ_REQUIRE(
       hsp_boundary_measure(b, nullptr, &result.totals, result.area.data(), result.volume.data(), n, nullptr) == HSP_OK,
       "measures of a new model");
-  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, tension,
-                                     pressure,       balls.sigma.data(),  nullptr};
-  hsp_gradient_outputs outputs{
-      sizeof outputs,      n,      0, 0, &result.energy, result.centre.data(), result.radius.data(),
-      result.flags.data(), nullptr};
+  hsp_gradient_request request{};
+  request.struct_size = sizeof request;
+  request.tangency = HSP_TANGENT_OVERLAP;
+  request.tension = tension;
+  request.pressure = pressure;
+  request.sigma = balls.sigma.data();
+  hsp_gradient_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = n;
+  outputs.energy = &result.energy;
+  outputs.d_centre = result.centre.data();
+  outputs.d_radius = result.radius.data();
+  outputs.flags = result.flags.data();
   FUZZ_REQUIRE(hsp_boundary_get_gradient(b, &request, &outputs) == HSP_OK, "gradients of a new model");
   hsp_boundary_counts counts{};
   hsp_moving_info info{};

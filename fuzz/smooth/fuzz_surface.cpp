@@ -68,9 +68,19 @@ struct Gradient {
 Gradient gradient_of(const surface_result &s, const double *sigma, double tension, double pressure) {
   const uint32_t n = s.base->n;
   Gradient g{{}, std::vector<double>(3 * size_t{n}), std::vector<double>(n), std::vector<uint32_t>(n)};
-  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, tension, pressure, sigma, nullptr};
-  hsp_gradient_outputs outputs{sizeof outputs, n,      0, 0, &g.energy, g.centre.data(), g.radius.data(),
-                               g.flags.data(), nullptr};
+  hsp_gradient_request request{};
+  request.struct_size = sizeof request;
+  request.tangency = HSP_TANGENT_OVERLAP;
+  request.tension = tension;
+  request.pressure = pressure;
+  request.sigma = sigma;
+  hsp_gradient_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = n;
+  outputs.energy = &g.energy;
+  outputs.d_centre = g.centre.data();
+  outputs.d_radius = g.radius.data();
+  outputs.flags = g.flags.data();
   const int32_t status = hsp_surface_get_gradient(s.surface, &request, &outputs);
   FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
   return g;

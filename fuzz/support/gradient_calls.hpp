@@ -30,9 +30,17 @@ inline void call_measure_parts(Bytes &bytes, const hsp_boundary *boundary, int32
   Output<hsp_totals> own_totals(1, null(bytes));
   loop own = loop_of(LOOP_SHUFFLED);
   const hsp_executor executor = executor_of(&own, bytes.below(4));
-  const hsp_measure_request request{sizeof request, 0, selected.data(), null(bytes) ? nullptr : &executor};
-  hsp_measure_outputs outputs{sizeof outputs,  own_area.capacity(), 12345, 0, own_totals.data(),
-                              own_area.data(), own_volume.data()};
+  hsp_measure_request request{};
+  request.struct_size = sizeof request;
+  request.selected = selected.data();
+  request.executor = null(bytes) ? nullptr : &executor;
+  hsp_measure_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = own_area.capacity();
+  outputs.needed = 12345;
+  outputs.totals = own_totals.data();
+  outputs.area = own_area.data();
+  outputs.volume_term = own_volume.data();
   const bool own_arrays = own_area.data() != nullptr || own_volume.data() != nullptr;
   status = hsp_boundary_get_measures(boundary, null(bytes) ? nullptr : &request, &outputs);
   expected = reader_status;
@@ -76,17 +84,40 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
   loop own = loop_of(LOOP_SHUFFLED);
   const hsp_executor executor = executor_of(&own, bytes.below(4));
   const hsp_executor *const workers = null(bytes) ? nullptr : &executor;
-  const hsp_gradient_request request{sizeof request, tangency, tension, pressure, weights, workers};
-  hsp_gradient_outputs outputs{sizeof outputs, capacity,      12345,        12345,  energy.data(),
-                               centre.data(),  radius.data(), flags.data(), nullptr};
+  hsp_gradient_request request{};
+  request.struct_size = sizeof request;
+  request.tangency = tangency;
+  request.tension = tension;
+  request.pressure = pressure;
+  request.sigma = weights;
+  request.executor = workers;
+  hsp_gradient_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = capacity;
+  outputs.needed = 12345;
+  outputs.first_bad = 12345;
+  outputs.energy = energy.data();
+  outputs.d_centre = centre.data();
+  outputs.d_radius = radius.data();
+  outputs.flags = flags.data();
   const int32_t status = hsp_boundary_get_gradient(boundary, &request, &outputs);
   // The two parts of the gradient have the same arguments but for the factors, which are finite numbers there.
   Output<double> area_centre(3 * capacity, null(bytes)), area_radius(capacity, null(bytes));
   Output<double> volume_centre(3 * capacity, null(bytes)), volume_radius(capacity, null(bytes));
-  const hsp_derivatives_request parts_request{sizeof parts_request, tangency, weights, workers};
-  hsp_derivatives_outputs parts_outputs{
-      sizeof parts_outputs, capacity, 12345, 12345, area_centre.data(), area_radius.data(), volume_centre.data(),
-      volume_radius.data(), nullptr};
+  hsp_derivatives_request parts_request{};
+  parts_request.struct_size = sizeof parts_request;
+  parts_request.tangency = tangency;
+  parts_request.sigma = weights;
+  parts_request.executor = workers;
+  hsp_derivatives_outputs parts_outputs{};
+  parts_outputs.struct_size = sizeof parts_outputs;
+  parts_outputs.capacity = capacity;
+  parts_outputs.needed = 12345;
+  parts_outputs.first_bad = 12345;
+  parts_outputs.area_centre = area_centre.data();
+  parts_outputs.area_radius = area_radius.data();
+  parts_outputs.volume_centre = volume_centre.data();
+  parts_outputs.volume_radius = volume_radius.data();
   const int32_t parts_status = hsp_boundary_get_derivatives(boundary, &parts_request, &parts_outputs);
   const uint32_t first_bad = parts_outputs.first_bad;
   const bool parts = area_centre.data() != nullptr || area_radius.data() != nullptr ||

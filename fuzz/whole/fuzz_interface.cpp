@@ -473,7 +473,10 @@ class Session {
     for (uint8_t &chosen : selected) chosen = bytes_.byte() & 1;
     const bool asked = !null();
     const bool of_some = asked && bytes_.one_in(3) && !selected.empty();
-    hsp_boundary_request request{sizeof request, 0, null() ? nullptr : &executor, of_some ? selected.data() : nullptr};
+    hsp_boundary_request request{};
+    request.struct_size = sizeof request;
+    request.executor = null() ? nullptr : &executor;
+    request.selected = of_some ? selected.data() : nullptr;
     hsp_boundary_limits needed = limits_;
     const int32_t status = hsp_boundary_compute_with(boundary, model_, asked ? &request : nullptr, &needed);
     if (boundary == nullptr || model_ == nullptr) {

@@ -14,7 +14,7 @@
 #include "topology_sets.h"
 
 static hsp_boundary_request request_for(const hsp_executor *executor) {
-  hsp_boundary_request request = {sizeof request, 0, NULL, NULL};
+  hsp_boundary_request request = {.struct_size = sizeof request};
   request.executor = executor;
   return request;
 }
@@ -102,7 +102,7 @@ typedef struct measures {
 } measures;
 
 static hsp_measure_outputs outputs_into(measures *m, uint32_t n, int which) {
-  hsp_measure_outputs outputs = {sizeof outputs, 0, 0, 0, NULL, NULL, NULL};
+  hsp_measure_outputs outputs = {.struct_size = sizeof outputs};
   memset(m, 0xA5, sizeof *m);
   outputs.capacity = n;
   if ((which & 1) == 0) outputs.totals = &m->totals;
@@ -127,7 +127,7 @@ static void every_measure(const ball_set *set) {
         for (which = 0; which < 8; ++which) {
           loop own = loop_of(way);
           const hsp_executor executor = executor_of(&own, workers_tried[number]);
-          hsp_measure_request request = {sizeof request, 0, NULL, NULL};
+          hsp_measure_request request = {.struct_size = sizeof request};
           hsp_measure_outputs outputs = outputs_into(&alone, n, which);
           check_scene("%s measured by %u workers, way %d, outputs %d", set->name, (unsigned)executor.workers, way,
                       which);
@@ -223,7 +223,7 @@ static void refused_requests(const computed *c, uint32_t n) {
   hsp_boundary *const boundary = make(&c->needed, 2, &memory);
   hsp_executor executor = executor_of(&own, 2);
   hsp_boundary_request request = request_for(&executor);
-  hsp_measure_request measuring = {sizeof measuring, 0, NULL, NULL};
+  hsp_measure_request measuring = {.struct_size = sizeof measuring};
   hsp_measure_outputs outputs = outputs_into(&m, n, 0);
   hsp_boundary_limits bad_size = c->needed;
   hsp_boundary_counts counts;
@@ -292,7 +292,7 @@ static void broken_loops(const computed *c, const ball_set *set) {
   guarded_memory memory;
   hsp_boundary *const boundary = make(&c->needed, 5, &memory);
   hsp_measure_outputs outputs = outputs_into(&alone, n, 0);
-  hsp_gradient_outputs derivatives = {sizeof derivatives, 0, 0, 0, NULL, NULL, NULL, NULL, NULL};
+  hsp_gradient_outputs derivatives = {.struct_size = sizeof derivatives};
   loop right = loop_of(LOOP_IN_ORDER);
   int way;
   uint32_t stages, stage;
@@ -322,8 +322,8 @@ static void broken_loops(const computed *c, const ball_set *set) {
     {
       loop own = loop_of(way);
       const hsp_executor executor = executor_of(&own, 3);
-      hsp_measure_request measuring = {sizeof measuring, 0, NULL, NULL};
-      hsp_gradient_request differentiating = {sizeof differentiating, HSP_TANGENT_OVERLAP, 0, 0, NULL, NULL};
+      hsp_measure_request measuring = {.struct_size = sizeof measuring};
+      hsp_gradient_request differentiating = {.struct_size = sizeof differentiating, .tangency = HSP_TANGENT_OVERLAP};
       int32_t status;
       measuring.executor = differentiating.executor = &executor;
       check_scene("way %d of measures", way);

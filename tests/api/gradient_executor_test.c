@@ -9,7 +9,7 @@
 #include "loops.h"
 
 static hsp_gradient_outputs outputs_into(uint32_t n, gradients *g) {
-  hsp_gradient_outputs outputs = {sizeof(hsp_gradient_outputs), 0, 0, 0, NULL, NULL, NULL, NULL, NULL};
+  hsp_gradient_outputs outputs = {.struct_size = sizeof(hsp_gradient_outputs)};
   memset(g, 0x5A, sizeof *g);
   outputs.capacity = n;
   outputs.energy = &g->energy;
@@ -23,7 +23,8 @@ static void every_number_of_workers(const ball_set *set) {
   static gradients alone, shared;
   static double sigma[BALL_SET_MOST];
   const uint32_t n = set->n;
-  hsp_gradient_request request = {sizeof request, HSP_TANGENT_OVERLAP, 0.7, -1.3, NULL, NULL};
+  hsp_gradient_request request = {
+      .struct_size = sizeof request, .tangency = HSP_TANGENT_OVERLAP, .tension = 0.7, .pressure = -1.3};
   computed c;
   uint32_t workers, i;
   for (i = 0; i < n; ++i) sigma[i] = i % 4 == 1 ? 0 : 0.75 * i - 2;

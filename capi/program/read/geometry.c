@@ -87,8 +87,10 @@ bool geometry_compute_boundary_of(struct geometry *geometry, const uint8_t *sele
 
 bool geometry_measure(const struct geometry *geometry, uint32_t balls, const uint8_t *selected, hsp_totals *totals,
                       double *area, struct failure *failure) {
-  const hsp_measure_request request = {(uint32_t)sizeof request, 0, selected, executor_of(geometry)};
-  hsp_measure_outputs outputs = {(uint32_t)sizeof outputs, area == NULL ? 0 : balls, 0, 0, totals, area, NULL};
+  const hsp_measure_request request = {
+      .struct_size = (uint32_t)sizeof request, .selected = selected, .executor = executor_of(geometry)};
+  hsp_measure_outputs outputs = {
+      .struct_size = (uint32_t)sizeof outputs, .capacity = area == NULL ? 0 : balls, .totals = totals, .area = area};
   const int32_t status = hsp_boundary_get_measures(geometry->work.boundary, &request, &outputs);
   return status == HSP_OK || failure_in_library(failure, status);
 }

@@ -126,8 +126,17 @@ class SurfaceCalls {
     const int32_t asked = tangency > HSP_TANGENT_DISJOINT                          ? HSP_E_ARGUMENT
                           : expected == HSP_OK && tangency == HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
                                                                                    : expected;
-    const hsp_gradient_request request{sizeof request, tangency, 1, tension, sigma.data(), nullptr};
-    hsp_gradient_outputs outputs{sizeof outputs, 0, 12345, 12345, &energy, nullptr, nullptr, nullptr, nullptr};
+    hsp_gradient_request request{};
+    request.struct_size = sizeof request;
+    request.tangency = tangency;
+    request.tension = 1;
+    request.pressure = tension;
+    request.sigma = sigma.data();
+    hsp_gradient_outputs outputs{};
+    outputs.struct_size = sizeof outputs;
+    outputs.needed = 12345;
+    outputs.first_bad = 12345;
+    outputs.energy = &energy;
     const int32_t gradient = hsp_surface_get_gradient(surface, &request, &outputs);
     const int32_t answer = asked != HSP_OK ? asked : finite ? measured : HSP_E_NOT_FINITE;
     FUZZ_REQUIRE(gradient == answer, "hsp_surface_get_gradient");

@@ -117,7 +117,7 @@ static void free_records(computed *c) {
 int32_t computed_by_workers(computed *c, uint32_t workers, uint64_t seed) {
   loop own = loop_of(LOOP_SHUFFLED);
   const hsp_executor executor = executor_of(&own, workers);
-  hsp_boundary_request request = {sizeof request, 0, NULL, NULL};
+  hsp_boundary_request request = {.struct_size = sizeof request};
   hsp_boundary_limits limits = c->needed;
   size_t bytes = 0;
   int32_t status;

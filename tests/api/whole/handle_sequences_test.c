@@ -318,7 +318,7 @@ static void init_handle(int kind, slot *s, uint64_t *seed) {
 static int32_t compute_in_parts(hsp_boundary *boundary, const hsp_model *model) {
   loop own = loop_of(LOOP_SHUFFLED);
   const hsp_executor executor = executor_of(&own, 2);
-  hsp_boundary_request request = {sizeof request, 0, NULL, NULL};
+  hsp_boundary_request request = {.struct_size = sizeof request};
   hsp_boundary_limits limits = {sizeof limits, 0, 0, 0, 0, 0};
   int32_t status;
   request.executor = &executor;

@@ -189,10 +189,11 @@ static void measured_in_threads(const computed *c, const hsp_executor *executor)
   static gradients alone, shared;
   static double area[2][BALL_SET_MOST], volume[2][BALL_SET_MOST];
   hsp_totals totals[2];
-  hsp_measure_request request = {sizeof request, 0, NULL, NULL};
-  hsp_measure_outputs outputs = {sizeof outputs, 0, 0, 0, NULL, NULL, NULL};
-  hsp_gradient_request differentiating = {sizeof differentiating, HSP_TANGENT_OVERLAP, 1, 2, NULL, NULL};
-  hsp_gradient_outputs derivatives = {sizeof derivatives, 0, 0, 0, NULL, NULL, NULL, NULL, NULL};
+  hsp_measure_request request = {.struct_size = sizeof request};
+  hsp_measure_outputs outputs = {.struct_size = sizeof outputs};
+  hsp_gradient_request differentiating = {
+      .struct_size = sizeof differentiating, .tangency = HSP_TANGENT_OVERLAP, .tension = 1, .pressure = 2};
+  hsp_gradient_outputs derivatives = {.struct_size = sizeof derivatives};
   int which;
   for (which = 0; which < 2; ++which) {
     gradients *const into = which == 0 ? &alone : &shared;
@@ -228,7 +229,7 @@ static void split_among_threads(void) {
     const uint64_t expected = k->hash(all.boundary.boundary, &all.boundary, buffer, all.room);
     uint32_t step = THREADS;
     hsp_executor executor = {sizeof executor, THREADS, NULL, run};
-    hsp_boundary_request request = {sizeof request, 0, NULL, NULL};
+    hsp_boundary_request request = {.struct_size = sizeof request};
     hsp_boundary_limits limits = all.boundary.needed;
     hsp_boundary *boundary = NULL;
     size_t bytes = 0;

@@ -76,10 +76,11 @@ typedef struct answers {
 /* All by an executor, in an environment that is set here; `executor` NULL: in the program's. */
 static void answer(const computed *c, hsp_boundary *boundary, const hsp_executor *executor, const host_loop *host,
                    answers *out) {
-  hsp_boundary_request request = {sizeof request, 0, NULL, NULL};
-  hsp_measure_request measures = {sizeof measures, 0, NULL, NULL};
-  hsp_measure_outputs measured = {sizeof measured, 0, 0, 0, NULL, NULL, NULL};
-  hsp_gradient_request asked = {sizeof asked, HSP_TANGENT_OVERLAP, 0.75, 0.25, NULL, NULL};
+  hsp_boundary_request request = {.struct_size = sizeof request};
+  hsp_measure_request measures = {.struct_size = sizeof measures};
+  hsp_measure_outputs measured = {.struct_size = sizeof measured};
+  hsp_gradient_request asked = {
+      .struct_size = sizeof asked, .tangency = HSP_TANGENT_OVERLAP, .tension = 0.75, .pressure = 0.25};
   hsp_gradient_outputs gradient;
   int32_t status[4];
   int differs[3], k;

@@ -146,8 +146,12 @@ Errors errors_of(const char *file, int64_t probe) {
   const uint32_t n = static_cast<uint32_t>(balls.size());
   const std::vector<double> area = library.measure().area;
   std::vector<double> by_centre(3 * n), volume_by_centre(3 * n), by_radius(n);
-  hsp_derivatives_outputs outputs{sizeof outputs,          n,       0,      0, by_centre.data(), by_radius.data(),
-                                  volume_by_centre.data(), nullptr, nullptr};
+  hsp_derivatives_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = n;
+  outputs.area_centre = by_centre.data();
+  outputs.area_radius = by_radius.data();
+  outputs.volume_centre = volume_by_centre.data();
   expect_ok(hsp_boundary_get_derivatives(library.handle(), nullptr, &outputs), "hsp_boundary_get_derivatives");
   Errors errors;
   for (uint32_t i = 0; i < n; ++i) {

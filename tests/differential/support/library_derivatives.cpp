@@ -7,9 +7,19 @@ LibraryGradient gradient(const LibraryBoundary &boundary, const EnergyTerms &ter
   LibraryGradient result;
   result.flags.resize(n);
   const double *const sigma = terms.sigma.empty() ? nullptr : terms.sigma.data();
-  const hsp_gradient_request request{sizeof request, terms.tangency, terms.tension, terms.pressure, sigma, nullptr};
-  hsp_gradient_outputs outputs{sizeof outputs,      n,      0, 0, &result.energy, centre.data(), radius.data(),
-                               result.flags.data(), nullptr};
+  hsp_gradient_request request{};
+  request.struct_size = sizeof request;
+  request.tangency = terms.tangency;
+  request.tension = terms.tension;
+  request.pressure = terms.pressure;
+  request.sigma = sigma;
+  hsp_gradient_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = n;
+  outputs.energy = &result.energy;
+  outputs.d_centre = centre.data();
+  outputs.d_radius = radius.data();
+  outputs.flags = result.flags.data();
   expect_ok(hsp_boundary_get_gradient(boundary.handle(), &request, &outputs), "hsp_boundary_get_gradient");
   for (size_t i = 0; i < n; ++i)
     result.by_ball.push_back({centre[3 * i], centre[3 * i + 1], centre[3 * i + 2], radius[i]});

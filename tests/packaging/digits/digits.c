@@ -31,8 +31,9 @@ int main(int argc, char **argv) {
   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, NULL, &totals, area, volume, n, NULL);
   if (status == HSP_OK) {
-    const hsp_gradient_request request = {sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, NULL, NULL};
-    hsp_gradient_outputs outputs = {sizeof outputs, n, 0, 0, NULL, gradient, NULL, NULL, NULL};
+    const hsp_gradient_request request = {
+        .struct_size = sizeof request, .tangency = HSP_TANGENT_OVERLAP, .tension = 1.0, .pressure = 1.0};
+    hsp_gradient_outputs outputs = {.struct_size = sizeof outputs, .capacity = n, .d_centre = gradient};
     status = hsp_boundary_get_gradient(work.boundary, &request, &outputs);
   }
   hsp_workspace_free(&work);

@@ -69,7 +69,9 @@ Answers compute(const hsp_model *model, const hsp_boundary_limits &limits, hsp_b
     for (uint32_t k = 0; k < tasks; ++k) task(data, k);
   };
   const hsp_executor executor{sizeof executor, limits.workers, nullptr, run};
-  const hsp_boundary_request request{sizeof request, 0, &executor, nullptr};
+  hsp_boundary_request request{};
+  request.struct_size = sizeof request;
+  request.executor = &executor;
   EXPECT_EQ(hsp_boundary_compute_with(boundary, model, &request, needed), HSP_OK);
   result.counters = stage_counters;
   EXPECT_EQ(hsp_boundary_get_counts(boundary, &result.counts), HSP_OK);

@@ -70,9 +70,19 @@ class SmoothSurface {
  private:
   [[nodiscard]] Gradient gradient(const double *sigma, double tension, double pressure) const {
     Gradient g = empty_gradient();
-    const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, tension, pressure, sigma, nullptr};
-    hsp_gradient_outputs outputs{sizeof outputs, n_,     0, 0, &g.energy, g.centre.data(), g.radius.data(),
-                                 g.flags.data(), nullptr};
+    hsp_gradient_request request{};
+    request.struct_size = sizeof request;
+    request.tangency = HSP_TANGENT_OVERLAP;
+    request.tension = tension;
+    request.pressure = pressure;
+    request.sigma = sigma;
+    hsp_gradient_outputs outputs{};
+    outputs.struct_size = sizeof outputs;
+    outputs.capacity = n_;
+    outputs.energy = &g.energy;
+    outputs.d_centre = g.centre.data();
+    outputs.d_radius = g.radius.data();
+    outputs.flags = g.flags.data();
     support::expect_ok(hsp_surface_get_gradient(surface_.get(), &request, &outputs), "hsp_surface_get_gradient");
     return g;
   }

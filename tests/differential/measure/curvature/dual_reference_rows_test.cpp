@@ -68,10 +68,16 @@ void compare_dual(const DualRow &row, const std::filesystem::path &file, support
   const double scale = std::fabs(row.mean) + static_cast<double>(n);
   EXPECT_NEAR(curvatures.mean / units, row.mean, 1e-13 * scale);
   EXPECT_NEAR(curvatures.gauss, 4 * std::numbers::pi * row.gauss, 1e-12 * std::abs(row.gauss));
-  const hsp_morphometry_request bending{sizeof bending, 0, 0.0, 0.0, 1.0, 0.0, nullptr, nullptr};
+  hsp_morphometry_request bending{};
+  bending.struct_size = sizeof bending;
+  bending.bending = 1.0;
   hsp_morphometric_energy energy{};
   std::vector<double> by_centre(3 * size_t{n});
-  hsp_morphometry_outputs outputs{sizeof outputs, n, 0, 0, &energy, by_centre.data(), nullptr, nullptr};
+  hsp_morphometry_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = n;
+  outputs.energy = &energy;
+  outputs.d_centre = by_centre.data();
   expect_ok(hsp_boundary_get_morphometry(boundary.handle(), &bending, &outputs), "morphometry");
   double square = 0.0;
   for (const double x : by_centre) square += x * x;
