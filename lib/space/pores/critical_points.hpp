@@ -105,7 +105,7 @@ class CriticalPoints {
   uint32_t enter(const FineCube &cube, const FineCube &whole, const Block &block);
   void try_leaf(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone, uint32_t last);
   void try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last);
-  bool try_common_point(Span<const uint32_t> near, const Block &block, const Block &other, bool divided);
+  bool try_common_point(Span<const uint32_t> near, const Block &block, const Block &other);
   void try_tied(TangentPoint &point, Span<const uint32_t> near, const Block &block, const Block &other, bool all_tie);
   // Of balls that tie at a point those that may have another one nearby: none, those on one circle, any.
   enum class FlatSets : uint32_t { none, one, any };

@@ -20,11 +20,10 @@ void CriticalPoints::try_leaf(Span<const uint32_t> near, const Block &block, con
   needed_.near = larger_count(needed_.near, near.size());
   if (near.size() > limits_.near) return;
   if (near.size() <= few) return try_sets(near, block, other, alone);
+  if (try_common_point(near, block, other)) return;
   bool fits = longest_part(to_double(block.centre)) < 0x1p43;
   for (const uint32_t ball : near) fits = fits && distance(*balls_, ball, block.centre) < 0x1p40;
-  const bool divided = near.size() > many && fits;
-  if (try_common_point(near, block, other, divided)) return;
-  if (!divided) return try_sets(near, block, other, alone);
+  if (near.size() <= many || !fits) return try_sets(near, block, other, alone);
   try_finely(near, block, other, last);
 }
 
@@ -59,11 +58,13 @@ void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, c
     if (needed_.candidates > limits_.candidates) return;
     const Span<const uint32_t> here = candidates_.part(child.first, child.last);
     if (here.empty()) continue;
-    if (here.size() > few && child.half > least_fine) {
+    // Of balls that all tie at one point none becomes farther.
+    const bool least = child.half <= least_fine, stay = here.size() == cube.last - cube.first;
+    if (here.size() > few && (least || stay) && try_common_point(here, own, other)) continue;
+    if (here.size() > few && !least) {
       ++depth;
       continue;
     }
-    if (here.size() > few && try_common_point(here, own, other, false)) continue;
     // try_common_point() sees other balls.
     if (here.size() > few && here.size() <= CubeDirections::room) {
       directions_[0].set(target_, near_arrays(here), to_double(own.centre) + own.off, own.half);
@@ -105,9 +106,8 @@ uint32_t CriticalPoints::enter(const FineCube &cube, const FineCube &whole, cons
 // tie at both, or are three with q in the plane of their centres and p beside it. Of the first the distances of p and q
 // differ by less than D^2 / 2 (rho - D), as 0 is a mean of their directions at q, rho the least distance of the
 // centres: so their directions are at right angles to that from q to p, up to D / 2 (rho - D). In both cases three of
-// these make a flat angle. divided: where these sets are more than few, they are left to the parts of the leaf, in
-// which they have to be flatter.
-bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &block, const Block &other, bool divided) {
+// these make a flat angle.
+bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &block, const Block &other) {
   const BallSet &balls = *balls_;
   uint32_t set[4];
   const bool solid = find_far_apart(balls, near, set);
@@ -132,7 +132,6 @@ bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &bl
     const double nearly = 8.0 * apart / nearest_centre + 1e-12;
     uint32_t circle[3];
     const FlatSets sets = flat_sets(point, near, nearly, circle);
-    if (divided && sets == FlatSets::any) return false;
     try_tied(point, near, block, other, true);
     if (sets == FlatSets::one && point.find(balls, {circle[0], circle[1], circle[2]}, no_id, false)) {
       try_tied(point, near, block, other, false);
@@ -216,6 +215,9 @@ void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32
   const BallSet &balls = *balls_;
   const uint32_t n = near.size();
   KnownTies known;
+  bool equal = true;
+  for (const uint32_t ball : near) equal = equal && balls.r[ball] == balls.r[near[0]];
+  const auto bit = [](uint32_t k) { return UINT64_C(1) << (k & 63); };
   for (uint32_t i = 0; i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
       const Vec3 across = cross(hull_[i], hull_[j]);
@@ -232,12 +234,14 @@ void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32
         };
         const bool beside =
             opposite(across, -to_first) || opposite(across, to_second) || opposite(to_second, -to_first);
+        // Equal balls are on one sphere around the point: four have no other one, and three that of their circle.
+        const bool found = equal && n <= 64 && known.are_in_plane(bit(i) | bit(j) | bit(k));
         // In a plane with the point three of which two are not on a line with it have no other one.
-        if (!beside && (!wide || common.side_of_plane(near[i], near[j], near[k]) != 0)) {
+        if (!beside && !found && (!wide || common.side_of_plane(near[i], near[j], near[k]) != 0)) {
           const uint32_t three[4] = {near[i], near[j], near[k], no_id};
           static_cast<void>(try_point(three, 3, near, block, other, known));
         }
-        for (uint32_t l = k + 1; l < n; ++l) {
+        for (uint32_t l = k + 1; l < n && !equal; ++l) {
           if (!is_flat(l) || std::fabs(dot(to_first, hull_[l])) > flat || std::fabs(dot(to_second, hull_[l])) > flat ||
               are_coplanar(balls, near[i], near[j], near[k], near[l])) {
             continue;
