@@ -96,8 +96,10 @@ HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t stru
  *  the tunnel.
  *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
  *
- *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates. At a point where k balls tie, O(k^2)
- *  as a rule; more where k balls tie nearly at many points, as in a tube of rings that is some lattice steps wide.
+ *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates; balls in one point cost O(n log n). At
+ *  a point where k balls tie, O(k log k) questions in integers, and O(k^2) in doubles as a rule. More where k balls tie
+ *  up to a fraction of a lattice step along a whole line, as those of a tube of rings that is some lattice steps wide,
+ *  or of a crown that is some steps high with another ball on its axis.
  *  @retval HSP_E_ARGUMENT    pores or model is NULL
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with

@@ -106,6 +106,10 @@ class CriticalPoints {
   void try_leaf(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone, uint32_t last);
   void try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last);
   bool try_common_point(Span<const uint32_t> near, const Block &block, const Block &other);
+  void try_tied(TangentPoint &point, Span<const uint32_t> near, const Block &block, const Block &other, bool all_tie);
+  // Of balls that tie at a point those that may have another one nearby: none, those on one circle, any.
+  enum class FlatSets : uint32_t { none, one, any };
+  FlatSets flat_sets(const TangentPoint &common, Span<const uint32_t> near, double nearly, uint32_t *set);
   void try_flat_sets(const TangentPoint &common, Span<const uint32_t> near, const Block &block, const Block &other,
                      double flat);
   void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone);

@@ -12,7 +12,10 @@ namespace hsp {
 
 // Whether one direction leads up from all of some balls in all of a cube, thoroughly: that of the point of the hull of
 // the a that is nearest to 0, of up to four of them (Gilbert, Johnson, Keerthi 1988). a, inverse: of each ball as the
-// middle of the cube sees it.
+// middle of the cube sees it. Where all centres are nearly in one plane with the cube, as those of a ring are, d is the
+// short way off that plane: so whatever is left out is a share of its length. y is exact, a is its multiple but for u
+// of each component, and a.d is summed up to 3 u |d| and `across` times the inverse up to 4 u of less than |d|: 2^-49
+// |d| covers that.
 template <class Direction, class Inverse>
 bool lead_up_at_all(uint32_t count, double side, const Direction &a, const Inverse &inverse) {
   Vec3 simplex[4] = {a(0)}, d = simplex[0];
@@ -29,8 +32,9 @@ bool lead_up_at_all(uint32_t count, double side, const Direction &a, const Inver
         which = k;
       }
     }
-    if (worst > slack_of_seen) return true;
-    if (!(squared > 1e-12) || corners == 4 || least > squared - 1e-9) return false;
+    const double tiny = 0x1p-49 * std::sqrt(squared);
+    if (worst > tiny) return true;
+    if (!(squared > 1e-28) || corners == 4 || least > (1.0 - 1e-6) * squared - tiny) return false;
     simplex[corners++] = a(which);
     d = nearest_to_zero(simplex, corners);
   }

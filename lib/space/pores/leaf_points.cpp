@@ -58,11 +58,13 @@ void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, c
     if (needed_.candidates > limits_.candidates) return;
     const Span<const uint32_t> here = candidates_.part(child.first, child.last);
     if (here.empty()) continue;
-    if (here.size() > few && child.half > least_fine) {
+    // Of balls that all tie at one point none becomes farther.
+    const bool least = child.half <= least_fine, stay = here.size() == cube.last - cube.first;
+    if (here.size() > few && (least || stay) && try_common_point(here, own, other)) continue;
+    if (here.size() > few && !least) {
       ++depth;
       continue;
     }
-    if (here.size() > few && try_common_point(here, own, other)) continue;
     // try_common_point() sees other balls.
     if (here.size() > few && here.size() <= CubeDirections::room) {
       directions_[0].set(target_, near_arrays(here), to_double(own.centre) + own.off, own.half);
@@ -74,6 +76,7 @@ void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, c
 
 // Puts the candidates of a part of a leaf behind those of the whole, as enter() does for cubes.
 uint32_t CriticalPoints::enter(const FineCube &cube, const FineCube &whole, const Block &block) {
+  ++work_.cubes;
   const uint32_t last = whole.last, most = last - whole.first;
   needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + most));
   if (most > limits_.candidates - last) return last;
@@ -100,8 +103,8 @@ uint32_t CriticalPoints::enter(const FineCube &cube, const FineCube &whole, cons
 
 // Whether all candidates of a leaf tie at one point that is near. Then that is its one critical point, but for sets
 // that are nearly flat: let q be another one and D bound how far it is from the common point p. Balls that span q all
-// tie at both, or are three with q in the plane of their centres and p beside it. Of the first the distances of p and
-// q differ by less than D^2 / 2 (rho - D), as 0 is a mean of their directions at q, rho the least distance of the
+// tie at both, or are three with q in the plane of their centres and p beside it. Of the first the distances of p and q
+// differ by less than D^2 / 2 (rho - D), as 0 is a mean of their directions at q, rho the least distance of the
 // centres: so their directions are at right angles to that from q to p, up to D / 2 (rho - D). In both cases three of
 // these make a flat angle.
 bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &block, const Block &other) {
@@ -125,21 +128,85 @@ bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &bl
     bool tie = true;
     for (uint32_t k = 0; tie && k < near.size(); ++k) tie = point.nearness(near[k]) == 0;
     if (!tie) continue;
-    if (point.level_against(floor_) > 0 && is_in(point, block) && is_in(point, other)) {
-      for (uint32_t k = 0; k < near.size(); ++k) at_point_[k] = near[k];
-      const Span<uint32_t> tied = at_point_.part(0, near.size());
-      sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
-      const PointKind kind = kind_of(balls, point, tied, room_);
-      // Found anew by its name.
-      constexpr uint32_t unnamed[4] = {no_id, no_id, no_id, no_id};
-      if (kind != PointKind::passing) add(point, unnamed, kind, tied);
-    }
-    point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising);
     see_directions(near, middle);
-    try_flat_sets(point, near, block, other, 8.0 * apart / nearest_centre + 1e-12);
+    const double nearly = 8.0 * apart / nearest_centre + 1e-12;
+    uint32_t circle[3];
+    const FlatSets sets = flat_sets(point, near, nearly, circle);
+    try_tied(point, near, block, other, true);
+    if (sets == FlatSets::one && point.find(balls, {circle[0], circle[1], circle[2]}, no_id, false)) {
+      try_tied(point, near, block, other, false);
+    }
+    if (sets != FlatSets::any) return true;
+    point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising);
+    try_flat_sets(point, near, block, other, nearly);
     return true;
   }
   return false;
+}
+
+// A point of some balls that are near, by all that tie there; all_tie: whether it is known that all do.
+void CriticalPoints::try_tied(TangentPoint &point, Span<const uint32_t> near, const Block &block, const Block &other,
+                              bool all_tie) {
+  if (point.level_against(floor_) <= 0 || !is_in(point, block) || !is_in(point, other)) return;
+  uint32_t size = 0;
+  for (const uint32_t ball : near) {
+    const int sign = all_tie ? 0 : point.nearness(ball);
+    if (sign < 0) return;
+    if (sign == 0) at_point_[size++] = ball;
+  }
+  const Span<uint32_t> tied = at_point_.part(0, size);
+  sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
+  const PointKind kind = kind_of(*balls_, point, tied, room_);
+  // Found anew by its name.
+  constexpr uint32_t unnamed[4] = {no_id, no_id, no_id, no_id};
+  if (kind != PointKind::passing) add(point, unnamed, kind, tied);
+}
+
+// Which sets of balls that tie at a common point p, and whose directions are known, may have another critical point q.
+// Let d be how far q is from p, along u, and delta = d / (rho - d) bound how far directions turn on the way. Of the
+// balls that span q, 0 is a mean of their directions there: so at q they are no nearer than t - d delta, t the level of
+// p. As distances are convex, no ball is farther there than t + d (a.u + delta): a.u >= -2 delta for all. Back from q
+// to p those that span q get farther in the mean: they are no farther at q than t, and have a.u <= 0.
+//   If 0 is inside the hull of all a by more than 2 delta, or outside by delta, there is no q. `nearly` is more than
+//   that, and than what directions turn between p and the middle of the block.
+//   If 0 is inside the hull of those a that are at right angles to n up to `nearly`, by `depth` as seen along n, u is
+//   along n but for 1.5 nearly / depth, and all that span q are at right angles to n but for 3 nearly / depth. Where
+//   these are in one plane with p, q and u would be in it: there is no q. Equal balls in a plane that tie at p are on a
+//   circle, and q is its middle.
+CriticalPoints::FlatSets CriticalPoints::flat_sets(const TangentPoint &common, Span<const uint32_t> near, double nearly,
+                                                   uint32_t *set) {
+  const BallSet &balls = *balls_;
+  const Span<const Vec3> a = hull_.part(0, near.size());
+  Vec3 n{};
+  if (depth_of_hull(a, &n) > nearly) return FlatSets::none;
+  const double length = std::sqrt(dot(n, n));
+  if (!(length > 0.0)) return FlatSets::any;
+  n = (1.0 / length) * n;
+  double farthest = -1.0;
+  for (const Vec3 &direction : a) farthest = larger_of(farthest, dot(n, direction));
+  if (farthest < -nearly) return FlatSets::none;
+  uint32_t three[3];
+  const double depth = nearly < 1e-4 ? depth_in_circle(a, n, nearly, three) : -1.0;
+  if (!(depth > 0.01)) return FlatSets::any;
+  const auto spans = [&](uint32_t k) { return std::fabs(dot(n, a[k])) <= 3.0 * nearly / depth; };
+  // The widest corner of a triangle around 0.
+  const Vec3 across[3] = {cross(a[three[0]], a[three[1]]), cross(a[three[1]], a[three[2]]),
+                          cross(a[three[2]], a[three[0]])};
+  uint32_t wide = 0;
+  for (uint32_t k = 1; k < 3; ++k) wide = dot(across[k], across[k]) > dot(across[wide], across[wide]) ? k : wide;
+  for (uint32_t k = 0; k < 3; ++k) set[k] = near[three[(wide + k) % 3]];
+  bool on_circle = !are_collinear(balls, set[0], set[1], set[2]);
+  for (uint32_t k = 0; k < near.size() && on_circle; ++k) {
+    on_circle =
+        !spans(k) || (balls.r[near[k]] == balls.r[set[0]] && are_coplanar(balls, set[0], set[1], set[2], near[k]));
+  }
+  if (on_circle) return FlatSets::one;
+  for (uint32_t k = 0; k < near.size(); ++k) {
+    if (spans(k) && near[k] != set[0] && near[k] != set[1] && common.side_of_plane(set[0], set[1], near[k]) != 0) {
+      return FlatSets::any;
+    }
+  }
+  return FlatSets::none;
 }
 
 // Of balls that tie at a common point, and whose directions are known, the sets that are so flat.
@@ -148,6 +215,9 @@ void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32
   const BallSet &balls = *balls_;
   const uint32_t n = near.size();
   KnownTies known;
+  bool equal = true;
+  for (const uint32_t ball : near) equal = equal && balls.r[ball] == balls.r[near[0]];
+  const auto bit = [](uint32_t k) { return UINT64_C(1) << (k & 63); };
   for (uint32_t i = 0; i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
       const Vec3 across = cross(hull_[i], hull_[j]);
@@ -157,12 +227,21 @@ void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32
         if (!is_flat(k)) continue;
         const Vec3 to_first = cross(hull_[i], hull_[k]), to_second = cross(hull_[j], hull_[k]);
         const bool wide = apart || dot(to_first, to_first) > flat * flat || dot(to_second, to_second) > flat * flat;
+        // Where they span another one, 0 is a mean of their directions up to `flat`. Opposite products of two with the
+        // third leave these less than an eighth of it each, and the third is too much.
+        const auto opposite = [&](const Vec3 &u, const Vec3 &v) {
+          return dot(u, v) < 0.0 && dot(u, u) > 64.0 * flat * flat && dot(v, v) > 64.0 * flat * flat;
+        };
+        const bool beside =
+            opposite(across, -to_first) || opposite(across, to_second) || opposite(to_second, -to_first);
+        // Equal balls are on one sphere around the point: four have no other one, and three that of their circle.
+        const bool found = equal && n <= 64 && known.are_in_plane(bit(i) | bit(j) | bit(k));
         // In a plane with the point three of which two are not on a line with it have no other one.
-        if (!wide || common.side_of_plane(near[i], near[j], near[k]) != 0) {
+        if (!beside && !found && (!wide || common.side_of_plane(near[i], near[j], near[k]) != 0)) {
           const uint32_t three[4] = {near[i], near[j], near[k], no_id};
           static_cast<void>(try_point(three, 3, near, block, other, known));
         }
-        for (uint32_t l = k + 1; l < n; ++l) {
+        for (uint32_t l = k + 1; l < n && !equal; ++l) {
           if (!is_flat(l) || std::fabs(dot(to_first, hull_[l])) > flat || std::fabs(dot(to_second, hull_[l])) > flat ||
               are_coplanar(balls, near[i], near[j], near[k], near[l])) {
             continue;

@@ -131,26 +131,44 @@ PoreBalls::Image PoreBalls::moved_image(uint32_t own_ball, const BoxShift &shift
 
 // Balls inside another one are nowhere nearest. The others in an order that does not depend on that in which they are
 // given: in a box that of positions, which ball_at() searches; else grid order, in which neighbours are not far apart.
+// By positions, and of one centre the largest first, many are inside the ball before, or inside what that was found in.
+// A ball that meets one inside another one meets that, too: those that stay have the most neighbours.
 Status PoreBalls::keep_outer() {
   grid_.build(set_, set_.n);
-  const BallSet &all = grid_.balls();
-  uint32_t count = 0;
+  const Span<uint32_t> order = callers_.part(0, set_.n);
+  for (uint32_t i = 0; i < set_.n; ++i) order[i] = i;
+  sort_in_place(order, [&](uint32_t a, uint32_t b) {
+    const bool one_centre = set_.x[a] == set_.x[b] && set_.y[a] == set_.y[b] && set_.z[a] == set_.z[b];
+    return one_centre && set_.r[a] != set_.r[b] ? set_.r[a] > set_.r[b] : set_.ranks_before(a, b);
+  });
+  const Span<uint32_t> is_hidden = ball_of_.part(0, set_.n);  // images come later
+  exact::LatticeBall around{};
   for (uint32_t k = 0; k < set_.n; ++k) {
-    const uint32_t i = all.caller[k];
+    const uint32_t i = order[k];
     const exact::LatticeBall ball = set_.ball(i);
-    bool hidden = false;
+    is_hidden[i] = k > 0 && is_inside(ball, around) ? 1 : 0;
+    if (is_hidden[i] != 0) continue;
+    around = ball;
     const bool room = visit_near({ball.centre, ball.radius}, [&](uint32_t other, const BoxShift &shift) {
-      hidden = hidden || (!(other == i && shift.is_zero()) && is_inside(ball, image(other, shift)));
+      if (other == i && shift.is_zero()) return;
+      const exact::LatticeBall outer = image(other, shift);
+      if (!is_inside(ball, outer)) return;
+      is_hidden[i] = 1;
+      around = outer.radius > around.radius ? outer : around;
     });
     if (!room) return Status::capacity;
-    if (!hidden) callers_[count++] = i;
+  }
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < set_.n; ++k) {
+    const uint32_t i = grid_.balls().caller[k];
+    if (is_hidden[i] == 0) callers_[count++] = i;
   }
   if (box_ != nullptr) {
     sort_in_place(callers_.part(0, count), [&](uint32_t a, uint32_t b) { return set_.ranks_before(a, b); });
   }
   // The grid has all balls, too.
   for (uint32_t k = 0; k < count; ++k) {
-    exact::LatticeBall ball = all.ball(grid_.grid_index(callers_[k]));
+    exact::LatticeBall ball = grid_.balls().ball(grid_.grid_index(callers_[k]));
     ball.index = k;
     set_.store(k, ball);
   }

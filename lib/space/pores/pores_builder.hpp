@@ -81,6 +81,8 @@ class PoresBuilder {
   // Work that was done, for measurements.
   const CriticalPoints::Work &work() const { return critical_.work(); }
   uint64_t steps() const { return ways_.steps(); }
+  // That the exact stage has answered, since carve().
+  uint64_t questions() const { return critical_.lines().questions() + ways_.questions(); }
 
  private:
   void begin(uint32_t balls);

@@ -34,24 +34,6 @@ inline bool is_in(const TangentPoint &point, const CriticalPoints::Block &block)
   }
   return true;
 }
-// Four balls that are far apart; false if all centres are in one plane.
-inline bool find_far_apart(const BallSet &balls, Span<const uint32_t> near, uint32_t *set) {
-  for (uint32_t k = 0; k < 4; ++k) set[k] = near[0];
-  for (uint32_t turn = 0; turn < 3; ++turn) {
-    double best = 0.0;
-    const Vec3 u = balls.difference(set[0], set[1]), v = balls.difference(set[0], set[2]);
-    for (const uint32_t ball : near) {
-      const Vec3 w = balls.difference(set[0], ball), n = cross(u, turn == 1 ? w : v);
-      const double size = turn == 0 ? dot(w, w) : turn == 1 ? dot(n, n) : std::fabs(dot(n, w));
-      if (size > best) {
-        best = size;
-        set[turn + 1] = ball;
-      }
-    }
-    if (best == 0.0) return false;
-  }
-  return true;
-}
 inline bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
   return longest_part(to_double(a.centre) + a.off - to_double(b.centre) - b.off) <= a.half + b.half;
 }

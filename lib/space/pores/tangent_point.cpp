@@ -131,6 +131,22 @@ void TangentPoint::find_both(const BallSet &balls, const TangentCurve &curve, ui
   }
 }
 
+TangentPoint TangentPoint::found_by(const uint32_t *four) const {
+  const RoughLine line(*balls_, {four[0], four[1], four[2]}, four[3]);
+  TangentPoint best = *this;
+  uint32_t found = 0;
+  for (const bool rising : {false, true}) {
+    TangentPoint point(*lines_);
+    point.begin(*balls_, {four[0], four[1], four[2]}, four[3], rising);
+    const int known = point.estimate(line);
+    const Vec3 off = point.place_estimate() - place_estimate();
+    if (known < 0 || longest_part(off) > place_error() + point.place_error()) continue;
+    ++found;
+    best = point;
+  }
+  return found == 1 ? best : *this;
+}
+
 // known: by doubles.
 bool TangentPoint::is_there(int known) {
   if (known != 0) return known > 0;
@@ -191,6 +207,7 @@ int TangentPoint::sign_of(const Make &make) const {
   const AffineForm<Bounded> rough = moved(*balls_, make.template operator()<Bounded>(), curve_.base);
   const int certain = (dot(rough.a, y_) + rough.c * z_ + rough.k).sign();
   if (certain != 0) return certain;
+  lines_->count_question();
   AffineForm<Integer> form;
   make_exactly(make, form);
   const Line &line = exact_line();

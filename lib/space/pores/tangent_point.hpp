@@ -67,6 +67,9 @@ class TangentLines {
 
   // Numbers of points, so that none is taken for another one.
   uint64_t next_point() { return ++points_; }
+  // How many questions about points the exact stage has answered, for measurements.
+  void count_question() { ++questions_; }
+  uint64_t questions() const { return questions_; }
   // The line of a point, or where it is to be put, with another number. The one before stays.
   Line &line_of(uint64_t point) {
     if (line_[last_].point != point) last_ ^= 1;
@@ -76,7 +79,7 @@ class TangentLines {
  private:
   Line line_[2];
   uint32_t last_ = 0;
-  uint64_t points_ = 0;
+  uint64_t points_ = 0, questions_ = 0;
 };
 
 class TangentPoint {
@@ -93,6 +96,10 @@ class TangentPoint {
   // Both of them, the one with W' > 0 second.
   static void find_both(const BallSet &balls, const TangentCurve &curve, uint32_t last, TangentPoint (&points)[2],
                         bool (&there)[2]);
+
+  // The same point as doubles find it by four others that tie there, whose centres are in no plane; itself if they do
+  // not know which of the two points of these it is.
+  TangentPoint found_by(const uint32_t *four) const;
 
   // Sign of the distance of a ball less that of the point's balls: -1 nearer, 0 tied, +1 farther.
   int nearness(uint32_t ball) const;

@@ -1,5 +1,7 @@
 #include "pores/tied_balls.hpp"
 
+#include <initializer_list>
+
 #include "core/extremes.hpp"
 
 namespace hsp {
@@ -52,6 +54,8 @@ class PlainSides {
 };
 
 constexpr double clear_of_rounding = 1e-9, clear_of_slivers = 1e-5;
+// Balls are nearly in a plane up to that, which two of them give that are so far apart.
+constexpr double nearly_in_plane = 1e-8, far_apart = 0.02;
 
 }  // namespace
 
@@ -96,7 +100,7 @@ HullSide nearest_side(Span<const Vec3> a, const uint32_t *chosen, uint32_t size)
 
 }  // namespace
 
-double depth_of_hull(Span<const Vec3> a) {
+double depth_of_hull(Span<const Vec3> a, Vec3 *outward) {
   const uint32_t count = a.size();
   constexpr uint32_t spread_out = 10, most = 16;  // the hull of some of them is inside that of all
   uint32_t chosen[most] = {0};
@@ -122,6 +126,7 @@ double depth_of_hull(Span<const Vec3> a) {
   // Then those that are farthest beyond the side that is nearest to 0.
   for (;;) {
     const HullSide side = nearest_side(a, chosen, size);
+    if (outward != nullptr) *outward = side.outward;
     if (!side.any) return -1.0;
     if (side.inside > 0.1 || size == count || size == most) return side.inside - 1e-8;
     uint32_t which = chosen[0];
@@ -144,30 +149,101 @@ double depth_in_plane(Span<const Vec3> a, Span<const Vec3> y, double &off_plane)
   if (!(length > 1e-3)) return -1.0;
   n = (1.0 / length) * n;
   off_plane = 0.0;
-  for (uint32_t k = 0; k < count; ++k) off_plane = larger_of(off_plane, std::fabs(dot(n, y[k])) + 4.0);
-  double depth = 1.0;
-  bool any = false;
-  for (uint32_t i = 0; i < count; ++i) {
-    for (uint32_t j = 0; j < count; ++j) {
-      const Vec3 inward = cross(n, a[j] - a[i]);
-      const double size = std::sqrt(dot(inward, inward));
-      if (size < 1e-6) continue;
-      // Lines through two of them with all others on the left, or nearly.
-      bool right = false;
-      for (uint32_t k = 0; k < count && !right; ++k) right = dot(inward, a[k] - a[i]) < -1e-9 * size;
-      if (right) continue;
-      depth = smaller_of(depth, -dot(inward, a[i]) / size);
-      any = true;
-    }
+  double nearly = 0.0;
+  for (uint32_t k = 0; k < count; ++k) {
+    off_plane = larger_of(off_plane, std::fabs(dot(n, y[k])) + 4.0);
+    nearly = larger_of(nearly, std::fabs(dot(n, a[k])));
   }
-  return any ? depth - 1e-8 : -1.0;
+  uint32_t three[3];
+  return depth_in_circle(a, n, nearly, three);
 }
 
+double depth_in_circle(Span<const Vec3> a, const Vec3 &n, double nearly, uint32_t *three) {
+  // From 0 to 4 with the angle from one to another.
+  const auto turn = [&](uint32_t from, uint32_t to) {
+    const double across = dot(n, cross(a[from], a[to])), along = dot(a[from], a[to]);
+    return across >= 0.0 ? 1.0 - along : 3.0 + along;
+  };
+  // The first and the last one of each sector; there are no more than `narrow` between those of one.
+  constexpr uint32_t sectors = 64;
+  constexpr double narrow = 0.07;
+  uint32_t first[sectors], last[sectors];
+  double least[sectors], most[sectors];
+  for (uint32_t s = 0; s < sectors; ++s) first[s] = last[s] = no_id;
+  double before = 0.0, behind = 4.0;
+  uint32_t origin = no_id;
+  for (uint32_t k = 0; k < a.size(); ++k) {
+    if (!(std::fabs(dot(n, a[k])) <= nearly)) continue;
+    if (origin == no_id) origin = k;
+    const double at = k == origin ? 0.0 : turn(origin, k);
+    const auto own = static_cast<uint32_t>(16.0 * at);
+    const uint32_t s = own < sectors ? own : sectors - 1;
+    if (first[s] == no_id || at < least[s]) {
+      first[s] = k;
+      least[s] = at;
+    }
+    if (last[s] == no_id || at > most[s]) {
+      last[s] = k;
+      most[s] = at;
+    }
+    // On both sides of the direction that is opposite to the first one.
+    if (at > before && at < 2.0) {
+      before = at;
+      three[1] = k;
+    }
+    if (at >= 2.0 && at < behind) {
+      behind = at;
+      three[2] = k;
+    }
+  }
+  if (!(before > 0.0) || !(behind < 4.0)) return -1.0;
+  three[0] = origin;
+  double widest = narrow;
+  uint32_t from = last[0];
+  for (uint32_t s = 1; s < sectors; ++s) {
+    if (first[s] == no_id) continue;
+    widest = larger_of(widest, turn(from, first[s]));
+    from = last[s];
+  }
+  widest = larger_of(widest, turn(from, origin));
+  // The cosine of half the widest angle between two, less what they are off the plane.
+  return widest < 2.0 ? std::sqrt(0.5 * (2.0 - widest)) - 2.0 * nearly - 1e-7 : -1.0;
+}
+
+bool find_far_apart(const BallSet &balls, Span<const uint32_t> near, uint32_t *set) {
+  for (uint32_t k = 0; k < 4; ++k) set[k] = near[0];
+  for (uint32_t turn = 0; turn < 3; ++turn) {
+    double best = 0.0;
+    const Vec3 u = balls.difference(set[0], set[1]), v = balls.difference(set[0], set[2]);
+    for (const uint32_t ball : near) {
+      const Vec3 w = balls.difference(set[0], ball), n = cross(u, turn == 1 ? w : v);
+      const double size = turn == 0 ? dot(w, w) : turn == 1 ? dot(n, n) : std::fabs(dot(n, w));
+      if (size > best) {
+        best = size;
+        set[turn + 1] = ball;
+      }
+    }
+    if (best == 0.0) return false;
+  }
+  return true;
+}
+
+// Where doubles do not know the point well, as its balls are close together, others that are far apart may tell it.
 TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied,
-                               Span<Vec3> room) {
+                               Span<Vec3> room)
+    : balls_(balls), point_(point), tied_(tied) {
   if (tied.size() < 4 || tied.size() > room.size()) return;
-  const Vec3 at = point.place_estimate();
-  const double error = point.place_error();
+  Vec3 at = point.place_estimate();
+  double error = point.place_error();
+  uint32_t four[4];
+  const Vec3 from_first = at - Vec3{balls.x[tied[0]], balls.y[tied[0]], balls.z[tied[0]]};
+  if (!(error < 1e-12 * longest_part(from_first)) && find_far_apart(balls, tied, four)) {
+    const TangentPoint same = point.found_by(four);
+    if (same.place_error() < error) {
+      at = same.place_estimate();
+      error = same.place_error();
+    }
+  }
   for (uint32_t k = 0; k < tied.size(); ++k) {
     const Vec3 y = at - Vec3{balls.x[tied[k]], balls.y[tied[k]], balls.z[tied[k]]};
     const double length = std::sqrt(dot(y, y));
@@ -178,11 +254,9 @@ TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, 
   a_ = room.part(0, count_);
 }
 
-// Along their line the others surround it.
-bool TiedDirections::is_inner(uint32_t i, uint32_t j) const {
-  if (count_ == 0) return false;
-  const Vec3 along = a_[j] - a_[i];
-  // Two directions across it, of a length that is not small.
+// Whether the others are certainly all around a line, of a length that is not small.
+bool TiedDirections::is_around(const Vec3 &along, const Vec3 &from, uint32_t i, uint32_t j) const {
+  // Two directions across it.
   const Vec3 some = std::fabs(along.x) < std::fabs(along.y) ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
   const Vec3 u = cross(along, some), v = cross(along, u);
   constexpr double clear = 16 * clear_of_rounding;     // lengths are up to 8
@@ -191,7 +265,7 @@ bool TiedDirections::is_inner(uint32_t i, uint32_t j) const {
   bool any = false;
   for (uint32_t l = 0; l < count_; ++l) {
     if (l == i || l == j) continue;
-    const Vec3 d = a_[l] - a_[i];
+    const Vec3 d = a_[l] - from;
     const double here[2] = {dot(u, d), dot(v, d)};
     if (turn(right, left) > clear && turn(left, here) > clear && turn(here, right) > clear) return true;
     const bool beyond_right = !any || turn(right, here) < 0.0, beyond_left = !any || turn(left, here) > 0.0;
@@ -204,27 +278,139 @@ bool TiedDirections::is_inner(uint32_t i, uint32_t j) const {
   return false;
 }
 
+// On a curve that leads up along v all a.v are at least that of its own balls, s >= 0; then (v - s a_i).a_k >= s - s
+// a_i.a_k >= 0: as seen along a_i all others are on one side.
+bool TiedDirections::is_inner(uint32_t i) const {
+  return count_ > 0 && is_around(a_[i], {0.0, 0.0, 0.0}, i, i);
+}
+
+// Along their line the others surround it.
+bool TiedDirections::is_inner(uint32_t i, uint32_t j) const {
+  return count_ > 0 && is_around(a_[j] - a_[i], a_[i], i, j);
+}
+
 bool TiedDirections::surround() const {
   return count_ > 0 && depth_of_hull(a_) > clear_of_slivers;
 }
 
+bool TiedDirections::surround_in_plane(bool &all) {
+  if (count_ == 0) return false;
+  Vec3 n{};
+  static_cast<void>(depth_of_hull(a_, &n));
+  const double length = std::sqrt(dot(n, n));
+  if (!(length > 0.0)) return false;
+  uint32_t three[3];
+  if (!(depth_in_circle(a_, (1.0 / length) * n, nearly_in_plane, three) > 0.01)) return false;
+  // As wide as possible.
+  uint32_t wide = three[1];
+  const auto width = [&](uint32_t k) {
+    const Vec3 across = cross(a_[three[0]], a_[k]);
+    return dot(across, across);
+  };
+  for (uint32_t l = 0; l < count_; ++l) {
+    wide = std::fabs(dot(n, a_[l])) <= nearly_in_plane * length && width(l) > width(wide) ? l : wide;
+  }
+  const Plane *const plane = find_plane(three[0], three[1], wide);
+  if (plane == nullptr || !plane->is_one || plane->side != 0 || !are_near(*plane, three[0], three[1], three[2])) {
+    return false;
+  }
+  all = true;
+  for (uint32_t l = 0; l < count_; ++l) all = all && is_near(*plane, l);
+  return true;
+}
+
 // The way along which all three distances grow alike is across their plane, and up where 0 is below it.
-bool TiedDirections::is_closed(uint32_t i, uint32_t j, uint32_t k) const {
+bool TiedDirections::is_closed(uint32_t i, uint32_t j, uint32_t k, int side) const {
   if (count_ == 0) return false;
   const Vec3 n = cross(a_[j] - a_[i], a_[k] - a_[i]);
   const double offset = dot(n, a_[i]);
+  const bool beyond = side > 0 || offset > clear_of_rounding, before = side < 0 || offset < -clear_of_rounding;
   bool above = false, below = false;
   for (uint32_t l = 0; l < count_; ++l) {
     const double height = dot(n, a_[l]) - offset;
     above = above || height > clear_of_rounding;
     below = below || height < -clear_of_rounding;
-    if ((above && (below || offset < -clear_of_rounding)) || (below && offset > clear_of_rounding)) return true;
+    if ((above && (below || before)) || (below && beyond)) return true;
   }
   return false;
 }
 
 bool TiedDirections::is_off_plane(uint32_t i, uint32_t j, uint32_t k) const {
   return count_ > 0 && std::fabs(dot(cross(a_[i], a_[j]), a_[k])) > clear_of_rounding;
+}
+
+bool TiedDirections::is_near(const Plane &plane, uint32_t i) const {
+  return std::fabs(dot(plane.normal, a_[i])) <= nearly_in_plane;
+}
+
+bool TiedDirections::is_known_in_plane(uint32_t i, uint32_t j, uint32_t k) const {
+  for (uint32_t p = 0; p < known_planes(); ++p) {
+    if (planes_[p].is_one && planes_[p].side == 0 && are_near(planes_[p], i, j, k)) return true;
+  }
+  return false;
+}
+
+bool TiedDirections::are_known_in_plane(uint32_t i, uint32_t j, uint32_t k, uint32_t l) const {
+  for (uint32_t p = 0; p < known_planes(); ++p) {
+    if (planes_[p].is_one && are_near(planes_[p], i, j, k) && is_near(planes_[p], l)) return true;
+  }
+  return false;
+}
+
+// That of three which are nearly in one with the point; null if no two of them are far apart, or it has few others.
+const TiedDirections::Plane *TiedDirections::find_plane(uint32_t i, uint32_t j, uint32_t k) {
+  for (uint32_t p = 0; p < known_planes(); ++p) {
+    if (are_near(planes_[p], i, j, k)) return &planes_[p];
+  }
+  const uint32_t pair[3][2] = {{i, j}, {i, k}, {j, k}};
+  const uint32_t *widest = pair[0];
+  Vec3 n{0.0, 0.0, 0.0};
+  for (const auto &each : pair) {
+    const Vec3 other = cross(a_[each[0]], a_[each[1]]);
+    if (!(dot(other, other) > dot(n, n))) continue;
+    n = other;
+    widest = each;
+  }
+  const double length = std::sqrt(dot(n, n));
+  if (!(length > far_apart)) return nullptr;
+  Plane plane{(1.0 / length) * n, {0.0, 0.0, 0.0}, 0, true};
+  // A triangle that is as wide as possible.
+  const uint32_t first = tied_[widest[0]], second = tied_[widest[1]];
+  uint32_t third = first, size = 0;
+  for (uint32_t l = 0; l < count_; ++l) {
+    if (!is_near(plane, l)) continue;
+    ++size;
+    const Vec3 other = cross(balls_.difference(first, second), balls_.difference(first, tied_[l]));
+    if (!(dot(other, other) > dot(plane.turn, plane.turn))) continue;
+    plane.turn = other;
+    third = tied_[l];
+  }
+  if (size < 5 || are_collinear(balls_, first, second, third)) return nullptr;
+  for (uint32_t l = 0; l < count_ && plane.is_one; ++l) {
+    if (is_near(plane, l)) plane.is_one = are_coplanar(balls_, first, second, third, tied_[l]);
+  }
+  if (plane.is_one) plane.side = point_.side_of_plane(first, second, third);
+  planes_[planes_found_++ % most_planes] = plane;
+  return &planes_[(planes_found_ - 1) % most_planes];
+}
+
+// Of C and C', the differences of the centres, and the way to the point that is the determinant of the directions times
+// the distances. In one plane all turn one way or the other: their C x C' are parallel, with errors as PlainSides has
+// them.
+int TiedDirections::side_of_plane(uint32_t i, uint32_t j, uint32_t k) {
+  if (count_ > 0) {
+    const double height = dot(cross(a_[i], a_[j]), a_[k]);
+    if (std::fabs(height) > clear_of_rounding) return height > 0.0 ? 1 : -1;
+    const Plane *const plane = find_plane(i, j, k);
+    if (plane != nullptr && plane->is_one && are_near(*plane, i, j, k)) {
+      if (plane->side == 0) return 0;
+      const Vec3 u = balls_.difference(tied_[i], tied_[j]), v = balls_.difference(tied_[i], tied_[k]), w = cross(u, v);
+      if (longest_part(w) > 0x1p-40 * longest_part(u) * longest_part(v)) {
+        return dot(w, plane->turn) > 0.0 ? plane->side : -plane->side;
+      }
+    }
+  }
+  return point_.side_of_plane(tied_[i], tied_[j], tied_[k]);
 }
 
 bool TiedDirections::are_apart(uint32_t i, uint32_t j) const {
@@ -259,23 +445,32 @@ int TiedDirections::surround(uint32_t i, uint32_t j, uint32_t k, uint32_t l) con
 }
 
 PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room) {
-  const TiedDirections directions(balls, point, tied, room);
+  TiedDirections directions(balls, point, tied, room);
+  return kind_of(balls, point, tied, directions);
+}
+
+PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied,
+                  TiedDirections &directions) {
   if (directions.surround()) return PointKind::maximum;
-  // The extreme rays of K are orthogonal to two directions that are not parallel.
+  // The extreme rays of K are orthogonal to two directions that are not parallel. Those that may be come last: as a
+  // rule nothing depends on them, and opposite ones have all others in their plane.
   bool solid = false, flat = false;
-  for (uint32_t a = 0; a < tied.size() && !flat; ++a) {
-    for (uint32_t b = a + 1; b < tied.size() && !flat; ++b) {
-      if (directions.are_on_both_sides(a, b)) {
-        solid = true;
-        continue;
+  for (const bool apart : {true, false}) {
+    for (uint32_t a = 0; a < tied.size() && !flat; ++a) {
+      for (uint32_t b = a + 1; b < tied.size() && !flat; ++b) {
+        if (directions.are_apart(a, b) != apart) continue;
+        if (directions.are_on_both_sides(a, b)) {
+          solid = true;
+          continue;
+        }
+        Signs signs;
+        for (uint32_t c = 0; c < tied.size() && !signs.both(); ++c) {
+          if (c != a && c != b) signs.add(directions.side_of_plane(a, b, c));
+        }
+        if (signs.any() && !signs.both()) return PointKind::passing;
+        solid = solid || signs.any();
+        flat = !signs.any() && apart;
       }
-      Signs signs;
-      for (uint32_t c = 0; c < tied.size() && !signs.both(); ++c) {
-        if (c != a && c != b) signs.add(point.side_of_plane(tied[a], tied[b], tied[c]));
-      }
-      if (signs.any() && !signs.both()) return PointKind::passing;
-      solid = solid || signs.any();
-      flat = !signs.any() && directions.are_apart(a, b);
     }
   }
   if (solid) return PointKind::maximum;
@@ -348,7 +543,7 @@ void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const ui
 void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room,
                      uint32_t *name) {
   const uint32_t n = tied.size();
-  const TiedDirections directions(balls, point, tied, room);
+  TiedDirections directions(balls, point, tied, room);
   bool on_side = false;
   for (uint32_t a = 0; a < n; ++a) {
     for (uint32_t b = a + 1; b < n; ++b) {
@@ -360,6 +555,8 @@ void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const
           name[3] = tied[d];
           const int certain = directions.surround(a, b, c, d);
           if (certain < 0) continue;
+          if (certain == 0 && !directions.is_off_plane(a, b, c)) static_cast<void>(directions.side_of_plane(a, b, c));
+          if (certain == 0 && directions.are_known_in_plane(a, b, c, d)) continue;
           if (n == 4 || certain > 0 ||
               (!are_coplanar(balls, name[0], name[1], name[2], name[3]) &&
                is_in_tetrahedron(balls, point, name, on_side))) {

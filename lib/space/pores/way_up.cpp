@@ -105,39 +105,58 @@ bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
 bool WayUp::leave(Way &way) {
   const TangentCurve before = way.curve;
   const Span<const uint32_t> tied = tied_.items();
-  const TiedDirections directions(*balls_, point_, tied, directions_);
-  if (directions.surround()) return false;
-  // Of many most pairs lead nowhere.
-  const auto is_inner = [&](uint32_t a, uint32_t b) { return tied.size() > few_tied && directions.is_inner(a, b); };
+  TiedDirections directions(*balls_, point_, tied, directions_);
+  if (directions.surround() ||
+      (tied.size() > few_tied && kind_of(*balls_, point_, tied, directions) == PointKind::maximum)) {
+    return false;
+  }
+  // Of many most are on no curve that leads up, and most pairs. Those that may be are noted where the balls near the
+  // way were, which are no longer needed.
   bool in_one_plane = true;
-  for (uint32_t a = 0; a < tied.size(); ++a) {
-    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+  near_.clear();
+  for (uint32_t k = 0; k < tied.size(); ++k) {
+    const bool inner = tied.size() > few_tied && directions.is_inner(k);
+    in_one_plane = in_one_plane && !inner;
+    if (!inner) near_.push(k);
+  }
+  const Span<const uint32_t> outer = near_.items();
+  const uint32_t count = outer.size();
+  const auto is_inner = [&](uint32_t a, uint32_t b) { return tied.size() > few_tied && directions.is_inner(a, b); };
+  // In the inside of a triangle no way is steep.
+  const bool level = tied.size() > few_tied && directions.surround_in_plane(in_one_plane);
+  for (uint32_t i = 0; i < count && !level; ++i) {
+    for (uint32_t j = i + 1; j < count; ++j) {
+      const uint32_t a = outer[i], b = outer[j];
       if (is_inner(a, b)) {
         in_one_plane = false;
         continue;
       }
-      for (uint32_t c = b + 1; c < tied.size(); ++c) {
+      for (uint32_t k = j + 1; k < count; ++k) {
+        const uint32_t c = outer[k];
+        if (directions.is_known_in_plane(a, b, c)) continue;
         if (directions.is_closed(a, b, c)) {
           in_one_plane = false;
           continue;
         }
         way.curve = {tied[a], tied[b], tied[c]};
-        way.side = point_.side_of_curve(way.curve);
+        way.side = directions.side_of_plane(a, b, c);
         if (way.side == 0) continue;
         in_one_plane = false;
-        if (is_open(way)) return true;
+        if (!directions.is_closed(a, b, c, way.side) && is_open(way)) return true;
       }
     }
   }
   // Beside a gate that is closed on one side: the point is in a triangle's plane.
-  for (uint32_t a = 0; a < tied.size(); ++a) {
-    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+  for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t j = i + 1; j < count; ++j) {
+      const uint32_t a = outer[i], b = outer[j];
       if (is_inner(a, b)) continue;
-      for (uint32_t c = b + 1; c < tied.size(); ++c) {
+      for (uint32_t k = j + 1; k < count; ++k) {
+        const uint32_t c = outer[k];
         way.curve = {tied[a], tied[b], tied[c]};
         bool on_side = false;
-        if (directions.is_closed(a, b, c) || directions.is_off_plane(a, b, c) || point_.side_of_curve(way.curve) != 0 ||
-            are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
+        if (directions.is_off_plane(a, b, c) || directions.is_closed(a, b, c) ||
+            directions.side_of_plane(a, b, c) != 0 || are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
             !is_in_triangle(*balls_, point_, tied[a], tied[b], tied[c], on_side)) {
           continue;
         }

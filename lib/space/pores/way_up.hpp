@@ -38,6 +38,7 @@ class WayUp {
 
   uint32_t needed_near() const { return larger_count(needed_near_, near_balls_.needed()); }
   uint64_t steps() const { return steps_; }
+  uint64_t questions() const { return lines_[0].questions(); }
 
  private:
   struct Way {

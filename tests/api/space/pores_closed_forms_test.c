@@ -1,5 +1,5 @@
-/* Pores of balls for which maxima, gates and tunnels are known in closed form: a cubic cage, a bottle of rings, and
- * two cages side by side. */
+/* Pores of balls for which maxima, gates and tunnels are known in closed form: a cubic cage, a bottle of rings, two
+ * cages side by side, rings, and balls in one point. */
 #include <hardsphere.h>
 #include <hardsphere_workspace.h>
 #include <math.h>
@@ -168,11 +168,54 @@ static void two_cages(void) {
   CHECK(passage.at[0] != passage.at[1] && passage.at[0] + passage.at[1] == 1);
 }
 
+/* Balls on a circle of 6 with so many decimals: some tie in its middle, all others do nearly. */
+static void rings(void) {
+  hsp_pore_gate gate;
+  uint32_t n, k, decimals;
+  for (n = 16; n <= 200; n += n < 60 ? 4 : 70) {
+    double grain = 1e-3;
+    for (decimals = 3; decimals <= 8; ++decimals, grain /= 10) {
+      balls.n = 0;
+      for (k = 0; k < n; ++k) {
+        const double angle = 2 * acos(-1.0) * k / n;
+        ball_set_add(&balls, grain * floor(6 * cos(angle) / grain + 0.5), grain * floor(6 * sin(angle) / grain + 0.5),
+                     0, 1.7);
+      }
+      compute();
+      CHECK(counts.maxima == 0 && counts.gates == 1 && counts.merges == 0 && counts.outer_balls == n);
+      CHECK_EQUAL(hsp_pores_get_gates(work.pores, 0, 1, &gate), HSP_OK);
+      CHECK(fabs(gate.radius - 4.3) < 1e-3 && fabs(gate.xyz[0]) < 1e-3 && fabs(gate.xyz[1]) < 1e-3);
+      CHECK(gate.xyz[2] == 0 && gate.end[0] == HSP_PORE_OUTSIDE && gate.end[1] == HSP_PORE_OUTSIDE);
+    }
+  }
+}
+
+/* One of many that are equal, or the largest, is outside all others. */
+static void balls_in_one_point(void) {
+  enum { MOST = 20000 };
+  static double xyz[3 * MOST], radius[MOST];
+  uint32_t k, turn;
+  for (turn = 0; turn < 2; ++turn) {
+    for (k = 0; k < MOST; ++k) {
+      xyz[3 * k] = 0.5;
+      xyz[3 * k + 1] = -2;
+      xyz[3 * k + 2] = 7;
+      radius[k] = turn == 0 ? 1.5 : 1 + 0.5 * ((k * 7919u) % MOST) / MOST;
+    }
+    CHECK_EQUAL(hsp_workspace_set(&work, MOST, xyz, radius, NULL, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_OK);
+    CHECK(counts.maxima == 0 && counts.gates == 0 && counts.cavities == 0 && counts.outer_balls == 1);
+  }
+}
+
 int main(void) {
   memset(&work, 0, sizeof work);
   one_cage();
   bottle();
   two_cages();
+  rings();
+  balls_in_one_point();
   hsp_workspace_free(&work);
   return check_report();
 }

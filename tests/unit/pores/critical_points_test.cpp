@@ -113,6 +113,81 @@ TEST(CriticalPoints, EulerSumsOfPartsOfShells) {
   EXPECT_GT(seen.tied, 4 / oracle::sets_for_one);
 }
 
+// Rings whose coordinates have so many decimals tie exactly in parts, and nearly as a whole.
+TEST(CriticalPoints, RingsByAllSets) {
+  checked_pores::Seen seen;
+  for (int kind = 0; kind < pore_sets::ring_kinds; ++kind) {
+    for (const size_t n : {6U, 7U, 8U, 12U}) {
+      if (pore_sets::ring_set(kind, n, 8).size() > 16) continue;
+      for (int decimals = 3 + kind % 3; decimals <= 8; decimals += 3) {
+        ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(pore_sets::ring_set(kind, n, decimals), seen));
+      }
+    }
+  }
+  EXPECT_GT(seen.tied, 20);
+}
+
+// Questions for the exact stage grow as the balls do, and so do the cubes; whatever ties.
+TEST(CriticalPoints, RingsTakeFewQuestions) {
+  checked_pores::Seen seen;
+  for (int kind = 0; kind < pore_sets::ring_kinds; ++kind) {
+    for (const size_t n : {16U, 20U, 60U, 200U}) {
+      for (int decimals = n == 200 ? 8 : 3; decimals <= 8; ++decimals) {
+        const oracle::Balls balls = pore_sets::ring_set(kind, n, decimals);
+        const FoundPoints found(balls, 0);
+        ASSERT_EQ(found.status(), hsp::Status::ok);
+        const auto size = static_cast<double>(balls.size());
+        EXPECT_LT(static_cast<double>(found.points().lines().questions()), 500.0 + 12.0 * size * std::log2(size))
+            << kind << ' ' << n << ' ' << decimals;
+        EXPECT_LT(static_cast<double>(found.points().work().cubes), 4000.0 + 250.0 * size)
+            << kind << ' ' << n << ' ' << decimals;
+        if (n < 30 && decimals == 3 + kind % 6) {
+          ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(balls, seen));
+        }
+      }
+    }
+  }
+}
+
+// Points of a lattice on a circle tie exactly, alone and with balls on the axis.
+TEST(CriticalPoints, ExactCirclesTakeFewQuestions) {
+  checked_pores::Seen seen;
+  for (const int64_t root : {25, 65, 325, 1105}) {
+    for (int poles = 0; poles < 3; ++poles) {
+      const oracle::Balls balls = pore_sets::exact_circle(root, 100000, 1000, poles);
+      const FoundPoints found(balls, 0);
+      ASSERT_EQ(found.status(), hsp::Status::ok);
+      const auto size = static_cast<double>(balls.size());
+      EXPECT_LT(static_cast<double>(found.points().lines().questions()), 500.0 + 12.0 * size * std::log2(size))
+          << root << ' ' << poles;
+      EXPECT_EQ(found.points().maxima().size(), poles == 2 ? 1U : 0U);
+      const auto on_axis = static_cast<uint32_t>(poles), around = static_cast<uint32_t>(balls.size()) - on_axis;
+      EXPECT_EQ(found.points().gates().size(), poles == 0 ? 1 : on_axis * around);
+      if (poles == 2) {
+        EXPECT_EQ(found.points().maxima()[0].point.tied, balls.size());
+      }
+      if (root < 1105) {
+        ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(balls, seen));
+      }
+    }
+  }
+}
+
+// Crowns that are some steps high: all tie in the middle, and sets that are nearly flat do so again beside it.
+TEST(CriticalPoints, LowCrownsByAllSets) {
+  oracle::RandomSource random(8);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < 8; ++turn) {
+    const int64_t most = turn % 4 + 1;
+    oracle::Balls balls = pore_sets::exact_circle(5, 50000000, 100000000, turn % 3);
+    for (auto &ball : balls) {
+      if (ball.z == 0) ball.z = turn % 2 == 0 ? most * (random.one_in(2) ? 1 : -1) : random.in(-most, most);
+    }
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(balls, seen));
+  }
+  EXPECT_GT(seen.tied, 4);
+}
+
 // Points of the floor's own level are not above it.
 TEST(CriticalPoints, FloorsAreStrict) {
   // A ring of four around the origin, at 500 from it, and two on the axis at 500: an octahedron of level 400.

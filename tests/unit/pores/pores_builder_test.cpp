@@ -147,6 +147,37 @@ TEST(PoresBuilder, BallsInsideOthersAndEqualOnesCountOnce) {
   }
 }
 
+// At some places many balls of all sizes, each a little beside it or not at all.
+TEST(PoresBuilder, ManyBallsInsideOthers) {
+  oracle::RandomSource random(8);
+  for (int turn = 0; turn < 20; ++turn) {
+    const int64_t shake = turn % 2 == 0 ? 0 : 3000000;
+    oracle::Balls balls, places = oracle::balls_in_box(random, 6, 200000000, 1000000, 100000000);
+    for (const auto &place : places) {
+      for (int k = 0; k < 30; ++k) {
+        const auto beside = [&](int64_t x) { return x + random.in(-shake, shake); };
+        balls.push_back(
+            {beside(place.x), beside(place.y), beside(place.z), place.radius - random.in(0, 3) * place.radius / 8});
+      }
+    }
+    for (size_t k = balls.size(); k > 1; --k) {
+      std::swap(balls[k - 1], balls[static_cast<size_t>(random.in(0, static_cast<int64_t>(k) - 1))]);
+    }
+    const oracle::Balls outer = oracle::outer_balls(balls);
+    const BuiltPores pores(balls), alone(outer, BuiltPores::lowest(balls));
+    ASSERT_EQ(pores.status(), hsp::Status::ok);
+    ASSERT_EQ(pores.builder().outer_balls(), outer.size());
+    ASSERT_EQ(pores.maxima().size(), alone.maxima().size());
+    ASSERT_EQ(pores.gates().size(), alone.gates().size());
+    for (uint32_t k = 0; k < alone.gates().size(); ++k) {
+      ASSERT_EQ(pores.gates()[k].point.level, alone.gates()[k].point.level);
+      for (uint32_t b = 0; b < 3; ++b) {
+        ASSERT_EQ(balls[pores.gates()[k].point.ball[b]], outer[alone.gates()[k].point.ball[b]]);
+      }
+    }
+  }
+}
+
 TEST(PoresBuilder, FewBalls) {
   oracle::Balls balls;
   for (int n = 0; n <= 2; ++n) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "pore_sets.hpp"
 #include "tied_sets.hpp"
 
 namespace {
@@ -19,8 +20,8 @@ using oracle::Int128;
 using oracle::Vector;
 
 hsp::TangentLines lines;
-hsp::Vec3 vectors[16];
-const hsp::Span<hsp::Vec3> room(vectors, 16);
+hsp::Vec3 vectors[160];
+const hsp::Span<hsp::Vec3> room(vectors, 160);
 
 Int128 volume(const Vector &a, const Vector &b, const Vector &c) {
   return dot(cross(a, b), c);
@@ -125,6 +126,155 @@ TEST(TiedBalls, KindsAndNames) {
   EXPECT_GT(kinds[1], 100);
   EXPECT_GT(kinds[2], 300);
   EXPECT_GT(octahedra, 10);
+}
+
+// Whether 0 is in the triangle of three centres in the plane z = 0, or in the tetrahedron of four, none of them flat.
+bool is_around_zero(const std::vector<Vector> &corners) {
+  const bool flat = corners.size() == 3;
+  const Vector up{0, 0, 1};
+  const Int128 all = flat ? dot(cross(corners[0], corners[1]), up) + dot(cross(corners[1], corners[2]), up) +
+                                dot(cross(corners[2], corners[0]), up)
+                          : volume(corners[1], corners[2], corners[3]) - volume(corners[0], corners[2], corners[3]) +
+                                volume(corners[0], corners[1], corners[3]) - volume(corners[0], corners[1], corners[2]);
+  if (all == 0) return false;
+  for (size_t k = 0; k < corners.size(); ++k) {
+    std::vector<Vector> replaced = corners;
+    replaced[k] = {0, 0, 0};
+    const Int128 part =
+        flat ? dot(cross(replaced[0], replaced[1]), up) + dot(cross(replaced[1], replaced[2]), up) +
+                   dot(cross(replaced[2], replaced[0]), up)
+             : volume(replaced[1], replaced[2], replaced[3]) - volume(replaced[0], replaced[2], replaced[3]) +
+                   volume(replaced[0], replaced[1], replaced[3]) - volume(replaced[0], replaced[1], replaced[2]);
+    if (oracle::sign_of(part) * oracle::sign_of(all) < 0) return false;
+  }
+  return true;
+}
+
+// The first set of so many, in the order of the balls, that is around 0.
+std::vector<uint32_t> first_around_zero(const std::vector<Vector> &way, uint32_t size) {
+  const auto n = static_cast<uint32_t>(way.size());
+  for (uint32_t a = 0; a < n; ++a) {
+    for (uint32_t b = a + 1; b < n; ++b) {
+      for (uint32_t c = b + 1; c < n; ++c) {
+        if (size == 3 && is_around_zero({way[a], way[b], way[c]})) return {a, b, c};
+        for (uint32_t d = c + 1; size == 4 && d < n; ++d) {
+          if (is_around_zero({way[a], way[b], way[c], way[d]})) return {a, b, c, d};
+        }
+      }
+    }
+  }
+  return {};
+}
+
+// Balls on a circle, or a part of it, and some on its axis: what is asked of the exact stage is some questions a ball.
+TEST(TiedBalls, ManyInOnePlane) {
+  oracle::RandomSource random(2);
+  int kinds[3] = {0, 0, 0};
+  for (int turn = 0; turn < 36; ++turn) {
+    oracle::Balls all = pore_sets::exact_circle(turn < 24 ? 25 : 65, 1000, 100, turn % 3), chosen;
+    for (size_t k = all.size(); k > 1; --k) {
+      std::swap(all[k - 1], all[static_cast<size_t>(random.in(0, static_cast<int64_t>(k) - 1))]);
+    }
+    for (const auto &ball : all) {
+      if (turn / 3 % 4 == 1 && ball.y < 0) continue;                       // half of it, with its ends
+      if (turn / 3 % 4 == 2 && ball.y < 0 && !random.one_in(4)) continue;  // few of the other half
+      if (turn / 3 % 4 == 3 && ball.y <= 0 && ball.z == 0) continue;       // without its ends
+      chosen.push_back(ball);
+    }
+    std::vector<Vector> way;
+    std::vector<uint32_t> tied, circle;
+    for (const auto &ball : chosen) {
+      if (ball.z == 0) circle.push_back(static_cast<uint32_t>(tied.size()));
+      tied.push_back(static_cast<uint32_t>(tied.size()));
+      way.push_back({-ball.x, -ball.y, -ball.z});
+    }
+    if (circle.size() < 3 || tied.size() < 4) continue;
+    const PlainBallSet plain(chosen);
+    const auto n = static_cast<uint32_t>(tied.size());
+    hsp::TangentLines own;
+    TangentPoint point(own);
+    ASSERT_TRUE(point.find(plain.set(), {circle[0], circle[1], circle[2]}, no_id, false));
+    const PointKind expected = kind_by_cones(way), kind = hsp::kind_of(plain.set(), point, {tied.data(), n}, room);
+    ASSERT_EQ(kind, expected) << oracle::to_text(chosen);
+    ++kinds[static_cast<int>(kind)];
+    if (kind != PointKind::passing) {
+      uint32_t name[4] = {no_id, no_id, no_id, no_id};
+      hsp::name_of(plain.set(), point, {tied.data(), n}, kind, room, name);
+      const uint32_t size = kind == PointKind::gate ? 3 : 4;
+      ASSERT_EQ(std::vector<uint32_t>(name, name + size), first_around_zero(way, size)) << oracle::to_text(chosen);
+    }
+    EXPECT_LT(own.questions(), 40 + 12 * n) << oracle::to_text(chosen);
+    hsp::TiedDirections directions(plain.set(), point, {tied.data(), n}, room);
+    for (int question = 0; question < 200; ++question) {
+      uint32_t ball[3];
+      for (uint32_t &each : ball) each = static_cast<uint32_t>(random.in(0, n - 1));
+      if (ball[0] == ball[1] || ball[1] == ball[2] || ball[2] == ball[0]) continue;
+      ASSERT_EQ(directions.side_of_plane(ball[0], ball[1], ball[2]), point.side_of_plane(ball[0], ball[1], ball[2]));
+    }
+  }
+  for (const int count : kinds) EXPECT_GT(count, 3);
+}
+
+// Of equal balls on a circle that all tie a step above its plane or below, nearer than doubles see it.
+TEST(TiedBalls, SidesOfAPlaneThatIsNearTheirPoint) {
+  for (const int64_t up : {1, -1, 4, 0}) {
+    oracle::Balls balls = pore_sets::exact_circle(65, 100000000, 100, 0);
+    const auto n = static_cast<uint32_t>(balls.size());
+    balls.push_back({0, 0, 6500000000 + up, 100});
+    const PlainBallSet plain(balls);
+    std::vector<uint32_t> all;
+    for (uint32_t k = 0; k <= n; ++k) all.push_back(k);
+    hsp::TangentLines own;
+    TangentPoint point(own);
+    ASSERT_TRUE(point.find(plain.set(), {0, 11, 23}, n, false));
+    ASSERT_EQ(point.side_of_plane(0, 11, 23) != 0, up != 0);
+    hsp::TiedDirections directions(plain.set(), point, {all.data(), n + 1}, room);
+    uint64_t asked = 0;
+    for (uint32_t i = 0; i < n; i += 2) {
+      for (uint32_t j = i + 1; j < n; j += 3) {
+        for (uint32_t k = j + 1; k < n; k += 2) {
+          const uint64_t before = own.questions();
+          const int side = directions.side_of_plane(i, j, k);
+          asked += own.questions() - before;
+          ASSERT_EQ(side, point.side_of_plane(i, j, k)) << up;
+        }
+      }
+    }
+    EXPECT_LT(asked, 2 * n);
+    EXPECT_EQ(hsp::kind_of(plain.set(), point, {all.data(), n + 1}, room),
+              up > 0 ? PointKind::maximum : PointKind::passing);
+  }
+}
+
+TEST(TiedBalls, DepthInACircle) {
+  oracle::RandomSource random(3);
+  int inside = 0;
+  for (int turn = 0; turn < 300; ++turn) {
+    const auto count = static_cast<uint32_t>(random.in(3, 40));
+    const double width = turn % 3 == 0 ? 6.2831853 : 3.0 + 0.01 * static_cast<double>(random.in(0, 60));
+    std::vector<double> angles;
+    std::vector<hsp::Vec3> a;
+    for (uint32_t k = 0; k < count; ++k) {
+      angles.push_back(width * static_cast<double>(random.in(0, 1000000)) / 1e6);
+      a.push_back({std::cos(angles[k]), std::sin(angles[k]), 0.0});
+    }
+    std::sort(angles.begin(), angles.end());
+    double gap = angles.front() + 6.283185307179586 - angles.back();
+    for (uint32_t k = 1; k < count; ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
+    a.push_back({0.0, 0.0, 1.0});  // is not in the plane
+    uint32_t three[3];
+    const double depth = hsp::depth_in_circle({a.data(), count + 1}, {0.0, 0.0, 1.0}, 1e-9, three);
+    const double expected = gap < 3.141592653589793 ? std::cos(0.5 * gap) : 0.0;
+    ASSERT_LE(depth, expected + 1e-9);
+    if (!(expected > 1e-5)) continue;
+    ++inside;
+    ASSERT_GT(depth, std::min(expected, 0.98) - 1e-5);
+    for (uint32_t k = 0; k < 3; ++k) {
+      const hsp::Vec3 &p = a[three[k]], &q = a[three[(k + 1) % 3]];
+      ASSERT_GE(p.x * q.y - p.y * q.x, -1e-12);
+    }
+  }
+  EXPECT_GT(inside, 50);
 }
 
 // Six balls around a point, no four of which have it strictly inside.

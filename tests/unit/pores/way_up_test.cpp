@@ -54,16 +54,47 @@ TEST(WayUp, ManyTopsAmongUnequalBalls) {
   EXPECT_GT(seen.levels, 100);
 }
 
+void check_ways(const BuiltPores &pores) {
+  for (const auto &gate : pores.gates()) {
+    for (const uint32_t end : gate.end) {
+      ASSERT_NE(end, no_id);
+      if (end == pore_outside) continue;
+      ASSERT_GE(pores.maxima()[end].point.level, gate.point.level);
+    }
+  }
+}
+
 TEST(WayUp, EndsAreHigher) {
   oracle::RandomSource random(2);
   for (int turn = 0; turn < oracle::sets(20); ++turn) {
     const BuiltPores pores(pore_sets::general_set(random, 30, turn % pore_sets::general_kinds));
     ASSERT_EQ(pores.status(), hsp::Status::ok);
-    for (const auto &gate : pores.gates()) {
-      for (const uint32_t end : gate.end) {
-        ASSERT_NE(end, no_id);
-        if (end == pore_outside) continue;
-        ASSERT_GT(pores.maxima()[end].point.level, gate.point.level);
+    ASSERT_NO_FATAL_FAILURE(check_ways(pores));
+  }
+}
+
+// From a ring of balls with others on its axis all ways lead through points where all tie, with the point in the plane
+// of the ring or beside it: at each some questions a ball are asked.
+TEST(WayUp, TiesTakeFewQuestions) {
+  checked_pores::Seen seen;
+  for (const int64_t root : {25, 65, 325}) {
+    for (const int poles : {0, 1, 2}) {
+      for (const int64_t up : {0, 1, -1, 1000, 30000000}) {
+        oracle::Balls balls = pore_sets::exact_circle(root, 1250000000 / root, 500000000, poles);
+        for (auto &ball : balls) ball.z += ball.z > 0 ? up : ball.z < 0 ? -up : 0;
+        const BuiltPores pores(balls);
+        ASSERT_EQ(pores.status(), hsp::Status::ok);
+        const auto ring = static_cast<double>(balls.size()) - poles;
+        const auto points = static_cast<double>(pores.maxima().size() + pores.gates().size());
+        EXPECT_LT(static_cast<double>(pores.builder().questions()), 500.0 + points * 12.0 * ring) << root << ' ' << up;
+        // Poles that are nearer to the middle than the ring leave maxima beside it.
+        const uint32_t expected = poles == 0 ? 0 : poles == 1 ? (up > 0 ? 1 : 0) : up > 0 ? 2 : 1;
+        EXPECT_EQ(pores.maxima().size(), poles == 2 && up < 0 ? static_cast<uint32_t>(ring) : expected)
+            << root << ' ' << poles << ' ' << up;
+        ASSERT_NO_FATAL_FAILURE(check_ways(pores));
+        if (root == 25) {
+          ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(balls, seen));
+        }
       }
     }
   }

@@ -141,4 +141,50 @@ inline oracle::Balls cage(oracle::RandomSource &random, int kind, double unit) {
   return balls;
 }
 
+// Balls on a circle of 2.5 units with so many decimals of a unit, and others: 0 the ring alone, 1 with a small ball in
+// the middle, 2 with one on the axis that is as far from it, 3 with two of these, 4 every other one higher, 5 another
+// ring above it, 6 that turned by half an angle, 7 turned out of the plane of the axes, 8 another ring beside it.
+inline constexpr int ring_kinds = 9;
+inline oracle::Balls ring_set(int kind, size_t n, int decimals) {
+  const double unit = 1e8, size = 2.5, pi = std::acos(-1.0);
+  double grain = unit;
+  for (int k = 0; k < decimals; ++k) grain /= 10.0;
+  oracle::Balls balls;
+  const auto add = [&](double x, double y, double z, double radius) {
+    const auto rounded = [&](double length) { return static_cast<int64_t>(grain * std::round(length * unit / grain)); };
+    balls.push_back({rounded(x), rounded(y), rounded(z), rounded(radius)});
+  };
+  const size_t rings = kind == 5 || kind == 6 || kind == 8 ? 2 : 1;
+  for (size_t ring = 0; ring < rings; ++ring) {
+    for (size_t k = 0; k < n; ++k) {
+      const double turn = static_cast<double>(k) + (kind == 6 && ring == 1 ? 0.5 : 0.0);
+      const double angle = 2.0 * pi * turn / static_cast<double>(n), x = size * std::cos(angle),
+                   y = size * std::sin(angle);
+      const double other = static_cast<double>(ring);
+      if (kind == 4) add(x, y, k % 2 == 0 ? 0.2 : -0.2, 0.7);
+      if (kind == 7) add(0.96 * x - 0.28 * 0.6 * y, 0.8 * y, 0.28 * x + 0.96 * 0.6 * y, 0.7);
+      if (kind == 8) add(x + 2.0 * size * other, y, 0.0, 0.7);
+      if (kind != 4 && kind < 7) add(x, y, kind < 5 ? 0.0 : other, 0.7);
+    }
+  }
+  if (kind == 1) add(0.0, 0.0, 0.0, 0.3);
+  if (kind == 2 || kind == 3) add(0.0, 0.0, size, 0.7);
+  if (kind == 3) add(0.0, 0.0, -size, 0.7);
+  return balls;
+}
+
+// All lattice points on a circle around 0 in one plane, at the root of `square`, an integer, all with one radius. With
+// them one at the same distance across the plane, or two. 36 on the circle with 65, 108 with 1105.
+inline oracle::Balls exact_circle(int64_t root, int64_t step, int64_t radius, int poles) {
+  oracle::Balls balls;
+  for (int64_t x = -root; x <= root; ++x) {
+    for (int64_t y = -root; y <= root; ++y) {
+      if (x * x + y * y == root * root) balls.push_back({step * x, step * y, 0, radius});
+    }
+  }
+  if (poles > 0) balls.push_back({0, 0, step * root, radius});
+  if (poles > 1) balls.push_back({0, 0, -step * root, radius});
+  return balls;
+}
+
 }  // namespace pore_sets
