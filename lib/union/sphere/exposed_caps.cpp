@@ -33,12 +33,12 @@ void ExposedCaps::order_by_size(const Real *b, uint32_t count) {
 // The polyhedron of one ball, and its caps some at a time.
 class ExposedCaps::Cutting {
  public:
-  Cutting(const Caps &caps, bool balls_alone, Span<uint8_t> state)
-      : caps_(caps), balls_alone_(balls_alone), state_(state) {
+  Cutting(const Caps &caps, Part part, bool balls_alone, Span<uint8_t> state)
+      : caps_(caps), part_(part), balls_alone_(balls_alone), state_(state) {
     cell_.start();
   }
 
-  // Cuts by those whose planes go deeper than that; the others wait. False if nothing of the sphere is left.
+  // Cuts by those whose planes go deeper than that; the others wait. False if nothing is left.
   bool cut_by(Span<const uint32_t> numbers, double least_depth) {
     for (uint32_t t = 0; t < numbers.size();) {
       if (!load(numbers.part(t, numbers.size()))) {
@@ -62,7 +62,7 @@ class ExposedCaps::Cutting {
             state_[number] = doubtful;
             break;
           case OuterCell::Cut::cuts:
-            if (cell_.lies_inside_sphere()) return false;
+            if (part_ == Part::sphere && cell_.lies_inside_sphere()) return false;
             state_[number] = has_cut;
             if (bits != 0) bits = may_cut(bits);
             break;
@@ -110,6 +110,7 @@ class ExposedCaps::Cutting {
   }
 
   const Caps &caps_;
+  Part part_;
   bool balls_alone_;
   Span<uint8_t> state_;
   OuterCell cell_;
@@ -126,7 +127,7 @@ Span<const uint32_t> ExposedCaps::in_state(uint32_t count, Chosen chosen) {
   return order_.part(0, found);
 }
 
-bool ExposedCaps::find(const Caps &caps, const float *sizes) {
+bool ExposedCaps::find(Part part, const Caps &caps, const float *sizes) {
   // Where planes nearly agree, as of copies of one ball, the deepest of all is to cut, not one after the other.
   constexpr double deep = 0x1p-5;
   const uint32_t count = caps.count;
@@ -135,10 +136,17 @@ bool ExposedCaps::find(const Caps &caps, const float *sizes) {
   } else {
     order_by_size(caps.b.data(), count);
   }
-  Cutting cutting(caps, sizes != nullptr, state_);
+  Cutting cutting(caps, part, sizes != nullptr, state_);
   if (!cutting.cut_by(order_.part(0, count), deep)) return false;
   if (!cutting.cut_by(in_state(count, [](uint8_t state) { return state == waits; }), 0.0)) return false;
   cutting.drop(in_state(count, [](uint8_t state) { return state == has_cut || state == doubtful; }));
+  return true;
+}
+
+bool ExposedCaps::keep(Part part, Caps &caps) {
+  if (!are_many(caps)) return true;
+  if (!find(part, caps)) return false;
+  caps.keep_numbers([this](uint32_t k) { return has(k); });
   return true;
 }
 

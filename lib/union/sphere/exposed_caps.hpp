@@ -1,5 +1,6 @@
 // Of many caps of one ball, those that may touch its free part. The others are covered by these, strictly, so that
-// whatever is found of the free part of the sphere is found with these alone: vertices, circles, clusters, ties.
+// whatever is found of the free part of the sphere is found with these alone: vertices, circles, clusters, ties. Or
+// those that may touch the ball's power cell, inside the ball: with these alone the ball's contacts are found.
 // (exact/PROOFS.md, section 7.) In sets of many overlaps, models of one molecule or poses of a ligand, a ball has a
 // thousand caps, and mostly a dozen of these cover it.
 #pragma once
@@ -18,11 +19,15 @@ class ExposedCaps {
 
   // Memory, [caps] each.
   ExposedCaps(Span<uint32_t> order, Span<uint8_t> state) : order_(order), state_(state) {}
-  // False if nothing of the sphere is free. Its radius is not 0. sizes: where of caps the balls alone are known, their
-  // b in floats; doubles are made of those caps alone that are looked at.
-  bool find(const Caps &caps, const float *sizes = nullptr);
+  // Of which the caps leave a part: of the sphere, or of the ball.
+  enum class Part : uint8_t { sphere, ball };
+  // False if nothing of it is left. The radius is not 0. sizes: where of caps the balls alone are known, their b in
+  // floats; doubles are made of those caps alone that are looked at.
+  bool find(Part part, const Caps &caps, const float *sizes = nullptr);
   // After find: whether cap k is one of them.
   bool has(uint32_t k) const { return state_[k] != dropped; }
+  // Of caps, if they are many, keeps these. False if nothing is left.
+  bool keep(Part part, Caps &caps);
 
  private:
   // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; or that is in doubt.

@@ -102,7 +102,7 @@ bool SearchInLanes::find_few(Caps &caps, FewCaps &found) {
 
 bool SearchInLanes::keep_exposed(Caps &caps, ExposedCaps exposed) {
   const FloatCaps &f = sweep_.caps;
-  if (!exposed.find(caps, f.b)) return false;
+  if (!exposed.find(ExposedCaps::Part::sphere, caps, f.b)) return false;
   uint32_t kept = 0;
   for (uint32_t k = 0; k < caps.count; ++k) {
     if (!exposed.has(k)) continue;

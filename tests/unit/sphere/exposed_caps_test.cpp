@@ -61,7 +61,7 @@ class Search {
   bool keep_exposed(const float *sizes) {
     hsp::ExposedCaps exposed({order_.data(), static_cast<uint32_t>(order_.size())},
                              {state_.data(), static_cast<uint32_t>(state_.size())});
-    if (!exposed.find(caps_, sizes)) return false;
+    if (!exposed.find(hsp::ExposedCaps::Part::sphere, caps_, sizes)) return false;
     caps_.keep_numbers([&](uint32_t k) { return exposed.has(k); });
     return true;
   }
