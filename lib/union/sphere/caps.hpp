@@ -124,6 +124,7 @@ struct Caps {
     first_later = later;
   }
 
+  const BallSet &balls() const { return *balls_; }
   Vec3 axis(uint32_t k) const { return {ux[k], uy[k], uz[k]}; }
   exact::Predicates predicates() const { return {sphere, length_squared}; }
   // Index of the cap of a ball; it must be there.

@@ -17,17 +17,41 @@ uint32_t deepest_of(const CapBatch &batch, uint32_t bits) {
 
 }  // namespace
 
+// Equal balls follow each other, as the grid has them: of these all but the outermost are dropped. Copies of a plane
+// that cuts would stay in doubt. b: equal for equal balls.
+template <class Real>
+void ExposedCaps::drop_equal(const Caps &caps, const Real *b) {
+  const BallSet &balls = caps.balls();
+  uint32_t outer = 0;
+  for (uint32_t k = 0; k < caps.count; ++k) {
+    state_[k] = waits;
+    if (k == 0 || b[k] != b[outer]) {
+      outer = k;
+    } else if (lies_inside(balls, caps.ball[k], caps.ball[outer])) {
+      state_[k] = dropped;
+    } else {
+      if (lies_inside(balls, caps.ball[outer], caps.ball[k])) state_[outer] = dropped;
+      outer = k;
+    }
+  }
+}
+
 // The largest caps come first: after few of them most balls are known to be buried.
 template <class Real>
-void ExposedCaps::order_by_size(const Real *b, uint32_t count) {
+Span<const uint32_t> ExposedCaps::order_by_size(const Real *b, uint32_t count) {
   constexpr uint32_t classes = 64;
   uint32_t start[classes + 1] = {};
   for (uint32_t k = 0; k < count; ++k) {
-    state_[k] = static_cast<uint8_t>(size_class(b[k], classes));
-    ++start[state_[k] + 1];
+    if (state_[k] == dropped) continue;
+    const uint32_t size = size_class(b[k], classes);
+    state_[k] = static_cast<uint8_t>(size + 1);  // not that of one that is dropped
+    ++start[size + 1];
   }
   for (uint32_t c = 0; c < classes; ++c) start[c + 1] += start[c];
-  for (uint32_t k = 0; k < count; ++k) order_[start[state_[k]]++] = k;
+  for (uint32_t k = 0; k < count; ++k) {
+    if (state_[k] != dropped) order_[start[state_[k] - 1]++] = k;
+  }
+  return order_.part(0, start[classes - 1]);
 }
 
 // The polyhedron of one ball, and its caps some at a time.
@@ -131,21 +155,27 @@ bool ExposedCaps::find(Part part, const Caps &caps, const float *sizes) {
   // Where planes nearly agree, as of copies of one ball, the deepest of all is to cut, not one after the other.
   constexpr double deep = 0x1p-5;
   const uint32_t count = caps.count;
-  if (sizes != nullptr) {
-    order_by_size(sizes, count);
-  } else {
-    order_by_size(caps.b.data(), count);
-  }
+  const auto order = [&](const auto *b) {
+    drop_equal(caps, b);
+    return order_by_size(b, count);
+  };
+  const Span<const uint32_t> in_order = sizes != nullptr ? order(sizes) : order(caps.b.data());
   Cutting cutting(caps, part, sizes != nullptr, state_);
-  if (!cutting.cut_by(order_.part(0, count), deep)) return false;
+  if (!cutting.cut_by(in_order, deep)) return false;
   if (!cutting.cut_by(in_state(count, [](uint8_t state) { return state == waits; }), 0.0)) return false;
   cutting.drop(in_state(count, [](uint8_t state) { return state == has_cut || state == doubtful; }));
   return true;
 }
 
 bool ExposedCaps::keep(Part part, Caps &caps) {
-  if (!are_many(caps)) return true;
-  if (!find(part, caps)) return false;
+  if (are_many(caps)) {
+    if (!find(part, caps)) return false;
+  } else if (!small_code && caps.met > caps.count) {
+    // Where the ball has another one inside, as of copies of a set each has, others may be there several times.
+    drop_equal(caps, caps.b.data());
+  } else {
+    return true;
+  }
   caps.keep_numbers([this](uint32_t k) { return has(k); });
   return true;
 }

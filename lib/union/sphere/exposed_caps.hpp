@@ -26,7 +26,8 @@ class ExposedCaps {
   bool find(Part part, const Caps &caps, const float *sizes = nullptr);
   // After find: whether cap k is one of them.
   bool has(uint32_t k) const { return state_[k] != dropped; }
-  // Of caps, if they are many, keeps these. False if nothing is left.
+  // Of caps, if they are many, keeps these. False if nothing is left. Of few it keeps one of each of equal balls, if
+  // there are such.
   bool keep(Part part, Caps &caps);
 
  private:
@@ -35,7 +36,9 @@ class ExposedCaps {
   class Cutting;
 
   template <class Real>
-  void order_by_size(const Real *b, uint32_t count);
+  void drop_equal(const Caps &caps, const Real *b);
+  template <class Real>
+  Span<const uint32_t> order_by_size(const Real *b, uint32_t count);
   template <class Chosen>
   Span<const uint32_t> in_state(uint32_t count, Chosen chosen);
 
