@@ -15,42 +15,43 @@ uint32_t deepest_of(const CapBatch &batch, uint32_t bits) {
   return deepest;
 }
 
-}  // namespace
-
 // Equal balls follow each other, as the grid has them: of these all but the outermost are dropped. Copies of a plane
-// that cuts would stay in doubt. b: equal for equal balls.
-template <class Real>
-void ExposedCaps::drop_equal(const Caps &caps, const Real *b) {
+// that cuts would stay in doubt. numbers: ascending. Returns those that are left.
+Span<const uint32_t> without_copies(const Caps &caps, Span<uint32_t> numbers) {
   const BallSet &balls = caps.balls();
-  uint32_t outer = 0;
-  for (uint32_t k = 0; k < caps.count; ++k) {
-    state_[k] = waits;
-    if (k == 0 || b[k] != b[outer]) {
-      outer = k;
-    } else if (lies_inside(balls, caps.ball[k], caps.ball[outer])) {
-      state_[k] = dropped;
-    } else {
-      if (lies_inside(balls, caps.ball[outer], caps.ball[k])) state_[outer] = dropped;
-      outer = k;
+  uint32_t left = 0;
+  for (const uint32_t k : numbers) {
+    const uint32_t ball = caps.ball[k], last = left > 0 ? caps.ball[numbers[left - 1]] : ball;
+    if (balls.x[last] == balls.x[ball]) {
+      if (lies_inside(balls, ball, last)) continue;
+      if (lies_inside(balls, last, ball)) --left;
     }
+    numbers[left++] = k;
   }
+  return numbers.part(0, left);
 }
 
-// The largest caps come first: after few of them most balls are known to be buried.
+}  // namespace
+
+// Every so many-th cap, the largest first: after few of them most balls are known to be buried.
 template <class Real>
-Span<const uint32_t> ExposedCaps::order_by_size(const Real *b, uint32_t count) {
+Span<const uint32_t> ExposedCaps::order_by_size(const Real *b, uint32_t count, uint32_t step) {
   constexpr uint32_t classes = 64;
   uint32_t start[classes + 1] = {};
-  for (uint32_t k = 0; k < count; ++k) {
-    if (state_[k] == dropped) continue;
-    const uint32_t size = size_class(b[k], classes);
-    state_[k] = static_cast<uint8_t>(size + 1);  // not that of one that is dropped
+  Real least = b[0], most = b[0];
+  for (uint32_t k = 0; k < count; k += step) {
+    least = b[k] < least ? b[k] : least;
+    most = b[k] > most ? b[k] : most;
+  }
+  const double scale = 2.0 / static_cast<double>(most - least);
+  for (uint32_t k = 0; k < count; ++k) state_[k] = not_tried;
+  for (uint32_t k = 0; k < count; k += step) {
+    const uint32_t size = size_class(static_cast<double>(b[k] - least) * scale - 1.0, classes);
+    state_[k] = static_cast<uint8_t>(not_tried + size);
     ++start[size + 1];
   }
   for (uint32_t c = 0; c < classes; ++c) start[c + 1] += start[c];
-  for (uint32_t k = 0; k < count; ++k) {
-    if (state_[k] != dropped) order_[start[state_[k] - 1]++] = k;
-  }
+  for (uint32_t k = 0; k < count; k += step) order_[start[state_[k] - not_tried]++] = k;
   return order_.part(0, start[classes - 1]);
 }
 
@@ -66,13 +67,14 @@ class ExposedCaps::Cutting {
   bool cut_by(Span<const uint32_t> numbers, double least_depth) {
     for (uint32_t t = 0; t < numbers.size();) {
       if (!load(numbers.part(t, numbers.size()))) {
-        state_[numbers[t++]] = doubtful;
+        state_[numbers[t++]] = stays;
         continue;
       }
       for (uint32_t k = 0; k < batch_.count; ++k) state_[numbers[t + k]] = dropped;
       for (uint32_t bits = may_cut(batch_.all()); bits != 0;) {
         const uint32_t k = deepest_of(batch_, bits), number = numbers[t + k];
         if (batch_.depth[k] < least_depth) {
+          some_wait_ = true;
           for (; bits != 0; bits &= bits - 1) state_[numbers[t + static_cast<uint32_t>(__builtin_ctz(bits))]] = waits;
           break;
         }
@@ -83,7 +85,7 @@ class ExposedCaps::Cutting {
           case OuterCell::Cut::buries:
             return false;
           case OuterCell::Cut::doubtful:
-            state_[number] = doubtful;
+            state_[number] = stays;
             break;
           case OuterCell::Cut::cuts:
             if (part_ == Part::sphere && cell_.lies_inside_sphere()) return false;
@@ -112,6 +114,9 @@ class ExposedCaps::Cutting {
     }
   }
 
+  const OuterCell &cell() const { return cell_; }
+  bool some_wait() const { return some_wait_; }
+
  private:
   uint32_t may_cut(uint32_t asked) { return caps_that_may_cut(caps_.target, cell_, batch_, asked); }
 
@@ -139,44 +144,60 @@ class ExposedCaps::Cutting {
   Span<uint8_t> state_;
   OuterCell cell_;
   CapBatch batch_{};
+  bool some_wait_ = false;
 };
 
-// Of all caps those in some states, in their order.
-template <class Chosen>
-Span<const uint32_t> ExposedCaps::in_state(uint32_t count, Chosen chosen) {
+// Caps in one of two states, in their order.
+Span<uint32_t> ExposedCaps::in_state(uint32_t count, uint8_t one, uint8_t other) {
   uint32_t found = 0;
   for (uint32_t k = 0; k < count; ++k) {
-    if (chosen(state_[k])) order_[found++] = k;
+    if (state_[k] == one || state_[k] == other) order_[found++] = k;
   }
   return order_.part(0, found);
 }
 
-bool ExposedCaps::find(Part part, const Caps &caps, const float *sizes) {
+bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
   // Where planes nearly agree, as of copies of one ball, the deepest of all is to cut, not one after the other.
   constexpr double deep = 0x1p-5;
   const uint32_t count = caps.count;
-  const auto order = [&](const auto *b) {
-    drop_equal(caps, b);
-    return order_by_size(b, count);
-  };
-  const Span<const uint32_t> in_order = sizes != nullptr ? order(sizes) : order(caps.b.data());
-  Cutting cutting(caps, part, sizes != nullptr, state_);
-  if (!cutting.cut_by(in_order, deep)) return false;
-  if (!cutting.cut_by(in_state(count, [](uint8_t state) { return state == waits; }), 0.0)) return false;
-  cutting.drop(in_state(count, [](uint8_t state) { return state == has_cut || state == doubtful; }));
+  Cutting cutting(caps, part, floats != nullptr, state_);
+  if (floats == nullptr) {
+    if (!cutting.cut_by(order_by_size(caps.b.data(), count, 1), deep)) return false;
+  } else {
+    // The largest ones of some first; then floats tell which of the others are worth their doubles: few, once the
+    // deepest have cut.
+    constexpr uint32_t first = 2 * CapBatch::most, sample = 16 * CapBatch::most;
+    const Span<const uint32_t> largest = order_by_size(floats->b, count, count / sample + 1);
+    if (!cutting.cut_by(largest.part(0, largest.size() < first ? largest.size() : first), deep)) return false;
+    uint32_t near = 0, deepest = 0;
+    for (uint32_t cuts = 0; cuts < 4; ++cuts) {
+      near = float_caps_that_may_cut(caps.target, cutting.cell(), *floats, count, order_.data(), deepest);
+      if (near <= first || state_[deepest] < not_tried) break;
+      if (!cutting.cut_by({&deepest, 1}, 0.0)) return false;
+    }
+    uint32_t left = 0;
+    for (const uint32_t k : order_.part(0, near)) {
+      order_[left] = k;
+      left += state_[k] >= not_tried ? 1U : 0U;
+    }
+    if (!cutting.cut_by(without_copies(caps, order_.part(0, left)), deep)) return false;
+  }
+  if (cutting.some_wait() && !cutting.cut_by(in_state(count, waits, waits), 0.0)) return false;
+  cutting.drop(in_state(count, has_cut, stays));
+  kept_ = without_copies(caps, in_state(count, has_cut, stays)).size();
   return true;
 }
 
 bool ExposedCaps::keep(Part part, Caps &caps) {
-  if (are_many(caps)) {
-    if (!find(part, caps)) return false;
-  } else if (!small_code && caps.met > caps.count) {
-    // Where the ball has another one inside, as of copies of a set each has, others may be there several times.
-    drop_equal(caps, caps.b.data());
-  } else {
-    return true;
+  if (small_code) return true;
+  // Where the ball has another one inside, as of copies of a set each has, others may be there several times.
+  if (caps.met > caps.count) {
+    for (uint32_t k = 0; k < caps.count; ++k) order_[k] = k;
+    caps.keep(without_copies(caps, order_.part(0, caps.count)));
   }
-  caps.keep_numbers([this](uint32_t k) { return has(k); });
+  if (!are_many(caps)) return true;
+  if (!find(part, caps)) return false;
+  caps.keep(kept());
   return true;
 }
 

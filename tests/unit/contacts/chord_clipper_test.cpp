@@ -166,7 +166,7 @@ TEST(ChordClipper, LeavesTheSameWithTheCapsThatStay) {
           continue;
         }
         const uint32_t before = caps.count;
-        caps.keep_numbers([&](uint32_t k) { return exposed.has(k); });
+        caps.keep(exposed.kept());
         EXPECT_EQ(chords_of(caps, clipper), expected) << oracle::to_text(balls);
         dropped += before - caps.count;
         chords += static_cast<uint32_t>(expected.size());
