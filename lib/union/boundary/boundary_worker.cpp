@@ -26,15 +26,35 @@ Span<uint32_t> idle_while_searching(const BoundaryArrays &arrays, Span<uint32_t>
 // In cubes of so many balls each is compared with the largest one around first: of nested balls most lie in it.
 constexpr uint32_t many_in_a_cube = 64;
 
+// In small cubes there may be some if two that follow each other have one x.
+bool may_be_nested(const BallSet &balls, BallRange own) {
+  if (small_code) return false;
+  if (own.last - own.first >= many_in_a_cube) return true;
+  uint32_t same = 0;
+  for (uint32_t i = own.first + 1; i < own.last; ++i) same |= static_cast<uint32_t>(balls.x[i - 1] == balls.x[i]);
+  return same != 0;
+}
+
 // Of equal ones the first, which contains the others.
+uint32_t largest_ball(const BallSet &balls, BallRange range, uint32_t largest) {
+  for (uint32_t j = range.first; j < range.last; ++j) largest = balls.r[j] > balls.r[largest] ? j : largest;
+  return largest;
+}
+
 uint32_t largest_ball(const BallSet &balls, const CubeBlock &block) {
   uint32_t largest = block.range[0].first;
-  for (uint32_t k = 0; k < block.ranges; ++k) {
-    for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
-      largest = balls.r[j] > balls.r[largest] ? j : largest;
-    }
-  }
+  for (uint32_t k = 0; k < block.ranges; ++k) largest = largest_ball(balls, block.range[k], largest);
   return largest;
+}
+
+// Balls with one centre, from ball i on: the grid has those of a cube one after the other, from small to large ones.
+BallRange concentric(const BallSet &balls, uint32_t i, uint32_t end_of_cube) {
+  uint32_t last = i + 1;
+  const auto has_centre = [&](uint32_t j) {
+    return balls.x[j] == balls.x[i] && balls.y[j] == balls.y[i] && balls.z[j] == balls.z[i];
+  };
+  while (last < end_of_cube && has_centre(last)) ++last;
+  return {i, last};
 }
 
 }  // namespace
@@ -112,18 +132,34 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
     const CubeBlock &block = sweep.block_around(cube);
     cover(block);
     const bool in_lanes = lanes.start_cube(grid, cube, block);
-    const bool crowded = !small_code && own.last - own.first >= many_in_a_cube;
-    const uint32_t largest = crowded ? largest_ball(balls, block) : no_id;
-    for (uint32_t i = own.first; i < own.last; ++i) {
-      if (!crowded || is_left_out(i) || !lies_inside(balls, i, largest)) {
-        search_ball(balls, block, i, in_lanes, joined, ball_state);
-        continue;
-      }
-      if (joined != nullptr) joined->join(i, largest);
-      ball_state[i] = BoundaryArrays::contained | BoundaryArrays::without_caps;
+    if (may_be_nested(balls, own)) {
+      search_nested(balls, block, own, in_lanes, joined, ball_state);
+    } else {
+      for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, joined, ball_state);
     }
   }
   lanes.end();
+}
+
+// The balls of one cube, of which those inside a ball with the same centre leave at once, and where there are many,
+// those inside the largest ball around.
+void BoundaryWorker::search_nested(const BallSet &balls, const CubeBlock &block, BallRange own, bool in_lanes,
+                                   DisjointSets *components, uint8_t *ball_state) {
+  const uint32_t largest = own.last - own.first >= many_in_a_cube ? largest_ball(balls, block) : no_id;
+  for (uint32_t i = own.first; i < own.last;) {
+    const BallRange around_centre = concentric(balls, i, own.last);
+    const uint32_t outermost = largest_ball(balls, around_centre, i);
+    for (; i < around_centre.last; ++i) {
+      uint32_t outer = outermost;
+      if (i == outermost && largest != no_id && lies_inside(balls, i, largest)) outer = largest;
+      if (outer == i || is_left_out(i)) {
+        search_ball(balls, block, i, in_lanes, components, ball_state);
+        continue;
+      }
+      if (components != nullptr) components->join(i, outer);
+      ball_state[i] = BoundaryArrays::contained | BoundaryArrays::without_caps;
+    }
+  }
 }
 
 // Whether nothing is to be searched there.

@@ -40,6 +40,10 @@ class ChordWalk {
   // Whether the next ball has no other chords than such with two free ends, as far as it can be seen at once. Then it
   // need not come, and `ends` are the vertices of these chords, two after two.
   bool has_whole_chords(const Boundary &boundary, uint32_t ball, IdRange &ends);
+  // Of many caps keeps those whose planes may touch the ball's power cell: the same is found with these.
+  void keep_exposed(Caps &caps) const {
+    if (!clipper_.exposed_caps().keep(ExposedCaps::Part::ball, caps)) caps.count = 0;
+  }
   // The next ball of the boundary by its caps, without those of balls inside other ones. All others that have caps must
   // come, in ascending order, once.
   void find(const Boundary &boundary, Caps &caps);

@@ -105,25 +105,22 @@ struct Caps {
   // Drops the caps of balls that keep(ball) refuses.
   template <class Keep>
   void keep_if(Keep keep) {
-    keep_numbers([&](uint32_t k) { return keep(ball[k]); });
-  }
-  // The same by their numbers.
-  template <class Keep>
-  void keep_numbers(Keep keep) {
     uint32_t kept = 0, later = 0;
     for (uint32_t k = 0; k < count; ++k) {
-      if (!keep(k)) continue;
-      ux[kept] = ux[k];
-      uy[kept] = uy[k];
-      uz[kept] = uz[k];
-      b[kept] = b[k];
-      ball[kept++] = ball[k];
-      if (k < first_later) later = kept;
+      if (keep(ball[k])) move_to(kept, k, later);
     }
     count = kept;
     first_later = later;
   }
+  // Drops all but these, ascending.
+  void keep(Span<const uint32_t> numbers) {
+    uint32_t kept = 0, later = 0;
+    for (const uint32_t k : numbers) move_to(kept, k, later);
+    count = kept;
+    first_later = later;
+  }
 
+  const BallSet &balls() const { return *balls_; }
   Vec3 axis(uint32_t k) const { return {ux[k], uy[k], uz[k]}; }
   exact::Predicates predicates() const { return {sphere, length_squared}; }
   // Index of the cap of a ball; it must be there.
@@ -133,6 +130,14 @@ struct Caps {
   class Joining;
   struct Distance;
 
+  void move_to(uint32_t &kept, uint32_t k, uint32_t &later) {
+    ux[kept] = ux[k];
+    uy[kept] = uy[k];
+    uz[kept] = uz[k];
+    b[kept] = b[k];
+    ball[kept++] = ball[k];
+    if (k < first_later) later = kept;
+  }
   void start(const BallSet &balls, uint32_t i);
   bool take(const exact::LatticeBall &own, uint32_t j, const Distance &distance, Joining &joining);
   void take_given(uint32_t n, Joining &joining);

@@ -15,40 +15,66 @@ uint32_t deepest_of(const CapBatch &batch, uint32_t bits) {
   return deepest;
 }
 
+// Equal balls follow each other, as the grid has them: of these all but the outermost are dropped. Copies of a plane
+// that cuts would stay in doubt. numbers: ascending. Returns those that are left.
+Span<const uint32_t> without_copies(const Caps &caps, Span<uint32_t> numbers) {
+  const BallSet &balls = caps.balls();
+  uint32_t left = 0;
+  for (const uint32_t k : numbers) {
+    const uint32_t ball = caps.ball[k], last = left > 0 ? caps.ball[numbers[left - 1]] : ball;
+    if (balls.x[last] == balls.x[ball]) {
+      if (lies_inside(balls, ball, last)) continue;
+      if (lies_inside(balls, last, ball)) --left;
+    }
+    numbers[left++] = k;
+  }
+  return numbers.part(0, left);
+}
+
 }  // namespace
 
-// The largest caps come first: after few of them most balls are known to be buried.
+// Every so many-th cap, the largest first: after few of them most balls are known to be buried.
 template <class Real>
-void ExposedCaps::order_by_size(const Real *b, uint32_t count) {
+Span<const uint32_t> ExposedCaps::order_by_size(const Real *b, uint32_t count, uint32_t step) {
   constexpr uint32_t classes = 64;
   uint32_t start[classes + 1] = {};
-  for (uint32_t k = 0; k < count; ++k) {
-    state_[k] = static_cast<uint8_t>(size_class(b[k], classes));
-    ++start[state_[k] + 1];
+  Real least = b[0], most = b[0];
+  for (uint32_t k = 0; k < count; k += step) {
+    least = b[k] < least ? b[k] : least;
+    most = b[k] > most ? b[k] : most;
+  }
+  const double scale = 2.0 / static_cast<double>(most - least);
+  for (uint32_t k = 0; k < count; ++k) state_[k] = not_tried;
+  for (uint32_t k = 0; k < count; k += step) {
+    const uint32_t size = size_class(static_cast<double>(b[k] - least) * scale - 1.0, classes);
+    state_[k] = static_cast<uint8_t>(not_tried + size);
+    ++start[size + 1];
   }
   for (uint32_t c = 0; c < classes; ++c) start[c + 1] += start[c];
-  for (uint32_t k = 0; k < count; ++k) order_[start[state_[k]]++] = k;
+  for (uint32_t k = 0; k < count; k += step) order_[start[state_[k] - not_tried]++] = k;
+  return order_.part(0, start[classes - 1]);
 }
 
 // The polyhedron of one ball, and its caps some at a time.
 class ExposedCaps::Cutting {
  public:
-  Cutting(const Caps &caps, bool balls_alone, Span<uint8_t> state)
-      : caps_(caps), balls_alone_(balls_alone), state_(state) {
+  Cutting(const Caps &caps, Part part, bool balls_alone, Span<uint8_t> state)
+      : caps_(caps), part_(part), balls_alone_(balls_alone), state_(state) {
     cell_.start();
   }
 
-  // Cuts by those whose planes go deeper than that; the others wait. False if nothing of the sphere is left.
+  // Cuts by those whose planes go deeper than that; the others wait. False if nothing is left.
   bool cut_by(Span<const uint32_t> numbers, double least_depth) {
     for (uint32_t t = 0; t < numbers.size();) {
       if (!load(numbers.part(t, numbers.size()))) {
-        state_[numbers[t++]] = doubtful;
+        state_[numbers[t++]] = stays;
         continue;
       }
       for (uint32_t k = 0; k < batch_.count; ++k) state_[numbers[t + k]] = dropped;
       for (uint32_t bits = may_cut(batch_.all()); bits != 0;) {
         const uint32_t k = deepest_of(batch_, bits), number = numbers[t + k];
         if (batch_.depth[k] < least_depth) {
+          some_wait_ = true;
           for (; bits != 0; bits &= bits - 1) state_[numbers[t + static_cast<uint32_t>(__builtin_ctz(bits))]] = waits;
           break;
         }
@@ -59,10 +85,10 @@ class ExposedCaps::Cutting {
           case OuterCell::Cut::buries:
             return false;
           case OuterCell::Cut::doubtful:
-            state_[number] = doubtful;
+            state_[number] = stays;
             break;
           case OuterCell::Cut::cuts:
-            if (cell_.lies_inside_sphere()) return false;
+            if (part_ == Part::sphere && cell_.lies_inside_sphere()) return false;
             state_[number] = has_cut;
             if (bits != 0) bits = may_cut(bits);
             break;
@@ -88,6 +114,9 @@ class ExposedCaps::Cutting {
     }
   }
 
+  const OuterCell &cell() const { return cell_; }
+  bool some_wait() const { return some_wait_; }
+
  private:
   uint32_t may_cut(uint32_t asked) { return caps_that_may_cut(caps_.target, cell_, batch_, asked); }
 
@@ -110,35 +139,65 @@ class ExposedCaps::Cutting {
   }
 
   const Caps &caps_;
+  Part part_;
   bool balls_alone_;
   Span<uint8_t> state_;
   OuterCell cell_;
   CapBatch batch_{};
+  bool some_wait_ = false;
 };
 
-// Of all caps those in some states, in their order.
-template <class Chosen>
-Span<const uint32_t> ExposedCaps::in_state(uint32_t count, Chosen chosen) {
+// Caps in one of two states, in their order.
+Span<uint32_t> ExposedCaps::in_state(uint32_t count, uint8_t one, uint8_t other) {
   uint32_t found = 0;
   for (uint32_t k = 0; k < count; ++k) {
-    if (chosen(state_[k])) order_[found++] = k;
+    if (state_[k] == one || state_[k] == other) order_[found++] = k;
   }
   return order_.part(0, found);
 }
 
-bool ExposedCaps::find(const Caps &caps, const float *sizes) {
+bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
   // Where planes nearly agree, as of copies of one ball, the deepest of all is to cut, not one after the other.
   constexpr double deep = 0x1p-5;
   const uint32_t count = caps.count;
-  if (sizes != nullptr) {
-    order_by_size(sizes, count);
+  Cutting cutting(caps, part, floats != nullptr, state_);
+  if (floats == nullptr) {
+    if (!cutting.cut_by(order_by_size(caps.b.data(), count, 1), deep)) return false;
   } else {
-    order_by_size(caps.b.data(), count);
+    // The largest ones of some first; then floats tell which of the others are worth their doubles: few, once the
+    // deepest have cut.
+    constexpr uint32_t first = 2 * CapBatch::most, sample = 16 * CapBatch::most;
+    const Span<const uint32_t> largest = order_by_size(floats->b, count, count / sample + 1);
+    if (!cutting.cut_by(largest.part(0, largest.size() < first ? largest.size() : first), deep)) return false;
+    uint32_t near = 0, deepest = 0;
+    for (uint32_t cuts = 0; cuts < 4; ++cuts) {
+      near = float_caps_that_may_cut(caps.target, cutting.cell(), *floats, count, order_.data(), deepest);
+      if (near <= first || state_[deepest] < not_tried) break;
+      if (!cutting.cut_by({&deepest, 1}, 0.0)) return false;
+    }
+    uint32_t left = 0;
+    for (const uint32_t k : order_.part(0, near)) {
+      order_[left] = k;
+      left += state_[k] >= not_tried ? 1U : 0U;
+    }
+    if (!cutting.cut_by(without_copies(caps, order_.part(0, left)), deep)) return false;
   }
-  Cutting cutting(caps, sizes != nullptr, state_);
-  if (!cutting.cut_by(order_.part(0, count), deep)) return false;
-  if (!cutting.cut_by(in_state(count, [](uint8_t state) { return state == waits; }), 0.0)) return false;
-  cutting.drop(in_state(count, [](uint8_t state) { return state == has_cut || state == doubtful; }));
+  if (cutting.some_wait() && !cutting.cut_by(in_state(count, waits, waits), 0.0)) return false;
+  cutting.drop(in_state(count, has_cut, stays));
+  kept_ = without_copies(caps, in_state(count, has_cut, stays)).size();
+  return true;
+}
+
+bool ExposedCaps::keep(Part part, Caps &caps) {
+  if (small_code) return true;
+  // Where the ball has another one inside, as of copies of a set each has, others may be there several times.
+  if (caps.met > caps.count) {
+    for (uint32_t k = 0; k < caps.count; ++k) order_[k] = k;
+    caps.keep(without_copies(caps, order_.part(0, caps.count)));
+  }
+  if (!are_many(caps)) return true;
+  if (!find(part, caps)) return false;
+  caps.keep(kept());
   return true;
 }
 

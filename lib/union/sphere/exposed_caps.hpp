@@ -1,11 +1,13 @@
 // Of many caps of one ball, those that may touch its free part. The others are covered by these, strictly, so that
-// whatever is found of the free part of the sphere is found with these alone: vertices, circles, clusters, ties.
+// whatever is found of the free part of the sphere is found with these alone: vertices, circles, clusters, ties. Or
+// those that may touch the ball's power cell, inside the ball: with these alone the ball's contacts are found.
 // (exact/PROOFS.md, section 7.) In sets of many overlaps, models of one molecule or poses of a ligand, a ball has a
 // thousand caps, and mostly a dozen of these cover it.
 #pragma once
 
 #include "core/small_code.hpp"
 #include "sphere/caps.hpp"
+#include "sphere/float_caps.hpp"
 
 namespace hsp {
 
@@ -18,24 +20,30 @@ class ExposedCaps {
 
   // Memory, [caps] each.
   ExposedCaps(Span<uint32_t> order, Span<uint8_t> state) : order_(order), state_(state) {}
-  // False if nothing of the sphere is free. Its radius is not 0. sizes: where of caps the balls alone are known, their
-  // b in floats; doubles are made of those caps alone that are looked at.
-  bool find(const Caps &caps, const float *sizes = nullptr);
-  // After find: whether cap k is one of them.
-  bool has(uint32_t k) const { return state_[k] != dropped; }
+  // Of which the caps leave a part: of the sphere, or of the ball.
+  enum class Part : uint8_t { sphere, ball };
+  // False if nothing of it is left. The radius is not 0. floats: where of caps the balls alone are known, the caps in
+  // floats; doubles are made of those caps alone that are looked at.
+  bool find(Part part, const Caps &caps, const FloatCaps *floats = nullptr);
+  // After find: the numbers of those that stay, ascending.
+  Span<const uint32_t> kept() const { return order_.part(0, kept_); }
+  // Of caps, if they are many, keeps these. False if nothing is left. Of few it keeps one of each of equal balls, if
+  // there are such.
+  bool keep(Part part, Caps &caps);
 
  private:
-  // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; or that is in doubt.
-  static constexpr uint8_t dropped = 0, waits = 1, has_cut = 2, doubtful = 3;
+  // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; that is in doubt, and it stays; or
+  // it is not looked at yet: that and its class of size.
+  static constexpr uint8_t dropped = 0, waits = 1, has_cut = 2, stays = 3, not_tried = 4;
   class Cutting;
 
   template <class Real>
-  void order_by_size(const Real *b, uint32_t count);
-  template <class Chosen>
-  Span<const uint32_t> in_state(uint32_t count, Chosen chosen);
+  Span<const uint32_t> order_by_size(const Real *b, uint32_t count, uint32_t step);
+  Span<uint32_t> in_state(uint32_t count, uint8_t one, uint8_t other);
 
   Span<uint32_t> order_;
   Span<uint8_t> state_;
+  uint32_t kept_ = 0;
 };
 
 }  // namespace hsp

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "exact/angular_order.hpp"
-#include "sphere/caps.hpp"
+#include "sphere/exposed_caps.hpp"
 
 namespace hsp {
 
@@ -33,6 +33,12 @@ class FreeIntervals {
  public:
   void carve(Workspace &workspace, uint32_t capacity);
 
+  // Of many caps those that may touch the free part, in memory that is idle before `find`.
+  ExposedCaps exposed_caps() const {
+    uint32_t *const words = reinterpret_cast<uint32_t *>(caps_.data());
+    const uint32_t capacity = caps_.size();
+    return {{words, capacity}, {reinterpret_cast<uint8_t *>(words + capacity), capacity}};
+  }
   // Finds the free intervals of a meridian. None if it is free as a whole or covered as a whole.
   void find(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian);
 
@@ -87,7 +93,8 @@ bool pole_lies_between(const exact::Vector &m, const exact::Vector &from, const 
 bool contains_pole(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian,
                    const FreeInterval &interval, int pole);
 
-// The caps of one ball, gathered again for questions that its loops alone do not answer, with scratch memory for them.
+// The caps of one ball that has free points, gathered again for questions that its loops alone do not answer, with
+// scratch memory for them. Of many there are those that may touch its free part.
 struct GatheredBall {
   Caps caps;
   FreeIntervals intervals;
@@ -100,6 +107,7 @@ struct GatheredBall {
   // The same with the cubes around the ball's own already looked up.
   void gather(const CubeGrid &grid, const CubeBlock &block, uint32_t i) {
     caps.gather(grid.balls(), block, i, nullptr);
+    intervals.exposed_caps().keep(ExposedCaps::Part::sphere, caps);
   }
   static CubeCoordinates cube_of(const CubeGrid &grid, uint32_t i) { return grid.cube_at(grid.balls().ball(i).centre); }
 };

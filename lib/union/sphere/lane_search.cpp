@@ -102,17 +102,16 @@ bool SearchInLanes::find_few(Caps &caps, FewCaps &found) {
 
 bool SearchInLanes::keep_exposed(Caps &caps, ExposedCaps exposed) {
   const FloatCaps &f = sweep_.caps;
-  if (!exposed.find(caps, f.b)) return false;
+  if (!exposed.find(ExposedCaps::Part::sphere, caps, &f)) return false;
   uint32_t kept = 0;
-  for (uint32_t k = 0; k < caps.count; ++k) {
-    if (!exposed.has(k)) continue;
+  for (const uint32_t k : exposed.kept()) {
     f.x[kept] = f.x[k];
     f.y[kept] = f.y[k];
     f.z[kept] = f.z[k];
     f.b[kept++] = f.b[k];
   }
   f.pad(kept);
-  caps.keep_numbers([&](uint32_t k) { return exposed.has(k); });
+  caps.keep(exposed.kept());
   return true;
 }
 

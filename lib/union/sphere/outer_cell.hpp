@@ -13,7 +13,7 @@
 // and that the answers are certain: exact/PROOFS.md, section 7.
 #pragma once
 
-#include "lanes/target.hpp"
+#include "sphere/float_caps.hpp"
 
 namespace hsp {
 
@@ -62,6 +62,12 @@ struct CapBatch {
 
 // Bits of those of `asked` caps of a batch that are not certain to miss the polyhedron, whose depths are set.
 HSP_KERNEL(uint32_t, caps_that_may_cut, (const OuterCell &cell, CapBatch &caps, uint32_t asked), (cell, caps, asked))
+
+// The same of caps in floats: how many of the first `count` of them are not certain to miss the polyhedron, their
+// numbers, ascending, and about the deepest of them. There are more caps behind these, as FloatCaps::pad writes them.
+HSP_KERNEL(uint32_t, float_caps_that_may_cut,
+           (const OuterCell &cell, const FloatCaps &caps, uint32_t count, uint32_t *numbers, uint32_t &deepest),
+           (cell, caps, count, numbers, deepest))
 
 // On which side of a plane vertices are.
 struct VertexSides {

@@ -5,6 +5,7 @@ namespace hsp::HSP_TARGET {
 namespace {
 
 using CellLanes = Wide<double, register_lanes>;
+using FloatLanes = Wide<float, register_floats>;
 
 }  // namespace
 
@@ -36,6 +37,44 @@ uint32_t caps_that_may_cut(const OuterCell &cell, CapBatch &caps, uint32_t asked
     }
   }
   return cut & asked;
+}
+
+uint32_t float_caps_that_may_cut(const OuterCell &cell, const FloatCaps &caps, uint32_t count, uint32_t *numbers,
+                                 uint32_t &deepest) {
+  // PROOFS.md, section 7, has this bound for depths in floats.
+  constexpr float doubt = 0x1p-16F;
+  constexpr uint32_t n = FloatLanes::lanes;
+  float x[OuterCell::room], y[OuterCell::room], z[OuterCell::room];
+  for (uint32_t v = 0; v < cell.vertices; ++v) {
+    x[v] = static_cast<float>(cell.x[v]);
+    y[v] = static_cast<float>(cell.y[v]);
+    z[v] = static_cast<float>(cell.z[v]);
+  }
+  uint32_t found = 0;
+  float most_depth = -8.0F;
+  for (uint32_t k = 0; k < count; k += n) {
+    const FloatLanes::Real ux = FloatLanes::load(caps.x + k), uy = FloatLanes::load(caps.y + k),
+                           uz = FloatLanes::load(caps.z + k), b = FloatLanes::load(caps.b + k) - doubt;
+    FloatLanes::Real most = FloatLanes::all(-8.0F);
+    for (uint32_t v = 0; v < cell.vertices; ++v) {
+      most = FloatLanes::larger(
+          FloatLanes::fused(ux, FloatLanes::all(x[v]),
+                            FloatLanes::fused(uy, FloatLanes::all(y[v]), uz * FloatLanes::all(z[v]))),
+          most);
+    }
+    uint32_t bits = static_cast<uint32_t>(FloatLanes::set_lanes(~(b > most)));
+    if (bits == 0) continue;
+    const FloatLanes::Real depth = most - b;
+    for (; bits != 0; bits &= bits - 1) {
+      const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(bits));
+      if (depth[lane] > most_depth) {
+        most_depth = depth[lane];
+        deepest = k + lane;
+      }
+      numbers[found++] = k + lane;
+    }
+  }
+  return found;
 }
 
 VertexSides sides_of_vertices(const OuterCell &cell, const OuterCell::Plane &plane) {

@@ -150,14 +150,6 @@ void VertexFinder::decide_circle(const Caps &caps, uint32_t j, FixedVector<Circl
   if (state_[j] == 0 && is_free_circle(caps, tests_, j)) circles.push({{caps.origin, caps.ball[j]}, {no_id, no_id}});
 }
 
-bool VertexFinder::keep_exposed(Caps &caps) const {
-  if (!ExposedCaps::are_many(caps)) return true;
-  ExposedCaps exposed = exposed_caps();
-  if (!exposed.find(caps)) return false;
-  caps.keep_numbers([&](uint32_t k) { return exposed.has(k); });
-  return true;
-}
-
 void VertexFinder::start(const Caps &caps) {
   tests_.fill(caps);
   for (uint32_t j = 0; j < caps.count; ++j) state_[j] = 0;

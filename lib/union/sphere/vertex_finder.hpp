@@ -27,7 +27,7 @@ class VertexFinder {
   // Of many caps those that matter, in memory of this one that is idle before the search.
   ExposedCaps exposed_caps() const { return {tests_.cap, state_}; }
   // Of many caps keeps these. False if nothing of the sphere is free.
-  bool keep_exposed(Caps &caps) const;
+  bool keep_exposed(Caps &caps) const { return exposed_caps().keep(ExposedCaps::Part::sphere, caps); }
 
   // Among caps from caps.first_later on.
   void find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,

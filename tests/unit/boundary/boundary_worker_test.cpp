@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <vector>
 
 #include "boundary/boundary_builder.hpp"
 #include "built_boundary.hpp"
@@ -129,6 +131,56 @@ TEST(BoundaryWorker, SplitRandomSets) {
       expect_same_for_all_splits(oracle::in_lengths(balls, 1), 0.0, {count, count, 24 * count, 4 * count, 0});
     }
   }
+}
+
+// All that is found, by the caller's numbers of balls.
+std::vector<std::array<uint32_t, 4>> records_of(const BuiltBoundary &built) {
+  const hsp::Boundary &boundary = built.boundary();
+  const auto caller = [&](uint32_t ball) { return built.balls().caller[ball]; };
+  std::vector<std::array<uint32_t, 4>> records;
+  for (uint32_t v = 0; v < boundary.vertex_count(); ++v) {
+    const auto &[a, b, c] = boundary.vertex(v).ball;
+    records.push_back({caller(a), caller(b), caller(c), boundary.vertex(v).code});
+  }
+  for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
+    records.push_back({caller(boundary.circle(c).ball[0]), caller(boundary.circle(c).ball[1]), 0, 0});
+  }
+  for (uint32_t f = 0; f < boundary.face_count(); ++f) {
+    records.push_back({caller(boundary.face(f).ball), boundary.loops_of_face(f).size(), 0, 0});
+  }
+  records.push_back({boundary.shell_count(), boundary.component_count(), 0, 0});
+  return records;
+}
+
+// Copies of some of the balls, and smaller balls with their centres, few or so many that cubes are crowded: the same is
+// found as without.
+TEST(BoundaryWorker, CopiesAndConcentricBallsChangeNothing) {
+  oracle::RandomSource random(33);
+  size_t records = 0;
+  for (int k = 0; k < 120 && !HasFailure(); ++k) {
+    const size_t n = static_cast<size_t>(random.in(2, 24));
+    const oracle::Balls once = k % 3 == 0 ? oracle::dense_balls(random, n) : oracle::any_balls(random, n);
+    oracle::Balls copied = once;
+    const int64_t most = k % 2 == 0 ? 3 : 30;
+    for (const oracle::LatticeBall &ball : once) {
+      for (int64_t copies = random.in(0, most); copies > 0; --copies) {
+        copied.push_back(ball);
+        if (random.in(0, 3) == 0) copied.back().radius -= std::min(ball.radius, random.in(0, 5));
+      }
+    }
+    const BuiltBoundary plain(once), with_copies(copied);
+    ASSERT_EQ(with_copies.status(), hsp::Status::ok);
+    const auto expected = records_of(plain);
+    EXPECT_EQ(records_of(with_copies), expected) << oracle::to_text(copied);
+    records += expected.size();
+    for (uint32_t i = 0; i < copied.size(); ++i) {
+      const uint32_t ball = with_copies.grid_index(i);
+      const bool contained = i >= once.size() || plain.boundary().is_contained(plain.grid_index(i));
+      EXPECT_EQ(with_copies.boundary().is_contained(ball), contained) << oracle::to_text(copied) << " ball " << i;
+      EXPECT_TRUE(!contained || !with_copies.boundary().is_exposed(ball));
+    }
+  }
+  EXPECT_GT(records, 2000U);
 }
 
 }  // namespace

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "built_grid.hpp"
 #include "lattice_lengths.hpp"
@@ -108,6 +111,73 @@ TEST(ChordClipper, LeavesWhatLongDoublesLeave) {
   EXPECT_GT(left, 500U);
   EXPECT_GT(gone, 5000U);
   EXPECT_GT(clipped, 500U);
+}
+
+// By the two other balls of a chord, those that clip it.
+using Chords = std::map<std::array<uint32_t, 2>, std::array<uint32_t, 2>>;
+
+Chords chords_of(const hsp::Caps &caps, hsp::ChordClipper &clipper) {
+  Chords chords;
+  clipper.start(caps);
+  const auto ball = [&](uint32_t cap) { return cap == hsp::no_id ? cap : caps.ball[cap]; };
+  for (uint32_t j = 0; j < caps.count; ++j) {
+    for (uint32_t k = j + 1; k < caps.count; ++k) {
+      hsp::ChordEnds ends;
+      if (clipper.clip(caps, j, k, ends)) {
+        chords[{caps.ball[j], caps.ball[k]}] = {ball(ends.clipper[0]), ball(ends.clipper[1])};
+      }
+    }
+  }
+  return chords;
+}
+
+// The caps of one ball, all or those of later balls, that may touch its power cell, however few there are.
+TEST(ChordClipper, LeavesTheSameWithTheCapsThatStay) {
+  oracle::RandomSource random(82);
+  uint32_t chords = 0, dropped = 0, empty = 0, inside = 0;
+  for (int set = 0; set < 280 && !HasFailure(); ++set) {
+    const size_t n = static_cast<size_t>(random.in(2, set % 2 == 0 ? 30 : 14));
+    const oracle::Balls balls = set % 2 == 0 ? oracle::dense_balls(random, n) : oracle::any_balls(random, n);
+    const BuiltGrid built(oracle::in_lengths(balls, 1));
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    const hsp::BallSet &all = built.grid().balls();
+    const uint32_t capacity = static_cast<uint32_t>(balls.size()) + 2;
+    CarvedMemory caps_memory, clipper_memory;
+    hsp::Caps caps;
+    hsp::ChordClipper clipper;
+    caps_memory.carve(caps, capacity);
+    clipper_memory.carve(clipper, capacity);
+    const auto is_contained = [&](uint32_t j) {
+      for (uint32_t k = 0; k < all.n; ++k) {
+        if (hsp::lies_inside(all, j, k)) return true;
+      }
+      return false;
+    };
+    for (uint32_t i = 0; i < all.n; ++i) {
+      for (const bool later : {false, true}) {
+        caps.gather(all, built.grid().block_around(built.grid().cube_at(all.ball(i).centre)), i, nullptr);
+        if (caps.contained || !(all.r[i] > 0)) break;
+        caps.keep_if([&](uint32_t j) { return (j > i || !later) && !is_contained(j); });
+        const Chords expected = chords_of(caps, clipper);
+        hsp::ExposedCaps exposed = clipper.exposed_caps();
+        if (!exposed.find(hsp::ExposedCaps::Part::ball, caps)) {
+          EXPECT_TRUE(expected.empty()) << oracle::to_text(balls);
+          ++empty;
+          continue;
+        }
+        const uint32_t before = caps.count;
+        caps.keep(exposed.kept());
+        EXPECT_EQ(chords_of(caps, clipper), expected) << oracle::to_text(balls);
+        dropped += before - caps.count;
+        chords += static_cast<uint32_t>(expected.size());
+        inside += expected.empty() || exposed.find(hsp::ExposedCaps::Part::sphere, caps) ? 0U : 1U;
+      }
+    }
+  }
+  EXPECT_GT(chords, 10000U);
+  EXPECT_GT(dropped, 10000U);
+  EXPECT_GT(empty, 50U);
+  EXPECT_GT(inside, 50U);  // power cells that do not reach the sphere
 }
 
 }  // namespace

@@ -53,6 +53,10 @@ class WalkedBalls {
       }
       gather(i);
       with_many_later_ += caps_.count - caps_.first_later > hsp::MaskedChords::most_caps ? 1U : 0U;
+      caps_found_ += caps_.count;
+      walk.keep_exposed(caps_);
+      caps_kept_ += caps_.count;
+      place_first_later();
       all_asked_ += walk.asks_for_all_caps(boundary_.boundary(), i) ? 1U : 0U;
       walk.find(boundary_.boundary(), caps_);
       for (const hsp::FoundChord &chord : walk.chords()) {
@@ -101,6 +105,9 @@ class WalkedBalls {
   uint32_t with_whole_chords() const { return with_whole_chords_; }
   // How many balls the walk wanted to have with all of their caps.
   uint32_t all_asked() const { return all_asked_; }
+  // How many caps there were, and how many the walk kept.
+  uint32_t caps_found() const { return caps_found_; }
+  uint32_t caps_kept() const { return caps_kept_; }
 
  private:
   // A power vertex of the ball at hand ends the chords of every three of its balls, each once.
@@ -128,9 +135,12 @@ class WalkedBalls {
     const hsp::CubeGrid &grid = built_.grid();
     caps_.gather(balls, grid.block_around(grid.cube_at(balls.ball(i).centre)), i, nullptr);
     caps_.keep_if([this](uint32_t j) { return !boundary_.boundary().is_contained(j); });
-    caps_.first_later = 0;
-    while (caps_.first_later < caps_.count && caps_.ball[caps_.first_later] < i) ++caps_.first_later;
+    place_first_later();
     return true;
+  }
+  void place_first_later() {
+    caps_.first_later = 0;
+    while (caps_.first_later < caps_.count && caps_.ball[caps_.first_later] < caps_.origin) ++caps_.first_later;
   }
 
   BuiltGrid built_;
@@ -138,7 +148,7 @@ class WalkedBalls {
   CarvedMemory memory_, caps_memory_;
   hsp::BoundaryBuilder boundary_;
   hsp::Caps caps_;
-  uint32_t all_asked_ = 0, with_many_later_ = 0, with_whole_chords_ = 0;
+  uint32_t all_asked_ = 0, with_many_later_ = 0, with_whole_chords_ = 0, caps_found_ = 0, caps_kept_ = 0;
 };
 
 oracle::Balls any_kind_of_balls(oracle::RandomSource &random, int k) {
@@ -191,6 +201,25 @@ TEST(ChordWalk, FindsWhatIsLeftAmongManyBalls) {
     with_many += walked.with_many_later();
   }
   EXPECT_GT(with_many, 10U);
+}
+
+// Models of one molecule: of some two hundred balls that meet a ball few have planes that touch its power cell.
+TEST(ChordWalk, FindsWhatIsLeftAmongCopies) {
+  oracle::RandomSource random(88);
+  for (const int64_t jitter : {10, 100, 3000}) {
+    const oracle::Balls places = oracle::balls_in_box(random, 10, 8000, 15000, 17000);
+    oracle::Balls balls;
+    for (int copy = 0; copy < 20; ++copy) {
+      for (const oracle::LatticeBall &place : places) {
+        const auto near = [&](int64_t x) { return x + random.in(-jitter, jitter); };
+        balls.push_back({near(place.x), near(place.y), near(place.z), place.radius});
+      }
+    }
+    WalkedBalls walked(oracle::in_lengths(balls, 1));
+    EXPECT_EQ(walked.by_walk(4000), walked.by_pairs());
+    EXPECT_GT(walked.caps_found(), 20000U);
+    EXPECT_LT(walked.caps_kept(), walked.caps_found() / 4);
+  }
 }
 
 // A ball in a cage of later ones: nothing leads to its chords, neither vertices nor earlier balls.

@@ -288,4 +288,31 @@ TEST(StageCounters, Lattices) {
   EXPECT_GT(on_fcc.counters.of(Question::point_status, Stage::perturbation), 1000U);
 }
 
+// Of equal balls one is asked about: not the planes of all that stand for one, each with each.
+TEST(StageCounters, CopiesAreNotAskedAbout) {
+  oracle::RandomSource random(403);
+  Balls once;
+  while (once.size() < 20) {
+    const auto coordinate = [&random] { return static_cast<double>(random.in(-2000, 2000)) / 1000; };
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    once.add(x, y, z, static_cast<double>(random.in(1000, 1500)) / 1000);
+  }
+  for (const int copies : {3, 40}) {  // few caps a ball, or many
+    Balls copied;
+    for (int copy = 0; copy < copies; ++copy) {
+      for (uint32_t k = 0; k < once.size(); ++k) {
+        copied.add(once.xyz[3 * k], once.xyz[3 * k + 1], once.xyz[3 * k + 2], once.radius[k]);
+      }
+    }
+    const Answers of_one = run(once, 0.0), of_all = run_and_print("copies", copied, 0.0);
+    EXPECT_EQ(of_all.counts.vertices, of_one.counts.vertices);
+    EXPECT_GT(of_one.counts.vertices, 20U);
+    const auto exactly = [](const Answers &answers) {
+      return answers.counters.of(Question::vertex_pair, Stage::exact);
+    };
+    EXPECT_LE(exactly(of_all), exactly(of_one) + 5);
+    EXPECT_LE(total(of_all.counters, Question::vertex_pair), 2 * total(of_one.counters, Question::vertex_pair));
+  }
+}
+
 }  // namespace

@@ -147,6 +147,61 @@ TEST(OuterCell, AnswersOfTheCube) {
   }
 }
 
+// Caps around the polyhedron, many of them near to it: none that floats leave out touches it, few others are left.
+TEST(OuterCell, FloatsLeaveOutWhatMisses) {
+  for (const hsp::Target target : runnable_targets()) {
+    Random random(9);
+    uint32_t left_out = 0, missing = 0;
+    for (uint32_t round = 0; round < 200; ++round) {
+      OuterCell cell;
+      cell.start();
+      for (uint32_t k = 0; k < 12; ++k) cell.cut(target, in_doubles(random_plane(random, 0.01L, 0.9L)));
+      const uint32_t count = 1 + round % 61;
+      std::vector<Plane> planes;
+      std::vector<float> columns[4];
+      for (auto &column : columns) column.assign(count + hsp::FloatCaps::spare, 0.0F);
+      for (float &b : columns[3]) b = 4.0F;
+      for (uint32_t k = 0; k < count; ++k) {
+        Plane plane = random_plane(random, -1, 1);
+        if (k % 2 == 0) {  // hardly within it, or hardly not
+          long double most = -9;
+          for (uint32_t v = 0; v < cell.vertices; ++v) {
+            most = std::max(most, depth_of(plane, {cell.x[v], cell.y[v], cell.z[v]}));
+          }
+          plane.b += most + (random.fraction() < 0.5 ? -1e-6L : 1e-4L) * static_cast<long double>(random.fraction());
+        }
+        planes.push_back(plane);
+        for (size_t axis = 0; axis < 3; ++axis) columns[axis][k] = static_cast<float>(plane.u[axis]);
+        columns[3][k] = static_cast<float>(plane.b);
+      }
+      std::vector<uint32_t> numbers(count + 1, hsp::no_id);
+      uint32_t deepest = hsp::no_id;
+      const uint32_t found = hsp::float_caps_that_may_cut(
+          target, cell, {columns[0].data(), columns[1].data(), columns[2].data(), columns[3].data()}, count,
+          numbers.data(), deepest);
+      ASSERT_LE(found, count);
+      EXPECT_EQ(numbers[count], hsp::no_id);
+      long double depth_of_deepest = -9, most_depth = -9;
+      for (uint32_t k = 0, next = 0; k < count; ++k) {
+        const bool listed = next < found && numbers[next] == k;
+        next += listed ? 1U : 0U;
+        long double depth = -9;
+        for (uint32_t v = 0; v < cell.vertices; ++v) {
+          depth = std::max(depth, depth_of(planes[k], {cell.x[v], cell.y[v], cell.z[v]}));
+        }
+        EXPECT_TRUE(listed || depth < -1e-6L);
+        most_depth = std::max(most_depth, depth);
+        if (k == deepest) depth_of_deepest = depth;
+        left_out += listed ? 0U : 1U;
+        missing += depth < -5e-5L ? 1U : 0U;
+      }
+      EXPECT_TRUE(found == 0 || most_depth - depth_of_deepest < 1e-5L);
+    }
+    EXPECT_GT(left_out, 1000U);
+    EXPECT_GE(left_out, missing);
+  }
+}
+
 TEST(OuterCell, HasRoomForSoManyFaces) {
   for (const hsp::Target target : runnable_targets()) {
     const auto cell = std::make_unique<OuterCell>();

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -191,6 +192,28 @@ TEST(CutArcs, CutFacesInSetsWithTies) {
   }
   EXPECT_GT(seen.faces, 100);
   EXPECT_GT(seen.through_poles, 5);
+}
+
+// Balls close to each other on a line that is not a lattice axis: a belt of each is free, and two of its many caps
+// bound it.
+TEST(CutArcs, CutSweptBallsByFewCaps) {
+  Balls balls;
+  for (std::int64_t k = 0; k < 260; ++k) balls.push_back({30 * k, 10 * k, 2 * k, 10000});
+  Seen seen;
+  ASSERT_NO_FATAL_FAILURE(check(balls, true, seen));
+  EXPECT_EQ(seen.faces, 258);
+  const BuiltGrid built(oracle::in_lengths(balls, 1));
+  const auto n = static_cast<uint32_t>(balls.size());
+  CarvedMemory memory;
+  hsp::GatheredBall gathered;
+  memory.carve(gathered, n);
+  uint32_t most = 0;
+  for (uint32_t i = 0; i < n; ++i) {
+    gathered.gather(built.grid(), i);
+    ASSERT_EQ(gathered.caps.met, n - 1);
+    most = std::max(most, gathered.caps.count);
+  }
+  EXPECT_LE(most, 8U);
 }
 
 // Two bumps, each at the level of the other or above it, joined directly or by way of a pole.
