@@ -22,22 +22,22 @@ hsp_part(space
     paths/free_segments.cpp
     paths/path_finder.cpp
     paths/widest_probe.cpp
+    tangents/tangent_point.cpp
     pores/ascent.cpp
     pores/balls_around.cpp
-    pores/class_tree.cpp
     pores/critical_points.cpp
     pores/cube_halves.kernel.cpp
-    pores/gate_finder.cpp
     pores/leaf_points.cpp
-    pores/plugs.cpp
-    pores/pockets.cpp
     pores/point_records.cpp
     pores/pore_balls.cpp
     pores/pores_builder.cpp
-    pores/region_finder.cpp
-    pores/tangent_point.cpp
     pores/tied_balls.cpp
-    pores/tunnel.cpp
     pores/way_up.cpp
+    pockets/class_tree.cpp
+    pockets/gate_finder.cpp
+    pockets/plugs.cpp
+    pockets/pockets.cpp
+    pockets/region_finder.cpp
+    pockets/tunnel.cpp
   SHIMS hsp_cells hsp_paths hsp_pores hsp_pores_pockets
   LEVELS shims -O2 paths -O2)

@@ -3,7 +3,7 @@
 
 #include "hsp_model.hpp"
 #include "paths/path_finder.hpp"
-#include "pores/gate_finder.hpp"
+#include "pockets/gate_finder.hpp"
 #include "source.hpp"
 
 struct hsp_paths {

@@ -3,7 +3,7 @@
 
 #include "hsp_model.hpp"
 #include "hsp_periodic.hpp"
-#include "pores/pore_questions.hpp"
+#include "pockets/pore_questions.hpp"
 #include "source.hpp"
 
 struct hsp_pores {

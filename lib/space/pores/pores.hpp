@@ -6,6 +6,14 @@
 //   class     a component from its birth at a maximum to its death at a gate, where it merges into one that is older,
 //             of a larger birth. The outside is the oldest, and has no maximum
 //
+//     f
+//     |     M2                  two cavities M1, M2 and the gate g between them; the outside is left of G
+//     |    /  \       M1
+//     |   /    \     /  \       at f = p the set {f > p} has two components, one around each maximum
+//   p |--/------\---/----\--    below g they are one: the class of M1 dies there, as M2 was born at a larger f
+//     | /        \_/      \     below G that of M2 dies: the outside is older
+//     |G          g
+//
 // A probe fits at a point, or passes a gate, if it is narrower than f there. Ids of balls are the caller's. Levels are
 // radii of probes beyond the one that is in the model, in lattice steps.
 //

@@ -7,7 +7,7 @@
 // not matter.
 #pragma once
 
-#include "pores/tangent_point.hpp"
+#include "tangents/tangent_point.hpp"
 
 namespace hsp {
 

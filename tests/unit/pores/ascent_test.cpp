@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "built_pores.hpp"
+#include "pockets/class_tree.hpp"
 #include "pore_sets.hpp"
-#include "pores/class_tree.hpp"
 #include "sweep_length.hpp"
 
 namespace {

@@ -6,8 +6,8 @@
 
 #include "box_flood.hpp"
 #include "built_crystal_pores.hpp"
+#include "pockets/class_tree.hpp"
 #include "pore_sets.hpp"
-#include "pores/class_tree.hpp"
 #include "sweep_length.hpp"
 
 namespace {

@@ -9,8 +9,8 @@
 #include "brute_pores.hpp"
 #include "built_free_space.hpp"
 #include "built_pores.hpp"
+#include "pockets/class_tree.hpp"
 #include "pore_sets.hpp"
-#include "pores/class_tree.hpp"
 #include "tied_sets.hpp"
 
 namespace checked_pores {

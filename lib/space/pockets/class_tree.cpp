@@ -1,4 +1,4 @@
-#include "pores/class_tree.hpp"
+#include "pockets/class_tree.hpp"
 
 #include "lanes/floating_point.hpp"
 

@@ -1,6 +1,6 @@
 // Points at equal distances, held against sets that tie at a lattice point by construction, where every sign is one of
 // small integers; and one step beside them.
-#include "pores/tangent_point.hpp"
+#include "tangents/tangent_point.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "paths/widest_probe.hpp"
-#include "pores/class_tree.hpp"
+#include "pockets/class_tree.hpp"
 
 namespace hsp {
 

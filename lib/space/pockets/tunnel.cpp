@@ -1,4 +1,4 @@
-#include "pores/tunnel.hpp"
+#include "pockets/tunnel.hpp"
 
 #include <initializer_list>
 

@@ -1,12 +1,20 @@
 // Pockets: where a narrow probe gets and a wide one does not get in from the outside, or in a periodic box from where
 // it goes on for ever. One is made up of maxima where the narrow probe fits, joined by gates that it passes; its mouths
 // are such gates to where the wide probe gets, too.
+//
+//     balls           mouth
+//     ______         .......         ______    the narrow probe passes the mouth and the gate g, the wide one not the
+//           \_______/       \_______/          mouth: the maxima M and m are one pocket with one mouth, and its balls
+//            \        M          /             are those that line both cavities
+//             \________g_________/
+//                 \    m   /
+//                  \______/
 #pragma once
 
 #include "core/disjoint_sets.hpp"
 #include "core/fixed_vector.hpp"
+#include "pockets/region_finder.hpp"
 #include "pores/pores_builder.hpp"
-#include "pores/region_finder.hpp"
 
 namespace hsp {
 

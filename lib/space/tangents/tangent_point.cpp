@@ -1,8 +1,8 @@
-#include "pores/tangent_point.hpp"
+#include "tangents/tangent_point.hpp"
 
 #include <initializer_list>
 
-#include "pores/tangent_rows.hpp"
+#include "tangents/tangent_rows.hpp"
 
 namespace hsp {
 namespace {

@@ -1,6 +1,6 @@
 // Tunnels: their tightest gate against relaxation over the gates that are not avoided, their points against the
 // distance from all balls.
-#include "pores/tunnel.hpp"
+#include "pockets/tunnel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Classes at a probe against regions of grown balls, gates between two classes against relaxation over all gates.
-#include "pores/class_tree.hpp"
+#include "pockets/class_tree.hpp"
 
 #include <gtest/gtest.h>
 

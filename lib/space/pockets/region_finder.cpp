@@ -1,4 +1,4 @@
-#include "pores/region_finder.hpp"
+#include "pockets/region_finder.hpp"
 
 #include <initializer_list>
 #include <limits>
@@ -6,7 +6,7 @@
 #include "boundary/point_location.hpp"
 #include "measure/boundary_positions.hpp"
 #include "periodic/surface_volume.hpp"
-#include "pores/class_tree.hpp"
+#include "pockets/class_tree.hpp"
 
 namespace hsp {
 namespace {

@@ -1,6 +1,6 @@
 // Plugs of mouths against the corners of discs in their plane; what they leave of pockets against a flood of cells,
 // which tells of many whether they are closed; plugs in leaks, until all are.
-#include "pores/plugs.hpp"
+#include "pockets/plugs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include "built_pores.hpp"
 #include "built_topology.hpp"
 #include "free_cells.hpp"
+#include "pockets/pore_questions.hpp"
 #include "pore_sets.hpp"
-#include "pores/pore_questions.hpp"
 #include "sweep_length.hpp"
 
 namespace {

@@ -1,10 +1,10 @@
 // Pores with what is asked of them: pockets, regions and tunnels, in one piece of memory.
 #pragma once
 
-#include "pores/plugs.hpp"
-#include "pores/pockets.hpp"
-#include "pores/region_finder.hpp"
-#include "pores/tunnel.hpp"
+#include "pockets/plugs.hpp"
+#include "pockets/pockets.hpp"
+#include "pockets/region_finder.hpp"
+#include "pockets/tunnel.hpp"
 
 namespace hsp {
 

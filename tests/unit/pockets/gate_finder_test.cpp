@@ -1,5 +1,5 @@
 // The widest probe is that of the search without pores, bit for bit, and takes fewer cuts of free space into cells.
-#include "pores/gate_finder.hpp"
+#include "pockets/gate_finder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pores/plugs.hpp"
+#include "pockets/plugs.hpp"
 
 #include "core/extremes.hpp"
 

@@ -1,4 +1,4 @@
-#include "pores/pockets.hpp"
+#include "pockets/pockets.hpp"
 
 #include "core/sorting.hpp"
 

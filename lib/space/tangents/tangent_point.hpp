@@ -1,5 +1,11 @@
 // Points that are equally far from several balls, and the signs of what is asked of them, decided by integers.
 //
+//        a           x has the distance t from the spheres of a, b and c, in their plane, where three balls leave a
+//         \  t       curve of such points, a branch of a conic: the plane cuts it in x, a fourth ball in two points.
+//          x         Is a ball d nearer to x than these three are? Is x inside their triangle, so that it is a gate?
+//       t / \ t      Which of two such points has the larger t? Each is the sign of a form at the root of a quadratic.
+//        b   c
+//
 // One ball is the base: y = 2 (x - c), z = 2 (r + t) for a point x at the distance t from all balls of a set. With C
 // and e the differences of centre and radius from the base and w = |C|^2 - e^2, a ball is as near as the base iff
 //   C.y + e z = w,       and nearer, tied or farther by the sign of  w - C.y - e z :

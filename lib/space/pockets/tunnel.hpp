@@ -12,7 +12,7 @@
 // the other.
 #pragma once
 
-#include "pores/class_tree.hpp"
+#include "pockets/class_tree.hpp"
 
 namespace hsp {
 

@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "pores/tangent_point.hpp"
+#include "tangents/tangent_point.hpp"
 
 namespace hsp {
 namespace {

@@ -1,6 +1,6 @@
 // Regions of random boxes against a flood of cells of a grid, which bounds their volumes from both sides, and against
 // the classes of the tree; of molecules against the nesting that vertical rays find.
-#include "pores/region_finder.hpp"
+#include "pockets/region_finder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pores/gate_finder.hpp"
+#include "pockets/gate_finder.hpp"
 
 namespace hsp {
 

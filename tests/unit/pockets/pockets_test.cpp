@@ -1,6 +1,6 @@
 // Pockets against what flows through gates: from the outside with the wide probe, then in what is left with the narrow
 // one. With one probe they are the cavities of grown balls.
-#include "pores/pockets.hpp"
+#include "pockets/pockets.hpp"
 
 #include <gtest/gtest.h>
 
