@@ -56,6 +56,7 @@ class PlainSides {
 constexpr double clear_of_rounding = 1e-9, clear_of_slivers = 1e-5;
 // Balls are nearly in a plane up to that, which two of them give that are so far apart.
 constexpr double nearly_in_plane = 1e-8, far_apart = 0.02;
+constexpr uint32_t many_tied = 9;
 
 }  // namespace
 
@@ -232,26 +233,26 @@ bool find_far_apart(const BallSet &balls, Span<const uint32_t> near, uint32_t *s
 TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied,
                                Span<Vec3> room)
     : balls_(balls), point_(point), tied_(tied) {
-  if (tied.size() < 4 || tied.size() > room.size()) return;
-  Vec3 at = point.place_estimate();
-  double error = point.place_error();
+  if (tied.size() < 4 || tied.size() > room.size() || take(point, room) || tied.size() < many_tied) return;
   uint32_t four[4];
-  const Vec3 from_first = at - Vec3{balls.x[tied[0]], balls.y[tied[0]], balls.z[tied[0]]};
-  if (!(error < 1e-12 * longest_part(from_first)) && find_far_apart(balls, tied, four)) {
-    const TangentPoint same = point.found_by(four);
-    if (same.place_error() < error) {
-      at = same.place_estimate();
-      error = same.place_error();
-    }
+  if (!take(point.sharpened(), room) && find_far_apart(balls, tied, four)) {
+    static_cast<void>(take(point.found_by(four), room));
   }
-  for (uint32_t k = 0; k < tied.size(); ++k) {
-    const Vec3 y = at - Vec3{balls.x[tied[k]], balls.y[tied[k]], balls.z[tied[k]]};
+}
+
+// As doubles see them from a point. False if they do not know it well.
+bool TiedDirections::take(const TangentPoint &point, Span<Vec3> room) {
+  const Vec3 at = point.place_estimate();
+  const double error = point.place_error();
+  for (uint32_t k = 0; k < tied_.size(); ++k) {
+    const Vec3 y = at - Vec3{balls_.x[tied_[k]], balls_.y[tied_[k]], balls_.z[tied_[k]]};
     const double length = std::sqrt(dot(y, y));
-    if (!(error < 1e-11 * length)) return;
+    if (!(error < 1e-11 * length)) return false;
     room[k] = (1.0 / length) * y;
   }
-  count_ = tied.size();
+  count_ = tied_.size();
   a_ = room.part(0, count_);
+  return true;
 }
 
 // Whether the others are certainly all around a line, of a length that is not small.

@@ -64,6 +64,7 @@ class TiedDirections {
     return is_near(plane, i) && is_near(plane, j) && is_near(plane, k);
   }
   const Plane *find_plane(uint32_t i, uint32_t j, uint32_t k);
+  bool take(const TangentPoint &point, Span<Vec3> room);
   bool is_around(const Vec3 &along, const Vec3 &from, uint32_t i, uint32_t j) const;
 
   const BallSet &balls_;

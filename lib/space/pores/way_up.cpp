@@ -81,19 +81,58 @@ bool WayUp::is_open_from_lowest(const Way &way) {
   return true;
 }
 
-// The side is that of the gate's first three balls.
+// From three balls with a gate inside their triangle to such ones whose curve no other gets nearer on: each that does
+// takes the place of one of them, so that the curve is lower. False where the gate is on a side of a triangle.
+bool WayUp::find_lowest(const TangentCurve &named, int side, Way &way) {
+  way = {named, side};
+  bool on_side = false;
+  if (!is_in_triangle(*balls_, point_, named.base, named.second, named.third, on_side) || on_side) return false;
+  for (uint32_t turn = 0; turn < tied_.size(); ++turn) {
+    uint32_t nearer = no_id;
+    for (uint32_t k = 0; k < tied_.size() && nearer == no_id; ++k) {
+      const uint32_t ball = tied_[k];
+      if (!is_of_curve(way.curve, ball) && departure_from_lowest(*balls_, way.curve, way.side, ball) < 0) nearer = ball;
+    }
+    if (nearer == no_id) return true;
+    const TangentCurve before = way.curve;
+    for (uint32_t corner = 0; corner < 3; ++corner) {
+      way.curve = {corner == 0 ? nearer : before.base, corner == 1 ? nearer : before.second,
+                   corner == 2 ? nearer : before.third};
+      const auto &[base, second, third, in_plane] = way.curve;
+      if (!are_collinear(*balls_, base, second, third) &&
+          is_in_triangle(*balls_, point_, base, second, third, on_side)) {
+        break;
+      }
+      if (corner == 2) return false;
+    }
+    if (on_side) return false;
+    way.side = turn_alike(*balls_, named, way.curve) ? side : -side;
+  }
+  return false;
+}
+
+// The side is that of the gate's first three balls. All that stay as near as the lowest three, and these alone, are on
+// the way.
 bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
-  const Span<const uint32_t> tied = tied_.items();
+  const bool many = tied_.size() > few_tied, known = many && find_lowest(named, side, way);
+  near_.clear();
+  for (uint32_t k = 0; many && k < tied_.size(); ++k) {
+    const uint32_t ball = tied_[k];
+    if (!known || is_of_curve(way.curve, ball) || departure_from_lowest(*balls_, way.curve, way.side, ball) == 0) {
+      near_.push(ball);
+    }
+  }
+  const Span<const uint32_t> tied = many ? near_.items() : tied_.items();
   for (uint32_t a = 0; a < tied.size(); ++a) {
     for (uint32_t b = a + 1; b < tied.size(); ++b) {
       for (uint32_t c = b + 1; c < tied.size(); ++c) {
         way.curve = {tied[a], tied[b], tied[c]};
         bool on_side = false;
-        if (tied.size() > 3 && (are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
-                                !is_in_triangle(*balls_, point_, tied[a], tied[b], tied[c], on_side))) {
+        if (tied_.size() > 3 && (are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
+                                 !is_in_triangle(*balls_, point_, tied[a], tied[b], tied[c], on_side))) {
           continue;
         }
-        way.side = tied.size() == 3 || turn_alike(*balls_, named, way.curve) ? side : -side;
+        way.side = tied_.size() == 3 || turn_alike(*balls_, named, way.curve) ? side : -side;
         if (is_open_from_lowest(way)) return true;
       }
     }
@@ -112,27 +151,28 @@ bool WayUp::leave(Way &way) {
   }
   // Of many most are on no curve that leads up, and most pairs. Those that may be are noted where the balls near the
   // way were, which are no longer needed.
+  const bool many = tied.size() > few_tied;
   bool in_one_plane = true;
   near_.clear();
-  for (uint32_t k = 0; k < tied.size(); ++k) {
-    const bool inner = tied.size() > few_tied && directions.is_inner(k);
+  for (uint32_t k = 0; many && k < tied.size(); ++k) {
+    const bool inner = directions.is_inner(k);
     in_one_plane = in_one_plane && !inner;
     if (!inner) near_.push(k);
   }
-  const Span<const uint32_t> outer = near_.items();
-  const uint32_t count = outer.size();
-  const auto is_inner = [&](uint32_t a, uint32_t b) { return tied.size() > few_tied && directions.is_inner(a, b); };
+  const uint32_t count = many ? near_.size() : tied.size();
+  const auto outer = [&](uint32_t k) { return many ? near_[k] : k; };
+  const auto is_inner = [&](uint32_t a, uint32_t b) { return many && directions.is_inner(a, b); };
   // In the inside of a triangle no way is steep.
-  const bool level = tied.size() > few_tied && directions.surround_in_plane(in_one_plane);
+  const bool level = many && directions.surround_in_plane(in_one_plane);
   for (uint32_t i = 0; i < count && !level; ++i) {
     for (uint32_t j = i + 1; j < count; ++j) {
-      const uint32_t a = outer[i], b = outer[j];
+      const uint32_t a = outer(i), b = outer(j);
       if (is_inner(a, b)) {
         in_one_plane = false;
         continue;
       }
       for (uint32_t k = j + 1; k < count; ++k) {
-        const uint32_t c = outer[k];
+        const uint32_t c = outer(k);
         if (directions.is_known_in_plane(a, b, c)) continue;
         if (directions.is_closed(a, b, c)) {
           in_one_plane = false;
@@ -149,10 +189,10 @@ bool WayUp::leave(Way &way) {
   // Beside a gate that is closed on one side: the point is in a triangle's plane.
   for (uint32_t i = 0; i < count; ++i) {
     for (uint32_t j = i + 1; j < count; ++j) {
-      const uint32_t a = outer[i], b = outer[j];
+      const uint32_t a = outer(i), b = outer(j);
       if (is_inner(a, b)) continue;
       for (uint32_t k = j + 1; k < count; ++k) {
-        const uint32_t c = outer[k];
+        const uint32_t c = outer(k);
         way.curve = {tied[a], tied[b], tied[c]};
         bool on_side = false;
         if (directions.is_off_plane(a, b, c) || directions.is_closed(a, b, c) ||

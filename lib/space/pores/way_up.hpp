@@ -62,6 +62,7 @@ class WayUp {
     BoxShift shift;
   };
   bool leave_gate(const TangentCurve &named, int side, Way &way);
+  bool find_lowest(const TangentCurve &named, int side, Way &way);
   bool leave(Way &way);
   bool leave_in_plane(const TangentCurve &before, Way &way);
   bool is_open(const Way &way);

@@ -147,6 +147,13 @@ TangentPoint TangentPoint::found_by(const uint32_t *four) const {
   return found == 1 ? best : *this;
 }
 
+TangentPoint TangentPoint::sharpened() const {
+  TangentPoint point = *this;
+  const CurveRows<Bounded> rows(*balls_, curve_);
+  static_cast<void>(point.estimate(SteepLine<Bounded>(rows, last_row(*balls_, curve_, rows, last_))));
+  return point;
+}
+
 // known: by doubles.
 bool TangentPoint::is_there(int known) {
   if (known != 0) return known > 0;

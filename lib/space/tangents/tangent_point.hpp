@@ -106,6 +106,8 @@ class TangentPoint {
   // The same point as doubles find it by four others that tie there, whose centres are in no plane; itself if they do
   // not know which of the two points of these it is.
   TangentPoint found_by(const uint32_t *four) const;
+  // The same with sharper bounds of what doubles know, as a rule.
+  TangentPoint sharpened() const;
 
   // Sign of the distance of a ball less that of the point's balls: -1 nearer, 0 tied, +1 farther.
   int nearness(uint32_t ball) const;

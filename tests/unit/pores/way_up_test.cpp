@@ -100,4 +100,32 @@ TEST(WayUp, TiesTakeFewQuestions) {
   }
 }
 
+// Balls of four sizes that touch one circle from outside, between two large ones: off its plane the largest are nearest.
+TEST(WayUp, UnequalBallsThatTieOnACircle) {
+  for (const int64_t root : {5, 25, 65}) {
+    for (uint32_t turn = 0; turn < 4; ++turn) {
+      const int64_t step = 1000000, size = root * step;
+      oracle::Balls balls = pore_sets::exact_circle(root, step, step / 2, 0);
+      uint32_t which = turn;
+      for (auto &ball : balls) {
+        const int64_t times = 1 + (which * 7 + which / 3) % 4;
+        ball = {times * ball.x, times * ball.y, 0, ball.radius + (times - 1) * size};
+        ++which;
+      }
+      for (const int64_t side : {1, -1}) balls.push_back({0, 0, 20 * side * size, 5 * size});
+      checked_pores::Seen seen;
+      ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(oracle::outer_balls(balls), seen));
+      const BuiltPores pores(balls, 0);
+      ASSERT_EQ(pores.status(), hsp::Status::ok);
+      ASSERT_GT(pores.gates().size(), 0U);
+      ASSERT_NO_FATAL_FAILURE(check_ways(pores));
+      for (const auto &gate : pores.gates()) {
+        if (gate.point.tied > 8) {
+          EXPECT_LT(pores.builder().questions(), 500.0 + 200.0 * static_cast<double>(balls.size()));
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
