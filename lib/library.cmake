@@ -62,6 +62,7 @@ set(HSP_LIBRARY_SOURCES
   lib/union/sphere/great_circles.cpp
   lib/union/sphere/lane_search.cpp
   lib/union/sphere/near_balls.kernel.cpp
+  lib/union/sphere/near_caps.cpp
   lib/union/sphere/outer_cell.cpp
   lib/union/sphere/outer_cell.kernel.cpp
   lib/union/sphere/pair_sweep.kernel.cpp
