@@ -1,5 +1,299 @@
+<<<<<<< HEAD
 # The library: the sources of its parts (components.cmake), as objects for tests and as what is installed, an archive or
 # with BUILD_SHARED_LIBS a shared library. No program that links either needs the C++ run-time library.
+=======
+# The library: its sources, as objects for tests and as what is installed, an archive or with BUILD_SHARED_LIBS a shared
+# library. No program that links either needs the C++ run-time library.
+
+# In the order of the rooms.
+set(HSP_LIBRARY_SOURCES
+  lib/ground/core/elementary.cpp
+  lib/ground/core/executor.cpp
+  lib/ground/core/key_ranks.kernel.cpp
+  lib/ground/exact/exact_predicates.cpp
+  lib/balls/model/ball_set.cpp
+  lib/balls/model/block_sweep.cpp
+  lib/balls/model/cube_grid.cpp
+  lib/balls/model/cube_index.cpp
+  lib/balls/model/digit_sort.cpp
+  lib/balls/model/grid_order.cpp
+  lib/balls/model/halo.cpp
+  lib/balls/model/meeting.cpp
+  lib/balls/model/neighbour_lists.cpp
+  lib/balls/model/ordered_balls.cpp
+  lib/balls/model/packing_statistics.cpp
+  lib/balls/model/pair_block.kernel.cpp
+  lib/balls/model/queries.cpp
+  lib/balls/model/query_hits.cpp
+  lib/balls/model/query_hits.kernel.cpp
+  lib/balls/model/rounded_block.kernel.cpp
+  lib/balls/model/row_directory.cpp
+  lib/balls/model/ray_query.cpp
+  lib/balls/model/set_digest.cpp
+  lib/balls/model/vertical_ray.cpp
+  lib/balls/poses/near_pairs.kernel.cpp
+  lib/balls/poses/pose.cpp
+  lib/balls/poses/pose_queries.cpp
+  lib/balls/poses/rational_pose.cpp
+  lib/balls/poses/sphere_tree.cpp
+  lib/space/cells/arrangement.cpp
+  lib/space/cells/cell_location.cpp
+  lib/space/cells/cube_contacts.cpp
+  lib/space/cells/cube_cover.cpp
+  lib/space/cells/empty_runs.cpp
+  lib/space/cells/facet_overlay.cpp
+  lib/space/cells/facet_parts.cpp
+  lib/space/cells/free_space_builder.cpp
+  lib/space/cells/free_space_check.cpp
+  lib/space/cells/power_cell.cpp
+  lib/space/cells/power_cell.kernel.cpp
+  lib/space/cells/power_polytope.cpp
+  lib/space/cells/power_predicates.cpp
+  lib/space/cells/side_facets.cpp
+  lib/space/paths/cell_crossing.cpp
+  lib/space/paths/cell_search.cpp
+  lib/space/paths/free_segments.cpp
+  lib/space/paths/path_finder.cpp
+  lib/space/paths/widest_probe.cpp
+  lib/union/sphere/arc_geometry.cpp
+  lib/union/sphere/cap_clusters.cpp
+  lib/union/sphere/candidate_block.kernel.cpp
+  lib/union/sphere/caps.cpp
+  lib/union/sphere/cube_candidates.cpp
+  lib/union/sphere/few_caps.kernel.cpp
+  lib/union/sphere/exposed_caps.cpp
+  lib/union/sphere/float_caps.kernel.cpp
+  lib/union/sphere/great_circles.cpp
+  lib/union/sphere/lane_search.cpp
+  lib/union/sphere/near_balls.kernel.cpp
+  lib/union/sphere/near_caps.cpp
+  lib/union/sphere/outer_cell.cpp
+  lib/union/sphere/outer_cell.kernel.cpp
+  lib/union/sphere/pair_sweep.kernel.cpp
+  lib/union/sphere/root_discriminants.kernel.cpp
+  lib/union/sphere/vertex_finder.cpp
+  lib/union/boundary/boundary_builder.cpp
+  lib/union/boundary/boundary_check.cpp
+  lib/union/boundary/boundary_part.cpp
+  lib/union/boundary/boundary_worker.cpp
+  lib/union/boundary/components.cpp
+  lib/union/boundary/faces.cpp
+  lib/union/boundary/half_edge_links.cpp
+  lib/union/boundary/point_location.cpp
+  lib/union/boundary/shells.cpp
+  lib/union/measure/arc_batches.cpp
+  lib/union/measure/arc_sums.kernel.cpp
+  lib/union/measure/areas.cpp
+  lib/union/measure/boundary_metric_check.cpp
+  lib/union/measure/boundary_positions.cpp
+  lib/union/measure/curvature.cpp
+  lib/union/measure/edge_sums.kernel.cpp
+  lib/union/measure/gradients.cpp
+  lib/union/measure/tangency.cpp
+  lib/union/topology/regions.cpp
+  lib/union/topology/cut_arcs.cpp
+  lib/union/topology/positions.cpp
+  lib/union/topology/shell_volumes.cpp
+  lib/union/topology/simple_faces.cpp
+  lib/union/topology/subdivision.cpp
+  lib/union/topology/topology_builder.cpp
+  lib/union/topology/topology_check.cpp
+  lib/union/topology/traversal.cpp
+  lib/union/moving/ball_cells.cpp
+  lib/union/moving/ball_group.cpp
+  lib/union/moving/component_update.cpp
+  lib/union/moving/moving_balls.cpp
+  lib/union/contacts/chord_clipper.cpp
+  lib/union/contacts/chord_cuts.kernel.cpp
+  lib/union/contacts/chord_ends.cpp
+  lib/union/contacts/chord_ends.kernel.cpp
+  lib/union/contacts/chord_walk.cpp
+  lib/union/contacts/contact_measures.cpp
+  lib/union/contacts/contact_measures.kernel.cpp
+  lib/union/contacts/contacts_builder.cpp
+  lib/union/contacts/contacts_check.cpp
+  lib/union/periodic/periodic_box.cpp
+  lib/union/periodic/periodic_check.cpp
+  lib/union/periodic/periodic_images.cpp
+  lib/union/periodic/periodic_measures.cpp
+  lib/union/periodic/periodic_morphometry.cpp
+  lib/union/periodic/periodic_queries.cpp
+  lib/union/periodic/periodic_records.cpp
+  lib/union/periodic/periodic_union.cpp
+  lib/union/periodic/surface_volume.cpp
+  lib/union/periodic/windings.cpp
+  lib/space/pores/ascent.cpp
+  lib/space/pores/balls_around.cpp
+  lib/space/pores/class_tree.cpp
+  lib/space/pores/critical_points.cpp
+  lib/space/pores/cube_halves.kernel.cpp
+  lib/space/pores/gate_finder.cpp
+  lib/space/pores/leaf_points.cpp
+  lib/space/pores/plugs.cpp
+  lib/space/pores/pockets.cpp
+  lib/space/pores/point_records.cpp
+  lib/space/pores/pore_balls.cpp
+  lib/space/pores/pores_builder.cpp
+  lib/space/pores/region_finder.cpp
+  lib/space/pores/tangent_point.cpp
+  lib/space/pores/tied_balls.cpp
+  lib/space/pores/tunnel.cpp
+  lib/space/pores/way_up.cpp
+  lib/smooth/surface/arc_parts.cpp
+  lib/smooth/surface/coincident_patches.cpp
+  lib/smooth/surface/concave_patches.cpp
+  lib/smooth/surface/covered_gaps.cpp
+  lib/smooth/surface/crease_lengths.cpp
+  lib/smooth/surface/cusped_circles.cpp
+  lib/smooth/surface/cut_patches.cpp
+  lib/smooth/surface/degenerate_balls.cpp
+  lib/smooth/surface/flat_patches.cpp
+  lib/smooth/surface/near_probes.kernel.cpp
+  lib/smooth/surface/patch_corners.cpp
+  lib/smooth/surface/probe_caps.cpp
+  lib/smooth/surface/probe_grid.cpp
+  lib/smooth/surface/probe_positions.cpp
+  lib/smooth/surface/region_pieces.cpp
+  lib/smooth/surface/saddle.cpp
+  lib/smooth/surface/saddle_sums.kernel.cpp
+  lib/smooth/surface/settled_circles.cpp
+  lib/smooth/surface/surface_areas.cpp
+  lib/smooth/surface/surface_gradients.cpp
+  lib/smooth/surface/surface_builder.cpp
+  lib/smooth/surface/surface_check.cpp
+  lib/smooth/surface/surface_map.cpp
+  lib/smooth/surface/surface_patches.cpp
+  lib/smooth/surface/surface_positions.cpp
+  lib/smooth/surface/surface_shells.cpp
+  lib/smooth/surface/probe_triangles.kernel.cpp
+  lib/smooth/surface/weighted_joints.cpp
+  lib/smooth/mesh/boundary_curves.cpp
+  lib/smooth/mesh/boundary_outline.cpp
+  lib/smooth/mesh/concave_outline.cpp
+  lib/smooth/mesh/convex_outline.cpp
+  lib/smooth/mesh/flat_strips.cpp
+  lib/smooth/mesh/mesh_builder.cpp
+  lib/smooth/mesh/pinched_cells.cpp
+  lib/smooth/mesh/pinched_patch.cpp
+  lib/smooth/mesh/sphere_triangulation.cpp
+  lib/smooth/mesh/saddle_band.cpp
+  lib/smooth/mesh/saddle_grids.cpp
+  lib/smooth/mesh/spherical_patch.cpp
+  lib/smooth/mesh/surface_curves.cpp
+  lib/smooth/mesh/surface_outline.cpp
+  lib/smooth/mesh/surface_vertices.cpp
+  lib/sight/view/depth_buffer.cpp
+  lib/sight/view/depth_order.cpp
+  lib/sight/view/depth_rows.kernel.cpp
+  lib/sight/view/occlusion.cpp
+  lib/sight/view/piece_arcs.cpp
+  lib/sight/view/projected_arcs.cpp
+  lib/sight/view/view_builder.cpp
+  lib/sight/view/view_frame.cpp
+  lib/sight/view/view_rotation.cpp
+  lib/sight/view/visible_piece.cpp
+  lib/sight/maps/arc_finder.cpp
+  lib/sight/maps/disc_grid.cpp
+  lib/sight/maps/face_pole.cpp
+  lib/sight/maps/map_builder.cpp
+  lib/sight/maps/map_paths.cpp
+  lib/sight/maps/seen_balls.cpp
+  lib/sight/maps/stick_arcs.cpp
+  lib/sight/maps/stick_map_builder.cpp
+  lib/sight/maps/stick_outlines.cpp
+  lib/sight/maps/stick_scene.cpp
+  lib/sight/maps/strand_lines.cpp
+  lib/sight/maps/stick_sweep.cpp
+  lib/sight/maps/stick_view_builder.cpp
+  lib/sight/maps/trigonometric_roots.cpp
+  lib/sight/picture/byte_sink.cpp
+  lib/sight/picture/deflate.cpp
+  lib/sight/picture/eps_writer.cpp
+  lib/sight/picture/escaped_text.cpp
+  lib/sight/picture/ink.cpp
+  lib/sight/picture/number_text.cpp
+  lib/sight/picture/page.cpp
+  lib/sight/picture/painted_paths.cpp
+  lib/sight/picture/paint.cpp
+  lib/sight/picture/palettes.cpp
+  lib/sight/picture/pdf_writer.cpp
+  lib/sight/picture/picture.cpp
+  lib/sight/picture/prefix_code.cpp
+  lib/sight/picture/svg_path.cpp
+  lib/sight/picture/svg_writer.cpp
+  capi/shims/hsp_status.cpp
+  capi/shims/element_radii.cpp
+  capi/shims/element_symbols.cpp
+  capi/shims/hsp_element.cpp
+  capi/shims/residue_radii.cpp
+  capi/shims/hsp_residue.cpp
+  capi/shims/hsp_model.cpp
+  capi/shims/hsp_query.cpp
+  capi/shims/hsp_areas.cpp
+  capi/shims/hsp_body.cpp
+  capi/shims/hsp_boundary.cpp
+  capi/shims/hsp_measure.cpp
+  capi/shims/hsp_gradient.cpp
+  capi/shims/hsp_curvature.cpp
+  capi/shims/hsp_contacts.cpp
+  capi/shims/hsp_periodic.cpp
+  capi/shims/hsp_periodic_boundary.cpp
+  capi/shims/hsp_periodic_curvature.cpp
+  capi/shims/hsp_periodic_queries.cpp
+  capi/shims/hsp_moving.cpp
+  capi/shims/hsp_surface.cpp
+  capi/shims/hsp_surface_records.cpp
+  capi/shims/hsp_map.cpp
+  capi/shims/hsp_map_records.cpp
+  capi/shims/hsp_mesh.cpp
+  capi/shims/hsp_topology.cpp
+  capi/shims/hsp_topology_records.cpp
+  capi/shims/hsp_topology_regions.cpp
+  capi/shims/hsp_cells.cpp
+  capi/shims/hsp_paths.cpp
+  capi/shims/hsp_pores.cpp
+  capi/shims/hsp_pores_pockets.cpp
+  capi/shims/hsp_view.cpp
+  capi/shims/hsp_view_records.cpp
+  capi/shims/hsp_picture.cpp
+  capi/shims/hsp_sticks.cpp
+  capi/shims/hsp_sticks_map.cpp)
+
+# The wings: which sources are theirs, the interface's among them, and whose headers those of lib/ find. The part of
+# the interface that no other pattern takes is union's.
+set(ground_pattern "lib/ground/")
+set(balls_pattern "lib/balls/|capi/shims/(element_(radii|symbols)|residue_radii|hsp_(status|element|residue|model|query|body))\\.cpp")
+set(union_pattern "lib/union/|capi/shims/")
+foreach(component ${HSP_ALL_COMPONENTS})
+  list(JOIN HSP_${component}_HEADERS "|" headers)
+  set(${component}_pattern "lib/${component}/|capi/shims/hsp_(${headers})")
+endforeach()
+set(ground_roots ground)
+set(balls_roots ground balls)
+set(union_roots ground balls union)
+set(smooth_roots ground balls union smooth)
+set(space_roots ground balls union space)
+set(sight_roots ground balls union sight)
+# In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
+set(sources ${HSP_LIBRARY_SOURCES})
+set(wings "")
+set(folders "")
+foreach(wing ground balls smooth space sight union)
+  set(own ${sources})
+  list(FILTER own INCLUDE REGEX "^(${${wing}_pattern})")
+  list(FILTER sources EXCLUDE REGEX "^(${${wing}_pattern})")
+  if(NOT wing IN_LIST HSP_LEFT_OUT)
+    list(TRANSFORM own PREPEND ${PROJECT_SOURCE_DIR}/)
+    set(HSP_${wing}_SOURCES ${own} CACHE INTERNAL "The sources of the wing ${wing}")
+    list(TRANSFORM ${wing}_roots PREPEND ${PROJECT_SOURCE_DIR}/lib/ OUTPUT_VARIABLE roots)
+    set(HSP_${wing}_ROOTS ${roots} CACHE INTERNAL "Where its sources find headers")
+    list(APPEND wings ${wing})
+    list(APPEND folders ${PROJECT_SOURCE_DIR}/lib/${wing})
+  endif()
+endforeach()
+set(HSP_WINGS ${wings} CACHE INTERNAL "The wings that are built")
+set(HSP_WING_FOLDERS ${folders} CACHE INTERNAL "The folders of their rooms")
+>>>>>>> h2
 
 # Position-independent code as CMAKE_POSITION_INDEPENDENT_CODE says. Without it: so that shared libraries, Python modules
 # for instance, can contain the archive, but not for machines without an operating system.

@@ -215,9 +215,13 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
   uint32_t clusters = 0;
   const uint32_t first_vertex = vertices_.size(), first_circle = circles_.size();
   if (by_lanes) {
-    clusters = lanes.find(balls, caps, finder_, vertices_, circles_);
+    clusters = lanes.find(balls, caps, finder_, face_finder_.idle_while_searching(), vertices_, circles_);
   } else if (finder_.keep_exposed(caps)) {
-    finder_.find(balls, caps, vertices_, circles_);
+    if (NearCaps::are_many(caps)) {
+      finder_.find(balls, caps, face_finder_.idle_while_searching().near_caps(), vertices_, circles_);
+    } else {
+      finder_.find(balls, caps, vertices_, circles_);
+    }
   }
   if (selected_ != nullptr) order_balls_of_records(first_vertex, first_circle);
   ball_state[i] |= static_cast<uint8_t>(face_finder_.count_clusters(caps, clusters) * BoundaryArrays::one_cluster);

@@ -94,7 +94,7 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
   const auto gather_again = [&]() {
     caps.gather(balls, sweep.block_around_ball(ball), ball, nullptr);
     finder.keep_exposed(caps);
-    clusters = clusters_.find(caps);
+    clusters = find_clusters(caps);
   };
   if (clusters == not_counted && !small_code) {
     // Every cluster has a loop around it, so that the caps of the loops are of all clusters. If these make up one,
@@ -103,7 +103,7 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
     if (caps.lanes) clusters = LaneSearch::count_few_clusters(boundary.target(), balls, ball, caps.ball.data(), n);
     if (clusters == not_counted) {
       caps.gather_given(balls, ball, n);
-      clusters = clusters_.find(caps);
+      clusters = find_clusters(caps);
     }
     if (clusters > 1) gather_again();
   }

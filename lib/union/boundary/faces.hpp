@@ -13,6 +13,7 @@ class FaceFinder {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
 
+  const FreeIntervals &idle_while_searching() const { return intervals_; }
   // The number of clusters of a ball's caps, for BoundaryArrays::ball_state, asked while they are at hand: as it is
   // known already, or counted if they are few; 0 if they are not.
   uint32_t count_clusters(const Caps &caps, uint32_t known);
@@ -28,6 +29,9 @@ class FaceFinder {
  private:
   void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball, uint32_t first_loop,
                   uint32_t counted_clusters, Caps &caps, const VertexFinder &finder, DisjointSets &loops);
+  uint32_t find_clusters(const Caps &caps) {
+    return NearCaps::are_many(caps) ? clusters_.find(caps, intervals_.near_caps()) : clusters_.find(caps);
+  }
   void join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, DisjointSets &loops);
 
   CapClusters clusters_;

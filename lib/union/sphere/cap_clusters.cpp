@@ -63,4 +63,20 @@ uint32_t CapClusters::find(const Caps &caps) {
   return clusters;
 }
 
+uint32_t CapClusters::find(const Caps &caps, NearCaps near) {
+  DisjointSets clusters(cluster_.part(0, caps.count));
+  clusters.reset();
+  const exact::Predicates predicates = caps.predicates();
+  uint32_t count = caps.count;
+  near.start(caps);
+  for (uint32_t j = 0; j < caps.count; ++j) {
+    for (const uint32_t k : near.around(caps, j)) {
+      if (k <= j || clusters.find(j) == clusters.find(k) || !caps_meet(caps, predicates, j, k)) continue;
+      clusters.join(j, k);
+      --count;
+    }
+  }
+  return count;
+}
+
 }  // namespace hsp

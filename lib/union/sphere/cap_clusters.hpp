@@ -1,7 +1,7 @@
 // Clusters of the caps of one sphere: the connected components of their union.
 #pragma once
 
-#include "sphere/caps.hpp"
+#include "sphere/near_caps.hpp"
 
 namespace hsp {
 
@@ -14,6 +14,8 @@ class CapClusters {
 
   // Puts caps that touch or overlap together; returns the number of clusters.
   uint32_t find(const Caps &caps);
+  // The same for very many, by an index of them.
+  uint32_t find(const Caps &caps, NearCaps near);
   // After find: whether a cap stands for its cluster. Each cluster has one such cap.
   bool is_representative(uint32_t cap) const { return cluster_[cap] == cap; }
 

@@ -6,6 +6,7 @@
 
 #include "exact/angular_order.hpp"
 #include "sphere/exposed_caps.hpp"
+#include "sphere/near_caps.hpp"
 
 namespace hsp {
 
@@ -38,6 +39,14 @@ class FreeIntervals {
     uint32_t *const words = reinterpret_cast<uint32_t *>(caps_.data());
     const uint32_t capacity = caps_.size();
     return {{words, capacity}, {reinterpret_cast<uint8_t *>(words + capacity), capacity}};
+  }
+  // The same for an index of very many.
+  NearCaps near_caps() const {
+    static_assert(sizeof(MeridianCap) >= 3 * sizeof(uint32_t) + sizeof(float));
+    uint32_t *const words = reinterpret_cast<uint32_t *>(caps_.data());
+    const uint32_t capacity = caps_.size();
+    const auto part = [&](uint32_t number) { return Span<uint32_t>(words + size_t{capacity} * number, capacity); };
+    return NearCaps({part(0), part(1), part(2), {reinterpret_cast<float *>(part(3).data()), capacity}});
   }
   // Finds the free intervals of a meridian. None if it is free as a whole or covered as a whole.
   void find(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian);

@@ -115,9 +115,14 @@ bool SearchInLanes::keep_exposed(Caps &caps, ExposedCaps exposed) {
   return true;
 }
 
-uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &finder,
+uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &finder, const FreeIntervals &idle,
                              FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
   if (ExposedCaps::are_many(caps) && !keep_exposed(caps, finder.exposed_caps())) return 0;
+  if (NearCaps::are_many(caps)) {
+    caps.make_doubles();
+    finder.find(balls, caps, idle.near_caps(), vertices, circles);
+    return 0;
+  }
   if (caps.count > most_few_caps) {
     find_many(balls, caps, finder, vertices, circles);
     return 0;

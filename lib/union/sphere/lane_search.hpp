@@ -4,6 +4,7 @@
 
 #include "sphere/cube_candidates.hpp"
 #include "sphere/few_caps.hpp"
+#include "sphere/great_circles.hpp"
 #include "sphere/pair_sweep.hpp"
 #include "sphere/vertex_finder.hpp"
 
@@ -26,9 +27,10 @@ class SearchInLanes {
   // The caps of ball i of that cube: their balls, and floats. False if that is left to Caps::gather. selected: null, or
   // as for Caps::put_selected_first.
   bool gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components, const uint32_t *selected);
-  // After gather: as VertexFinder::find. Returns the number of clusters of the caps, 0 if they were not counted.
-  uint32_t find(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
-                FixedVector<CircleRecord> &circles);
+  // After gather: as VertexFinder::find; of `idle` the memory is used. Returns the number of clusters of the caps, 0 if
+  // they were not counted.
+  uint32_t find(const BallSet &balls, Caps &caps, VertexFinder &finder, const FreeIntervals &idle,
+                FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles);
 
   // The number of clusters of the caps of ball i by n others; 0 if these are many, or if floats are not certain.
   static uint32_t count_few_clusters(Target target, const BallSet &balls, uint32_t i, const uint32_t *others,
@@ -66,7 +68,8 @@ class NoSearchInLanes {
   bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
   bool start_block(const BallSet &, const CubeBlock &, uint32_t, const double (&)[3], double) { return false; }
   bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *, const uint32_t *) { return false; }
-  uint32_t find(const BallSet &, Caps &, VertexFinder &, FixedVector<VertexRecord> &, FixedVector<CircleRecord> &) {
+  uint32_t find(const BallSet &, Caps &, VertexFinder &, const FreeIntervals &, FixedVector<VertexRecord> &,
+                FixedVector<CircleRecord> &) {
     return 0;
   }
   static uint32_t count_few_clusters(Target, const BallSet &, uint32_t, const uint32_t *, uint32_t) { return 0; }

@@ -75,12 +75,14 @@ void CapTests::carve(Workspace &workspace, uint32_t capacity) {
   cap = workspace.take<uint32_t>(capacity);
 }
 
-void CapTests::fill(const Caps &caps) {
-  count = caps.count;
+template <class NumberOf>
+void CapTests::fill_with(const Caps &caps, uint32_t number, NumberOf number_of) {
+  count = number;
   uint32_t start[size_classes + 1] = {};
-  for (uint32_t k = 0; k < caps.count; ++k) ++start[size_class(caps.b[k], size_classes) + 1];
+  for (uint32_t t = 0; t < number; ++t) ++start[size_class(caps.b[number_of(t)], size_classes) + 1];
   for (uint32_t c = 0; c < size_classes; ++c) start[c + 1] += start[c];
-  for (uint32_t k = 0; k < caps.count; ++k) {
+  for (uint32_t t = 0; t < number; ++t) {
+    const uint32_t k = number_of(t);
     const uint32_t slot = start[size_class(caps.b[k], size_classes)]++;
     ux[slot] = caps.ux[k];
     uy[slot] = caps.uy[k];
@@ -93,6 +95,14 @@ void CapTests::fill(const Caps &caps) {
     ux[slot] = uy[slot] = uz[slot] = 0.0;
     b[slot] = 4.0;
   }
+}
+
+void CapTests::fill(const Caps &caps) {
+  fill_with(caps, caps.count, [](uint32_t t) { return t; });
+}
+
+void CapTests::fill(const Caps &caps, Span<const uint32_t> numbers) {
+  fill_with(caps, numbers.size(), [numbers](uint32_t t) { return numbers[t]; });
 }
 
 void VertexFinder::carve(Workspace &workspace, uint32_t capacity) {
@@ -163,6 +173,29 @@ void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<Vert
     for (uint32_t k = j + 1; k < caps.count; ++k) pair(balls, caps, j, k, vertices);
   }
   for (uint32_t j = caps.first_later; j < caps.count; ++j) decide_circle(caps, j, circles);
+}
+
+void VertexFinder::find(const BallSet &balls, const Caps &caps, NearCaps near, FixedVector<VertexRecord> &vertices,
+                        FixedVector<CircleRecord> &circles) {
+  for (uint8_t &state : state_.part(0, caps.count)) state = 0;
+  near.start(caps);
+  const auto test_those_around = [&](uint32_t j) {
+    const Span<const uint32_t> around = near.around(caps, j);
+    tests_.fill(caps, around);
+    hint_[0] = hint_[1] = 0;
+    return around;
+  };
+  for (uint32_t j = caps.first_later; j < caps.count; ++j) {
+    if ((state_[j] & covered) != 0) continue;
+    for (const uint32_t k : test_those_around(j)) {
+      if (k > j) pair(balls, caps, j, k, vertices);
+    }
+  }
+  for (uint32_t j = caps.first_later; j < caps.count; ++j) {
+    if (state_[j] != 0) continue;
+    test_those_around(j);
+    decide_circle(caps, j, circles);
+  }
 }
 
 void VertexFinder::find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,

@@ -5,6 +5,7 @@
 #include "core/fixed_vector.hpp"
 #include "sphere/exposed_caps.hpp"
 #include "sphere/half_edges.hpp"
+#include "sphere/near_caps.hpp"
 
 namespace hsp {
 
@@ -18,6 +19,12 @@ struct CapTests {
 
   void carve(Workspace &workspace, uint32_t capacity);
   void fill(const Caps &caps);
+  // Of some of them alone.
+  void fill(const Caps &caps, Span<const uint32_t> numbers);
+
+ private:
+  template <class NumberOf>
+  void fill_with(const Caps &caps, uint32_t number, NumberOf number_of);
 };
 
 class VertexFinder {
@@ -31,6 +38,9 @@ class VertexFinder {
 
   // Among caps from caps.first_later on.
   void find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
+            FixedVector<CircleRecord> &circles);
+  // The same of very many caps, by an index of them: what meets a circle is near to its cap.
+  void find(const BallSet &balls, const Caps &caps, NearCaps near, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
   // On the circle of the last cap alone.
   void find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
