@@ -1,0 +1,154 @@
+// No set is slow: the work of each stage of the stable tier against the size of what it is given and finds. Work is
+// counted, not timed: the basic blocks that run, in a copy of the core that is compiled to count them. With libFuzzer a
+// set that takes a twentieth more for its size than all before it is kept.
+#include <owned_handle.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "checked_model.hpp"
+#include "crowded_sets.hpp"
+#include "exact/stage_counters.hpp"
+
+#if !defined(HSP_COUNT_STAGES)
+#error "this harness is about what is counted"
+#endif
+
+namespace {
+
+uint64_t blocks_run = 0;
+
+enum StageId : size_t { setting, pairing, boundary_stage, measuring, contact_stage, topology_stage, integers, all };
+
+// How much of a stage there may be at most for each ball, pair of balls that meet, vertex and circle: basic blocks, of
+// `integers` questions that no filter answers. README.md says which sets come near.
+struct Stage {
+  const char *name;
+  double most;
+};
+constexpr Stage stages[] = {{"model", 150},      {"pairs", 400},      {"boundary", 10000}, {"measures", 400},
+                            {"contacts", 60000}, {"topology", 15000}, {"integers", 1000}};
+static_assert(std::size(stages) == all);
+
+using Work = std::array<uint64_t, all>;
+
+// A twentieth more is a further step, of which libFuzzer keeps the first set that reaches it.
+constexpr uint32_t steps_of_work = 320;
+#if defined(__linux__)
+__attribute__((used, section("__libfuzzer_extra_counters")))
+#endif
+uint8_t reached[all][steps_of_work];
+
+const char *const printed = std::getenv("SLOW_SETS_PRINTED");
+
+// Sets with few balls count as larger: to begin takes its time, too.
+void require_little(const Work &work, uint64_t size) {
+  for (size_t k = 0; k < all; ++k) {
+    const double each = static_cast<double>(work[k]) / static_cast<double>(size + 64);
+    const auto step = static_cast<uint32_t>(std::log(each + 1.0) / std::log(1.05));
+    reached[k][std::min(step, steps_of_work - 1)] = 1;
+    if (printed != nullptr) {
+      std::printf(" %s %.1f", stages[k].name, each);
+    } else {
+      FUZZ_REQUIRE(each <= stages[k].most, stages[k].name);
+    }
+  }
+}
+
+uint64_t pairs_of(const hsp_model *model, uint32_t n) {
+  std::vector<uint32_t> first(n + 1);
+  uint32_t needed = 0;
+  const int32_t status = hsp_query_pairs(model, HSP_PAIRS_ONCE, first.data(), nullptr, 0, &needed);
+  FUZZ_REQUIRE(status == (needed == 0 ? HSP_OK : HSP_E_CAPACITY), "hsp_query_pairs");
+  return needed;
+}
+
+void measure(const hsp_boundary *boundary, uint32_t n) {
+  std::vector<double> area(n), term(n), by_area(3 * size_t{n}), by_volume(3 * size_t{n});
+  FUZZ_REQUIRE(hsp_boundary_measure(boundary, nullptr, nullptr, area.data(), term.data(), n, nullptr) == HSP_OK, "");
+  hsp_derivatives_outputs derivatives{};
+  derivatives.struct_size = sizeof derivatives;
+  derivatives.capacity = n;
+  derivatives.area_centre = by_area.data();
+  derivatives.volume_centre = by_volume.data();
+  FUZZ_REQUIRE(hsp_boundary_get_derivatives(boundary, nullptr, &derivatives) == HSP_OK, "derivatives");
+}
+
+// Counts the last call alone: limits that are too small are no slow set.
+template <class Handle, class Compute>
+void count(Work &work, StageId stage, Handle &handle, Compute compute) {
+  handle.compute([&compute](auto *inside, auto *limits) {
+    hsp::exact::stage_counters = {};
+    blocks_run = 0;
+    return compute(inside, limits);
+  });
+  work[stage] = blocks_run;
+  for (const auto &of_question : hsp::exact::stage_counters.answers) {
+    for (const auto by : {hsp::exact::Stage::exact, hsp::exact::Stage::perturbation}) {
+      work[integers] += of_question[static_cast<size_t>(by)];
+    }
+  }
+}
+
+// As the program reads them.
+void print_balls(const oracle::Balls &balls) {
+  for (const oracle::LatticeBall &ball : balls) {
+    for (const int64_t number : {ball.x, ball.y, ball.z, ball.radius}) {
+      std::printf("%lld ", static_cast<long long>(number));
+    }
+    std::printf("\n");
+  }
+}
+
+}  // namespace
+
+extern "C" void __wrap___sanitizer_cov_trace_pc();
+extern "C" void __wrap___sanitizer_cov_trace_pc() {
+  ++blocks_run;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const fuzz::ScaledBalls set = fuzz::CrowdedSet(bytes, 400).take();
+  Work work{};
+
+  blocks_run = 0;
+  const fuzz::CheckedModel model(set, 0);
+  work[setting] = std::exchange(blocks_run, 0);
+  const uint64_t pairs = pairs_of(model.get(), set.n());
+  work[pairing] = blocks_run;
+
+  support::OwnedBoundary boundary;
+  boundary.take(support::default_boundary_limits(set.n()));
+  count(work, boundary_stage, boundary, [&model](hsp_boundary *handle, hsp_boundary_limits *limits) {
+    return hsp_boundary_compute(handle, model.get(), limits);
+  });
+  hsp_boundary_counts counts;
+  FUZZ_REQUIRE(hsp_boundary_get_counts(boundary.get(), &counts) == HSP_OK, "counts");
+  blocks_run = 0;
+  measure(boundary.get(), set.n());
+  work[measuring] = blocks_run;
+
+  support::OwnedContacts contacts;
+  contacts.take(support::contacts_limits_for(boundary.get()));
+  count(work, contact_stage, contacts, [&boundary](hsp_contacts *handle, hsp_contacts_limits *limits) {
+    return hsp_contacts_compute(handle, boundary.get(), limits);
+  });
+  support::OwnedTopology topology;
+  topology.take(support::topology_limits_for(boundary.get()));
+  count(work, topology_stage, topology, [&boundary](hsp_topology *handle, hsp_topology_limits *limits) {
+    return hsp_topology_compute(handle, boundary.get(), limits);
+  });
+
+  if (printed != nullptr) {
+    std::printf("balls %u pairs %llu vertices %u", set.n(), static_cast<unsigned long long>(pairs), counts.vertices);
+  }
+  require_little(work, set.n() + pairs + counts.vertices + counts.circles);
+  if (printed != nullptr) {
+    std::printf("\n");
+    if (std::strcmp(printed, "balls") == 0) print_balls(set.balls);
+  }
+  return 0;
+}
