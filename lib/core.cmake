@@ -43,6 +43,7 @@ hsp_part(union
     sphere/great_circles.cpp
     sphere/lane_search.cpp
     sphere/near_balls.kernel.cpp
+    sphere/near_caps.cpp
     sphere/outer_cell.cpp
     sphere/outer_cell.kernel.cpp
     sphere/pair_sweep.kernel.cpp
