@@ -100,7 +100,8 @@ TEST(WayUp, TiesTakeFewQuestions) {
   }
 }
 
-// Balls of four sizes that touch one circle from outside, between two large ones: off its plane the largest are nearest.
+// Balls of four sizes that touch one circle from outside, between two large ones: off its plane the largest are the
+// nearest.
 TEST(WayUp, UnequalBallsThatTieOnACircle) {
   for (const int64_t root : {5, 25, 65}) {
     for (uint32_t turn = 0; turn < 4; ++turn) {
