@@ -100,7 +100,7 @@ TEST(WayUp, TiesTakeFewQuestions) {
   }
 }
 
-// Balls of four sizes that touch one circle from outside, between two large ones: off its plane the largest are
+// Balls of four sizes that touch one circle from outside, between two large ones: off its plane the largest are the
 // nearest.
 TEST(WayUp, UnequalBallsThatTieOnACircle) {
   for (const int64_t root : {5, 25, 65}) {
