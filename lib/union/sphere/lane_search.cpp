@@ -65,8 +65,8 @@ Span<uint32_t> SearchInLanes::take_candidates(Workspace &workspace, uint32_t nei
   return workspace.take<uint32_t>(CandidatesInLanes::number_of_arrays * room);
 }
 
-bool SearchInLanes::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
-  return enabled && candidates_.start_cube(grid, cube, grid.balls_in(cube).first, block);
+bool SearchInLanes::start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block) {
+  return enabled && candidates_.start_cube(grid, cube, first_own, block);
 }
 
 bool SearchInLanes::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
