@@ -153,6 +153,13 @@
  *   on x86, FPCR and FPSR on 64-bit Arm, FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC on s390x, FCSR on MIPS.
  *   WebAssembly and arithmetic in software have none; on other processors the library computes in that of the caller.
  *
+ * COST
+ *   What says nothing of its cost takes O(1), and O(1) for each record that it writes. In what functions of the stable
+ *   tier say, n is the number of balls, m the most balls that meet one ball, and c the most centres in 27 cubes of side
+ *   2 r_max: m times a constant where radii are of one size, and n where one ball is as large as all others together.
+ *   "At worst" is a bound for every set, and a set that comes near it is named. Of m it is that of each ball, and added
+ *   up. Logarithms of what is sorted are left out where they are those of one ball's records.
+ *
  * LIMITS
  *   All handles but models take in what some numbers allow, which fix their memory. Every hsp_X_limits is an array of
  *   uint32_t, of which struct_size is the first, and grows at its end: so programs in any language may take it.

@@ -81,7 +81,9 @@ HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary
  *  limits: see LIMITS in hardsphere.h. vertices and circles are known once neighbours suffices: at most three retries.
  *  - Property 1: the order of the balls has no effect but on ids.
  *
- *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst.
+ *  Cost: O(n) for sets as in Theorem 2.1; O(c) for each ball, and about O(m) for one with m neighbours where many balls
+ *  are nearly the same or on a line; about O(m^2) for one that m small balls stud, or with all spheres through one
+ *  point; O(m^3) at worst, which no set is known to reach.
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small
@@ -113,6 +115,7 @@ typedef struct hsp_boundary_request {
  *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but of a
  *    selected ball and an equal one that is not the flag may be set without need.
  *
+ *  Cost: that of hsp_boundary_compute; with selected, of the selected balls, and O(n).
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
  *  @retval HSP_E_CAPACITY  a limit is too small, as for hsp_boundary_compute, or that of workers
@@ -290,7 +293,9 @@ HSP_API int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *o
  *    10  no ball's area is negative or beyond its sphere, and it equals the area from angles between positions
  *    11  the volume equals the volume about another origin from positions: every component's surface is closed
  *
- *  Uses the boundary's scratch memory, hence not const; results stay valid. Cost: O(size of the boundary).
+ *  Uses the boundary's scratch memory, hence not const; results stay valid.
+ *
+ *  Cost: O(n + vertices + circles).
  *  @retval HSP_OK          all hold
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since

@@ -74,8 +74,8 @@ HSP_API int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts
  *  limits: see LIMITS in hardsphere.h; at most three retries.
  *  - Property 1: the order of the balls has no effect but on ids and on their order.
  *
- *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst, where most
- *  balls are hidden by others that do not contain them.
+ *  Cost: O(n) for sets as in Theorem 2.1; O(c) for each ball, and about O(m) for one with m neighbours where many balls
+ *  are nearly the same or on a line; more than O(m^2) with all spheres through one point; O(m^3) at worst.
  *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
@@ -141,6 +141,8 @@ typedef struct hsp_group_contact {
 
 /** Sums over the contacts between groups of balls, as residues or chains: for every two different groups that have any,
  *  ascending. group [n] tells each ball's; balls with HSP_NONE belong to none. Uses memory of the handle.
+ *
+ *  Cost: O(k log k) for k contacts.
  *  @retval HSP_E_ARGUMENT  contacts or group is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
@@ -197,7 +199,8 @@ HSP_API int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_
  *    2  the Euler characteristic of the dual complex is half of that of the boundary
  *    3  faces and contacts of each ball close its share: their vector areas sum to 0
  *    4  the shares sum to the volume of the union
- *  Cost: O(size).
+ *
+ *  Cost: O(n + vertices + circles + contacts), and the square of the contacts of each ball: many small balls on one.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
  *  @retval HSP_E_CHECK     an invariant is violated: please report it */

@@ -20,8 +20,9 @@ typedef void hsp_task(void *data, uint32_t task);
 
 /** A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it. A function that is given one shares its
  *  work out, where there is enough of it, and otherwise does it in the caller's thread, as with NULL or with workers 0
- *  or 1; results are the same bits either way and for any number of workers. Nothing is final before that function
- *  returns: tasks may write to output arrays what later ones still change.
+ *  or 1; results are the same bits either way and for any number of workers, and the cost that functions state is that
+ *  of all workers together. Nothing is final before that function returns: tasks may write to output arrays what later
+ *  ones still change.
  *  A loop that leaves a task out, does one twice or one that there is not makes that function return HSP_E_EXECUTOR: it
  *  has no results then, and all handles may be used as before. A task that is called twice is done once. */
 typedef struct hsp_executor {

@@ -82,7 +82,8 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *  taken again.
  *  - Property 1: the order of the balls has no effect but on the ids.
  *
- *  Cost: O(n) for sets as in Theorem 2.1, wherever the balls are; O(n log n) at worst, with many centres in one cube.
+ *  Cost: O(n) expected, whatever the radii and wherever the balls are; O(n log n) at worst, with many centres in one
+ *  cube, as where all balls have one centre.
  *  The hash table's load is at most 1/2. The hash is known and has no key, so that coordinates can be chosen to
  *  collide: where a search would look at more than 64 slots, these become a tree, where it looks at 194 of them at most
  *  (not in a library that is compiled for size: there it looks at all that collide).
@@ -144,7 +145,9 @@ typedef struct hsp_packing {
 
 /** The figures of Section 2, and by flags whether the set meets the conditions of Theorem 2.1 at all. A set that does
  *  not is still handled exactly; only the time and memory bounds are lost. Uses the model's scratch memory, hence not
- *  const. Cost: O(n) for sets with bounded figures.
+ *  const.
+ *
+ *  Cost: O(n) for sets with bounded figures; O(n c) at worst, with all centres in a few cubes.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     hsp_model_set has failed */
 HSP_API int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures);

@@ -20,7 +20,7 @@ extern "C" {
 
 /** The balls that contain the point xyz [3].
  *
- *  Cost: O(1) expected for sets as in Theorem 2.1.
+ *  Cost: O(1) expected for sets as in Theorem 2.1; O(c) at worst, and k log k for k hits.
  *  @retval HSP_OK            ids holds the hits; or there are none, also with capacity 0
  *  @retval HSP_E_ARGUMENT    model or xyz is NULL; ids is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY    more hits than capacity: *needed is their number, and nothing is written to ids
@@ -32,7 +32,8 @@ HSP_API int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint3
 
 /** The balls that meet the ball with centre xyz [3] and the given radius.
  *
- *  Cost: O(1) expected for radius <= r_max; for larger radii proportional to the cubes within reach, at most to n.
+ *  Cost: O(c) for radius <= r_max, which is O(1) for sets as in Theorem 2.1; for larger radii proportional to the cubes
+ *  within reach, at most to n; and k log k for k hits.
  *  @retval HSP_OK            ids holds the hits; or there are none, also with capacity 0
  *  @retval HSP_E_ARGUMENT    model or xyz is NULL; ids is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY    more hits than capacity: *needed is their number, and nothing is written to ids
@@ -46,7 +47,7 @@ HSP_API int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double
 /** Whether any ball meets the ball with centre xyz [3] and the given radius: *meets becomes 1 or 0. Stops at the first
  *  hit.
  *
- *  Cost: O(1) expected for radius <= r_max; for larger radii proportional to the cubes within reach, at most to n.
+ *  Cost: that of hsp_query_ball at worst, where nothing is met and many balls are near.
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
@@ -57,7 +58,7 @@ HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, doubl
 /** The other balls that meet ball `ball` of the model.
  *  - Property 1: j is listed for i exactly if i is listed for j.
  *
- *  Cost: O(1) expected for sets as in Theorem 2.1.
+ *  Cost: O(1) expected for sets as in Theorem 2.1; O(c) at worst, and k log k for k neighbours.
  *  @retval HSP_OK          ids holds the neighbours; or there are none, also with capacity 0
  *  @retval HSP_E_ARGUMENT  model is NULL; ids is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  more neighbours than capacity: *needed is their number, and nothing is written to ids
@@ -79,8 +80,8 @@ HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint
  *  - Property 1: without flags, row i is what hsp_query_neighbours lists for ball i.
  *  - Property 2: with HSP_PAIRS_ONCE, row i is what of that is larger than i.
  *
- *  Cost: O(n) expected for sets as in Theorem 2.1, and proportional to the number of ids if that is larger; less than
- *  to ask for the neighbours of each ball.
+ *  Cost: O(n) expected for sets as in Theorem 2.1; O(n c) at worst, with all centres in a few cubes or one large ball
+ *  among small ones, and O(log m) for each id in rows of thousands; less than to ask for the neighbours of each ball.
  *  @retval HSP_OK          ids holds all rows; or there is no pair, also with capacity 0
  *  @retval HSP_E_ARGUMENT  model or first is NULL; ids is NULL with a capacity above 0; unknown flag
  *  @retval HSP_E_CAPACITY  more ids than capacity: first and *needed are set, and nothing is written to ids

@@ -36,7 +36,8 @@ extern "C" {
 #define HSP_E_EXECUTOR (-15)     /**< the caller's executor did not call every task exactly once */
 #define HSP_E_DEGENERATE (-16)   /**< ties or near ties of the input that could not be resolved */
 
-/** The meaning of a status as above, for messages; never NULL, "unknown status" for numbers not listed above. */
+/** The meaning of a status as above, for messages; never NULL, "unknown status" for numbers not listed above.
+ *  Cost: O(1). */
 HSP_API const char *hsp_status_text(int32_t status);
 
 #ifdef __cplusplus

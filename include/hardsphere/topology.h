@@ -96,7 +96,9 @@ HSP_API int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology
  *  - Property 1: the order of the balls has no effect but on ids.
  *
  *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
- *  through the grid, at most O(n) each.
+ *  through the grid, at most O(n) each. A ball with m neighbours and a
+ *  face of several loops takes about O(m), as on a line of balls that overlap; O(m^2) and more with m small balls that
+ *  stud one.
  *  @retval HSP_E_ARGUMENT  topology or boundary is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
@@ -269,7 +271,8 @@ typedef struct hsp_shell {
  *  Not const, like hsp_topology_get_regions, hsp_topology_get_region_balls and hsp_topology_get_traversal: after
  *  hsp_topology_compute the first of them that succeeds scans the shells. From then on any number of threads may call
  *  them at a time.
- *  Cost: O(size of the boundary).
+ *
+ *  Cost: O(edges) for the first of them, and then O(shells).
  *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
@@ -303,6 +306,8 @@ typedef struct hsp_region {
 } hsp_region;
 
 /** The regions of the complement: hsp_topology_counts.regions records. Not const, as hsp_topology_get_shells.
+ *
+ *  Cost: that of hsp_topology_get_shells.
  *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
@@ -333,6 +338,8 @@ HSP_API int32_t hsp_topology_get_region_balls(hsp_topology *topology, uint32_t r
  *  around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for start_face) and
  *  at once into every neighbour not visited before. With the shell of hsp_topology_counts.start_face it is the outer
  *  boundary component from the topmost ball. Not const, as hsp_topology_get_shells.
+ *
+ *  Cost: that of hsp_topology_get_shells, and O(1) for each simple face of the shell.
  *  @retval HSP_E_ARGUMENT  topology is NULL; faces is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
@@ -366,7 +373,9 @@ HSP_API int32_t hsp_topology_locate(const hsp_topology *topology, const double *
  *  7. every component has one outer shell, every other shell encloses one void, and the regions nest without cycles
  *  8. outer shells enclose a positive volume, voids' shells a negative one, up to rounding
  *
- *  Uses the topology's scratch memory, hence not const; results stay valid. Cost: O(size of the topology).
+ *  Uses the topology's scratch memory, hence not const; results stay valid.
+ *
+ *  Cost: O(edges + n).
  *  @retval HSP_OK          all hold
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since

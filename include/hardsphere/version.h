@@ -16,7 +16,7 @@
  *   hsp_abi() == HSP_ABI_NUMBER && hsp_version() >= HSP_VERSION_NUMBER
  * and, if it uses anything of a provisional header, hsp_provisional() == HSP_PROVISIONAL_NUMBER. With
  * hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with. capi/abi/README.md says what
- * may change with which number. */
+ * may change with which number. Cost: O(1). */
 #ifndef HARDSPHERE_VERSION_H
 #define HARDSPHERE_VERSION_H
 
