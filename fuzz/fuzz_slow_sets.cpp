@@ -23,13 +23,15 @@ uint64_t blocks_run = 0;
 enum StageId : size_t { setting, pairing, boundary_stage, measuring, contact_stage, topology_stage, integers, all };
 
 // How much of a stage there may be at most for each ball, pair of balls that meet, vertex and circle: basic blocks, of
-// `integers` questions that no filter answers. README.md says which sets come near.
+// `integers` questions that no filter answers. Of 3,000 sets that libFuzzer tried, 400 balls whose spheres all go
+// through one point took most of contacts, 43,000, as many that touch all larger ones from inside most of the boundary,
+// 9,500, with 660 questions, and 400 that stud a large one most of topology, 5,000. Sanitizers add blocks.
 struct Stage {
   const char *name;
   double most;
 };
-constexpr Stage stages[] = {{"model", 150},      {"pairs", 400},      {"boundary", 10000}, {"measures", 400},
-                            {"contacts", 60000}, {"topology", 15000}, {"integers", 1000}};
+constexpr Stage stages[] = {{"model", 300},       {"pairs", 1000},     {"boundary", 30000}, {"measures", 400},
+                            {"contacts", 120000}, {"topology", 15000}, {"integers", 1000}};
 static_assert(std::size(stages) == all);
 
 using Work = std::array<uint64_t, all>;

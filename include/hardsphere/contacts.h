@@ -200,7 +200,7 @@ HSP_API int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_
  *    3  faces and contacts of each ball close its share: their vector areas sum to 0
  *    4  the shares sum to the volume of the union
  *
- *  Cost: O(n + vertices + circles + contacts), and the square of the contacts of each ball: many small balls on one.
+ *  Cost: O(n + vertices + circles + contacts).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
  *  @retval HSP_E_CHECK     an invariant is violated: please report it */

@@ -8,13 +8,6 @@ namespace {
 
 constexpr double tolerance = 0x1p-44;
 
-bool stands_in(Span<const uint32_t> row, uint32_t id) {
-  for (const uint32_t other : row) {
-    if (other == id) return true;
-  }
-  return false;
-}
-
 class ContactsCheck {
  public:
   ContactsCheck(const BallSet &balls, const Boundary &boundary, const Contacts &contacts)
@@ -22,7 +15,11 @@ class ContactsCheck {
 
   ContactViolation run() const {
     uint64_t in_rows = 0;
-    for (uint32_t i = 0; i < balls_.n; ++i) in_rows += contacts_.row(i).size();
+    for (uint32_t i = 0; i < balls_.n; ++i) {
+      in_rows += contacts_.row(i).size();
+      const uint32_t misplaced = misplaced_in_row(i);
+      if (misplaced != no_id) return {ContactInvariant::records, misplaced};
+    }
     if (in_rows != 2 * uint64_t{contacts_.contact_count()}) return {ContactInvariant::records, 0};
     for (uint32_t id = 0; id < contacts_.contact_count(); ++id) {
       if (!is_possible(id)) return {ContactInvariant::records, id};
@@ -32,10 +29,23 @@ class ContactsCheck {
   }
 
  private:
+  // A row has contacts of its ball, ascending in the other one, so each once. Rows that do, with two places for each
+  // contact, list it at both of its balls.
+  uint32_t misplaced_in_row(uint32_t i) const {
+    uint32_t before = no_id;
+    for (const uint32_t id : contacts_.row(i)) {
+      const ContactRecord &contact = contacts_.contact(id);
+      if (contact.ball[0] != i && contact.ball[1] != i) return id;
+      if (before != no_id && !balls_.given_before(before, contact.other(i))) return id;
+      before = contact.other(i);
+    }
+    return no_id;
+  }
+
   bool is_possible(uint32_t id) const {
     const ContactRecord &contact = contacts_.contact(id);
     const auto [a, b] = contact.ball;
-    if (a >= b || !stands_in(contacts_.row(a), id) || !stands_in(contacts_.row(b), id)) return false;
+    if (a >= b) return false;
     const double r = balls_.r[a] < balls_.r[b] ? balls_.r[a] : balls_.r[b];
     const double slack = 1.0 + tolerance * (4.0 + contact.chords);
     // Written so that a value that is not a number fails.

@@ -37,6 +37,22 @@ TEST_F(ContactsCheckTest, SeesAContactInNoRow) {
   EXPECT_EQ(check().invariant, ContactInvariant::records);
 }
 
+// Each place of each row: a contact of other balls there, or the one before it again.
+TEST_F(ContactsCheckTest, SeesEveryPlaceOfARow) {
+  const uint32_t places = 2 * built_.contacts().contact_count();
+  ASSERT_GT(places, 10U);
+  for (uint32_t k = 0; k < places; ++k) {
+    for (const uint32_t from : {k > 0 ? k - 1 : places - 1, (k + places / 2) % places}) {
+      const uint32_t there = arrays().row[k];
+      if (arrays().row[from] == there) continue;
+      arrays().row[k] = arrays().row[from];
+      EXPECT_EQ(check().invariant, ContactInvariant::records) << k << ' ' << from;
+      arrays().row[k] = there;
+    }
+  }
+  EXPECT_EQ(check().invariant, ContactInvariant::none);
+}
+
 TEST_F(ContactsCheckTest, SeesNumbersThatNoContactHas) {
   const double area = arrays().contacts[3].area;
   arrays().contacts[3].area = -area - 1.0;
