@@ -71,8 +71,7 @@ def field_rows(interface):
                ("uint32_t most_balls;", "what the model has room for"), ("uint32_t reserved;", "0")]
     fields += [(f"hsp_{noun}_limits {noun}_limits;", f"what it has room for (hardsphere/{header_of(interface, noun)})")
                for noun in HANDLES]
-    column = max(len(field) for field, _ in fields)
-    return [f"  {field.ljust(column)} /**< {remark} */" for field, remark in fields]
+    return [f"  {field} /**< {remark} */" for field, remark in fields]
 
 
 def drop_rows(interface):
@@ -86,8 +85,7 @@ def drop_rows(interface):
             for noun, compute in dependents(interface, source):
                 nothing = ", ".join("NULL" if a.stars else "0" for a in compute.arguments[1:])
                 calls.append((f"  if (work->{noun} != NULL) (void)hsp_{noun}_compute(work->{noun}, {nothing});", noun))
-            column = max(len(call) for call, _ in calls)
-            rows += [f"{call.ljust(column)} /* hardsphere/{header_of(interface, noun)} */" for call, noun in calls]
+            rows += [f"{call} /* hardsphere/{header_of(interface, noun)} */" for call, noun in calls]
             rows += ["}", ""]
     return rows[:-1]
 
