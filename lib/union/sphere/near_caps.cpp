@@ -1,5 +1,6 @@
 #include "sphere/near_caps.hpp"
 
+#include "core/rows.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -40,28 +41,19 @@ void NearCaps::start(const Caps &caps) {
   for (uint32_t far = of_size[0]; far <= most_far && size + 1 < sizes; far += of_size[size]) ++size;
   farthest_ = 2.0;
   for (uint32_t k = 0; k < size; ++k) farthest_ *= 0.5;
-  // No more squares than caps.
+  // Fewer squares than caps.
   squares_ = 1;
   while ((squares_ + 1) * (squares_ + 1) < count && (squares_ + 1) * farthest_ <= 2.0) ++squares_;
   per_length_ = 0.5 * squares_;
   const uint32_t all_squares = squares_ * squares_;
-  for (uint32_t &end : memory_.square_end.part(0, all_squares)) end = 0;
   const auto is_far = [&](uint32_t k) { return static_cast<double>(memory_.reach[k]) > farthest_; };
   const auto square_of_cap = [&](uint32_t k) { return square_of(caps.uy[k]) * squares_ + square_of(caps.ux[k]); };
-  placed_ = 0;
-  for (uint32_t k = 0; k < count; ++k) {
-    if (is_far(k)) continue;
-    ++memory_.square_end[square_of_cap(k)];
-    ++placed_;
-  }
-  uint32_t end = 0;
-  for (uint32_t &each : memory_.square_end.part(0, all_squares)) {
-    end += each;
-    each = end - each;  // the first one; then it is moved to the end
-  }
+  placed_ = sort_to_rows(
+      memory_.square_first, all_squares, count, [&](uint32_t k) { return is_far(k) ? all_squares : square_of_cap(k); },
+      [&](uint32_t position, uint32_t k) { memory_.in_square[position] = k; });
   uint32_t far = placed_;
   for (uint32_t k = 0; k < count; ++k) {
-    memory_.in_square[is_far(k) ? far++ : memory_.square_end[square_of_cap(k)]++] = k;
+    if (is_far(k)) memory_.in_square[far++] = k;
   }
 }
 
@@ -80,7 +72,7 @@ Span<const uint32_t> NearCaps::around(const Caps &caps, uint32_t j) const {
   const uint32_t low = square_of(y - farthest), high = square_of(y + farthest);
   for (uint32_t row = low; row <= high; ++row) {
     const uint32_t first = row * squares_ + left, last = row * squares_ + right;
-    add_those(first > 0 ? memory_.square_end[first - 1] : 0, memory_.square_end[last]);
+    add_those(memory_.square_first[first], memory_.square_first[last + 1]);
   }
   add_those(placed_, caps.count);
   sort_in_place(memory_.near.part(0, found), [](uint32_t p, uint32_t q) { return p < q; });

@@ -20,7 +20,7 @@ class NearCaps {
 
   // Memory, [caps] each.
   struct Memory {
-    Span<uint32_t> square_end, in_square, near;
+    Span<uint32_t> square_first, in_square, near;
     Span<float> reach;
   };
   explicit NearCaps(const Memory &memory) : memory_(memory) {}
