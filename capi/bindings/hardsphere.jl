@@ -8,9 +8,10 @@ const HSP_VERSION_MAJOR = UInt32(0)
 const HSP_VERSION_MINOR = UInt32(3)
 const HSP_VERSION_PATCH = UInt32(0)
 const HSP_VERSION_NUMBER = UInt32(300)
-const HSP_ABI_NUMBER = UInt32(1)
-const HSP_PROVISIONAL_NUMBER = UInt32(1)
+const HSP_ABI_NUMBER = UInt32(2)
+const HSP_PROVISIONAL_NUMBER = UInt32(2)
 const HSP_NUMERICS_NUMBER = UInt32(2)
+const HSP_PROVISIONAL_NUMERICS_NUMBER = UInt32(2)
 const HSP_OK = Int32(0)
 const HSP_E_ARGUMENT = Int32(-1)
 const HSP_E_CAPACITY = Int32(-2)
@@ -64,14 +65,14 @@ const HSP_SURFACE_CREASE = UInt32(3)
 const HSP_CORNER_BALL = UInt32(0)
 const HSP_CORNER_CUSP = UInt32(1)
 const HSP_CORNER_CREASE = UInt32(2)
+const HSP_SHELL_OUTER = UInt32(0)
+const HSP_SHELL_VOID = UInt32(1)
 const HSP_POINT_VERTEX = UInt32(0)
 const HSP_POINT_CIRCLE = UInt32(1)
 const HSP_POINT_POLE = UInt32(2)
 const HSP_EDGE_ARC = UInt32(0)
 const HSP_EDGE_CIRCLE = UInt32(1)
 const HSP_EDGE_CUT = UInt32(2)
-const HSP_SHELL_OUTER = UInt32(0)
-const HSP_SHELL_VOID = UInt32(1)
 const HSP_CELL_RUN = UInt32(0)
 const HSP_CELL_AT_BALL = UInt32(1)
 const HSP_CELL_APART = UInt32(2)
@@ -175,6 +176,7 @@ struct hsp_packing
     neighbour_bound::Cdouble
     max_overlaps::UInt32
     flags::UInt32
+    reserved::NTuple{2, UInt64}
 end
 
 struct hsp_ray_hit
@@ -236,6 +238,7 @@ struct hsp_boundary_counts
     voids::UInt32
     tied_vertices::UInt32
     euler::Int64
+    reserved::NTuple{2, UInt64}
 end
 
 struct hsp_vertex
@@ -295,6 +298,7 @@ end
 struct hsp_totals
     area::Cdouble
     volume::Cdouble
+    reserved::NTuple{2, UInt64}
 end
 
 struct hsp_measure_request
@@ -319,6 +323,7 @@ struct hsp_energy
     area::Cdouble
     volume::Cdouble
     d_probe::Cdouble
+    reserved::NTuple{2, UInt64}
 end
 
 struct hsp_gradient_request
@@ -472,8 +477,9 @@ struct hsp_complex
     singular::NTuple{4, UInt32}
     regular::NTuple{4, UInt32}
     interior::NTuple{4, UInt32}
-    euler::Int32
+    euler::Int64
     betti::NTuple{3, UInt32}
+    reserved::NTuple{5, UInt32}
 end
 
 struct hsp_simplex
@@ -511,8 +517,7 @@ struct hsp_periodic_counts
     shells::UInt32
     components::UInt32
     contacts::UInt32
-    euler::Int32
-    reserved::UInt32
+    euler::Int64
 end
 
 struct hsp_periodic_totals
@@ -704,10 +709,11 @@ end
 struct hsp_surface_shell
     area::Cdouble
     volume::Cdouble
-    euler::Int32
+    euler::Int64
     genus::UInt32
     patches::UInt32
     chosen::UInt32
+    reserved::UInt32
 end
 
 struct hsp_mesh_limits
@@ -744,6 +750,42 @@ struct hsp_topology_counts
     components::UInt32
     regions::UInt32
     start_face::UInt32
+    reserved::NTuple{4, UInt32}
+end
+
+struct hsp_shell
+    area::Cdouble
+    volume::Cdouble
+    point::NTuple{3, Cdouble}
+    euler::Int64
+    genus::UInt32
+    kind::UInt32
+    component::UInt32
+    region::UInt32
+    faces::UInt32
+    simple_faces::UInt32
+    edges::UInt32
+    vertices::UInt32
+    start_face::UInt32
+    reserved::UInt32
+end
+
+struct hsp_component
+    balls::UInt32
+    top_ball::UInt32
+    outer_shell::UInt32
+    shells::UInt32
+    region::UInt32
+    reserved::UInt32
+end
+
+struct hsp_region
+    area::Cdouble
+    volume::Cdouble
+    enclosing_shell::UInt32
+    components::UInt32
+    shells::UInt32
+    reserved::UInt32
 end
 
 struct hsp_topology_vertex
@@ -772,40 +814,6 @@ struct hsp_simple_face
     edges::UInt32
     q::UInt32
     shell::UInt32
-    reserved::UInt32
-end
-
-struct hsp_shell
-    area::Cdouble
-    volume::Cdouble
-    point::NTuple{3, Cdouble}
-    euler::Int32
-    genus::UInt32
-    kind::UInt32
-    component::UInt32
-    region::UInt32
-    faces::UInt32
-    simple_faces::UInt32
-    edges::UInt32
-    vertices::UInt32
-    start_face::UInt32
-end
-
-struct hsp_component
-    balls::UInt32
-    top_ball::UInt32
-    outer_shell::UInt32
-    shells::UInt32
-    region::UInt32
-    reserved::UInt32
-end
-
-struct hsp_region
-    area::Cdouble
-    volume::Cdouble
-    enclosing_shell::UInt32
-    components::UInt32
-    shells::UInt32
     reserved::UInt32
 end
 
@@ -1268,6 +1276,10 @@ function hsp_numerics()
     ccall((:hsp_numerics, libhardsphere), UInt32, ())
 end
 
+function hsp_provisional_numerics()
+    ccall((:hsp_provisional_numerics, libhardsphere), UInt32, ())
+end
+
 function hsp_status_text(status)
     ccall((:hsp_status_text, libhardsphere), Cstring, (Int32,), status)
 end
@@ -1293,6 +1305,10 @@ end
 function hsp_residue_get_atoms(set, out, capacity, needed)
     ccall((:hsp_residue_get_atoms, libhardsphere), Int32, (UInt32, Ptr{hsp_residue_atom}, UInt32, Ptr{UInt32}), set,
           out, capacity, needed)
+end
+
+function hsp_model_max_balls()
+    ccall((:hsp_model_max_balls, libhardsphere), UInt32, ())
 end
 
 function hsp_model_bytes(balls, bytes)
@@ -1492,9 +1508,9 @@ function hsp_areas_bytes(n, bytes)
     ccall((:hsp_areas_bytes, libhardsphere), Int32, (UInt32, Ptr{Csize_t}), n, bytes)
 end
 
-function hsp_areas(n, xyz, radius, probe, memory, bytes, area, totals)
+function hsp_areas(n, xyz, radius, probe, memory, bytes, totals, area)
     ccall((:hsp_areas, libhardsphere), Int32, (UInt32, Ptr{Cdouble}, Ptr{Cdouble}, Cdouble, Ptr{Cvoid}, Ptr{Csize_t},
-          Ptr{Cdouble}, Ptr{hsp_totals}), n, xyz, radius, probe, memory, bytes, area, totals)
+          Ptr{hsp_totals}, Ptr{Cdouble}), n, xyz, radius, probe, memory, bytes, totals, area)
 end
 
 function hsp_boundary_measure(boundary, selected, totals, area, volume_term, capacity, needed)
@@ -1671,10 +1687,10 @@ function hsp_periodic_init(memory, bytes, limits, periodic)
           Ptr{Ptr{hsp_periodic}}), memory, bytes, limits, periodic)
 end
 
-function hsp_periodic_compute(periodic, n, xyz, radius, options, box, limits, first_bad)
+function hsp_periodic_compute(periodic, n, xyz, radius, box, options, limits, first_bad)
     ccall((:hsp_periodic_compute, libhardsphere), Int32, (Ptr{hsp_periodic}, UInt32, Ptr{Cdouble}, Ptr{Cdouble},
-          Ptr{hsp_model_options}, Ptr{Cdouble}, Ptr{hsp_periodic_limits}, Ptr{UInt32}), periodic, n, xyz, radius,
-          options, box, limits, first_bad)
+          Ptr{Cdouble}, Ptr{hsp_model_options}, Ptr{hsp_periodic_limits}, Ptr{UInt32}), periodic, n, xyz, radius, box,
+          options, limits, first_bad)
 end
 
 function hsp_periodic_compute_with(periodic, n, xyz, radius, box, request, limits, first_bad)
@@ -1953,6 +1969,36 @@ function hsp_topology_get_counts(topology, counts)
           counts)
 end
 
+function hsp_topology_get_shells(topology, out, capacity, needed)
+    ccall((:hsp_topology_get_shells, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_shell}, UInt32, Ptr{UInt32}),
+          topology, out, capacity, needed)
+end
+
+function hsp_topology_get_components(topology, out, capacity, needed)
+    ccall((:hsp_topology_get_components, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_component}, UInt32,
+          Ptr{UInt32}), topology, out, capacity, needed)
+end
+
+function hsp_topology_get_regions(topology, out, capacity, needed)
+    ccall((:hsp_topology_get_regions, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_region}, UInt32, Ptr{UInt32}),
+          topology, out, capacity, needed)
+end
+
+function hsp_topology_get_region_shells(topology, region, shells, capacity, needed)
+    ccall((:hsp_topology_get_region_shells, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
+          Ptr{UInt32}), topology, region, shells, capacity, needed)
+end
+
+function hsp_topology_get_region_balls(topology, region, balls, capacity, needed)
+    ccall((:hsp_topology_get_region_balls, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
+          Ptr{UInt32}), topology, region, balls, capacity, needed)
+end
+
+function hsp_topology_locate(topology, xyz, region)
+    ccall((:hsp_topology_locate, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{Cdouble}, Ptr{UInt32}), topology, xyz,
+          region)
+end
+
 function hsp_topology_onext(topology, q)
     ccall((:hsp_topology_onext, libhardsphere), UInt32, (Ptr{hsp_topology}, UInt32), topology, q)
 end
@@ -1989,39 +2035,9 @@ function hsp_topology_get_simple_faces(topology, first, count, out)
           Ptr{hsp_simple_face}), topology, first, count, out)
 end
 
-function hsp_topology_get_shells(topology, out, capacity, needed)
-    ccall((:hsp_topology_get_shells, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_shell}, UInt32, Ptr{UInt32}),
-          topology, out, capacity, needed)
-end
-
-function hsp_topology_get_components(topology, out, capacity, needed)
-    ccall((:hsp_topology_get_components, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_component}, UInt32,
-          Ptr{UInt32}), topology, out, capacity, needed)
-end
-
-function hsp_topology_get_regions(topology, out, capacity, needed)
-    ccall((:hsp_topology_get_regions, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_region}, UInt32, Ptr{UInt32}),
-          topology, out, capacity, needed)
-end
-
-function hsp_topology_get_region_shells(topology, region, shells, capacity, needed)
-    ccall((:hsp_topology_get_region_shells, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
-          Ptr{UInt32}), topology, region, shells, capacity, needed)
-end
-
-function hsp_topology_get_region_balls(topology, region, balls, capacity, needed)
-    ccall((:hsp_topology_get_region_balls, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
-          Ptr{UInt32}), topology, region, balls, capacity, needed)
-end
-
 function hsp_topology_get_traversal(topology, shell, faces, capacity, needed)
     ccall((:hsp_topology_get_traversal, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
           Ptr{UInt32}), topology, shell, faces, capacity, needed)
-end
-
-function hsp_topology_locate(topology, xyz, region)
-    ccall((:hsp_topology_locate, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{Cdouble}, Ptr{UInt32}), topology, xyz,
-          region)
 end
 
 function hsp_topology_check(topology, invariant, id)

@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 /** A task of the library's, of which `data` is all that it knows. */
-typedef void hsp_task(void *data, uint32_t task);
+typedef void HSP_CALL hsp_task(void *data, uint32_t task);
 
 /** A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it. A function that is given one shares its
  *  work out, where there is enough of it, and otherwise does it in the caller's thread, as with NULL or with workers 0
@@ -34,7 +34,7 @@ typedef struct hsp_executor {
    *  than workers, HSP_MAX_WORKERS at most. Not NULL with more than one worker. The loop runs in the caller's
    *  floating-point environment, and tasks in the library's, whatever that of their thread is (FLOATING POINT in
    *  hardsphere.h). */
-  void (*run)(void *context, uint32_t tasks, hsp_task *task, void *data);
+  void(HSP_CALL *run)(void *context, uint32_t tasks, hsp_task *task, void *data);
 } hsp_executor;
 
 #ifdef __cplusplus

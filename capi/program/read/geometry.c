@@ -135,7 +135,7 @@ bool geometry_compute_periodic(struct geometry *geometry, const struct molecule 
   }
   while (status == HSP_OK) {
     hsp_periodic_limits limits = geometry->periodic_limits;
-    status = hsp_periodic_compute(geometry->periodic, molecule->atoms, molecule->xyz, molecule->radius, &options, box,
+    status = hsp_periodic_compute(geometry->periodic, molecule->atoms, molecule->xyz, molecule->radius, box, &options,
                                   &limits, NULL);
     if (status != HSP_E_CAPACITY) break;
     geometry->periodic_limits = limits;

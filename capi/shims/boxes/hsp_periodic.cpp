@@ -65,7 +65,7 @@ int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits 
 }
 
 int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
-                             const hsp_model_options *options, const double *box, hsp_periodic_limits *limits,
+                             const double *box, const hsp_model_options *options, hsp_periodic_limits *limits,
                              uint32_t *first_bad) {
   hsp_periodic_request request{};
   request.struct_size = sizeof request;
@@ -104,18 +104,12 @@ int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_count
   if (const int32_t status = check_results(periodic, counts == nullptr); status != HSP_OK) return status;
   const hsp::PeriodicCounts &found = periodic->builder.counts();
   const hsp::PeriodicImages &images = periodic->builder.images();
-  *counts = {images.balls(),
-             images.size() - images.balls(),
-             found.vertices,
-             found.arcs,
-             found.circles,
-             found.loops,
-             found.faces,
-             found.shells,
-             found.components,
-             found.contacts,
-             static_cast<int32_t>(found.euler()),
-             0};
+  *counts = {images.balls(),   images.size() - images.balls(),
+             found.vertices,   found.arcs,
+             found.circles,    found.loops,
+             found.faces,      found.shells,
+             found.components, found.contacts,
+             found.euler()};
   return HSP_OK;
 }
 
@@ -214,7 +208,7 @@ int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradie
   return HSP_OK;
 }
 
-int32_t hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {
+int32_t hsp_periodic_check(hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(periodic, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;

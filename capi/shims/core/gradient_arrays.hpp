@@ -86,7 +86,7 @@ struct GradientArrays {
 };
 
 inline hsp_energy to_c(const Energy &energy) {
-  return {energy.value, energy.area, energy.volume, energy.by_probe};
+  return {energy.value, energy.area, energy.volume, energy.by_probe, {0, 0}};
 }
 
 }  // namespace hsp::capi

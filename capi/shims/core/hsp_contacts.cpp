@@ -134,7 +134,8 @@ int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, d
     if (contact_area != nullptr) contact_area[i] = balls.lattice.area(structure.contact_area(ball));
   }
   // A contact is one of two balls.
-  if (totals != nullptr) *totals = {balls.lattice.area(0.5 * area.total()), balls.lattice.volume(volume.total())};
+  if (totals != nullptr)
+    *totals = {balls.lattice.area(0.5 * area.total()), balls.lattice.volume(volume.total()), {0, 0}};
   return HSP_OK;
 }
 
@@ -161,7 +162,7 @@ int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *coun
     counts->interior[d] = simplices.of[d][HSP_SIMPLEX_INTERIOR];
   }
   // Components, and by Alexander duality voids; the rest follows from Euler's formula.
-  counts->euler = static_cast<int32_t>(simplices.euler());
+  counts->euler = simplices.euler();
   counts->betti[0] = boundary.component_count();
   counts->betti[2] = boundary.shell_count() - boundary.component_count();
   counts->betti[1] = counts->betti[0] + counts->betti[2] - static_cast<uint32_t>(counts->euler);
@@ -191,7 +192,7 @@ int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimens
   return HSP_OK;
 }
 
-int32_t hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id) {
+int32_t hsp_contacts_check(hsp_contacts *contacts, uint32_t *invariant, uint32_t *id) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(contacts, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;

@@ -15,7 +15,7 @@ int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *select
   const bool wanted = area != nullptr || volume_term != nullptr;
   if (!hsp::capi::fits(wanted, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
   const hsp::BallMeasure total = hsp::measure_into(grid, boundary->structure(), selected, area, volume_term);
-  if (totals != nullptr) *totals = {total.area, total.volume};
+  if (totals != nullptr) *totals = {total.area, total.volume, {0, 0}};
   return HSP_OK;
 }
 
@@ -42,7 +42,8 @@ int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measur
   } else if (!hsp::measure_in_parts(executor, grid, structure, asked.selected, out.area, out.volume_term, total)) {
     return HSP_E_EXECUTOR;
   }
-  if (out.totals != nullptr) *out.totals = {total.area, boundary->of_some ? hsp::capi::not_known : total.volume};
+  if (out.totals != nullptr)
+    *out.totals = {total.area, boundary->of_some ? hsp::capi::not_known : total.volume, {0, 0}};
   return HSP_OK;
 }
 

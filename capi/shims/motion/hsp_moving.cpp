@@ -118,7 +118,7 @@ int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double 
   }
   if (totals != nullptr) {
     const hsp::BallMeasure all = balls.totals();
-    *totals = {all.area, all.volume};
+    *totals = {all.area, all.volume, {0, 0}};
   }
   return HSP_OK;
 }

@@ -47,7 +47,6 @@ void TopologyBuilder::carve(Workspace &workspace, const TopologyLimits &limits) 
 
 Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
   const BallSet &balls = grid.balls();
-  scanned_ = false;
   needed_ = {balls.n, neighbours, clamped_count(count_uncut_edges(balls, boundary)), 0, boundary.shell_count()};
   const bool fits = needed_.balls <= limits_.balls && needed_.neighbours <= limits_.neighbours &&
                     (limits_.shells == 0 || needed_.shells <= limits_.shells);
@@ -67,16 +66,8 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
   assemble_simple_faces(balls, boundary, structure_);
   gather_components(grid, boundary, structure_);
   gather_regions(grid, boundary, structure_);
+  traverse_shells(boundary, structure_, structure_.marks);
   return Status::ok;
-}
-
-const Topology &TopologyBuilder::scanned(const Boundary &boundary) {
-  // Written once: afterwards several threads may read.
-  if (!scanned_) {
-    traverse_shells(boundary, structure_, structure_.marks);
-    scanned_ = true;
-  }
-  return structure_;
 }
 
 }  // namespace hsp

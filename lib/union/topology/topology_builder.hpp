@@ -19,8 +19,6 @@ class TopologyBuilder : public Limited<TopologyLimits> {
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
 
   const Topology &structure() const { return structure_; }
-  // The same with its shells counted and traversed (traversal.hpp), which is done when it is first asked for.
-  const Topology &scanned(const Boundary &boundary);
 
   // Scratch memory for checks; [edges].
   Span<uint32_t> marks() const { return structure_.marks; }
@@ -29,7 +27,6 @@ class TopologyBuilder : public Limited<TopologyLimits> {
   Topology structure_;
   CutArcFinder finder_;
   GatheredBall gathered_;
-  bool scanned_ = false;
 };
 
 }  // namespace hsp

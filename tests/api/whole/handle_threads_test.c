@@ -71,13 +71,8 @@ static void in_threads(void) {
   if (computations_make(&set, &options, &all) && computations_add_slow(&all, &options)) {
     for (kind = 0; kind < KINDS; ++kind) {
       work works[THREADS];
-      unsigned char *buffer;
       if (kind == GATE) continue; /* of so many balls it takes too long */
-      buffer = buffer_for(&all);
       check_scene("threads, with %s", kinds_of_life[kind].name);
-      /* The shells of a topology are scanned by the first call that tells of them; the next ones read only. */
-      CHECK(kinds_of_life[kind].hash(handle_of(&all, kind), source_of(&all, kind), buffer, all.room) != 0);
-      free(buffer);
       for (t = 0; t < THREADS; ++t) {
         memset(&works[t], 0, sizeof works[t]);
         works[t].kind = kind;

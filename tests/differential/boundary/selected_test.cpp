@@ -242,7 +242,7 @@ TEST(Selected, AnswersNothingElse) {
   EXPECT_EQ(hsp_boundary_get_measures(boundary, nullptr, &measured), HSP_OK);
   EXPECT_GT(totals.area, 0);
   EXPECT_TRUE(std::isnan(totals.volume));
-  hsp_energy energy{1, 1, 1, 1};
+  hsp_energy energy{1, 1, 1, 1, {}};
   hsp_gradient_request asked{};
   asked.struct_size = sizeof asked;
   asked.pressure = 1;

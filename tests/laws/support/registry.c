@@ -22,6 +22,11 @@ static int64_t call_hsp_numerics(const value *v) {
   return (int64_t)hsp_numerics();
 }
 
+static int64_t call_hsp_provisional_numerics(const value *v) {
+  (void)v;
+  return (int64_t)hsp_provisional_numerics();
+}
+
 static const argument of_hsp_status_text[] = {
   {"status", "int32_t", .kind = KIND_value, .size = sizeof(int32_t)},
 };
@@ -73,6 +78,11 @@ static const argument of_hsp_residue_get_atoms[] = {
 };
 static int64_t call_hsp_residue_get_atoms(const value *v) {
   return (int64_t)hsp_residue_get_atoms(v[0].u, v[1].p, v[2].u, v[3].p);
+}
+
+static int64_t call_hsp_model_max_balls(const value *v) {
+  (void)v;
+  return (int64_t)hsp_model_max_balls();
 }
 
 static const argument of_hsp_model_bytes[] = {
@@ -529,8 +539,8 @@ static const argument of_hsp_areas[] = {
   {"probe", "double", .kind = KIND_value, .size = sizeof(double)},
   {"memory", "void", .kind = KIND_memory},
   {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
-  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always},
   {"totals", "hsp_totals", .kind = KIND_struct_out, .size = sizeof(hsp_totals), .null = NULL_always},
+  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always},
 };
 static int64_t call_hsp_areas(const value *v) {
   return (int64_t)hsp_areas(v[0].u, v[1].p, v[2].p, v[3].d, v[4].p, v[5].p, v[6].p, v[7].p);
@@ -986,7 +996,7 @@ static int64_t call_hsp_contacts_get_simplices(const value *v) {
 }
 
 static const argument of_hsp_contacts_check[] = {
-  {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts, .is_const = 1},
+  {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts},
   {"invariant", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
   {"id", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
@@ -1027,9 +1037,9 @@ static const argument of_hsp_periodic_compute[] = {
   {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_empty,
       .is_const = 1},
   {"radius", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_empty, .is_const = 1},
+  {"box", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "9", .is_const = 1},
   {"options", "hsp_model_options", .kind = KIND_sized_in, .size = sizeof(hsp_model_options), .null = NULL_always,
       .is_const = 1},
-  {"box", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "9", .is_const = 1},
   {"limits", "hsp_periodic_limits", .kind = KIND_sized, .size = sizeof(hsp_periodic_limits), .null = NULL_always},
   {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
 };
@@ -1270,7 +1280,7 @@ static int64_t call_hsp_periodic_query_pairs(const value *v) {
 }
 
 static const argument of_hsp_periodic_check[] = {
-  {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
+  {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic},
   {"invariant", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
   {"id", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
@@ -1552,7 +1562,7 @@ static int64_t call_hsp_surface_get_shells(const value *v) {
 }
 
 static const argument of_hsp_surface_check[] = {
-  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
+  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface},
   {"invariant", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
   {"id", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
@@ -1727,6 +1737,72 @@ static int64_t call_hsp_topology_get_counts(const value *v) {
   return (int64_t)hsp_topology_get_counts(v[0].p, v[1].p);
 }
 
+static const argument of_hsp_topology_get_shells[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"out", "hsp_shell", .kind = KIND_array_out, .size = sizeof(hsp_shell), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_shells(const value *v) {
+  return (int64_t)hsp_topology_get_shells(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_topology_get_components[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"out", "hsp_component", .kind = KIND_array_out, .size = sizeof(hsp_component), .extent = "needed", .null =
+      NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_components(const value *v) {
+  return (int64_t)hsp_topology_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_topology_get_regions[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"out", "hsp_region", .kind = KIND_array_out, .size = sizeof(hsp_region), .extent = "needed", .null = NULL_empty,
+      .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_regions(const value *v) {
+  return (int64_t)hsp_topology_get_regions(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_topology_get_region_shells[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"shells", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_region_shells(const value *v) {
+  return (int64_t)hsp_topology_get_region_shells(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_topology_get_region_balls[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_region_balls(const value *v) {
+  return (int64_t)hsp_topology_get_region_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_topology_locate[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"region", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_topology_locate(const value *v) {
+  return (int64_t)hsp_topology_locate(v[0].p, v[1].p, v[2].p);
+}
+
 static const argument of_hsp_topology_onext[] = {
   {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
   {"q", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -1805,65 +1881,8 @@ static int64_t call_hsp_topology_get_simple_faces(const value *v) {
   return (int64_t)hsp_topology_get_simple_faces(v[0].p, v[1].u, v[2].u, v[3].p);
 }
 
-static const argument of_hsp_topology_get_shells[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
-  {"out", "hsp_shell", .kind = KIND_array_out, .size = sizeof(hsp_shell), .extent = "needed", .null = NULL_empty, .held
-      = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_shells(const value *v) {
-  return (int64_t)hsp_topology_get_shells(v[0].p, v[1].p, v[2].u, v[3].p);
-}
-
-static const argument of_hsp_topology_get_components[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
-  {"out", "hsp_component", .kind = KIND_array_out, .size = sizeof(hsp_component), .extent = "needed", .null =
-      NULL_empty, .held = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_components(const value *v) {
-  return (int64_t)hsp_topology_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
-}
-
-static const argument of_hsp_topology_get_regions[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
-  {"out", "hsp_region", .kind = KIND_array_out, .size = sizeof(hsp_region), .extent = "needed", .null = NULL_empty,
-      .held = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_regions(const value *v) {
-  return (int64_t)hsp_topology_get_regions(v[0].p, v[1].p, v[2].u, v[3].p);
-}
-
-static const argument of_hsp_topology_get_region_shells[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
-  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"shells", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
-      = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_region_shells(const value *v) {
-  return (int64_t)hsp_topology_get_region_shells(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
-}
-
-static const argument of_hsp_topology_get_region_balls[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
-  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
-      = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_region_balls(const value *v) {
-  return (int64_t)hsp_topology_get_region_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
-}
-
 static const argument of_hsp_topology_get_traversal[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
   {"shell", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"faces", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
@@ -1872,15 +1891,6 @@ static const argument of_hsp_topology_get_traversal[] = {
 };
 static int64_t call_hsp_topology_get_traversal(const value *v) {
   return (int64_t)hsp_topology_get_traversal(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
-}
-
-static const argument of_hsp_topology_locate[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
-  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
-  {"region", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
-};
-static int64_t call_hsp_topology_locate(const value *v) {
-  return (int64_t)hsp_topology_locate(v[0].p, v[1].p, v[2].p);
 }
 
 static const argument of_hsp_topology_check[] = {
@@ -2997,6 +3007,7 @@ const function registry[] = {
   {"hsp_abi", "version", RESULT_number, 0, NULL, call_hsp_abi, 0},
   {"hsp_provisional", "version", RESULT_number, 0, NULL, call_hsp_provisional, 0},
   {"hsp_numerics", "version", RESULT_number, 0, NULL, call_hsp_numerics, 0},
+  {"hsp_provisional_numerics", "version", RESULT_number, 0, NULL, call_hsp_provisional_numerics, 0},
   {"hsp_status_text", "status", RESULT_text, 1, of_hsp_status_text, call_hsp_status_text, 0},
   {"hsp_element_radius", "element", RESULT_status, 4, of_hsp_element_radius, call_hsp_element_radius, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
@@ -3007,6 +3018,7 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
   {"hsp_residue_get_atoms", "residue", RESULT_status, 4, of_hsp_residue_get_atoms, call_hsp_residue_get_atoms,
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY)},
+  {"hsp_model_max_balls", "model", RESULT_number, 0, NULL, call_hsp_model_max_balls, 0},
   {"hsp_model_bytes", "model", RESULT_status, 2, of_hsp_model_bytes, call_hsp_model_bytes, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_RANGE)},
   {"hsp_model_init", "model", RESULT_status, 4, of_hsp_model_init, call_hsp_model_init, BIT(HSP_OK) |
@@ -3315,16 +3327,31 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_patch", "mesh", RESULT_status, 4, of_hsp_mesh_get_patch, call_hsp_mesh_get_patch, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
-  {"hsp_topology_limits_init", "topology", RESULT_status, 3, of_hsp_topology_limits_init, call_hsp_topology_limits_init,
+  {"hsp_topology_limits_init", "regions", RESULT_status, 3, of_hsp_topology_limits_init, call_hsp_topology_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_STATE)},
-  {"hsp_topology_bytes", "topology", RESULT_status, 2, of_hsp_topology_bytes, call_hsp_topology_bytes, BIT(HSP_OK) |
+  {"hsp_topology_bytes", "regions", RESULT_status, 2, of_hsp_topology_bytes, call_hsp_topology_bytes, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
-  {"hsp_topology_init", "topology", RESULT_status, 4, of_hsp_topology_init, call_hsp_topology_init, BIT(HSP_OK) |
+  {"hsp_topology_init", "regions", RESULT_status, 4, of_hsp_topology_init, call_hsp_topology_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
-  {"hsp_topology_compute", "topology", RESULT_status, 3, of_hsp_topology_compute, call_hsp_topology_compute, BIT(HSP_OK)
+  {"hsp_topology_compute", "regions", RESULT_status, 3, of_hsp_topology_compute, call_hsp_topology_compute, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_topology_get_counts", "topology", RESULT_status, 2, of_hsp_topology_get_counts, call_hsp_topology_get_counts,
+  {"hsp_topology_get_counts", "regions", RESULT_status, 2, of_hsp_topology_get_counts, call_hsp_topology_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
+  {"hsp_topology_get_shells", "regions", RESULT_status, 4, of_hsp_topology_get_shells, call_hsp_topology_get_shells,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_topology_get_components", "regions", RESULT_status, 4, of_hsp_topology_get_components,
+      call_hsp_topology_get_components, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE)},
+  {"hsp_topology_get_regions", "regions", RESULT_status, 4, of_hsp_topology_get_regions, call_hsp_topology_get_regions,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_topology_get_region_shells", "regions", RESULT_status, 5, of_hsp_topology_get_region_shells,
+      call_hsp_topology_get_region_shells, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_topology_get_region_balls", "regions", RESULT_status, 5, of_hsp_topology_get_region_balls,
+      call_hsp_topology_get_region_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_topology_locate", "regions", RESULT_status, 3, of_hsp_topology_locate, call_hsp_topology_locate, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_topology_onext", "topology", RESULT_id, 2, of_hsp_topology_onext, call_hsp_topology_onext, 0},
   {"hsp_topology_lnext", "topology", RESULT_id, 2, of_hsp_topology_lnext, call_hsp_topology_lnext, 0},
   {"hsp_topology_origin", "topology", RESULT_id, 2, of_hsp_topology_origin, call_hsp_topology_origin, 0},
@@ -3340,24 +3367,9 @@ const function registry[] = {
   {"hsp_topology_get_simple_faces", "topology", RESULT_status, 4, of_hsp_topology_get_simple_faces,
       call_hsp_topology_get_simple_faces, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
       BIT(HSP_E_ID)},
-  {"hsp_topology_get_shells", "topology", RESULT_status, 4, of_hsp_topology_get_shells, call_hsp_topology_get_shells,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_topology_get_components", "topology", RESULT_status, 4, of_hsp_topology_get_components,
-      call_hsp_topology_get_components, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE)},
-  {"hsp_topology_get_regions", "topology", RESULT_status, 4, of_hsp_topology_get_regions, call_hsp_topology_get_regions,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_topology_get_region_shells", "topology", RESULT_status, 5, of_hsp_topology_get_region_shells,
-      call_hsp_topology_get_region_shells, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_topology_get_region_balls", "topology", RESULT_status, 5, of_hsp_topology_get_region_balls,
-      call_hsp_topology_get_region_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_topology_get_traversal", "topology", RESULT_status, 5, of_hsp_topology_get_traversal,
       call_hsp_topology_get_traversal, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_topology_locate", "topology", RESULT_status, 3, of_hsp_topology_locate, call_hsp_topology_locate, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_topology_check", "topology", RESULT_status, 3, of_hsp_topology_check, call_hsp_topology_check, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK)},
   {"hsp_cells_limits_init", "cells", RESULT_status, 3, of_hsp_cells_limits_init, call_hsp_cells_limits_init, BIT(HSP_OK)
@@ -3633,6 +3645,7 @@ const field registry_fields[] = {
   {"hsp_packing", "neighbour_bound", "double", offsetof(hsp_packing, neighbour_bound), 1},
   {"hsp_packing", "max_overlaps", "uint32_t", offsetof(hsp_packing, max_overlaps), 1},
   {"hsp_packing", "flags", "uint32_t", offsetof(hsp_packing, flags), 1},
+  {"hsp_packing", "reserved", "uint64_t", offsetof(hsp_packing, reserved), 2},
   {"hsp_ray_hit", "xyz", "double", offsetof(hsp_ray_hit, xyz), 3},
   {"hsp_ray_hit", "distance", "double", offsetof(hsp_ray_hit, distance), 1},
   {"hsp_ray_hit", "ball", "uint32_t", offsetof(hsp_ray_hit, ball), 1},
@@ -3670,6 +3683,7 @@ const field registry_fields[] = {
   {"hsp_boundary_counts", "voids", "uint32_t", offsetof(hsp_boundary_counts, voids), 1},
   {"hsp_boundary_counts", "tied_vertices", "uint32_t", offsetof(hsp_boundary_counts, tied_vertices), 1},
   {"hsp_boundary_counts", "euler", "int64_t", offsetof(hsp_boundary_counts, euler), 1},
+  {"hsp_boundary_counts", "reserved", "uint64_t", offsetof(hsp_boundary_counts, reserved), 2},
   {"hsp_vertex", "xyz", "double", offsetof(hsp_vertex, xyz), 3},
   {"hsp_vertex", "ball", "uint32_t", offsetof(hsp_vertex, ball), 3},
   {"hsp_vertex", "sign", "int32_t", offsetof(hsp_vertex, sign), 1},
@@ -3705,6 +3719,7 @@ const field registry_fields[] = {
   {"hsp_ball", "flags", "uint32_t", offsetof(hsp_ball, flags), 1},
   {"hsp_totals", "area", "double", offsetof(hsp_totals, area), 1},
   {"hsp_totals", "volume", "double", offsetof(hsp_totals, volume), 1},
+  {"hsp_totals", "reserved", "uint64_t", offsetof(hsp_totals, reserved), 2},
   {"hsp_measure_request", "struct_size", "uint32_t", offsetof(hsp_measure_request, struct_size), 1},
   {"hsp_measure_request", "reserved", "uint32_t", offsetof(hsp_measure_request, reserved), 1},
   {"hsp_measure_request", "selected", "uint8_t *", offsetof(hsp_measure_request, selected), 1},
@@ -3720,6 +3735,7 @@ const field registry_fields[] = {
   {"hsp_energy", "area", "double", offsetof(hsp_energy, area), 1},
   {"hsp_energy", "volume", "double", offsetof(hsp_energy, volume), 1},
   {"hsp_energy", "d_probe", "double", offsetof(hsp_energy, d_probe), 1},
+  {"hsp_energy", "reserved", "uint64_t", offsetof(hsp_energy, reserved), 2},
   {"hsp_gradient_request", "struct_size", "uint32_t", offsetof(hsp_gradient_request, struct_size), 1},
   {"hsp_gradient_request", "tangency", "uint32_t", offsetof(hsp_gradient_request, tangency), 1},
   {"hsp_gradient_request", "tension", "double", offsetof(hsp_gradient_request, tension), 1},
@@ -3825,8 +3841,9 @@ const field registry_fields[] = {
   {"hsp_complex", "singular", "uint32_t", offsetof(hsp_complex, singular), 4},
   {"hsp_complex", "regular", "uint32_t", offsetof(hsp_complex, regular), 4},
   {"hsp_complex", "interior", "uint32_t", offsetof(hsp_complex, interior), 4},
-  {"hsp_complex", "euler", "int32_t", offsetof(hsp_complex, euler), 1},
+  {"hsp_complex", "euler", "int64_t", offsetof(hsp_complex, euler), 1},
   {"hsp_complex", "betti", "uint32_t", offsetof(hsp_complex, betti), 3},
+  {"hsp_complex", "reserved", "uint32_t", offsetof(hsp_complex, reserved), 5},
   {"hsp_simplex", "ball", "uint32_t", offsetof(hsp_simplex, ball), 4},
   {"hsp_simplex", "kind", "uint32_t", offsetof(hsp_simplex, kind), 1},
   {"hsp_simplex", "reserved", "uint32_t", offsetof(hsp_simplex, reserved), 1},
@@ -3852,8 +3869,7 @@ const field registry_fields[] = {
   {"hsp_periodic_counts", "shells", "uint32_t", offsetof(hsp_periodic_counts, shells), 1},
   {"hsp_periodic_counts", "components", "uint32_t", offsetof(hsp_periodic_counts, components), 1},
   {"hsp_periodic_counts", "contacts", "uint32_t", offsetof(hsp_periodic_counts, contacts), 1},
-  {"hsp_periodic_counts", "euler", "int32_t", offsetof(hsp_periodic_counts, euler), 1},
-  {"hsp_periodic_counts", "reserved", "uint32_t", offsetof(hsp_periodic_counts, reserved), 1},
+  {"hsp_periodic_counts", "euler", "int64_t", offsetof(hsp_periodic_counts, euler), 1},
   {"hsp_periodic_totals", "area", "double", offsetof(hsp_periodic_totals, area), 1},
   {"hsp_periodic_totals", "volume", "double", offsetof(hsp_periodic_totals, volume), 1},
   {"hsp_periodic_totals", "box_volume", "double", offsetof(hsp_periodic_totals, box_volume), 1},
@@ -3985,10 +4001,11 @@ const field registry_fields[] = {
   {"hsp_surface_corner", "reserved", "uint32_t", offsetof(hsp_surface_corner, reserved), 1},
   {"hsp_surface_shell", "area", "double", offsetof(hsp_surface_shell, area), 1},
   {"hsp_surface_shell", "volume", "double", offsetof(hsp_surface_shell, volume), 1},
-  {"hsp_surface_shell", "euler", "int32_t", offsetof(hsp_surface_shell, euler), 1},
+  {"hsp_surface_shell", "euler", "int64_t", offsetof(hsp_surface_shell, euler), 1},
   {"hsp_surface_shell", "genus", "uint32_t", offsetof(hsp_surface_shell, genus), 1},
   {"hsp_surface_shell", "patches", "uint32_t", offsetof(hsp_surface_shell, patches), 1},
   {"hsp_surface_shell", "chosen", "uint32_t", offsetof(hsp_surface_shell, chosen), 1},
+  {"hsp_surface_shell", "reserved", "uint32_t", offsetof(hsp_surface_shell, reserved), 1},
   {"hsp_mesh_limits", "struct_size", "uint32_t", offsetof(hsp_mesh_limits, struct_size), 1},
   {"hsp_mesh_limits", "balls", "uint32_t", offsetof(hsp_mesh_limits, balls), 1},
   {"hsp_mesh_limits", "curves", "uint32_t", offsetof(hsp_mesh_limits, curves), 1},
@@ -4013,6 +4030,33 @@ const field registry_fields[] = {
   {"hsp_topology_counts", "components", "uint32_t", offsetof(hsp_topology_counts, components), 1},
   {"hsp_topology_counts", "regions", "uint32_t", offsetof(hsp_topology_counts, regions), 1},
   {"hsp_topology_counts", "start_face", "uint32_t", offsetof(hsp_topology_counts, start_face), 1},
+  {"hsp_topology_counts", "reserved", "uint32_t", offsetof(hsp_topology_counts, reserved), 4},
+  {"hsp_shell", "area", "double", offsetof(hsp_shell, area), 1},
+  {"hsp_shell", "volume", "double", offsetof(hsp_shell, volume), 1},
+  {"hsp_shell", "point", "double", offsetof(hsp_shell, point), 3},
+  {"hsp_shell", "euler", "int64_t", offsetof(hsp_shell, euler), 1},
+  {"hsp_shell", "genus", "uint32_t", offsetof(hsp_shell, genus), 1},
+  {"hsp_shell", "kind", "uint32_t", offsetof(hsp_shell, kind), 1},
+  {"hsp_shell", "component", "uint32_t", offsetof(hsp_shell, component), 1},
+  {"hsp_shell", "region", "uint32_t", offsetof(hsp_shell, region), 1},
+  {"hsp_shell", "faces", "uint32_t", offsetof(hsp_shell, faces), 1},
+  {"hsp_shell", "simple_faces", "uint32_t", offsetof(hsp_shell, simple_faces), 1},
+  {"hsp_shell", "edges", "uint32_t", offsetof(hsp_shell, edges), 1},
+  {"hsp_shell", "vertices", "uint32_t", offsetof(hsp_shell, vertices), 1},
+  {"hsp_shell", "start_face", "uint32_t", offsetof(hsp_shell, start_face), 1},
+  {"hsp_shell", "reserved", "uint32_t", offsetof(hsp_shell, reserved), 1},
+  {"hsp_component", "balls", "uint32_t", offsetof(hsp_component, balls), 1},
+  {"hsp_component", "top_ball", "uint32_t", offsetof(hsp_component, top_ball), 1},
+  {"hsp_component", "outer_shell", "uint32_t", offsetof(hsp_component, outer_shell), 1},
+  {"hsp_component", "shells", "uint32_t", offsetof(hsp_component, shells), 1},
+  {"hsp_component", "region", "uint32_t", offsetof(hsp_component, region), 1},
+  {"hsp_component", "reserved", "uint32_t", offsetof(hsp_component, reserved), 1},
+  {"hsp_region", "area", "double", offsetof(hsp_region, area), 1},
+  {"hsp_region", "volume", "double", offsetof(hsp_region, volume), 1},
+  {"hsp_region", "enclosing_shell", "uint32_t", offsetof(hsp_region, enclosing_shell), 1},
+  {"hsp_region", "components", "uint32_t", offsetof(hsp_region, components), 1},
+  {"hsp_region", "shells", "uint32_t", offsetof(hsp_region, shells), 1},
+  {"hsp_region", "reserved", "uint32_t", offsetof(hsp_region, reserved), 1},
   {"hsp_topology_vertex", "xyz", "double", offsetof(hsp_topology_vertex, xyz), 3},
   {"hsp_topology_vertex", "ball", "uint32_t", offsetof(hsp_topology_vertex, ball), 3},
   {"hsp_topology_vertex", "kind", "uint32_t", offsetof(hsp_topology_vertex, kind), 1},
@@ -4033,31 +4077,6 @@ const field registry_fields[] = {
   {"hsp_simple_face", "q", "uint32_t", offsetof(hsp_simple_face, q), 1},
   {"hsp_simple_face", "shell", "uint32_t", offsetof(hsp_simple_face, shell), 1},
   {"hsp_simple_face", "reserved", "uint32_t", offsetof(hsp_simple_face, reserved), 1},
-  {"hsp_shell", "area", "double", offsetof(hsp_shell, area), 1},
-  {"hsp_shell", "volume", "double", offsetof(hsp_shell, volume), 1},
-  {"hsp_shell", "point", "double", offsetof(hsp_shell, point), 3},
-  {"hsp_shell", "euler", "int32_t", offsetof(hsp_shell, euler), 1},
-  {"hsp_shell", "genus", "uint32_t", offsetof(hsp_shell, genus), 1},
-  {"hsp_shell", "kind", "uint32_t", offsetof(hsp_shell, kind), 1},
-  {"hsp_shell", "component", "uint32_t", offsetof(hsp_shell, component), 1},
-  {"hsp_shell", "region", "uint32_t", offsetof(hsp_shell, region), 1},
-  {"hsp_shell", "faces", "uint32_t", offsetof(hsp_shell, faces), 1},
-  {"hsp_shell", "simple_faces", "uint32_t", offsetof(hsp_shell, simple_faces), 1},
-  {"hsp_shell", "edges", "uint32_t", offsetof(hsp_shell, edges), 1},
-  {"hsp_shell", "vertices", "uint32_t", offsetof(hsp_shell, vertices), 1},
-  {"hsp_shell", "start_face", "uint32_t", offsetof(hsp_shell, start_face), 1},
-  {"hsp_component", "balls", "uint32_t", offsetof(hsp_component, balls), 1},
-  {"hsp_component", "top_ball", "uint32_t", offsetof(hsp_component, top_ball), 1},
-  {"hsp_component", "outer_shell", "uint32_t", offsetof(hsp_component, outer_shell), 1},
-  {"hsp_component", "shells", "uint32_t", offsetof(hsp_component, shells), 1},
-  {"hsp_component", "region", "uint32_t", offsetof(hsp_component, region), 1},
-  {"hsp_component", "reserved", "uint32_t", offsetof(hsp_component, reserved), 1},
-  {"hsp_region", "area", "double", offsetof(hsp_region, area), 1},
-  {"hsp_region", "volume", "double", offsetof(hsp_region, volume), 1},
-  {"hsp_region", "enclosing_shell", "uint32_t", offsetof(hsp_region, enclosing_shell), 1},
-  {"hsp_region", "components", "uint32_t", offsetof(hsp_region, components), 1},
-  {"hsp_region", "shells", "uint32_t", offsetof(hsp_region, shells), 1},
-  {"hsp_region", "reserved", "uint32_t", offsetof(hsp_region, reserved), 1},
   {"hsp_cells_limits", "struct_size", "uint32_t", offsetof(hsp_cells_limits, struct_size), 1},
   {"hsp_cells_limits", "cubes", "uint32_t", offsetof(hsp_cells_limits, cubes), 1},
   {"hsp_cells_limits", "entries", "uint32_t", offsetof(hsp_cells_limits, entries), 1},
