@@ -162,16 +162,19 @@
  *   trap exceptions, as with -ffpe-trap: results are the same bits, and nothing traps. Every function that calculates
  *   sets the default environment for its thread, to nearest with neither flushing nor traps, and puts back the caller's
  *   with the flags that it had; so does every task of an executor in its thread. Functions of the caller's, such as the
- *   loop of an executor and a sink, run in the caller's environment, and what they change of it stays. It is in MXCSR
- *   on x86, FPCR and FPSR on 64-bit Arm, FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC on s390x, FCSR on MIPS.
- *   WebAssembly and arithmetic in software have none; on other processors the library computes in that of the caller.
+ *   loop of an executor and a sink, run in the caller's environment, and what they change of it stays; proceed of an
+ *   executor, which any thread may call, runs in a copy of it. It is in MXCSR on x86, FPCR and FPSR on 64-bit Arm,
+ *   FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC on s390x, FCSR on MIPS. WebAssembly and arithmetic in software
+ *   have none; on other processors the library computes in that of the caller.
  *
  * COST
  *   What says nothing of its cost takes O(1), and O(1) for each record that it writes. In what functions of the stable
  *   tier say, n is the number of balls, m the most balls that meet one ball, and c the most centres in 27 cubes of side
  *   2 r_max: m times a constant where radii are of one size, and n where one ball is as large as all others together.
- *   "At worst" is a bound for every set, and a set that comes near it is named. Of m it is that of each ball, and added
- *   up. Logarithms of what is sorted are left out where they are those of one ball's records.
+ *   "Expected" is where no coordinates were chosen to collide in hash tables; where they were, a search looks at up to
+ *   194 slots instead of some two (hsp_model_set). "At worst" is a bound for every set, and a set that comes near it is
+ *   named. Of m it is that of each ball, and added up. Logarithms of what is sorted are left out where they are those
+ *   of one ball's records.
  *
  * LIMITS
  *   All handles but models take in what some numbers allow, which fix their memory. Every hsp_X_limits is an array of
@@ -227,7 +230,10 @@
  *   Every function that takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the pointer is
  *   not NULL, and there is no live handle of that kind. Nothing is written then, not even what comments name, such as
  *   *first_bad. A handle that is NULL is HSP_E_ARGUMENT, like every pointer that must not be NULL. Where more than one
- *   status fits, one of them comes back.
+ *   status fits, the first of these comes back: what is wrong with the handles, in the order of arguments;
+ *   HSP_E_VERSION; HSP_E_ARGUMENT; HSP_E_STATE; what is wrong with values, such as HSP_E_ID, HSP_E_NOT_FINITE,
+ *   HSP_E_NEGATIVE and HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. A model that has no room for all balls is
+ *   HSP_E_CAPACITY before these are looked at.
  *
  * HANDLES AFTER A FAILURE
  *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for whatever

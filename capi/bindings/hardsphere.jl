@@ -29,6 +29,7 @@ const HSP_E_CONFLICT = Int32(-13)
 const HSP_E_OPEN_SURFACE = Int32(-14)
 const HSP_E_EXECUTOR = Int32(-15)
 const HSP_E_DEGENERATE = Int32(-16)
+const HSP_E_STOPPED = Int32(-17)
 const HSP_RADII_BONDI = UInt32(0)
 const HSP_RADII_CHEM3D = UInt32(1)
 const HSP_RADIUS_FALLBACK = UInt32(1)
@@ -141,6 +142,7 @@ struct hsp_executor
     workers::UInt32
     context::Ptr{Cvoid}
     run::Ptr{Cvoid}
+    proceed::Ptr{Cvoid}
 end
 
 struct hsp_residue_atom
@@ -455,6 +457,12 @@ struct hsp_contacts_limits
     tetrahedra::UInt32
 end
 
+struct hsp_contacts_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_contact
     area::Cdouble
     rim::Cdouble
@@ -725,6 +733,12 @@ struct hsp_mesh_limits
     points::UInt32
 end
 
+struct hsp_mesh_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_mesh_counts
     vertices::UInt32
     triangles::UInt32
@@ -739,6 +753,12 @@ struct hsp_topology_limits
     edges::UInt32
     cut_arcs::UInt32
     shells::UInt32
+end
+
+struct hsp_topology_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
 end
 
 struct hsp_topology_counts
@@ -1639,6 +1659,11 @@ function hsp_contacts_compute(contacts, boundary, limits)
           Ptr{hsp_contacts_limits}), contacts, boundary, limits)
 end
 
+function hsp_contacts_compute_with(contacts, boundary, request, limits)
+    ccall((:hsp_contacts_compute_with, libhardsphere), Int32, (Ptr{hsp_contacts}, Ptr{hsp_boundary},
+          Ptr{hsp_contacts_request}, Ptr{hsp_contacts_limits}), contacts, boundary, request, limits)
+end
+
 function hsp_contacts_get_pairs(contacts, out, capacity, needed)
     ccall((:hsp_contacts_get_pairs, libhardsphere), Int32, (Ptr{hsp_contacts}, Ptr{hsp_contact}, UInt32, Ptr{UInt32}),
           contacts, out, capacity, needed)
@@ -1921,6 +1946,16 @@ function hsp_mesh_compute_surface(mesh, surface, edge_length, limits)
           Ptr{hsp_mesh_limits}), mesh, surface, edge_length, limits)
 end
 
+function hsp_mesh_compute_with(mesh, boundary, edge_length, request, limits)
+    ccall((:hsp_mesh_compute_with, libhardsphere), Int32, (Ptr{hsp_mesh}, Ptr{hsp_boundary}, Cdouble,
+          Ptr{hsp_mesh_request}, Ptr{hsp_mesh_limits}), mesh, boundary, edge_length, request, limits)
+end
+
+function hsp_mesh_compute_surface_with(mesh, surface, edge_length, request, limits)
+    ccall((:hsp_mesh_compute_surface_with, libhardsphere), Int32, (Ptr{hsp_mesh}, Ptr{hsp_surface}, Cdouble,
+          Ptr{hsp_mesh_request}, Ptr{hsp_mesh_limits}), mesh, surface, edge_length, request, limits)
+end
+
 function hsp_mesh_get_counts(mesh, counts)
     ccall((:hsp_mesh_get_counts, libhardsphere), Int32, (Ptr{hsp_mesh}, Ptr{hsp_mesh_counts}), mesh, counts)
 end
@@ -1962,6 +1997,11 @@ end
 function hsp_topology_compute(topology, boundary, limits)
     ccall((:hsp_topology_compute, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_boundary},
           Ptr{hsp_topology_limits}), topology, boundary, limits)
+end
+
+function hsp_topology_compute_with(topology, boundary, request, limits)
+    ccall((:hsp_topology_compute_with, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_boundary},
+          Ptr{hsp_topology_request}, Ptr{hsp_topology_limits}), topology, boundary, request, limits)
 end
 
 function hsp_topology_get_counts(topology, counts)

@@ -1,5 +1,6 @@
 // The C interface of hardsphere, for Rust. Generated from the headers by capi/interface/generate.sh.
-#![allow(non_camel_case_types)]
+// To link it: rustc program.rs -L PREFIX/lib -l static=hardsphere -l m, of an installed archive; C++'s library is not needed.
+#![allow(dead_code, non_camel_case_types)]
 use std::os::raw::{c_char, c_void};
 
 pub const HSP_VERSION_MAJOR: u32 = 0;
@@ -27,6 +28,7 @@ pub const HSP_E_CONFLICT: i32 = -13;
 pub const HSP_E_OPEN_SURFACE: i32 = -14;
 pub const HSP_E_EXECUTOR: i32 = -15;
 pub const HSP_E_DEGENERATE: i32 = -16;
+pub const HSP_E_STOPPED: i32 = -17;
 pub const HSP_RADII_BONDI: u32 = 0;
 pub const HSP_RADII_CHEM3D: u32 = 1;
 pub const HSP_RADIUS_FALLBACK: u32 = 1;
@@ -206,7 +208,8 @@ pub struct hsp_executor {
     pub struct_size: u32,
     pub workers: u32,
     pub context: *mut c_void,
-    pub run: Option<unsafe extern "C" fn(*mut c_void, u32, Option<hsp_task>, *mut c_void)>,
+    pub run: Option<unsafe extern "C" fn(*mut c_void, u32, Option<hsp_task>, *mut c_void) -> i32>,
+    pub proceed: Option<unsafe extern "C" fn(*mut c_void) -> i32>,
 }
 
 #[repr(C)]
@@ -595,6 +598,14 @@ pub struct hsp_contacts_limits {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_contacts_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_contact {
     pub area: f64,
     pub rim: f64,
@@ -923,6 +934,14 @@ pub struct hsp_mesh_limits {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_mesh_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_mesh_counts {
     pub vertices: u32,
     pub triangles: u32,
@@ -939,6 +958,14 @@ pub struct hsp_topology_limits {
     pub edges: u32,
     pub cut_arcs: u32,
     pub shells: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_topology_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
 }
 
 #[repr(C)]
@@ -1924,6 +1951,12 @@ extern "C" {
         boundary: *const hsp_boundary,
         limits: *mut hsp_contacts_limits,
     ) -> i32;
+    pub fn hsp_contacts_compute_with(
+        contacts: *mut hsp_contacts,
+        boundary: *const hsp_boundary,
+        request: *const hsp_contacts_request,
+        limits: *mut hsp_contacts_limits,
+    ) -> i32;
     pub fn hsp_contacts_get_pairs(
         contacts: *const hsp_contacts,
         out: *mut hsp_contact,
@@ -2213,6 +2246,20 @@ extern "C" {
         edge_length: f64,
         limits: *mut hsp_mesh_limits,
     ) -> i32;
+    pub fn hsp_mesh_compute_with(
+        mesh: *mut hsp_mesh,
+        boundary: *const hsp_boundary,
+        edge_length: f64,
+        request: *const hsp_mesh_request,
+        limits: *mut hsp_mesh_limits,
+    ) -> i32;
+    pub fn hsp_mesh_compute_surface_with(
+        mesh: *mut hsp_mesh,
+        surface: *const hsp_surface,
+        edge_length: f64,
+        request: *const hsp_mesh_request,
+        limits: *mut hsp_mesh_limits,
+    ) -> i32;
     pub fn hsp_mesh_get_counts(mesh: *const hsp_mesh, counts: *mut hsp_mesh_counts) -> i32;
     pub fn hsp_mesh_get_vertices(
         mesh: *const hsp_mesh,
@@ -2256,6 +2303,12 @@ extern "C" {
     pub fn hsp_topology_compute(
         topology: *mut hsp_topology,
         boundary: *const hsp_boundary,
+        limits: *mut hsp_topology_limits,
+    ) -> i32;
+    pub fn hsp_topology_compute_with(
+        topology: *mut hsp_topology,
+        boundary: *const hsp_boundary,
+        request: *const hsp_topology_request,
         limits: *mut hsp_topology_limits,
     ) -> i32;
     pub fn hsp_topology_get_counts(topology: *const hsp_topology, counts: *mut hsp_topology_counts) -> i32;

@@ -80,10 +80,11 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
   ! a degenerate set of balls, whose smooth surface does not close
   integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
-  ! the caller's executor did not call every task exactly once
+  ! the caller's executor failed, or did not call every task exactly once
   integer(c_int32_t), parameter :: HSP_E_EXECUTOR = -15_c_int32_t
   ! ties or near ties of the input that could not be resolved
   integer(c_int32_t), parameter :: HSP_E_DEGENERATE = -16_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_STOPPED = -17_c_int32_t  ! the caller's executor said not to go on
 
   ! ---- element.h: elements by symbol, and their radii ----------------------------------------------------------------
 
@@ -292,15 +293,20 @@ module hardsphere
   ! ---- executor.h: threads of the caller's own -----------------------------------------------------------------------
 
   type, bind(C) :: hsp_executor
-    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_executor)
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_executor)
     integer(c_int32_t) :: workers                                        ! how many threads there are for the tasks
-    type(c_ptr) :: context                                               ! or NULL: handed to run
-    ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads, and returns when all
-    ! have returned. Their results must be visible to the caller's thread then, as after a join. tasks may be larger
-    ! than workers, HSP_MAX_WORKERS at most. Not NULL with more than one worker. The loop runs in the caller's
-    ! floating-point environment, and tasks in the library's, whatever that of their thread is (FLOATING POINT in
-    ! hardsphere.h).
+    type(c_ptr) :: context                                               ! or NULL: handed to run and proceed
+    ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads with 16 KiB of stack or
+    ! more, and returns 0 when all have returned, or anything else if it could not call them all. Their results must be
+    ! visible to the caller's thread then, as after a join. tasks may be larger than workers, HSP_MAX_WORKERS at most.
+    ! Not NULL with more than one worker. The loop runs in the caller's floating-point environment, and tasks in the
+    ! library's, whatever that of their thread is (FLOATING POINT in hardsphere.h).
     type(c_funptr) :: run
+    ! NULL, or says whether to go on: 0 does, anything else stops. Also asked with workers 0 or 1. It is asked between
+    ! balls and stages of the work, by the caller's thread and by those of tasks, several at a time, with a copy of the
+    ! caller's floating-point environment; not by a library that is compiled for size. It must not call functions with
+    ! the handles of the function that asks.
+    type(c_funptr) :: proceed
   end type
 
   ! ---- residue.h: radii by the names of residues and atoms -----------------------------------------------------------
@@ -660,6 +666,13 @@ module hardsphere
     integer(c_int32_t) :: tetrahedra                  ! the same of tetrahedra
   end type
 
+  type, bind(C) :: hsp_contacts_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_contacts_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_contact
     real(c_double) :: area             ! length^2
     real(c_double) :: rim              ! length of the part of its border that is on the surface of the union
@@ -962,6 +975,13 @@ module hardsphere
     integer(c_int32_t) :: points                      ! most points of any one sphere while it is triangulated
   end type
 
+  type, bind(C) :: hsp_mesh_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_mesh_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_mesh_counts
     integer(c_int32_t) :: vertices   ! of the triangles
     integer(c_int32_t) :: triangles  ! of the mesh
@@ -979,6 +999,13 @@ module hardsphere
     integer(c_int32_t) :: cut_arcs                    ! cut arcs that cut faces with several loops
     ! shells; 0: as many as the edges allow, two for each. Fewer take less memory
     integer(c_int32_t) :: shells
+  end type
+
+  type, bind(C) :: hsp_topology_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_topology_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_topology_counts
@@ -2378,6 +2405,16 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_contacts_compute_with(contacts, boundary, request, limits) result(status) &
+      bind(C, name="hsp_contacts_compute_with")
+      import :: c_int32_t, c_ptr, hsp_contacts_limits, hsp_contacts_request
+      type(c_ptr), value :: contacts
+      type(c_ptr), value :: boundary
+      type(hsp_contacts_request), intent(in), optional :: request
+      type(hsp_contacts_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_contacts_get_pairs(contacts, out, capacity, needed) result(status) &
       bind(C, name="hsp_contacts_get_pairs")
       import :: c_int32_t, c_ptr, hsp_contact
@@ -2935,6 +2972,28 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_mesh_compute_with(mesh, boundary, edge_length, request, limits) result(status) &
+      bind(C, name="hsp_mesh_compute_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits, hsp_mesh_request
+      type(c_ptr), value :: mesh
+      type(c_ptr), value :: boundary
+      real(c_double), value :: edge_length
+      type(hsp_mesh_request), intent(in), optional :: request
+      type(hsp_mesh_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_compute_surface_with(mesh, surface, edge_length, request, limits) result(status) &
+      bind(C, name="hsp_mesh_compute_surface_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits, hsp_mesh_request
+      type(c_ptr), value :: mesh
+      type(c_ptr), value :: surface
+      real(c_double), value :: edge_length
+      type(hsp_mesh_request), intent(in), optional :: request
+      type(hsp_mesh_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_mesh_get_counts(mesh, counts) result(status) bind(C, name="hsp_mesh_get_counts")
       import :: c_int32_t, c_ptr, hsp_mesh_counts
       type(c_ptr), value :: mesh
@@ -3020,6 +3079,16 @@ module hardsphere
       import :: c_int32_t, c_ptr, hsp_topology_limits
       type(c_ptr), value :: topology
       type(c_ptr), value :: boundary
+      type(hsp_topology_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_compute_with(topology, boundary, request, limits) result(status) &
+      bind(C, name="hsp_topology_compute_with")
+      import :: c_int32_t, c_ptr, hsp_topology_limits, hsp_topology_request
+      type(c_ptr), value :: topology
+      type(c_ptr), value :: boundary
+      type(hsp_topology_request), intent(in), optional :: request
       type(hsp_topology_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
     end function

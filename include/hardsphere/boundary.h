@@ -121,7 +121,8 @@ typedef struct hsp_boundary_request {
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
  *  @retval HSP_E_CAPACITY  a limit is too small, as for hsp_boundary_compute, or that of workers
  *  @retval HSP_E_STATE     hsp_model_set has failed
- *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once */
+ *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
 HSP_API int32_t HSP_CALL hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model,
                                                    const hsp_boundary_request *request, hsp_boundary_limits *limits);
 

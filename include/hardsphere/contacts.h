@@ -17,6 +17,7 @@
 #define HARDSPHERE_CONTACTS_H
 
 #include "boundary.h"
+#include "executor.h"
 #include "measure.h"
 
 #include <stddef.h>
@@ -83,6 +84,23 @@ HSP_API int32_t HSP_CALL hsp_contacts_init(void *memory, size_t bytes, const hsp
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t HSP_CALL hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary,
                                               hsp_contacts_limits *limits);
+
+/** How contacts are computed. Zero means default in every field but the first. */
+typedef struct hsp_contacts_request {
+  uint32_t struct_size;         /**< sizeof(hsp_contacts_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_contacts_request;
+
+/** The same as hsp_contacts_compute, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL; an executor with several workers and
+ *                          without run
+ *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  as hsp_contacts_compute
+ *  @retval HSP_E_STATE     as hsp_contacts_compute
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary,
+                                                   const hsp_contacts_request *request, hsp_contacts_limits *limits);
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 

@@ -95,7 +95,8 @@ typedef struct hsp_morphometry_outputs {
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_boundary_get_morphometry(const hsp_boundary *boundary,
                                                       const hsp_morphometry_request *request,
                                                       hsp_morphometry_outputs *outputs);

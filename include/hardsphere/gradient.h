@@ -11,7 +11,9 @@
  * inside it either way. Where balls are equal A_i jumps and V has a kink: the ball of lowest index has the derivatives
  * that it would have alone, the others have 0, and all are flagged. Where three spheres share a free circle derivatives
  * are one-sided too: those of the side that the symbolic perturbation takes, without a flag. Radii include the probe.
- * The lattice's rounding is not differentiated. */
+ * The lattice's rounding is not differentiated: difference quotients are those of these derivatives for steps of some
+ * 1e5 lattice steps or more, 1e-3 for radii between 1.08 and 10.7, whose lattice has the step 1e-8. By default checkers
+ * take smaller ones, in their units: PLUMED's --debug-forces 1.5e-8, ASE 1e-6, JAX 1e-4. Give them larger ones. */
 #ifndef HARDSPHERE_GRADIENT_H
 #define HARDSPHERE_GRADIENT_H
 
@@ -87,7 +89,8 @@ typedef struct hsp_gradient_outputs {
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since; of selected balls, and pressure is not 0
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
                                                    hsp_gradient_outputs *outputs);
 
@@ -125,7 +128,8 @@ typedef struct hsp_derivatives_outputs {
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since; of selected balls, and an array of the
  *                            volume is given
  *  @retval HSP_E_NOT_FINITE  a sigma is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_boundary_get_derivatives(const hsp_boundary *boundary,
                                                       const hsp_derivatives_request *request,
                                                       hsp_derivatives_outputs *outputs);
@@ -169,7 +173,8 @@ HSP_API int32_t HSP_CALL hsp_boundary_get_area_row(const hsp_boundary *boundary,
  *  @retval HSP_E_CAPACITY    capacity is smaller than the number of entries: first and *needed are set, nothing else
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  a sigma is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_boundary_get_area_rows(const hsp_boundary *boundary,
                                                     const hsp_derivatives_request *request, uint32_t *first,
                                                     uint32_t *ball, double *d_centre, double *d_radius,

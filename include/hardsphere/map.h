@@ -76,7 +76,7 @@ HSP_API int32_t HSP_CALL hsp_map_init(void *memory, size_t bytes, const hsp_map_
 /** Find what is seen from one direction; any number of times, from any directions. options: where to look from, as for
  *  hsp_view_compute, NULL for the defaults; pieces and flags have to be good there and have no effect here. The model
  *  must outlive the map, which can be read while the model holds the same balls (RESULTS in hardsphere.h). On failure
- *  it holds no results. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever more than three.
+ *  it holds no results. limits: see LIMITS in hardsphere.h; at most twelve retries.
  *  - Property 1: the order of the balls has no effect but on the numbers of balls.
  *  - Property 2: hsp_map_check finds nothing.
  *

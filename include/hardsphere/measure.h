@@ -102,7 +102,8 @@ typedef struct hsp_measure_outputs {
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but outputs->needed is written
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since; of selected balls, and volume_term is
  *                          given
- *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once; the arrays may have been written */
+ *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED   the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
                                                    hsp_measure_outputs *outputs);
 

@@ -22,6 +22,7 @@
 #ifndef HARDSPHERE_MESH_H
 #define HARDSPHERE_MESH_H
 
+#include "executor.h"
 #include "surface.h"
 
 #include <stddef.h>
@@ -88,7 +89,7 @@ HSP_API int32_t HSP_CALL hsp_mesh_init(void *memory, size_t bytes, const hsp_mes
  *  the solvent-accessible one. Triangles are at most that large, up to rounding, and smaller where the surface has
  *  shorter arcs or curves that are close to each other. Boundary and model must outlive the mesh,
  *  which can be read while these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see
- *  LIMITS in hardsphere.h; at most twenty retries, hardly ever any.
+ *  LIMITS in hardsphere.h; at most twenty retries.
  *  - Property 1: the triangles are closed surfaces as described above, and the number of vertices less half that of
  *    triangles is the Euler characteristic of hsp_boundary_get_counts, or the status says that there are none.
  *  - Property 2: the same model, boundary and edge_length yield the same bytes on every machine.
@@ -125,6 +126,40 @@ HSP_API int32_t HSP_CALL hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *bo
  *  @retval HSP_E_DEGENERATE    as for a boundary; of sets of a few points 1e-7 off a lattice up to 17 of 100 */
 HSP_API int32_t HSP_CALL hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
                                                   hsp_mesh_limits *limits);
+
+/** How triangles are computed. Zero means default in every field but the first. */
+typedef struct hsp_mesh_request {
+  uint32_t struct_size;         /**< sizeof(hsp_mesh_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_mesh_request;
+
+/** The same as hsp_mesh_compute, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT    mesh or boundary is NULL; edge_length is not above 0; an executor with several workers and
+ *                            without run
+ *  @retval HSP_E_VERSION     bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY    as hsp_mesh_compute
+ *  @retval HSP_E_STATE       as hsp_mesh_compute
+ *  @retval HSP_E_NOT_FINITE  edge_length is NaN or infinite
+ *  @retval HSP_E_RANGE       as hsp_mesh_compute
+ *  @retval HSP_E_DEGENERATE  as hsp_mesh_compute
+ *  @retval HSP_E_STOPPED     the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length,
+                                               const hsp_mesh_request *request, hsp_mesh_limits *limits);
+
+/** The same as hsp_mesh_compute_surface, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT      mesh or surface is NULL; edge_length is not above 0; an executor with several workers
+ *                              and without run
+ *  @retval HSP_E_VERSION       bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY      as hsp_mesh_compute_surface
+ *  @retval HSP_E_STATE         as hsp_mesh_compute_surface
+ *  @retval HSP_E_NOT_FINITE    edge_length is NaN or infinite
+ *  @retval HSP_E_RANGE         as hsp_mesh_compute_surface
+ *  @retval HSP_E_OPEN_SURFACE  as hsp_mesh_compute_surface
+ *  @retval HSP_E_DEGENERATE    as hsp_mesh_compute_surface
+ *  @retval HSP_E_STOPPED       the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
+                                                       const hsp_mesh_request *request, hsp_mesh_limits *limits);
 
 /** How many of everything. Frozen. */
 typedef struct hsp_mesh_counts {

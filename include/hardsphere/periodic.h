@@ -133,7 +133,8 @@ typedef struct hsp_periodic_request {
  *  @retval HSP_E_NOT_FINITE  as hsp_periodic_compute
  *  @retval HSP_E_NEGATIVE    as hsp_periodic_compute
  *  @retval HSP_E_RANGE       as hsp_periodic_compute
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once */
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once
+ *  @retval HSP_E_STOPPED     the executor said not to go on */
 HSP_API int32_t HSP_CALL hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz,
                                                    const double *radius, const double *box,
                                                    const hsp_periodic_request *request, hsp_periodic_limits *limits,
@@ -216,7 +217,8 @@ typedef struct hsp_periodic_morphometry_outputs {
  *  @retval HSP_E_CAPACITY    an array for balls is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed
  *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_periodic_get_morphometry(const hsp_periodic *periodic,
                                                       const hsp_morphometry_request *request,
                                                       hsp_periodic_morphometry_outputs *outputs);
@@ -310,7 +312,8 @@ typedef struct hsp_periodic_gradient_outputs {
  *  @retval HSP_E_CAPACITY    an array for balls is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed; areas alone were, and pressure is not 0
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
                                                    hsp_periodic_gradient_outputs *outputs);
 

@@ -14,6 +14,7 @@
 #define HARDSPHERE_REGIONS_H
 
 #include "boundary.h"
+#include "executor.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -82,6 +83,23 @@ HSP_API int32_t HSP_CALL hsp_topology_init(void *memory, size_t bytes, const hsp
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t HSP_CALL hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary,
                                               hsp_topology_limits *limits);
+
+/** How a topology is computed. Zero means default in every field but the first. */
+typedef struct hsp_topology_request {
+  uint32_t struct_size;         /**< sizeof(hsp_topology_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_topology_request;
+
+/** The same as hsp_topology_compute, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  topology or boundary is NULL; an executor with several workers and
+ *                          without run
+ *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  as hsp_topology_compute
+ *  @retval HSP_E_STATE     as hsp_topology_compute
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary,
+                                                   const hsp_topology_request *request, hsp_topology_limits *limits);
 
 /** How many of everything. Frozen. */
 typedef struct hsp_topology_counts {

@@ -123,8 +123,8 @@ typedef struct hsp_sticks_conflict {
  *  if count is 0. radius: of all sticks that are no bonds of several strands. The model must outlive the handle, which
  *  can be read while the model holds the same balls (RESULTS in hardsphere.h). conflict may be NULL; it is written on
  *  HSP_OK and HSP_E_CONFLICT: on HSP_OK it tells whether there is an order to paint, or why none. Which one of several
- *  conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever
- *  more than three. On failure the handle holds no results.
+ *  conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most twelve retries. On
+ *  failure the handle holds no results.
  *
  *  Cost: O(m log m) for m balls and halves of sticks, and for each those that share a vertical line of the view plane
  *  with it; without an order also for each those that may cover a part of it, sorted.

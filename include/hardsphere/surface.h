@@ -251,7 +251,8 @@ HSP_API int32_t HSP_CALL hsp_surface_measure(const hsp_surface *surface, hsp_sur
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
  *  @retval HSP_E_OPEN_SURFACE  as for hsp_surface_measure
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
                                                   hsp_gradient_outputs *outputs);
 

@@ -33,6 +33,7 @@ E_CONFLICT = -13
 E_OPEN_SURFACE = -14
 E_EXECUTOR = -15
 E_DEGENERATE = -16
+E_STOPPED = -17
 RADII_BONDI = 0
 RADII_CHEM3D = 1
 RADIUS_FALLBACK = 1
@@ -129,7 +130,8 @@ VERSION_STRING = "0.3.0"
 
 class Executor(Record):
     """A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it."""
-    _fields_ = [("struct_size", C.c_uint32), ("workers", C.c_uint32), ("context", C.c_void_p), ("run", C.c_void_p)]
+    _fields_ = [("struct_size", C.c_uint32), ("workers", C.c_uint32), ("context", C.c_void_p), ("run", C.c_void_p),
+                ("proceed", C.c_void_p)]
 
 
 class ResidueAtom(Record):
@@ -345,6 +347,11 @@ class ContactsLimits(Record):
                 ("contacts", C.c_uint32), ("triangles", C.c_uint32), ("tetrahedra", C.c_uint32)]
 
 
+class ContactsRequest(Record):
+    """How contacts are computed."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class Contact(Record):
     """A contact of two balls."""
     _fields_ = [("area", C.c_double), ("rim", C.c_double), ("distance", C.c_double), ("ball", C.c_uint32 * 2),
@@ -521,6 +528,11 @@ class MeshLimits(Record):
                 ("triangles", C.c_uint32), ("points", C.c_uint32)]
 
 
+class MeshRequest(Record):
+    """How triangles are computed."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class MeshCounts(Record):
     """How many of everything."""
     _fields_ = [("vertices", C.c_uint32), ("triangles", C.c_uint32), ("curves", C.c_uint32), ("refined", C.c_uint32)]
@@ -530,6 +542,11 @@ class TopologyLimits(Record):
     """The limits that fix a topology's memory."""
     _fields_ = [("struct_size", C.c_uint32), ("balls", C.c_uint32), ("neighbours", C.c_uint32), ("edges", C.c_uint32),
                 ("cut_arcs", C.c_uint32), ("shells", C.c_uint32)]
+
+
+class TopologyRequest(Record):
+    """How a topology is computed."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
 
 
 class TopologyCounts(Record):
@@ -1120,6 +1137,10 @@ class Contacts(Handle):
         """Compute contacts, shares and dual complex of the balls of a computed boundary."""
         return call("hsp_contacts_compute", self, boundary=boundary)
 
+    def compute_with(self, boundary: Boundary, *, threads: int | None = None) -> Contacts:
+        """The same as hsp_contacts_compute, as a request says; request may be NULL: all defaults."""
+        return call("hsp_contacts_compute_with", self, boundary=boundary, threads=threads)
+
     def get_pairs(self) -> Any:
         """All contacts, ascending in their balls."""
         return call("hsp_contacts_get_pairs", self)
@@ -1353,6 +1374,14 @@ class Mesh(Handle):
         """Triangles for a computed smooth surface, with edges of about the given length."""
         return call("hsp_mesh_compute_surface", self, surface=surface, edge_length=edge_length)
 
+    def compute_with(self, boundary: Boundary, edge_length: float, *, threads: int | None = None) -> Mesh:
+        """The same as hsp_mesh_compute, as a request says; request may be NULL: all defaults."""
+        return call("hsp_mesh_compute_with", self, boundary=boundary, edge_length=edge_length, threads=threads)
+
+    def compute_surface_with(self, surface: Surface, edge_length: float, *, threads: int | None = None) -> Mesh:
+        """The same as hsp_mesh_compute_surface, as a request says; request may be NULL: all defaults."""
+        return call("hsp_mesh_compute_surface_with", self, surface=surface, edge_length=edge_length, threads=threads)
+
     def get_counts(self) -> MeshCounts:
         """How many vertices and triangles there are."""
         return call("hsp_mesh_get_counts", self)
@@ -1383,6 +1412,10 @@ class Topology(Handle):
     def compute(self, boundary: Boundary) -> Topology:
         """Compute the topology of a computed boundary, with its shells and regions."""
         return call("hsp_topology_compute", self, boundary=boundary)
+
+    def compute_with(self, boundary: Boundary, *, threads: int | None = None) -> Topology:
+        """The same as hsp_topology_compute, as a request says; request may be NULL: all defaults."""
+        return call("hsp_topology_compute_with", self, boundary=boundary, threads=threads)
 
     def get_counts(self) -> TopologyCounts:
         """How many vertices, edges, faces, shells, components and regions there are."""
@@ -2118,6 +2151,8 @@ FUNCTIONS = {
         "limits:sized_in:hsp_contacts_limits::never contacts:handle_out:hsp_contacts::never",
     "hsp_contacts_compute": "int32_t contacts:handle:hsp_contacts::never boundary:handle:hsp_boundary::never "
         "limits:sized:hsp_contacts_limits::always",
+    "hsp_contacts_compute_with": "int32_t contacts:handle:hsp_contacts::never boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_contacts_request::always limits:sized:hsp_contacts_limits::always",
     "hsp_contacts_get_pairs": "int32_t contacts:handle:hsp_contacts::never out:array_out:hsp_contact:needed:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_contacts_get_row": "int32_t contacts:handle:hsp_contacts::never ball:value:uint32_t::never "
@@ -2242,6 +2277,12 @@ FUNCTIONS = {
         "edge_length:value:double::never limits:sized:hsp_mesh_limits::always",
     "hsp_mesh_compute_surface": "int32_t mesh:handle:hsp_mesh::never surface:handle:hsp_surface::never "
         "edge_length:value:double::never limits:sized:hsp_mesh_limits::always",
+    "hsp_mesh_compute_with": "int32_t mesh:handle:hsp_mesh::never boundary:handle:hsp_boundary::never "
+        "edge_length:value:double::never request:sized_in:hsp_mesh_request::always "
+        "limits:sized:hsp_mesh_limits::always",
+    "hsp_mesh_compute_surface_with": "int32_t mesh:handle:hsp_mesh::never surface:handle:hsp_surface::never "
+        "edge_length:value:double::never request:sized_in:hsp_mesh_request::always "
+        "limits:sized:hsp_mesh_limits::always",
     "hsp_mesh_get_counts": "int32_t mesh:handle:hsp_mesh::never counts:struct_out:hsp_mesh_counts::never",
     "hsp_mesh_get_vertices": "int32_t mesh:handle:hsp_mesh::never xyz:array_out:double:vertices;3:always "
         "normals:array_out:double:vertices;3:always areas:array_out:double:vertices:always "
@@ -2261,6 +2302,8 @@ FUNCTIONS = {
         "limits:sized_in:hsp_topology_limits::never topology:handle_out:hsp_topology::never",
     "hsp_topology_compute": "int32_t topology:handle:hsp_topology::never boundary:handle:hsp_boundary::never "
         "limits:sized:hsp_topology_limits::always",
+    "hsp_topology_compute_with": "int32_t topology:handle:hsp_topology::never boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_topology_request::always limits:sized:hsp_topology_limits::always",
     "hsp_topology_get_counts": "int32_t topology:handle:hsp_topology::never "
         "counts:struct_out:hsp_topology_counts::never",
     "hsp_topology_get_shells": "int32_t topology:handle:hsp_topology::never out:array_out:hsp_shell:needed:empty "
@@ -2520,6 +2563,7 @@ FIELDS = {
     "hsp_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_morphometric_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always",
+    "hsp_contacts_request": "executor:sized_in:hsp_executor::always",
     "hsp_periodic_request": "areas_alone:value:uint32_t::never options:sized_in:hsp_model_options::always "
         "executor:sized_in:hsp_executor::always",
     "hsp_periodic_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
@@ -2530,6 +2574,8 @@ FIELDS = {
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "
         "d_strain:array_out:double:9:always d_box:array_out:double:9:always area:array_out:double:n:always",
+    "hsp_mesh_request": "executor:sized_in:hsp_executor::always",
+    "hsp_topology_request": "executor:sized_in:hsp_executor::always",
     "hsp_pores_options": "floor:value:double::always",
     "hsp_view_options": "pieces:value:uint32_t::always flags:value:uint32_t::always towards:value:double:3:always "
         "up:value:double:3:always",
@@ -2552,31 +2598,32 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          'hsp_derivatives_outputs': DerivativesOutputs, 'hsp_area_derivative': AreaDerivative, 'hsp_moving_limits':
          MovingLimits, 'hsp_moving_info': MovingInfo, 'hsp_moving_ball': MovingBall, 'hsp_curvatures': Curvatures,
          'hsp_morphometry_request': MorphometryRequest, 'hsp_morphometric_energy': MorphometricEnergy,
-         'hsp_morphometry_outputs': MorphometryOutputs, 'hsp_contacts_limits': ContactsLimits, 'hsp_contact': Contact,
-         'hsp_group_contact': GroupContact, 'hsp_complex': Complex, 'hsp_simplex': Simplex, 'hsp_periodic_limits':
-         PeriodicLimits, 'hsp_periodic_request': PeriodicRequest, 'hsp_periodic_counts': PeriodicCounts,
-         'hsp_periodic_totals': PeriodicTotals, 'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs,
-         'hsp_periodic_contact': PeriodicContact, 'hsp_winding': Winding, 'hsp_periodic_gradient_outputs':
-         PeriodicGradientOutputs, 'hsp_image': Image, 'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex':
-         PeriodicVertex, 'hsp_periodic_arc': PeriodicArc, 'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face':
-         PeriodicFace, 'hsp_periodic_loop': PeriodicLoop, 'hsp_periodic_loop_arc': PeriodicLoopArc,
-         'hsp_surface_limits': SurfaceLimits, 'hsp_surface_counts': SurfaceCounts, 'hsp_surface_totals': SurfaceTotals,
-         'hsp_surface_part_counts': SurfacePartCounts, 'hsp_surface_patch': SurfacePatch, 'hsp_surface_edge':
-         SurfaceEdge, 'hsp_surface_corner': SurfaceCorner, 'hsp_surface_shell': SurfaceShell, 'hsp_mesh_limits':
-         MeshLimits, 'hsp_mesh_counts': MeshCounts, 'hsp_topology_limits': TopologyLimits, 'hsp_topology_counts':
-         TopologyCounts, 'hsp_shell': Shell, 'hsp_component': Component, 'hsp_region': Region, 'hsp_topology_vertex':
-         TopologyVertex, 'hsp_topology_edge': TopologyEdge, 'hsp_simple_face': SimpleFace, 'hsp_cells_limits':
-         CellsLimits, 'hsp_cells_counts': CellsCounts, 'hsp_free_cell': FreeCell, 'hsp_cell_pair': CellPair,
-         'hsp_arrangement': Arrangement, 'hsp_paths_limits': PathsLimits, 'hsp_path': Path, 'hsp_gate_limits':
-         GateLimits, 'hsp_widest_probe': WidestProbe, 'hsp_pores_limits': PoresLimits, 'hsp_pores_options':
-         PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate,
-         'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel':
-         PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts, 'hsp_pore_passage':
-         PorePassage, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point': TunnelPoint,
-         'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access': PoreAccess,
-         'hsp_pore_region': PoreRegion, 'hsp_pore_pocket_size': PorePocketSize, 'hsp_view_limits': ViewLimits,
-         'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop':
-         ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex':
-         MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point':
-         MapPoint, 'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick,
+         'hsp_morphometry_outputs': MorphometryOutputs, 'hsp_contacts_limits': ContactsLimits, 'hsp_contacts_request':
+         ContactsRequest, 'hsp_contact': Contact, 'hsp_group_contact': GroupContact, 'hsp_complex': Complex,
+         'hsp_simplex': Simplex, 'hsp_periodic_limits': PeriodicLimits, 'hsp_periodic_request': PeriodicRequest,
+         'hsp_periodic_counts': PeriodicCounts, 'hsp_periodic_totals': PeriodicTotals,
+         'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs, 'hsp_periodic_contact': PeriodicContact,
+         'hsp_winding': Winding, 'hsp_periodic_gradient_outputs': PeriodicGradientOutputs, 'hsp_image': Image,
+         'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex': PeriodicVertex, 'hsp_periodic_arc': PeriodicArc,
+         'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face': PeriodicFace, 'hsp_periodic_loop': PeriodicLoop,
+         'hsp_periodic_loop_arc': PeriodicLoopArc, 'hsp_surface_limits': SurfaceLimits, 'hsp_surface_counts':
+         SurfaceCounts, 'hsp_surface_totals': SurfaceTotals, 'hsp_surface_part_counts': SurfacePartCounts,
+         'hsp_surface_patch': SurfacePatch, 'hsp_surface_edge': SurfaceEdge, 'hsp_surface_corner': SurfaceCorner,
+         'hsp_surface_shell': SurfaceShell, 'hsp_mesh_limits': MeshLimits, 'hsp_mesh_request': MeshRequest,
+         'hsp_mesh_counts': MeshCounts, 'hsp_topology_limits': TopologyLimits, 'hsp_topology_request': TopologyRequest,
+         'hsp_topology_counts': TopologyCounts, 'hsp_shell': Shell, 'hsp_component': Component, 'hsp_region': Region,
+         'hsp_topology_vertex': TopologyVertex, 'hsp_topology_edge': TopologyEdge, 'hsp_simple_face': SimpleFace,
+         'hsp_cells_limits': CellsLimits, 'hsp_cells_counts': CellsCounts, 'hsp_free_cell': FreeCell, 'hsp_cell_pair':
+         CellPair, 'hsp_arrangement': Arrangement, 'hsp_paths_limits': PathsLimits, 'hsp_path': Path,
+         'hsp_gate_limits': GateLimits, 'hsp_widest_probe': WidestProbe, 'hsp_pores_limits': PoresLimits,
+         'hsp_pores_options': PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum,
+         'hsp_pore_gate': PoreGate, 'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation,
+         'hsp_pore_channel': PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts,
+         'hsp_pore_passage': PorePassage, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point':
+         TunnelPoint, 'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access':
+         PoreAccess, 'hsp_pore_region': PoreRegion, 'hsp_pore_pocket_size': PorePocketSize, 'hsp_view_limits':
+         ViewLimits, 'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece,
+         'hsp_view_loop': ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo,
+         'hsp_map_vertex': MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight,
+         'hsp_map_point': MapPoint, 'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick,
          'hsp_sticks_conflict': SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})

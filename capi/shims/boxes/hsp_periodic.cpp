@@ -15,6 +15,7 @@ using hsp::capi::first_failure;
 using hsp::capi::LibraryArithmetic;
 using hsp::capi::put_shift;
 using hsp::capi::shift_comes_before;
+using hsp::capi::versions_first;
 
 namespace {
 
@@ -85,15 +86,14 @@ int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const doub
   hsp::BallInput input;
   hsp_periodic_request asked;
   hsp::capi::Executor executor(arithmetic);
-  if (box == nullptr) return HSP_E_ARGUMENT;
   if (const int32_t status = first_failure(hsp::capi::read_request(request, asked), check_struct(limits));
       status != HSP_OK)
     return status;
-  if (asked.areas_alone > 1) return HSP_E_ARGUMENT;
   if (const int32_t status =
-          first_failure(executor.read(asked.executor), hsp::capi::get_input(n, xyz, radius, asked.options, input));
+          versions_first(executor.read(asked.executor), hsp::capi::get_input(n, xyz, radius, asked.options, input));
       status != HSP_OK)
     return status;
+  if (box == nullptr || asked.areas_alone > 1) return HSP_E_ARGUMENT;
   if (n > HSP_MAX_BALLS) return HSP_E_RANGE;
   const hsp::Status status = periodic->builder.build(input, box, executor, asked.areas_alone != 0, bad);
   if (status == hsp::Status::ok) periodic->digest = hsp::digest_of(periodic->builder);
@@ -200,7 +200,7 @@ int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradie
                                  [&](uint32_t i, const hsp::EnergyGradient &gradient) {
                                    arrays.put(i, gradient, structure.images().lattice());
                                  }))
-    return HSP_E_EXECUTOR;
+    return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   if (out.d_strain == nullptr && out.d_box == nullptr) return HSP_OK;

@@ -1,5 +1,7 @@
 #include "hsp_contacts.hpp"
 
+#include "caller_executor.hpp"
+
 #include "contacts/contacts_check.hpp"
 #include "core/summation.hpp"
 #include "group_rows.hpp"
@@ -75,14 +77,23 @@ int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits 
 }
 
 int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits) {
+  return hsp_contacts_compute_with(contacts, boundary, nullptr, limits);
+}
+
+int32_t hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary,
+                                  const hsp_contacts_request *request, hsp_contacts_limits *limits) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(contacts); status != HSP_OK) return status;
   contacts->complete = false;
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
+  hsp_contacts_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits),
+                                           hsp::capi::read_request(request, asked, executor));
+      status != HSP_OK)
     return status;
   if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Status status =
-      contacts->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
+  const hsp::Status status = contacts->builder.build(boundary->model->grid, boundary->structure(),
+                                                     boundary->builder.needed().neighbours, hsp::Patience(&executor));
   contacts->boundary.set(boundary);
   return hsp::capi::finish(*contacts, status, limits);
 }

@@ -1,4 +1,6 @@
 #include "hsp_topology.hpp"
+
+#include "caller_executor.hpp"
 #include "model/queries.hpp"
 #include "topology/positions.hpp"
 #include "topology/shell_volumes.hpp"
@@ -40,14 +42,23 @@ int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits 
 }
 
 int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits) {
+  return hsp_topology_compute_with(topology, boundary, nullptr, limits);
+}
+
+int32_t hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary,
+                                  const hsp_topology_request *request, hsp_topology_limits *limits) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(topology); status != HSP_OK) return status;
   topology->complete = false;
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
+  hsp_topology_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits),
+                                           hsp::capi::read_request(request, asked, executor));
+      status != HSP_OK)
     return status;
   if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Status status =
-      topology->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
+  const hsp::Status status = topology->builder.build(boundary->model->grid, boundary->structure(),
+                                                     boundary->builder.needed().neighbours, hsp::Patience(&executor));
   topology->boundary.set(boundary);
   return hsp::capi::finish(*topology, status, limits);
 }

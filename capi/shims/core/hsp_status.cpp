@@ -53,9 +53,11 @@ const char *hsp_status_text(int32_t status) {
     case HSP_E_OPEN_SURFACE:
       return "a degenerate set of balls, whose smooth surface does not close";
     case HSP_E_EXECUTOR:
-      return "the caller's executor did not call every task exactly once";
+      return "the caller's executor failed, or did not call every task exactly once";
     case HSP_E_DEGENERATE:
       return "ties or near ties of the input that could not be resolved";
+    case HSP_E_STOPPED:
+      return "the caller's executor said not to go on";
     default:
       return "unknown status";
   }

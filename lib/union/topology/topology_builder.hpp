@@ -15,8 +15,8 @@ class TopologyBuilder : public Limited<TopologyLimits> {
   void carve(Workspace &workspace, const TopologyLimits &limits);
 
   // neighbours: the most balls that meet one ball of the boundary. Status::capacity if a limit is too small; needed()
-  // then tells what suffices, with 0 for what is not known yet.
-  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
+  // then tells what suffices, with 0 for what is not known yet. Status::stopped if more is not allowed.
+  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, Patience patience = Patience());
 
   const Topology &structure() const { return structure_; }
 

@@ -5,31 +5,34 @@ module fortran_loops
   use hardsphere, only: hsp_task
   implicit none
 contains
-  subroutine run_backwards(context, tasks, task, data) bind(C)
+  function run_backwards(context, tasks, task, data) result(failed) bind(C)
     type(c_ptr), value :: context, data
     integer(c_int32_t), value :: tasks
     type(c_funptr), value :: task
     procedure(hsp_task), pointer :: one
     integer(c_int32_t), pointer :: runs
-    integer(c_int32_t) :: k
+    integer(c_int32_t) :: failed, k
     call c_f_pointer(context, runs)
     call c_f_procpointer(task, one)
     do k = tasks - 1, 0, -1
       call one(data, k)
     end do
     runs = runs + 1
-  end subroutine
+    failed = 0
+  end function
 
-  subroutine run_nothing(context, tasks, task, data) bind(C)
+  function run_nothing(context, tasks, task, data) result(failed) bind(C)
     type(c_ptr), value :: context, data
     integer(c_int32_t), value :: tasks
     type(c_funptr), value :: task
-  end subroutine
+    integer(c_int32_t) :: failed
+    failed = 0
+  end function
 end module
 
 program fortran_interface_test
   use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
-                                         c_size_t, c_sizeof, c_associated, c_null_char
+                                         c_null_funptr, c_size_t, c_sizeof, c_associated, c_null_char
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   use fortran_checks
   use fortran_loops
@@ -242,7 +245,7 @@ contains
     call expect(hsp_boundary_compute(boundary, model, needed_limits), HSP_OK, 'hsp_boundary_compute')
     call check(needed_limits%neighbours == 2 .and. needed_limits%vertices == 2 .and. needed_limits%circles == 0, 'needed')
     ! by more workers than there is room for, and then by two
-    executor = hsp_executor(int(c_sizeof(executor), c_int32_t), 2, c_loc(runs), c_funloc(run_backwards))
+    executor = hsp_executor(int(c_sizeof(executor), c_int32_t), 2, c_loc(runs), c_funloc(run_backwards), c_null_funptr)
     request = hsp_boundary_request(int(c_sizeof(request), c_int32_t), 0, c_loc(executor), c_null_ptr)
     call expect(hsp_boundary_compute_with(boundary, model, request, limits), HSP_E_CAPACITY, 'room for one')
     call check(limits%workers == 2 .and. limits%vertices == 96 .and. runs == 0, 'limits for two workers')

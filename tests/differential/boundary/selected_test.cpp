@@ -80,8 +80,9 @@ Answers answers_of(const hsp_boundary *boundary, const std::vector<uint8_t> &sel
   return found;
 }
 
-void run_backwards(void *, uint32_t tasks, hsp_task *task, void *data) {
+int32_t run_backwards(void *, uint32_t tasks, hsp_task *task, void *data) {
   for (uint32_t k = tasks; k-- > 0;) task(data, k);
+  return 0;
 }
 
 class Selection {

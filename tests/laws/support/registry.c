@@ -926,6 +926,19 @@ static int64_t call_hsp_contacts_compute(const value *v) {
   return (int64_t)hsp_contacts_compute(v[0].p, v[1].p, v[2].p);
 }
 
+static const argument of_hsp_contacts_compute_with[] = {
+  {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_contacts_request", .kind = KIND_sized_in, .size = sizeof(hsp_contacts_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_contacts_request, executor), .is_const = 1},
+  {"limits", "hsp_contacts_limits", .kind = KIND_sized, .size = sizeof(hsp_contacts_limits), .null = NULL_always},
+};
+static int64_t call_hsp_contacts_compute_with(const value *v) {
+  return (int64_t)hsp_contacts_compute_with(v[0].p, v[1].p, v[2].p, v[4].p);
+}
+
 static const argument of_hsp_contacts_get_pairs[] = {
   {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts, .is_const = 1},
   {"out", "hsp_contact", .kind = KIND_array_out, .size = sizeof(hsp_contact), .extent = "needed", .null = NULL_empty,
@@ -1628,6 +1641,34 @@ static int64_t call_hsp_mesh_compute_surface(const value *v) {
   return (int64_t)hsp_mesh_compute_surface(v[0].p, v[1].p, v[2].d, v[3].p);
 }
 
+static const argument of_hsp_mesh_compute_with[] = {
+  {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"edge_length", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"request", "hsp_mesh_request", .kind = KIND_sized_in, .size = sizeof(hsp_mesh_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 3,
+      .offset = offsetof(hsp_mesh_request, executor), .is_const = 1},
+  {"limits", "hsp_mesh_limits", .kind = KIND_sized, .size = sizeof(hsp_mesh_limits), .null = NULL_always},
+};
+static int64_t call_hsp_mesh_compute_with(const value *v) {
+  return (int64_t)hsp_mesh_compute_with(v[0].p, v[1].p, v[2].d, v[3].p, v[5].p);
+}
+
+static const argument of_hsp_mesh_compute_surface_with[] = {
+  {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh},
+  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
+  {"edge_length", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"request", "hsp_mesh_request", .kind = KIND_sized_in, .size = sizeof(hsp_mesh_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 3,
+      .offset = offsetof(hsp_mesh_request, executor), .is_const = 1},
+  {"limits", "hsp_mesh_limits", .kind = KIND_sized, .size = sizeof(hsp_mesh_limits), .null = NULL_always},
+};
+static int64_t call_hsp_mesh_compute_surface_with(const value *v) {
+  return (int64_t)hsp_mesh_compute_surface_with(v[0].p, v[1].p, v[2].d, v[3].p, v[5].p);
+}
+
 static const argument of_hsp_mesh_get_counts[] = {
   {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh, .is_const = 1},
   {"counts", "hsp_mesh_counts", .kind = KIND_struct_out, .size = sizeof(hsp_mesh_counts)},
@@ -1727,6 +1768,19 @@ static const argument of_hsp_topology_compute[] = {
 };
 static int64_t call_hsp_topology_compute(const value *v) {
   return (int64_t)hsp_topology_compute(v[0].p, v[1].p, v[2].p);
+}
+
+static const argument of_hsp_topology_compute_with[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_topology_request", .kind = KIND_sized_in, .size = sizeof(hsp_topology_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_topology_request, executor), .is_const = 1},
+  {"limits", "hsp_topology_limits", .kind = KIND_sized, .size = sizeof(hsp_topology_limits), .null = NULL_always},
+};
+static int64_t call_hsp_topology_compute_with(const value *v) {
+  return (int64_t)hsp_topology_compute_with(v[0].p, v[1].p, v[2].p, v[4].p);
 }
 
 static const argument of_hsp_topology_get_counts[] = {
@@ -3089,7 +3143,7 @@ const function registry[] = {
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_compute_with", "boundary", RESULT_status, 6, of_hsp_boundary_compute_with,
       call_hsp_boundary_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_get_counts", "boundary", RESULT_status, 2, of_hsp_boundary_get_counts, call_hsp_boundary_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_boundary_get_vertices", "boundary", RESULT_status, 4, of_hsp_boundary_get_vertices,
@@ -3118,7 +3172,7 @@ const function registry[] = {
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_get_measures", "measure", RESULT_status, 10, of_hsp_boundary_get_measures,
       call_hsp_boundary_get_measures, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_measure_faces", "measure", RESULT_status, 5, of_hsp_boundary_measure_faces,
       call_hsp_boundary_measure_faces, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
@@ -3126,16 +3180,16 @@ const function registry[] = {
       call_hsp_gradient_request_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
   {"hsp_boundary_get_gradient", "gradient", RESULT_status, 16, of_hsp_boundary_get_gradient,
       call_hsp_boundary_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_get_derivatives", "gradient", RESULT_status, 14, of_hsp_boundary_get_derivatives,
       call_hsp_boundary_get_derivatives, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_get_area_row", "gradient", RESULT_status, 6, of_hsp_boundary_get_area_row,
       call_hsp_boundary_get_area_row, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_boundary_get_area_rows", "gradient", RESULT_status, 11, of_hsp_boundary_get_area_rows,
       call_hsp_boundary_get_area_rows, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_moving_limits_init", "moving", RESULT_status, 3, of_hsp_moving_limits_init, call_hsp_moving_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_moving_bytes", "moving", RESULT_status, 2, of_hsp_moving_bytes, call_hsp_moving_bytes, BIT(HSP_OK) |
@@ -3165,7 +3219,7 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_get_morphometry", "curvature", RESULT_status, 16, of_hsp_boundary_get_morphometry,
       call_hsp_boundary_get_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_contacts_limits_init", "contacts", RESULT_status, 3, of_hsp_contacts_limits_init, call_hsp_contacts_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE)},
   {"hsp_contacts_bytes", "contacts", RESULT_status, 2, of_hsp_contacts_bytes, call_hsp_contacts_bytes, BIT(HSP_OK) |
@@ -3174,6 +3228,9 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_contacts_compute", "contacts", RESULT_status, 3, of_hsp_contacts_compute, call_hsp_contacts_compute, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_contacts_compute_with", "contacts", RESULT_status, 5, of_hsp_contacts_compute_with,
+      call_hsp_contacts_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_STOPPED)},
   {"hsp_contacts_get_pairs", "contacts", RESULT_status, 4, of_hsp_contacts_get_pairs, call_hsp_contacts_get_pairs,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_contacts_get_row", "contacts", RESULT_status, 5, of_hsp_contacts_get_row, call_hsp_contacts_get_row, BIT(HSP_OK)
@@ -3200,7 +3257,8 @@ const function registry[] = {
       BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE)},
   {"hsp_periodic_compute_with", "periodic", RESULT_status, 11, of_hsp_periodic_compute_with,
       call_hsp_periodic_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_EXECUTOR) |
+      BIT(HSP_E_STOPPED)},
   {"hsp_periodic_get_counts", "periodic", RESULT_status, 2, of_hsp_periodic_get_counts, call_hsp_periodic_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_periodic_measure", "periodic", RESULT_status, 6, of_hsp_periodic_measure, call_hsp_periodic_measure, BIT(HSP_OK)
@@ -3209,7 +3267,7 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_periodic_get_morphometry", "periodic", RESULT_status, 18, of_hsp_periodic_get_morphometry,
       call_hsp_periodic_get_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_periodic_get_contacts", "periodic", RESULT_status, 4, of_hsp_periodic_get_contacts,
       call_hsp_periodic_get_contacts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
@@ -3224,7 +3282,7 @@ const function registry[] = {
       BIT(HSP_E_STATE)},
   {"hsp_periodic_get_gradient", "periodic", RESULT_status, 18, of_hsp_periodic_get_gradient,
       call_hsp_periodic_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_periodic_query_point", "periodic", RESULT_status, 5, of_hsp_periodic_query_point, call_hsp_periodic_query_point,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
@@ -3277,7 +3335,7 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE)},
   {"hsp_surface_get_gradient", "surface", RESULT_status, 16, of_hsp_surface_get_gradient, call_hsp_surface_get_gradient,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_surface_get_part_counts", "surface", RESULT_status, 2, of_hsp_surface_get_part_counts,
       call_hsp_surface_get_part_counts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
       BIT(HSP_E_OPEN_SURFACE)},
@@ -3316,6 +3374,13 @@ const function registry[] = {
   {"hsp_mesh_compute_surface", "mesh", RESULT_status, 4, of_hsp_mesh_compute_surface, call_hsp_mesh_compute_surface,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_NOT_FINITE) |
       BIT(HSP_E_RANGE) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_DEGENERATE)},
+  {"hsp_mesh_compute_with", "mesh", RESULT_status, 6, of_hsp_mesh_compute_with, call_hsp_mesh_compute_with, BIT(HSP_OK)
+      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_DEGENERATE) | BIT(HSP_E_STOPPED)},
+  {"hsp_mesh_compute_surface_with", "mesh", RESULT_status, 6, of_hsp_mesh_compute_surface_with,
+      call_hsp_mesh_compute_surface_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_OPEN_SURFACE) |
+      BIT(HSP_E_DEGENERATE) | BIT(HSP_E_STOPPED)},
   {"hsp_mesh_get_counts", "mesh", RESULT_status, 2, of_hsp_mesh_get_counts, call_hsp_mesh_get_counts, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_vertices", "mesh", RESULT_status, 7, of_hsp_mesh_get_vertices, call_hsp_mesh_get_vertices, BIT(HSP_OK)
@@ -3335,6 +3400,9 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_topology_compute", "regions", RESULT_status, 3, of_hsp_topology_compute, call_hsp_topology_compute, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_topology_compute_with", "regions", RESULT_status, 5, of_hsp_topology_compute_with,
+      call_hsp_topology_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_STOPPED)},
   {"hsp_topology_get_counts", "regions", RESULT_status, 2, of_hsp_topology_get_counts, call_hsp_topology_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_topology_get_shells", "regions", RESULT_status, 4, of_hsp_topology_get_shells, call_hsp_topology_get_shells,
@@ -3622,6 +3690,7 @@ const field registry_fields[] = {
   {"hsp_executor", "workers", "uint32_t", offsetof(hsp_executor, workers), 1},
   {"hsp_executor", "context", "void *", offsetof(hsp_executor, context), 1},
   {"hsp_executor", "run", "function *", offsetof(hsp_executor, run), 1},
+  {"hsp_executor", "proceed", "function *", offsetof(hsp_executor, proceed), 1},
   {"hsp_residue_atom", "residue", "char", offsetof(hsp_residue_atom, residue), 8},
   {"hsp_residue_atom", "atom", "char", offsetof(hsp_residue_atom, atom), 8},
   {"hsp_residue_atom", "radius", "double", offsetof(hsp_residue_atom, radius), 1},
@@ -3826,6 +3895,9 @@ const field registry_fields[] = {
   {"hsp_contacts_limits", "contacts", "uint32_t", offsetof(hsp_contacts_limits, contacts), 1},
   {"hsp_contacts_limits", "triangles", "uint32_t", offsetof(hsp_contacts_limits, triangles), 1},
   {"hsp_contacts_limits", "tetrahedra", "uint32_t", offsetof(hsp_contacts_limits, tetrahedra), 1},
+  {"hsp_contacts_request", "struct_size", "uint32_t", offsetof(hsp_contacts_request, struct_size), 1},
+  {"hsp_contacts_request", "reserved", "uint32_t", offsetof(hsp_contacts_request, reserved), 1},
+  {"hsp_contacts_request", "executor", "hsp_executor *", offsetof(hsp_contacts_request, executor), 1},
   {"hsp_contact", "area", "double", offsetof(hsp_contact, area), 1},
   {"hsp_contact", "rim", "double", offsetof(hsp_contact, rim), 1},
   {"hsp_contact", "distance", "double", offsetof(hsp_contact, distance), 1},
@@ -4012,6 +4084,9 @@ const field registry_fields[] = {
   {"hsp_mesh_limits", "vertices", "uint32_t", offsetof(hsp_mesh_limits, vertices), 1},
   {"hsp_mesh_limits", "triangles", "uint32_t", offsetof(hsp_mesh_limits, triangles), 1},
   {"hsp_mesh_limits", "points", "uint32_t", offsetof(hsp_mesh_limits, points), 1},
+  {"hsp_mesh_request", "struct_size", "uint32_t", offsetof(hsp_mesh_request, struct_size), 1},
+  {"hsp_mesh_request", "reserved", "uint32_t", offsetof(hsp_mesh_request, reserved), 1},
+  {"hsp_mesh_request", "executor", "hsp_executor *", offsetof(hsp_mesh_request, executor), 1},
   {"hsp_mesh_counts", "vertices", "uint32_t", offsetof(hsp_mesh_counts, vertices), 1},
   {"hsp_mesh_counts", "triangles", "uint32_t", offsetof(hsp_mesh_counts, triangles), 1},
   {"hsp_mesh_counts", "curves", "uint32_t", offsetof(hsp_mesh_counts, curves), 1},
@@ -4022,6 +4097,9 @@ const field registry_fields[] = {
   {"hsp_topology_limits", "edges", "uint32_t", offsetof(hsp_topology_limits, edges), 1},
   {"hsp_topology_limits", "cut_arcs", "uint32_t", offsetof(hsp_topology_limits, cut_arcs), 1},
   {"hsp_topology_limits", "shells", "uint32_t", offsetof(hsp_topology_limits, shells), 1},
+  {"hsp_topology_request", "struct_size", "uint32_t", offsetof(hsp_topology_request, struct_size), 1},
+  {"hsp_topology_request", "reserved", "uint32_t", offsetof(hsp_topology_request, reserved), 1},
+  {"hsp_topology_request", "executor", "hsp_executor *", offsetof(hsp_topology_request, executor), 1},
   {"hsp_topology_counts", "vertices", "uint32_t", offsetof(hsp_topology_counts, vertices), 1},
   {"hsp_topology_counts", "edges", "uint32_t", offsetof(hsp_topology_counts, edges), 1},
   {"hsp_topology_counts", "simple_faces", "uint32_t", offsetof(hsp_topology_counts, simple_faces), 1},

@@ -998,6 +998,20 @@ int32_t __wrap_hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *
   return result;
 }
 
+int32_t __real_hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary, const
+    hsp_contacts_request *request, hsp_contacts_limits *limits);
+int32_t __wrap_hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary, const
+    hsp_contacts_request *request, hsp_contacts_limits *limits);
+int32_t __wrap_hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary, const
+    hsp_contacts_request *request, hsp_contacts_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_contacts_compute_with");
+  result = __real_hsp_contacts_compute_with(contacts, boundary, request, limits);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t
     *needed);
 int32_t __wrap_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t
@@ -1746,6 +1760,34 @@ int32_t __wrap_hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surfa
   return result;
 }
 
+int32_t __real_hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits);
+int32_t __wrap_hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits);
+int32_t __wrap_hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_mesh_compute_with");
+  result = __real_hsp_mesh_compute_with(mesh, boundary, edge_length, request, limits);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits);
+int32_t __wrap_hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits);
+int32_t __wrap_hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_mesh_compute_surface_with");
+  result = __real_hsp_mesh_compute_surface_with(mesh, surface, edge_length, request, limits);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts);
 int32_t __wrap_hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts);
 int32_t __wrap_hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts) {
@@ -1856,6 +1898,20 @@ int32_t __wrap_hsp_topology_compute(hsp_topology *topology, const hsp_boundary *
   host_call call;
   host_call_begins(&call, "hsp_topology_compute");
   result = __real_hsp_topology_compute(topology, boundary, limits);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary, const
+    hsp_topology_request *request, hsp_topology_limits *limits);
+int32_t __wrap_hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary, const
+    hsp_topology_request *request, hsp_topology_limits *limits);
+int32_t __wrap_hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary, const
+    hsp_topology_request *request, hsp_topology_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_topology_compute_with");
+  result = __real_hsp_topology_compute_with(topology, boundary, request, limits);
   host_call_ends(&call);
   return result;
 }
