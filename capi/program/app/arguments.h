@@ -1,6 +1,5 @@
 /* The command line. */
-#ifndef HARDSPHERE_TOOL_ARGUMENTS_H
-#define HARDSPHERE_TOOL_ARGUMENTS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -11,5 +10,3 @@
  * request_free on true and on false. */
 bool request_parse(struct request *request, enum command command, int file, int count, char **arguments,
                    struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* The commands: what each is called, says of itself, needs and does. */
-#ifndef HARDSPHERE_TOOL_COMMAND_TABLE_H
-#define HARDSPHERE_TOOL_COMMAND_TABLE_H
+#pragma once
 
 #include "commands/commands.h"
 #include "commands/request.h"
@@ -25,5 +24,3 @@ bool command_find(const char *name, enum command *command);
 
 /* Whether the library has this one of its components, "smooth", "space" or "sight". */
 bool component_is_built(const char *component);
-
-#endif

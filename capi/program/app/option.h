@@ -1,6 +1,5 @@
 /* The options: one table, option_table.c, from which the parser, the help and the completion of shells come. */
-#ifndef HARDSPHERE_TOOL_OPTION_H
-#define HARDSPHERE_TOOL_OPTION_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -92,5 +91,3 @@ bool option_numbers(struct reading *reading, const struct option *option, const 
 
 /* RRGGBB, with # or without it, or a name as in style sheets; negative: it is none. */
 int option_rgb(const char *text);
-
-#endif

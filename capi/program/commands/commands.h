@@ -1,6 +1,5 @@
 /* The work of each command on a molecule: write its results into out, or say in failure why it cannot. */
-#ifndef HARDSPHERE_TOOL_COMMANDS_H
-#define HARDSPHERE_TOOL_COMMANDS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -34,5 +33,3 @@ command_of_two command_clash;
 typedef bool command_check(struct request *request, struct failure *failure);
 
 command_check check_pores, check_mesh, check_draw;
-
-#endif

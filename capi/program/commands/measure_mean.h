@@ -1,6 +1,5 @@
 /* hardsphere measure --trajectory RUN --mean: what the frames have in common. */
-#ifndef HARDSPHERE_TOOL_MEASURE_MEAN_H
-#define HARDSPHERE_TOOL_MEASURE_MEAN_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -14,5 +13,3 @@
  * *largest_rounding as command_frames has it. */
 bool measure_mean(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
                   double *largest_rounding, struct failure *failure);
-
-#endif

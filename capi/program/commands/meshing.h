@@ -1,6 +1,5 @@
 /* The request of a user of `mesh`. */
-#ifndef HARDSPHERE_TOOL_MESHING_H
-#define HARDSPHERE_TOOL_MESHING_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -26,5 +25,3 @@ const char *meshing_surface_name(const struct meshing *meshing);
 
 /* Whether all options go together, with this probe, and with options of viewing; sets what follows from them. */
 bool meshing_check(struct meshing *meshing, double probe, bool viewed, struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* Sizes that the charts of pores share, in px. */
-#ifndef HARDSPHERE_TOOL_PORES_CHARTS_H
-#define HARDSPHERE_TOOL_PORES_CHARTS_H
+#pragma once
 
 #include "draw/chart.h"
 
@@ -9,5 +8,3 @@ enum { BELOW = CHART_NAME_BELOW + LEGEND_ROW + 8 }; /* the line of the first row
 
 /* For lines of swatches to be long enough for rings, dashes and dots. */
 enum { SWATCH = 28, BEHIND_SWATCH = 6 };
-
-#endif

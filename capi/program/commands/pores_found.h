@@ -1,6 +1,5 @@
 /* The pores of a molecule as `pores` lists them, prints them and writes them to files. */
-#ifndef HARDSPHERE_TOOL_PORES_FOUND_H
-#define HARDSPHERE_TOOL_PORES_FOUND_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -76,5 +75,3 @@ bool pores_write_tree(const struct pores_found *found, const struct molecule *mo
 
 /* Write all files that the request names. */
 bool pores_write_files(const struct pores_found *found, const struct molecule *molecule, struct failure *failure);
-
-#endif

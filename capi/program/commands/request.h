@@ -1,6 +1,5 @@
 /* The request of a user. */
-#ifndef HARDSPHERE_TOOL_REQUEST_H
-#define HARDSPHERE_TOOL_REQUEST_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -158,5 +157,3 @@ bool request_prints_file(const struct request *request);
 uint32_t request_threads(const struct request *request);
 
 void request_free(struct request *request);
-
-#endif

@@ -1,7 +1,6 @@
 /* A picture of who touches whom: a square for every pair of balls, residues or chains, darker the more area they have
  * in contact. */
-#ifndef HARDSPHERE_TOOL_CONTACT_MAP_H
-#define HARDSPHERE_TOOL_CONTACT_MAP_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -26,5 +25,3 @@ struct contact_map {
 
 /* Write it as .svg, symmetric about its diagonal, with an axis and a scale of areas. */
 bool contact_map_write(const struct contact_map *map, const char *path, struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* The request of a user of `draw`. */
-#ifndef HARDSPHERE_TOOL_DRAWING_H
-#define HARDSPHERE_TOOL_DRAWING_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -117,5 +116,3 @@ double drawing_default_width(const struct drawing *drawing);
 const char *drawing_format_name(uint32_t format);
 const char *drawing_style_name(uint32_t style);
 const char *drawing_palette_name(uint32_t palette);
-
-#endif

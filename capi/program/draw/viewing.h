@@ -1,6 +1,5 @@
 /* From where a user looks at the balls: the options of draw, map and pick. */
-#ifndef HARDSPHERE_TOOL_VIEWING_H
-#define HARDSPHERE_TOOL_VIEWING_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -26,5 +25,3 @@ bool viewing_check(const struct viewing *viewing, struct failure *failure);
 
 /* Whether the user says anything. */
 bool viewing_is_given(const struct viewing *viewing);
-
-#endif

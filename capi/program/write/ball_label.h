@@ -1,6 +1,5 @@
 /* The names of balls: their index, and the names that their file's format has. */
-#ifndef HARDSPHERE_TOOL_BALL_LABEL_H
-#define HARDSPHERE_TOOL_BALL_LABEL_H
+#pragma once
 
 #include <stdint.h>
 
@@ -35,5 +34,3 @@ void ball_labels_json(const struct molecule *molecule, struct text_buffer *out);
 /* The first columns of a row that is about a ball, and their titles with a suffix behind each. */
 void ball_label_csv_titles(const struct file_format *format, const char *suffix, struct text_buffer *out);
 void ball_label_csv(const struct molecule *molecule, uint32_t ball, struct text_buffer *out);
-
-#endif

@@ -2,8 +2,7 @@
  * or as it was. A run that fails before its end replaces none; if at the end a file cannot be replaced, those that were
  * begun before it are replaced already and stay so, and it and the others are as they were. Where there are no signals
  * and owners of files, output_file_in_place.c writes in the files' places. */
-#ifndef HARDSPHERE_TOOL_OUTPUT_FILE_H
-#define HARDSPHERE_TOOL_OUTPUT_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -51,5 +50,3 @@ void output_files_drop(void);
 
 /* A file of this text and nothing else: all of the above. False for a text that memory was short for, too. */
 bool output_file_write_text(const char *path, const struct text_buffer *text, struct failure *failure);
-
-#endif

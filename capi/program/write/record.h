@@ -1,6 +1,5 @@
 /* The results of a command, each stated once: rows for persons, keys of JSON, or columns of comma-separated values. */
-#ifndef HARDSPHERE_TOOL_RECORD_H
-#define HARDSPHERE_TOOL_RECORD_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -44,5 +43,3 @@ void record_table(struct record *record, const char *key, const struct table *ta
 
 /* For persons alone: what is not a row. */
 void record_line(struct record *record, const char *text);
-
-#endif

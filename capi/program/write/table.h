@@ -1,6 +1,5 @@
 /* Tables, each stated once, that are printed for persons, as JSON or as comma-separated values. */
-#ifndef HARDSPHERE_TOOL_TABLE_H
-#define HARDSPHERE_TOOL_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -69,5 +68,3 @@ void table_csv(const struct table *table, struct text_buffer *out);
 
 /* "[{...}, ...]" */
 void table_json(const struct table *table, struct text_buffer *out);
-
-#endif
