@@ -66,10 +66,7 @@ static bool take_argument(struct reading *reading, const char *argument) {
   const enum command command = reading->request->command;
   const char *value = NULL;
   const struct option *option = option_find(command, argument, &value);
-  if (option != NULL && option->component != NULL && !component_is_built(option->component)) {
-    return failure_in_usage(reading->failure, "%s %s needs the component %s, which this build leaves out",
-                            command_table[command].name, option->name, option->component);
-  }
+  if (option != NULL && !part_is_there(option->part, command, option->name, reading->failure)) return false;
   if (option != NULL) return option->take(reading, option, value);
   char shown[EXCERPT_BYTES], suggestion[SUGGESTION_BYTES];
   return failure_in_usage(reading->failure, "unknown option '%s';%s see hardsphere %s --help",

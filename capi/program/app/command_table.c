@@ -2,7 +2,13 @@
 
 #include <string.h>
 
-/* Commands that need a component of the library, and nothing if the build leaves that out. */
+#include "commands/pictures.h"
+#include "draw/contact_map.h"
+#include "draw/mesh_drawing.h"
+#include "draw/pores_charts.h"
+
+/* Functions that need a component of the library or the part of the program that draws, and nothing if the build leaves
+ * that out. */
 #if !HSP_HAS_SMOOTH
 #define SMOOTH(function) NULL
 #else
@@ -13,11 +19,18 @@
 #else
 #define SPACE(function) function
 #endif
-#if !HSP_HAS_SIGHT
-#define SIGHT(function) NULL
+#if !HSP_TOOL_DRAW
+#define DRAW(function) NULL
 #else
-#define SIGHT(function) function
+#define DRAW(function) function
 #endif
+
+const struct pictures pictures = {
+    .contacts = DRAW(contact_map_write),
+    .mesh = DRAW(SMOOTH(mesh_draw)),
+    .tunnels = DRAW(SPACE(pores_write_profile)),
+    .classes = DRAW(SPACE(pores_write_tree)),
+};
 
 const struct command_row command_table[COMMANDS] = {
     [COMMAND_MODEL] =
@@ -155,7 +168,7 @@ const struct command_row command_table[COMMANDS] = {
         {.name = "cells",
          .arguments = "FILE [options]",
          .summary = "free space as simple cells: how many, neighbours, connected regions",
-         .component = "space",
+         .part = "space",
          .run = SPACE(command_cells),
          .text = "hardsphere cells FILE [options]\n"
                  "\n"
@@ -173,7 +186,7 @@ const struct command_row command_table[COMMANDS] = {
     [COMMAND_PATH] = {.name = "path",
                       .arguments = "FILE [options]",
                       .summary = "how a probe gets from one point to another",
-                      .component = "space",
+                      .part = "space",
                       .run = SPACE(command_path),
                       .text = "hardsphere path FILE --from X Y Z --to X Y Z [options]\n"
                               "\n"
@@ -192,7 +205,7 @@ const struct command_row command_table[COMMANDS] = {
     [COMMAND_GATE] = {.name = "gate",
                       .arguments = "FILE [options]",
                       .summary = "the widest probe that gets to a point or to the outside, and what stops it",
-                      .component = "space",
+                      .part = "space",
                       .run = SPACE(command_gate),
                       .text = "hardsphere gate FILE --from X Y Z|void:K [--to X Y Z|void:K] [options]\n"
                               "\n"
@@ -212,7 +225,7 @@ const struct command_row command_table[COMMANDS] = {
         {.name = "pores",
          .arguments = "FILE [options]",
          .summary = "pores for every probe at once: cavities, gates, pockets, tunnels",
-         .component = "space",
+         .part = "space",
          .run = SPACE(command_pores),
          .check = SPACE(check_pores),
          .text = "hardsphere pores FILE [--gates] [--regions] [--pockets W] [--tunnels-from X Y Z|atom:N] [options]\n"
@@ -260,8 +273,7 @@ const struct command_row command_table[COMMANDS] = {
         {.name = "clash",
          .arguments = "FILE FILE",
          .summary = "a molecule against another one, turned and moved: what meets, and the gap",
-         .component = "sight",
-         .run_two = SIGHT(command_clash),
+         .run_two = command_clash,
          .text = "hardsphere clash FILE FILE [options]\n"
                  "\n"
                  "Tells which balls of the first molecule meet balls of the second one, which is turned and then "
@@ -292,7 +304,7 @@ const struct command_row command_table[COMMANDS] = {
         {.name = "mesh",
          .arguments = "FILE -o OUT",
          .summary = "the surface as triangles: .ply, .obj, .stl, .vert, or a picture: .svg",
-         .component = "smooth",
+         .part = "smooth",
          .run = SMOOTH(command_mesh),
          .check = SMOOTH(check_mesh),
          .text = "hardsphere mesh FILE -o OUT [options]\n"
@@ -318,8 +330,8 @@ const struct command_row command_table[COMMANDS] = {
         {.name = "map",
          .arguments = "FILE [options]",
          .summary = "what is seen from a direction: faces, edges, the visible area of each ball",
-         .component = "sight",
-         .run = SIGHT(command_map),
+         .part = DRAWING,
+         .run = DRAW(command_map),
          .text = "hardsphere map FILE [options]\n"
                  "\n"
                  "Counts what is seen from a direction: faces, each of which shows one ball or the background, the "
@@ -337,8 +349,8 @@ const struct command_row command_table[COMMANDS] = {
         {.name = "pick",
          .arguments = "FILE --at X,Y",
          .summary = "the ball that is seen at a point",
-         .component = "sight",
-         .run = SIGHT(command_pick),
+         .part = DRAWING,
+         .run = DRAW(command_pick),
          .text = "hardsphere pick FILE --at X,Y [options]\n"
                  "\n"
                  "Names the ball that is seen at a point of the view plane, and how near its surface is there. X is to "
@@ -351,9 +363,9 @@ const struct command_row command_table[COMMANDS] = {
     [COMMAND_DRAW] = {.name = "draw",
                       .arguments = "FILE -o OUT",
                       .summary = "a picture with hidden parts removed: .svg, .eps or .pdf",
-                      .component = "sight",
-                      .run = SIGHT(command_draw),
-                      .check = SIGHT(check_draw),
+                      .part = DRAWING,
+                      .run = DRAW(command_draw),
+                      .check = DRAW(check_draw),
                       .text = "hardsphere draw FILE -o OUT [options]\n"
                               "\n"
                               "Draws the balls with hidden parts removed, as true arcs: OUT is .svg, .eps or .pdf.\n",
@@ -380,15 +392,22 @@ bool command_find(const char *name, enum command *command) {
   return false;
 }
 
-bool component_is_built(const char *component) {
+static bool is_built(const char *part) {
 #if !HSP_HAS_SMOOTH
-  if (strcmp(component, "smooth") == 0) return false;
+  if (strcmp(part, "smooth") == 0) return false;
 #endif
 #if !HSP_HAS_SPACE
-  if (strcmp(component, "space") == 0) return false;
+  if (strcmp(part, "space") == 0) return false;
 #endif
-#if !HSP_HAS_SIGHT
-  if (strcmp(component, "sight") == 0) return false;
+#if !HSP_TOOL_DRAW
+  if (strcmp(part, DRAWING) == 0) return false;
 #endif
-  return component[0] != '\0';
+  return part[0] != '\0';
+}
+
+bool part_is_there(const char *part, enum command command, const char *option, struct failure *failure) {
+  if (part == NULL || is_built(part)) return true;
+  return failure_in_usage(failure, "%s%s%s needs the %s%s, which this build leaves out", command_table[command].name,
+                          option == NULL ? "" : " ", option == NULL ? "" : option,
+                          strcmp(part, DRAWING) == 0 ? "" : "component ", part);
 }

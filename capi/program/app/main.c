@@ -186,10 +186,7 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
     return true;
   }
   const struct command_row *row = &command_table[command];
-  if (row->component != NULL && !component_is_built(row->component)) {
-    return failure_in_usage(failure, "%s needs the component %s, which this build leaves out", row->name,
-                            row->component);
-  }
+  if (!part_is_there(row->part, command, NULL, failure)) return false;
   if (row->run_two != NULL) return run_two(command, count - 1, arguments + 1, out, failure);
   struct request request;
   bool done = request_parse(&request, command, 0, count - 1, arguments + 1, failure);

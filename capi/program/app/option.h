@@ -27,13 +27,13 @@ typedef bool take_option(struct reading *reading, const struct option *option, c
 
 struct option {
   const char *name;
-  const char *argument;  /* as the help writes it; NULL: a flag */
-  take_option *take;     /* NULL: the row is but one more text about the option */
-  unsigned commands;     /* that take it: a bit for each, or EVERY_COMMAND */
-  size_t target;         /* its place in struct request */
-  const char *words;     /* that may stand behind it, with '|' between them */
-  const char *what;      /* is needed behind it, "a length" */
-  const char *component; /* of the library, that it needs; NULL: none */
+  const char *argument; /* as the help writes it; NULL: a flag */
+  take_option *take;    /* NULL: the row is but one more text about the option */
+  unsigned commands;    /* that take it: a bit for each, or EVERY_COMMAND */
+  size_t target;        /* its place in struct request */
+  const char *words;    /* that may stand behind it, with '|' between them */
+  const char *what;     /* is needed behind it, "a length" */
+  const char *part;     /* that it needs, as in command_table.h; NULL: none */
   const char *help; /* lines; NULL: those of the next row are of both; "": the command's own text tells all about it */
   int first;        /* the number of the first word */
   double most;      /* the largest number that is allowed */

@@ -1,5 +1,6 @@
 #include <stddef.h>
 
+#include "app/command_table.h"
 #include "app/option.h"
 
 #define IN(member) offsetof(struct request, member)
@@ -68,7 +69,7 @@ const struct option *option_at(size_t i) {
       {"--csv", NULL, take_flag, OF(BOUNDARY), .target = IN(csv),
        .help = "print the counts, or with --shells the list, as comma-separated values and nothing else"},
 
-      {"--surface", "ses", take_choice, OF(MEASURE), .target = IN(surface), .words = "sas|ses", .component = "smooth",
+      {"--surface", "ses", take_choice, OF(MEASURE), .target = IN(surface), .words = "sas|ses", .part = "smooth",
        .help = "measure the solvent-excluded surface instead, the smooth one that the probe leaves where\n"
                "it rolls over the atoms. An atom's share of it are its convex patches, its side of saddles\n"
                "and a third of concave patches. Not with --relative, --interface; with --weights but\n"
@@ -138,7 +139,7 @@ const struct option *option_at(size_t i) {
        .help = "list only contacts, or sums, of area A or more"},
       {"--csv", NULL, take_flag, OF(CONTACTS), .target = IN(csv),
        .help = "print the list as comma-separated values and nothing else"},
-      {"--map", "OUT.svg", take_path, OF(CONTACTS), .target = IN(map),
+      {"--map", "OUT.svg", take_path, OF(CONTACTS), .target = IN(map), .part = DRAWING,
        .help = "also a picture of the list: a square for each pair, darker the larger its area"},
       {"--dark", NULL, take_flag, OF(CONTACTS), .target = IN(dark),
        .help = "that picture before a dark page, with lighter squares for larger areas"},
@@ -192,16 +193,16 @@ const struct option *option_at(size_t i) {
       {"--tunnels-out", "OUT.cif", take_path, OF(PORES), .target = IN(tunnels_out), .what = "a file",
        .help = "also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them: radius along the length,\n"
                "layers and the residues that line them, with the atoms of the molecule, as in FILE"},
-      {"--profile", "OUT.svg", take_path, OF(PORES), .target = IN(profile), .what = "a file",
+      {"--profile", "OUT.svg", take_path, OF(PORES), .target = IN(profile), .part = DRAWING, .what = "a file",
        .help = "also a chart of the tunnels: the radius along the length, with a ring at the bottleneck"},
-      {"--tree", "OUT.svg", take_path, OF(PORES), .target = IN(tree), .what = "a file",
+      {"--tree", "OUT.svg", take_path, OF(PORES), .target = IN(tree), .part = DRAWING, .what = "a file",
        .help = "also a chart of the classes: a line from birth to death for each, down to that which it\n"
                "merges into; with --pockets in the colours of the six widest pockets"},
       {"--csv", NULL, take_flag, OF(PORES), .target = IN(csv),
        .help = "print maxima, gates, regions, pockets or points of tunnels as comma-separated values and\n"
                "nothing else"},
 
-      {"--rotate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(viewing.rotate),
+      {"--rotate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(viewing.rotate), .part = DRAWING,
        .help = "turn the second one by X, then Y, then Z degrees about axes through the mean of its\n"
                "centres"},
       {"--translate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(translate), .help = "then move it"},
@@ -230,11 +231,10 @@ const struct option *option_at(size_t i) {
 
       {"--dark", NULL, take_flag, OF(MESH), .target = IN(dark), .help = "in .svg before a dark page"},
 
-      {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6,
-       .component = "space",
+      {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6, .part = "space",
        .help = "in .svg show pockets instead, as pores has them: where the probe fits, and one of radius W\n"
                "does not get to from outside. The widest six have colours; --cut goes through the first"},
-      {"--least", "D", take_length, OF(MESH), .target = IN(persistence), .what = "a length", .component = "space",
+      {"--least", "D", take_length, OF(MESH), .target = IN(persistence), .what = "a length", .part = "space",
        .help = "only pockets that are wider than their widest mouth by D"},
 
       {"--at", "X,Y", take_at, OF(PICK), .help = "the point"},

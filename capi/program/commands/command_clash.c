@@ -62,26 +62,35 @@ static bool make_bodies(struct clash *clash, struct failure *failure) {
   return true;
 }
 
-/* Turned about the mean of its centres as draw turns what it shows, then moved. */
-static int32_t pose_of(const struct molecule_request *moving, hsp_pose *pose) {
-  const struct molecule *const molecule = moving->molecule;
-  double mean[3] = {0.0, 0.0, 0.0}, translation[3];
+/* The rotation by three angles, as draw turns what it shows. */
+static int32_t rotation_of(const double angle[3], double matrix[9]) {
+  static const double none[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+  memcpy(matrix, none, sizeof none);
+#if HSP_HAS_SIGHT
   hsp_view_options options;
-  const double *const angle = moving->request->viewing.rotate.xyz; /* 0 if none are given */
   int32_t status = hsp_view_options_init(&options, (uint32_t)sizeof options);
   if (status == HSP_OK) status = hsp_view_options_turn(&options, angle[0], angle[1], angle[2]);
   if (status != HSP_OK) return status;
   /* The viewer's axes, seen from the balls, are the rows of the rotation. */
   const double *const u = options.up, *const t = options.towards;
-  const double matrix[9] = {u[1] * t[2] - u[2] * t[1],
-                            u[2] * t[0] - u[0] * t[2],
-                            u[0] * t[1] - u[1] * t[0],
-                            u[0],
-                            u[1],
-                            u[2],
-                            t[0],
-                            t[1],
-                            t[2]};
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3, last = (k + 2) % 3;
+    matrix[k] = u[next] * t[last] - u[last] * t[next];
+    matrix[3 + k] = u[k];
+    matrix[6 + k] = t[k];
+  }
+#else
+  (void)angle; /* the option is of the part that draws */
+#endif
+  return HSP_OK;
+}
+
+/* Turned about the mean of its centres, then moved. */
+static int32_t pose_of(const struct molecule_request *moving, hsp_pose *pose) {
+  const struct molecule *const molecule = moving->molecule;
+  double mean[3] = {0.0, 0.0, 0.0}, translation[3], matrix[9];
+  const int32_t status = rotation_of(moving->request->viewing.rotate.xyz, matrix);
+  if (status != HSP_OK) return status;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     for (int axis = 0; axis < 3; ++axis) mean[axis] += molecule->xyz[3 * (size_t)i + (size_t)axis] / molecule->atoms;
   }

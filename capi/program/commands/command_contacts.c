@@ -8,7 +8,7 @@
 #include "commands/commands.h"
 #include "commands/input_report.h"
 #include "commands/periodic_result.h"
-#include "draw/contact_map.h"
+#include "commands/pictures.h"
 #include "write/ball_label.h"
 #include "write/csv.h"
 #include "write/output_file.h"
@@ -296,7 +296,7 @@ static bool write_map(const struct request *request, const struct molecule *mole
     const double area = grouped ? found->between[k].area : found->contacts[k].area;
     if (area > 0.0 && area >= request->least) squares[map.count++] = (struct contact_square){pair[0], pair[1], area};
   }
-  const bool done = contact_map_write(&map, request->map, failure);
+  const bool done = pictures.contacts(&map, request->map, failure);
   free(squares);
   return done;
 }

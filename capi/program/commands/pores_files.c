@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "commands/pictures.h"
 #include "commands/pores_found.h"
 #include "commands/tunnel_exchange.h"
 #include "write/point_file.h"
@@ -81,6 +82,6 @@ bool pores_write_files(const struct pores_found *found, const struct molecule *m
   const struct request *const request = found->request;
   return (request->points == NULL || write_points(found, molecule, failure)) &&
          (request->tunnels_out == NULL || tunnel_exchange_write(found, molecule, request->tunnels_out, failure)) &&
-         (request->profile == NULL || pores_write_profile(found, molecule, request->profile, failure)) &&
-         (request->tree == NULL || pores_write_tree(found, molecule, request->tree, failure));
+         (request->profile == NULL || pictures.tunnels(found, molecule, request->profile, failure)) &&
+         (request->tree == NULL || pictures.classes(found, molecule, request->tree, failure));
 }

@@ -4,11 +4,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "commands/drawing_request.h"
 #include "commands/frame_range.h"
 #include "commands/meshing.h"
 #include "commands/periodic_box.h"
-#include "draw/drawing.h"
-#include "draw/viewing.h"
+#include "commands/viewing.h"
 #include "read/file_choice.h"
 #include "read/file_format.h"
 #include "read/radii.h"

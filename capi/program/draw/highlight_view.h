@@ -1,8 +1,8 @@
 /* The direction from which most is seen of what is highlighted. */
 #pragma once
 
+#include "commands/viewing.h"
 #include "draw/front_grid.h"
-#include "draw/viewing.h"
 #include "read/failure.h"
 #include "read/selection.h"
 

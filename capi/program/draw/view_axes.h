@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 
-#include "draw/viewing.h"
+#include "commands/viewing.h"
 #include "hardsphere.h"
 #include "read/molecule.h"
 

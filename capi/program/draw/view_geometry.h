@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 
-#include "draw/viewing.h"
+#include "commands/viewing.h"
 #include "read/failure.h"
 #include "read/geometry.h"
 #include "read/molecule.h"

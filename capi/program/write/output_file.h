@@ -1,7 +1,6 @@
 /* The one way in which files are written: beside the old files, which are replaced at the end of the run. Each is whole
  * or as it was. A run that fails before its end replaces none; if at the end a file cannot be replaced, those that were
- * begun before it are replaced already and stay so, and it and the others are as they were. Where there are no signals
- * and owners of files, output_file_in_place.c writes in the files' places. */
+ * begun before it are replaced already and stay so, and it and the others are as they were. */
 #pragma once
 
 #include <stdbool.h>
@@ -16,6 +15,7 @@ struct output_file {
   const char *path; /* as the user wrote it */
   FILE *stream;
   struct new_file *made; /* what stands beside the old one; NULL where bytes go to their place at once */
+  bool in_place;         /* they do, and are taken away there if anything fails (new_file.h) */
   int reason;            /* errno of the first thing that failed, 0 if nothing did */
   bool no_room;          /* that was to make a new file in the folder */
   bool taken;            /* another output of the run has this place */

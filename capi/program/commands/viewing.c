@@ -1,4 +1,4 @@
-#include "draw/viewing.h"
+#include "commands/viewing.h"
 
 bool viewing_check(const struct viewing *viewing, struct failure *failure) {
   for (int axis = 0; axis < 3; ++axis) {

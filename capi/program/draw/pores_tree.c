@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands/pores_charts.h"
 #include "commands/pores_found.h"
 #include "draw/chart.h"
 #include "draw/pocket_colours.h"
+#include "draw/pores_charts.h"
 #include "draw/text_width.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
