@@ -62,9 +62,11 @@ same contacts "$ubiquitin" --by residue --csv
 same pores "$caffeine" --points points.pdb
 same clash "$water" "$caffeine" --translate 3,0,0
 same mesh "$caffeine" -o out.ply
-same draw --help
+same measure --help
 same --help
 same measure "$ubiquitin" --by
+
+"$without" draw --help >"$work/out" && grep -q 'Draws the balls' "$work/out" || complain "draw has no help"
 
 # The rest is refused with status 2.
 refused() {

@@ -1,5 +1,5 @@
-// Lines along edges of triangles against a look at thousands of points of them: a point is hidden where some triangle that
-// is not beside the line lies over it and nearer, by exact areas in integers and depths in long double.
+// Lines along edges of triangles against a look at hundreds of points of each: a point is hidden where some triangle
+// that is not beside the line lies over it and nearer, by areas and depths in long double.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,6 +1,6 @@
-// Labels beside discs and at the ends of lines, among discs at random: that none touches another one, its line or a box is
-// seen from points of all of them, and that no two lines cross from the signs of areas; the grid in front is looked at
-// cell by cell.
+// Labels beside discs and at the ends of lines, among discs at random: that none touches another one, its line or a box
+// is seen from points of all of them, and that no two lines cross from the signs of areas; the grid in front is looked
+// at cell by cell.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +71,7 @@ struct Discs {
   }
 };
 
-// What lies highest over a point, of all bodies in turn.
+// The body that lies highest over a point, of all in turn.
 uint32_t highest_at(const Discs &discs, const Point &at) {
   uint32_t owner = FRONT_GRID_NOTHING;
   double height = -1e300;

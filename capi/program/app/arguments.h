@@ -10,3 +10,6 @@
  * request_free on true and on false. */
 bool request_parse(struct request *request, enum command command, int file, int count, char **arguments,
                    struct failure *failure);
+
+/* The same of options alone, without a look at whether they go together. */
+bool request_read(struct request *request, enum command command, int count, char **arguments, struct failure *failure);

@@ -11,12 +11,14 @@ struct command_row {
   const char *name;
   const char *arguments;
   const char *summary;
-  const char *part;        /* that it needs: a component of the library, or DRAWING; NULL: none */
-  command_function *run;   /* NULL: the part is left out, or the command is about two molecules */
-  command_of_two *run_two; /* likewise, about one */
-  command_check *check;    /* what goes together among its own options, or NULL */
-  const char *text;        /* before the options in its help, */
-  const char *closing;     /* and behind them */
+  const char *part;           /* that it needs: a component of the library, or DRAWING; NULL: none */
+  command_function *run;      /* NULL: the part is left out, or the command is about two molecules */
+  command_of_two *run_two;    /* likewise, about one */
+  command_check *check;       /* what goes together among its own options, or NULL */
+  const char *text;           /* before the options in its help, */
+  const char *closing;        /* and behind them, */
+  const char *json;           /* and last its keys of JSON, as help_keys_fill writes them, */
+  command_describe *describe; /* of this; NULL: the part is left out */
 };
 
 /* By their numbers. */

@@ -62,6 +62,7 @@ take_option take_text;
 take_option take_path;      /* the name of a file */
 take_option take_vector;    /* three numbers */
 take_option take_direction; /* three numbers that are not all 0 */
+take_option take_angles;    /* three numbers that one may turn by */
 take_option take_colour;    /* RRGGBB, or `none` if that is among the words */
 
 /* ---- and those with values of their own ---- */

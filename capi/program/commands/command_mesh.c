@@ -40,7 +40,7 @@ static void print(struct record *record, const void *of) {
   record_number(record, "triangle_area", "area", found->area, 3, "@^2, of the triangles; measure has the surface's");
   if (found->drawn.pockets != UINT32_MAX) {
     record_count(record, "pockets", "pockets", found->drawn.pockets, "where the probe fits that --pockets keeps out");
-    record_count(record, "coloured", "coloured_pockets", found->drawn.coloured,
+    record_count(record, "coloured", "coloured", found->drawn.coloured,
                  "of these, the widest ones that --least leaves");
   }
   record_count(record, "bytes", "bytes", (int64_t)found->drawn.bytes, "");
@@ -59,6 +59,12 @@ static bool write_file(const struct request *request, const struct molecule *mol
   const struct meshing *meshing = &request->meshing;
   if (meshing->format == MESH_SVG) return pictures.mesh(request, molecule, geometry, mesh, &found->drawn, failure);
   return mesh_file_write(mesh, meshing->format, meshing->out, &found->drawn.bytes, failure);
+}
+
+void describe_mesh(const struct request *request, struct record *record) {
+  const uint32_t pockets = request->meshing.pockets >= 0.0 ? 0 : UINT32_MAX;
+  struct found none = {.meshing = &request->meshing, .drawn = {0, pockets, pockets}};
+  print(record, &none);
 }
 
 bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -93,14 +99,14 @@ bool check_mesh(struct request *request, struct failure *failure) {
     return failure_in_usage(failure, "mesh -o OUT.svg needs the part that draws, which this build leaves out");
   }
   request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
-  if (request->pockets < 0.0 && request->persistence > 0.0) {
+  if (request->meshing.pockets < 0.0 && request->meshing.persistence > 0.0) {
     return failure_in_usage(failure, "--least needs --pockets");
   }
-  if (request->dark && request->meshing.format != MESH_SVG) {
+  if (request->meshing.dark && request->meshing.format != MESH_SVG) {
     return failure_in_usage(failure, "--dark is for a picture, -o OUT.svg");
   }
-  if (request->pockets < 0.0) return true;
+  if (request->meshing.pockets < 0.0) return true;
   if (request->meshing.format != MESH_SVG) return failure_in_usage(failure, "--pockets is for a picture, -o OUT.svg");
-  if (request->pockets >= request->probe) return true;
+  if (request->meshing.pockets >= request->probe) return true;
   return failure_in_usage(failure, "--pockets: W must not be less than --probe");
 }

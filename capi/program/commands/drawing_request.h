@@ -4,6 +4,7 @@
 #include <stdbool.h>
 
 #include "commands/viewing.h"
+#include "read/selection.h"
 
 /* The meaning of colours. */
 enum {
@@ -29,6 +30,7 @@ struct drawing {
   const char *out; /* a file, or NULL */
   const char *title;
   struct viewing viewing;
+  struct selection highlight;
   struct given_vector centre; /* of a fixed frame */
   int format;                 /* where the user has not said, drawing_check sets it by the extension of out */
   int style;

@@ -12,7 +12,7 @@
 #include "read/residues.h"
 #include "write/mesh_file.h"
 
-/* Who touches whom: a square for every pair of balls, residues or chains, darker the more area they have in contact. */
+/* Contacts: a square for every pair of balls, residues or chains, darker the more area they have in contact. */
 struct contact_square {
   uint32_t first, second; /* below rows; each pair once */
   double area;            /* above 0 */

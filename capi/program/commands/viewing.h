@@ -3,8 +3,6 @@
 
 #include <stdbool.h>
 
-#include "read/failure.h"
-
 /* Three numbers that a user may give; `given` tells whether there are any. */
 struct given_vector {
   bool given;
@@ -19,9 +17,6 @@ struct viewing {
   struct given_vector rotate; /* degrees, by which the balls are turned from there */
   double spin;                /* degrees, by which they are turned about the upright axis after that */
 };
-
-/* Whether the angles can be turned by. */
-bool viewing_check(const struct viewing *viewing, struct failure *failure);
 
 /* Whether the user says anything. */
 bool viewing_is_given(const struct viewing *viewing);

@@ -36,15 +36,16 @@ bool mesh_draw(const struct request *request, const struct molecule *molecule, s
   const struct meshing *meshing = &request->meshing;
   struct mesh_view view = {.cut = meshing->cut};
   struct mesh_patch *patches = NULL;
-  view.dark = request->dark;
+  view.dark = request->meshing.dark;
   const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
   if (status != HSP_OK) return failure_in_library(failure, status);
   const bool smooth = meshing->surface == MESH_SOLVENT_EXCLUDED;
   struct mesh_pockets pockets = {.count = 0};
-  if (request->pockets >= 0.0) view.pockets = &pockets;
-  const bool done = (view.pockets == NULL || mesh_pockets_find(geometry, molecule, mesh, smooth, request->pockets,
-                                                               request->persistence, &pockets, failure)) &&
-                    (!smooth || geometry_list_patches(geometry, &patches, failure));
+  if (request->meshing.pockets >= 0.0) view.pockets = &pockets;
+  const bool done =
+      (view.pockets == NULL || mesh_pockets_find(geometry, molecule, mesh, smooth, request->meshing.pockets,
+                                                 request->meshing.persistence, &pockets, failure)) &&
+      (!smooth || geometry_list_patches(geometry, &patches, failure));
   view.patches = patches;
   const bool split =
       done && mesh_facing_split(mesh, &view, molecule, view.pockets == NULL ? NULL : &pockets.of_triangle, failure);

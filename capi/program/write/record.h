@@ -17,6 +17,7 @@ struct record {
   int width;                       /* what values with a remark take at least, so that remarks stand under each other */
   bool any;                        /* a key was written */
   struct text_buffer *out;
+  bool keys; /* of JSON the keys alone, with the columns of tables, each on a line: for help */
 };
 
 enum { VALUE_WIDTH = 14 };

@@ -8,7 +8,7 @@
 #include "read/file_format.h"
 #include "read/text_buffer.h"
 
-enum form { FOR_PERSONS, AS_JSON, AS_CSV, AS_CSV_TITLES };
+enum form { FOR_PERSONS, AS_JSON, AS_CSV, AS_CSV_TITLES, AS_KEYS };
 
 enum column_kind {
   COLUMN_COUNT,
@@ -68,3 +68,6 @@ void table_csv(const struct table *table, struct text_buffer *out);
 
 /* "[{...}, ...]" */
 void table_json(const struct table *table, struct text_buffer *out);
+
+/* ": [{key, key}, ...]", as help has them; that of what is before them is asked for AS_KEYS, for titles. */
+void table_keys(const struct table *table, struct text_buffer *out);
