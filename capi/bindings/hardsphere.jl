@@ -2570,6 +2570,15 @@ function hsp_sticks_check(sticks, invariant, id)
     ccall((:hsp_sticks_check, libhardsphere), Int32, (Ptr{hsp_sticks}, Ptr{UInt32}, Ptr{UInt32}), sticks, invariant, id)
 end
 
+function hsp_picture_ink_width(full_width, gap, width)
+    ccall((:hsp_picture_ink_width, libhardsphere), Int32, (Cdouble, Cdouble, Ptr{Cdouble}), full_width, gap, width)
+end
+
+function hsp_picture_fog_share(nearest, farthest, mean_radius, depth, share)
+    ccall((:hsp_picture_fog_share, libhardsphere), Int32, (Cdouble, Cdouble, Cdouble, Cdouble, Ptr{Cdouble}), nearest,
+          farthest, mean_radius, depth, share)
+end
+
 function hsp_picture_options_init(options, struct_size)
     ccall((:hsp_picture_options_init, libhardsphere), Int32, (Ptr{hsp_picture_options}, UInt32), options, struct_size)
 end

@@ -2701,6 +2701,8 @@ extern "C" {
     pub fn hsp_sticks_get_point(sticks: *const hsp_sticks, edge: u32, t: f64, point: *mut hsp_map_point) -> i32;
     pub fn hsp_sticks_get_pole(sticks: *const hsp_sticks, face: u32, pole: *mut hsp_map_pole) -> i32;
     pub fn hsp_sticks_check(sticks: *mut hsp_sticks, invariant: *mut u32, id: *mut u32) -> i32;
+    pub fn hsp_picture_ink_width(full_width: f64, gap: f64, width: *mut f64) -> i32;
+    pub fn hsp_picture_fog_share(nearest: f64, farthest: f64, mean_radius: f64, depth: f64, share: *mut f64) -> i32;
     pub fn hsp_picture_options_init(options: *mut hsp_picture_options, struct_size: u32) -> i32;
     pub fn hsp_palette_colour(palette: u32, atomic_number: u32, chain: u32) -> u32;
     pub fn hsp_picture_write(

@@ -4178,6 +4178,25 @@ module hardsphere
 
     ! ---- picture.h: a view, a map, or balls and sticks as SVG, EPS or PDF --------------------------------------------
 
+    function hsp_picture_ink_width(full_width, gap, width) result(status) bind(C, name="hsp_picture_ink_width")
+      import :: c_double, c_int32_t
+      real(c_double), value :: full_width
+      real(c_double), value :: gap
+      real(c_double), intent(inout) :: width
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_picture_fog_share(nearest, farthest, mean_radius, depth, share) result(status) &
+      bind(C, name="hsp_picture_fog_share")
+      import :: c_double, c_int32_t
+      real(c_double), value :: nearest
+      real(c_double), value :: farthest
+      real(c_double), value :: mean_radius
+      real(c_double), value :: depth
+      real(c_double), intent(inout) :: share
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_picture_options_init(options, struct_size) result(status) bind(C, name="hsp_picture_options_init")
       import :: c_int32_t, hsp_picture_options
       type(hsp_picture_options), intent(inout) :: options

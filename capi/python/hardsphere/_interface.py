@@ -1986,6 +1986,19 @@ def view_options_turn(options: ViewOptions, x: float, y: float, z: float) -> Non
     return call("hsp_view_options_turn", None, options=options, x=x, y=y, z=z)
 
 
+def picture_ink_width(full_width: float, gap: float) -> float:
+    """The width of a contour before a gap, as pictures have it (HSP_INK_DEPTH), for contours that are drawn elsewhere:
+    full_width where the gap is three mean radii or more, its share (gap / 3)^(5/8) below."""
+    return call("hsp_picture_ink_width", None, full_width=full_width, gap=gap)
+
+
+def picture_fog_share(nearest: float, farthest: float, mean_radius: float, depth: float) -> float:
+    """How much of the fog lies over a ball, as pictures have it, for colours that are shown elsewhere: 0 at the nearest
+    centre and 1 at the farthest one, or at five mean radii behind the nearest one, if that is farther; in between
+    f^(5/4) of the way f."""
+    return call("hsp_picture_fog_share", None, nearest=nearest, farthest=farthest, mean_radius=mean_radius, depth=depth)
+
+
 def palette_colour(palette: int, atomic_number: int, chain: int) -> int:
     """A palette's colour, 0xRRGGBB, for an atomic number (0 or above 109: unknown) and a chain number 0, 1, ..: tints
     repeat after 12 chains."""
@@ -2527,6 +2540,10 @@ FUNCTIONS = {
         "pole:struct_out:hsp_map_pole::never",
     "hsp_sticks_check": "int32_t sticks:handle:hsp_sticks::never invariant:value_out:uint32_t::never "
         "id:value_out:uint32_t::never",
+    "hsp_picture_ink_width": "int32_t full_width:value:double::never gap:value:double::never "
+        "width:value_out:double::never",
+    "hsp_picture_fog_share": "int32_t nearest:value:double::never farthest:value:double::never "
+        "mean_radius:value:double::never depth:value:double::never share:value_out:double::never",
     "hsp_picture_options_init": "int32_t options:sized:hsp_picture_options::never struct_size:value:uint32_t::never",
     "hsp_palette_colour": "uint32_t palette:value:uint32_t::never atomic_number:value:uint32_t::never "
         "chain:value:uint32_t::never",

@@ -2991,6 +2991,26 @@ static int64_t call_hsp_sticks_check(const value *v) {
   return (int64_t)hsp_sticks_check(v[0].p, v[1].p, v[2].p);
 }
 
+static const argument of_hsp_picture_ink_width[] = {
+  {"full_width", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"gap", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"width", "double", .kind = KIND_value_out, .size = sizeof(double)},
+};
+static int64_t call_hsp_picture_ink_width(const value *v) {
+  return (int64_t)hsp_picture_ink_width(v[0].d, v[1].d, v[2].p);
+}
+
+static const argument of_hsp_picture_fog_share[] = {
+  {"nearest", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"farthest", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"mean_radius", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"depth", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"share", "double", .kind = KIND_value_out, .size = sizeof(double)},
+};
+static int64_t call_hsp_picture_fog_share(const value *v) {
+  return (int64_t)hsp_picture_fog_share(v[0].d, v[1].d, v[2].d, v[3].d, v[4].p);
+}
+
 static const argument of_hsp_picture_options_init[] = {
   {"options", "hsp_picture_options", .kind = KIND_sized, .size = sizeof(hsp_picture_options)},
   {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -3670,6 +3690,10 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_sticks_check", "sticks", RESULT_status, 3, of_hsp_sticks_check, call_hsp_sticks_check, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK)},
+  {"hsp_picture_ink_width", "picture", RESULT_status, 3, of_hsp_picture_ink_width, call_hsp_picture_ink_width,
+      BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+  {"hsp_picture_fog_share", "picture", RESULT_status, 5, of_hsp_picture_fog_share, call_hsp_picture_fog_share,
+      BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_picture_options_init", "picture", RESULT_status, 2, of_hsp_picture_options_init, call_hsp_picture_options_init,
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
   {"hsp_palette_colour", "picture", RESULT_number, 3, of_hsp_palette_colour, call_hsp_palette_colour, 0},

@@ -3343,6 +3343,28 @@ int32_t __wrap_hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_
   return result;
 }
 
+int32_t __real_hsp_picture_ink_width(double full_width, double gap, double *width);
+int32_t __wrap_hsp_picture_ink_width(double full_width, double gap, double *width);
+int32_t __wrap_hsp_picture_ink_width(double full_width, double gap, double *width) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_picture_ink_width");
+  result = __real_hsp_picture_ink_width(full_width, gap, width);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share);
+int32_t __wrap_hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share);
+int32_t __wrap_hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_picture_fog_share");
+  result = __real_hsp_picture_fog_share(nearest, farthest, mean_radius, depth, share);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
 int32_t __wrap_hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
 int32_t __wrap_hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size) {
