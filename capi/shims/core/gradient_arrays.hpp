@@ -59,7 +59,11 @@ struct GradientRequest : TangentRequest<hsp_gradient_request> {
 
   template <class Outputs>
   int32_t check(uint32_t n, bool wanted, Outputs &outputs) const {
-    if (const int32_t status = check_outputs(n, given.sigma, wanted, outputs); status != HSP_OK) return status;
+    if (!fits(wanted, outputs.capacity, n, &outputs.needed)) return HSP_E_CAPACITY;
+    return check_numbers(n, &outputs.first_bad);
+  }
+  int32_t check_numbers(uint32_t n, uint32_t *first_bad) const {
+    if (const int32_t status = check_weights(given.sigma, {0, n}, first_bad); status != HSP_OK) return status;
     return is_finite(given.tension) && is_finite(given.pressure) ? HSP_OK : HSP_E_NOT_FINITE;
   }
   EnergyTerms terms() const {
