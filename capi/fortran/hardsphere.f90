@@ -2333,7 +2333,7 @@ module hardsphere
       integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
       integer(c_int32_t), intent(inout), optional :: ball(*)  ! needed
       real(c_double), intent(inout), optional :: block(3, 3, *)  ! 3, 3, needed
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n + 1
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status

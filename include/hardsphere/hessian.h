@@ -34,9 +34,10 @@ extern "C" {
  *  to first[i + 1] - 1, with ball [needed] the columns j, ascending, i among them, and block [needed][3][3]
  *  d2E/dc_i dc_j, rows by the components of c_i. A ball without a face has no entry. first and ball are those of
  *  hsp_boundary_get_area_rows. first [n + 1] begins with 0 and ends with the number of all entries, which *needed
- *  becomes too, and is written on HSP_OK and on HSP_E_CAPACITY: with capacity 0 this function counts. flags [n] may be
- *  NULL and else becomes HSP_GRADIENT_ONE_SIDED, for balls that touch (hardsphere/gradient.h), and
- *  HSP_HESSIAN_SINGULAR, which needs a tension. request may be NULL: all defaults, and all blocks are 0.
+ *  becomes too, and is written on HSP_OK and on HSP_E_CAPACITY: with capacity 0 this function counts. flags [n + 1]
+ *  may be NULL and else becomes HSP_GRADIENT_ONE_SIDED, for balls that touch (hardsphere/gradient.h), and
+ *  HSP_HESSIAN_SINGULAR, which needs a tension; behind those of the balls there are all of them together. request may
+ *  be NULL: all defaults, and all blocks are 0.
  *  - Property 1: block (j, i) is block (i, j) transposed, bit for bit.
  *  - Property 2: the blocks of a row sum to 0, and H (w x c) = w x g for every vector w and the gradient g, up to
  *    rounding: E does not change under motions. Rows of balls that are flagged as singular are excepted.
@@ -63,7 +64,7 @@ HSP_API int32_t hsp_boundary_get_hessian_rows(const hsp_boundary *boundary, cons
 
 /** product [n][3] becomes H times direction [n][3], without storage; the two may not overlap. Each row comes from the
  *  arcs on its own ball alone, so of a boundary of selected balls there are their rows, and zeros for the others:
- *  direction holds all balls then. flags [n] may be NULL and else is as above. request may be NULL: all defaults, and
+ *  direction holds all balls then. flags [n] may be NULL and else is as above, of each ball. request may be NULL: all defaults, and
  *  the product is 0. *needed becomes n.
  *  - Property 1: it is the product with the rows of hsp_boundary_get_hessian_rows, up to rounding, but of balls that
  *    are flagged as singular.

@@ -2118,7 +2118,7 @@ FUNCTIONS = {
     "hsp_boundary_get_hessian_rows": "int32_t boundary:handle:hsp_boundary::never "
         "request:sized_in:hsp_gradient_request::always first:array_out:uint32_t:n+1:never "
         "ball:array_out:uint32_t:needed:empty block:array_out:double:needed;3;3:empty "
-        "flags:array_out:uint32_t:n:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+        "flags:array_out:uint32_t:n+1:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_boundary_get_hessian_product": "int32_t boundary:handle:hsp_boundary::never "
         "request:sized_in:hsp_gradient_request::always direction:array_in:double:n;3:never "
         "product:array_out:double:n;3:empty flags:array_out:uint32_t:n:always capacity:capacity:uint32_t::never "

@@ -87,8 +87,12 @@ bool find_hessian_rows(const Executor &executor, const CubeGrid &grid, const Bou
   const bool each =
       for_each_ball(executor, grid, boundary, [&](uint32_t i, uint32_t place) { builder.find_blocks(i, place); }) &&
       for_each_ball(executor, grid, boundary, [&](uint32_t i, uint32_t place) { builder.complete(i, place); });
-  if (each && rows.flags != nullptr) flag_free_inner_contacts(grid, boundary, one_sided_flag, rows.flags);
-  return each;
+  if (!each || rows.flags == nullptr) return each;
+  flag_free_inner_contacts(grid, boundary, one_sided_flag, rows.flags);
+  const uint32_t n = grid.balls().n;
+  rows.flags[n] = 0;
+  for (uint32_t i = 0; i < n; ++i) rows.flags[n] |= rows.flags[i];
+  return true;
 }
 
 bool multiply_by_hessian(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,

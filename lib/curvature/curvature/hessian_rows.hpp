@@ -17,7 +17,7 @@ struct HessianRows {
   const uint32_t *first;  // [n + 1]
   uint32_t *ball;         // [first[n]]: the columns, ascending
   double *block;          // [first[n]][9]
-  uint32_t *flags;        // [n], or null
+  uint32_t *flags;        // [n + 1], or null: of each ball, and of all together
 };
 
 // False if the executor fails.

@@ -10,7 +10,7 @@
 
 enum { ENTRIES = 9 };
 static double block[ENTRIES][9], product[THREE_BALLS][3], direction[THREE_BALLS][3];
-static uint32_t first[THREE_BALLS + 1], ball[ENTRIES], flags[THREE_BALLS], needed;
+static uint32_t first[THREE_BALLS + 1], ball[ENTRIES], flags[THREE_BALLS + 1], needed;
 
 static void check_untouched(void) {
   CHECK_UNTOUCHED(block);

@@ -899,8 +899,7 @@ static const argument of_hsp_boundary_get_hessian_rows[] = {
       1},
   {"block", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .row = 3 * 3, .null =
       NULL_empty, .held = 1},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .held =
-      1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n + 1", .null = NULL_always},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };

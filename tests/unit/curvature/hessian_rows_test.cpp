@@ -24,14 +24,14 @@ TEST(HessianRows, OfAChainOfThree) {
   terms.tension = 1;
   terms.pressure = 0.5;
 
-  std::vector<uint32_t> first(4), ball(7), flags(3, 9);
+  std::vector<uint32_t> first(4), ball(7), flags(4, 9);
   std::vector<double> block(63, NAN);
   hsp::find_area_row_starts(grid, boundary, first.data());
   EXPECT_EQ(first, (std::vector<uint32_t>{0, 2, 5, 7}));
   ASSERT_TRUE(
       hsp::find_hessian_rows({}, grid, boundary, terms, {first.data(), ball.data(), block.data(), flags.data()}));
   EXPECT_EQ(ball, (std::vector<uint32_t>{0, 1, 0, 1, 2, 1, 2}));
-  EXPECT_EQ(flags, (std::vector<uint32_t>{0, 0, 0}));
+  EXPECT_EQ(flags, (std::vector<uint32_t>{0, 0, 0, 0}));
   const auto entry = [&](uint32_t k, uint32_t p, uint32_t q) { return block[9 * k + 3 * p + q]; };
   for (uint32_t p = 0; p < 3; ++p) {
     for (uint32_t q = 0; q < 3; ++q) {

@@ -203,7 +203,7 @@ static const char *broken_product(const laws *l) {
 const char *broken_hessian(const computed *c, const double *sigma, double tension, double pressure, uint32_t tangency) {
   const hsp_gradient_request request = {
       .struct_size = sizeof request, .tangency = tangency, .tension = tension, .pressure = pressure, .sigma = sigma};
-  uint32_t *flags = test_zeros(c->n + 1, sizeof *flags);
+  uint32_t *flags = test_zeros(c->n + 1, sizeof *flags), all = 0;
   laws l = {c, &request, NULL, rounded_centres(c), NULL, NULL};
   hsp_gradient_outputs outputs = {.struct_size = sizeof outputs, .capacity = c->n, .flags = flags};
   const char *broken = NULL;
@@ -220,7 +220,9 @@ const char *broken_hessian(const computed *c, const double *sigma, double tensio
     if ((h.flags[i] & ~(HSP_GRADIENT_ONE_SIDED | HSP_HESSIAN_SINGULAR)) != 0 ||
         (h.flags[i] & HSP_GRADIENT_ONE_SIDED) != flags[i])
       broken = "hsp_boundary_get_hessian_rows: flags that are not the gradient's";
+    all |= h.flags[i];
   }
+  if (broken == NULL && h.flags[c->n] != all) broken = "hsp_boundary_get_hessian_rows: flags of all balls together";
   if (broken == NULL) broken = broken_pattern(c, &request, &h);
   if (broken == NULL) broken = broken_symmetry(&h);
   if (broken == NULL) broken = broken_motions(&l);
