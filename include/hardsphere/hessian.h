@@ -64,8 +64,8 @@ HSP_API int32_t hsp_boundary_get_hessian_rows(const hsp_boundary *boundary, cons
 
 /** product [n][3] becomes H times direction [n][3], without storage; the two may not overlap. Each row comes from the
  *  arcs on its own ball alone, so of a boundary of selected balls there are their rows, and zeros for the others:
- *  direction holds all balls then. flags [n] may be NULL and else is as above, of each ball. request may be NULL: all defaults, and
- *  the product is 0. *needed becomes n.
+ *  direction holds all balls then. flags [n] may be NULL and else is as above, of each ball. request may be NULL: all
+ *  defaults, and the product is 0. *needed becomes n.
  *  - Property 1: it is the product with the rows of hsp_boundary_get_hessian_rows, up to rounding, but of balls that
  *    are flagged as singular.
  *  - Property 2: product and flags do not depend on the order of the balls but for equal ones, nor on the executor, nor
