@@ -47,6 +47,7 @@ pub const HSP_TANGENT_OVERLAP: u32 = 0;
 pub const HSP_TANGENT_DISJOINT: u32 = 1;
 pub const HSP_GRADIENT_ONE_SIDED: u32 = 1;
 pub const HSP_CURVATURE_ONE_SIDED: u32 = 1;
+pub const HSP_HESSIAN_SINGULAR: u32 = 2;
 pub const HSP_CONTACT_TOUCHING: u32 = 1;
 pub const HSP_CONTACT_BURIED: u32 = 2;
 pub const HSP_CONTACT_CIRCLE: u32 = 4;
@@ -1934,6 +1935,25 @@ extern "C" {
         request: *const hsp_morphometry_request,
         outputs: *mut hsp_morphometry_outputs,
     ) -> i32;
+    pub fn hsp_boundary_get_hessian_rows(
+        boundary: *const hsp_boundary,
+        request: *const hsp_gradient_request,
+        first: *mut u32,
+        ball: *mut u32,
+        block: *mut f64,
+        flags: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_boundary_get_hessian_product(
+        boundary: *const hsp_boundary,
+        request: *const hsp_gradient_request,
+        direction: *const f64,
+        product: *mut f64,
+        flags: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
     pub fn hsp_contacts_limits_init(
         limits: *mut hsp_contacts_limits,
         struct_size: u32,
@@ -2701,6 +2721,8 @@ extern "C" {
     pub fn hsp_sticks_get_point(sticks: *const hsp_sticks, edge: u32, t: f64, point: *mut hsp_map_point) -> i32;
     pub fn hsp_sticks_get_pole(sticks: *const hsp_sticks, face: u32, pole: *mut hsp_map_pole) -> i32;
     pub fn hsp_sticks_check(sticks: *mut hsp_sticks, invariant: *mut u32, id: *mut u32) -> i32;
+    pub fn hsp_picture_ink_width(full_width: f64, gap: f64, width: *mut f64) -> i32;
+    pub fn hsp_picture_fog_share(nearest: f64, farthest: f64, mean_radius: f64, depth: f64, share: *mut f64) -> i32;
     pub fn hsp_picture_options_init(options: *mut hsp_picture_options, struct_size: u32) -> i32;
     pub fn hsp_palette_colour(palette: u32, atomic_number: u32, chain: u32) -> u32;
     pub fn hsp_picture_write(

@@ -121,6 +121,32 @@ typedef struct hsp_picture_options {
 #define HSP_INK_GROUP UINT32_C(1)  /**< before a ball of another group: at least width min(1, 2 g) */
 #define HSP_INK_DEPTH UINT32_C(2)  /**< before a ball of the same group */
 
+/** The width of a contour before a gap, as pictures have it (HSP_INK_DEPTH), for contours that are drawn elsewhere:
+ *  full_width where the gap is three mean radii or more, its share (gap / 3)^(5/8) below.
+ *  @param      gap    in mean radii
+ *  @param[out] width  in the unit of full_width
+ *
+ *  Cost: O(1).
+ *  @retval HSP_E_ARGUMENT    width is NULL
+ *  @retval HSP_E_NOT_FINITE  a number is NaN or infinite
+ *  @retval HSP_E_RANGE       a number is negative */
+HSP_API int32_t hsp_picture_ink_width(double full_width, double gap, double *width);
+
+/** How much of the fog lies over a ball, as pictures have it, for colours that are shown elsewhere: 0 at the nearest
+ *  centre and 1 at the farthest one, or at five mean radii behind the nearest one, if that is farther; in between
+ *  f^(5/4) of the way f. The background's share in a colour is that times options.fog.
+ *  @param      nearest      the largest depth of a centre, which grows towards the viewer
+ *  @param      farthest     the least one
+ *  @param      mean_radius  of the balls
+ *  @param      depth        of the ball's centre
+ *  @param[out] share        from 0 to 1
+ *
+ *  Cost: O(1).
+ *  @retval HSP_E_ARGUMENT    share is NULL
+ *  @retval HSP_E_NOT_FINITE  a number is NaN or infinite
+ *  @retval HSP_E_RANGE       mean_radius is negative */
+HSP_API int32_t hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share);
+
 /** Bytes of memory that compression takes. */
 #define HSP_PICTURE_MEMORY UINT32_C(71680)
 

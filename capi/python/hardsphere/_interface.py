@@ -52,6 +52,7 @@ TANGENT_OVERLAP = 0
 TANGENT_DISJOINT = 1
 GRADIENT_ONE_SIDED = 1
 CURVATURE_ONE_SIDED = 1
+HESSIAN_SINGULAR = 2
 CONTACT_TOUCHING = 1
 CONTACT_BURIED = 2
 CONTACT_CIRCLE = 4
@@ -1080,6 +1081,23 @@ class Boundary(Handle):
         return call("hsp_boundary_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
                     gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
+    def get_hessian_rows(self, *, tangency: int | None = None, tension: float | None = None,
+                         pressure: float | None = None, sigma: Any | None = None, threads: int | None = None,
+                         only: Any | None = None) -> Any:
+        """The second derivatives of E by the centres, as compressed rows of 3x3 blocks: those of ball i are entries
+        first[i] to first[i + 1] - 1, with ball [needed] the columns j, ascending, i among them, and block
+        [needed][3][3] d2E/dc_i dc_j, rows by the components of c_i. Gives .first, .ball, .block, .flags."""
+        return call("hsp_boundary_get_hessian_rows", self, tangency=tangency, tension=tension, pressure=pressure,
+                    sigma=sigma, threads=threads, only=only)
+
+    def get_hessian_product(self, direction: Any, *, tangency: int | None = None, tension: float | None = None,
+                            pressure: float | None = None, sigma: Any | None = None, threads: int | None = None,
+                            only: Any | None = None) -> Any:
+        """product [n][3] becomes H times direction [n][3], without storage; the two may not overlap. Gives .product,
+        .flags."""
+        return call("hsp_boundary_get_hessian_product", self, direction=direction, tangency=tangency, tension=tension,
+                    pressure=pressure, sigma=sigma, threads=threads, only=only)
+
 
 class Moving(Handle):
     noun = "moving"
@@ -1986,6 +2004,19 @@ def view_options_turn(options: ViewOptions, x: float, y: float, z: float) -> Non
     return call("hsp_view_options_turn", None, options=options, x=x, y=y, z=z)
 
 
+def picture_ink_width(full_width: float, gap: float) -> float:
+    """The width of a contour before a gap, as pictures have it (HSP_INK_DEPTH), for contours that are drawn elsewhere:
+    full_width where the gap is three mean radii or more, its share (gap / 3)^(5/8) below."""
+    return call("hsp_picture_ink_width", None, full_width=full_width, gap=gap)
+
+
+def picture_fog_share(nearest: float, farthest: float, mean_radius: float, depth: float) -> float:
+    """How much of the fog lies over a ball, as pictures have it, for colours that are shown elsewhere: 0 at the nearest
+    centre and 1 at the farthest one, or at five mean radii behind the nearest one, if that is farther; in between
+    f^(5/4) of the way f."""
+    return call("hsp_picture_fog_share", None, nearest=nearest, farthest=farthest, mean_radius=mean_radius, depth=depth)
+
+
 def palette_colour(palette: int, atomic_number: int, chain: int) -> int:
     """A palette's colour, 0xRRGGBB, for an atomic number (0 or above 109: unknown) and a chain number 0, 1, ..: tints
     repeat after 12 chains."""
@@ -2144,6 +2175,14 @@ FUNCTIONS = {
         "needed:needed:uint32_t::always",
     "hsp_boundary_get_morphometry": "int32_t boundary:handle:hsp_boundary::never "
         "request:sized_in:hsp_morphometry_request::always outputs:outputs:hsp_morphometry_outputs::never",
+    "hsp_boundary_get_hessian_rows": "int32_t boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_gradient_request::always first:array_out:uint32_t:n+1:never "
+        "ball:array_out:uint32_t:needed:empty block:array_out:double:needed;3;3:empty "
+        "flags:array_out:uint32_t:n+1:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_boundary_get_hessian_product": "int32_t boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_gradient_request::always direction:array_in:double:n;3:never "
+        "product:array_out:double:n;3:empty flags:array_out:uint32_t:n:always capacity:capacity:uint32_t::never "
+        "needed:needed:uint32_t::always",
     "hsp_contacts_limits_init": "int32_t limits:sized:hsp_contacts_limits::never struct_size:value:uint32_t::never "
         "boundary:handle:hsp_boundary::never",
     "hsp_contacts_bytes": "int32_t limits:sized_in:hsp_contacts_limits::never bytes:value_out:size_t::never",
@@ -2527,6 +2566,10 @@ FUNCTIONS = {
         "pole:struct_out:hsp_map_pole::never",
     "hsp_sticks_check": "int32_t sticks:handle:hsp_sticks::never invariant:value_out:uint32_t::never "
         "id:value_out:uint32_t::never",
+    "hsp_picture_ink_width": "int32_t full_width:value:double::never gap:value:double::never "
+        "width:value_out:double::never",
+    "hsp_picture_fog_share": "int32_t nearest:value:double::never farthest:value:double::never "
+        "mean_radius:value:double::never depth:value:double::never share:value_out:double::never",
     "hsp_picture_options_init": "int32_t options:sized:hsp_picture_options::never struct_size:value:uint32_t::never",
     "hsp_palette_colour": "uint32_t palette:value:uint32_t::never atomic_number:value:uint32_t::never "
         "chain:value:uint32_t::never",

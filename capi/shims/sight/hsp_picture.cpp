@@ -2,6 +2,7 @@
 #include "hsp_sticks.hpp"
 #include "hsp_view.hpp"
 #include "maps/map_paths.hpp"
+#include "picture/depth_shares.hpp"
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
 
@@ -219,6 +220,26 @@ inline constexpr uint32_t earlier_bytes<hsp_picture_options> = 72;
 
 int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size) {
   return hsp::capi::write_struct(defaults(), options, struct_size);
+}
+
+int32_t hsp_picture_ink_width(double full_width, double gap, double *width) {
+  LibraryArithmetic arithmetic(full_width, gap);
+  if (width == nullptr) return HSP_E_ARGUMENT;
+  if (!hsp::is_finite(full_width) || !hsp::is_finite(gap)) return HSP_E_NOT_FINITE;
+  if (full_width < 0.0 || gap < 0.0) return HSP_E_RANGE;
+  *width = hsp::width_before_gap(full_width, gap);
+  return HSP_OK;
+}
+
+int32_t hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share) {
+  LibraryArithmetic arithmetic(nearest, farthest, mean_radius, depth);
+  if (share == nullptr) return HSP_E_ARGUMENT;
+  for (const double number : {nearest, farthest, mean_radius, depth}) {
+    if (!hsp::is_finite(number)) return HSP_E_NOT_FINITE;
+  }
+  if (mean_radius < 0.0) return HSP_E_RANGE;
+  *share = hsp::share_of_fog(nearest, hsp::end_of_fog(nearest, farthest, mean_radius), depth);
+  return HSP_OK;
 }
 
 uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain) {

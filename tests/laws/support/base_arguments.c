@@ -7,10 +7,10 @@ static const struct {
   const char *name;
   double value;
 } numbers[] = {
-    {"count", 1},         {"poses", 2},     {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},
-    {"margin", 1},        {"workers", 1},   {"first", 1},   {"face", 1},       {"dimension", 2},
-    {"atomic_number", 6}, {"patches", 100}, {"shell", 0},   {"x", 0.3},        {"y", 0.2},
-    {"z", 0.1},           {"narrow", 0.1},  {"wide", 1},    {"bending", 1},    {"gaussian", 1},
+    {"count", 1},   {"poses", 2},    {"tension", 1},    {"pressure", 0.5}, {"radius", 0.1},      {"margin", 1},
+    {"workers", 1}, {"first", 1},    {"face", 1},       {"dimension", 2},  {"atomic_number", 6}, {"patches", 100},
+    {"shell", 0},   {"x", 0.3},      {"y", 0.2},        {"z", 0.1},        {"narrow", 0.1},      {"wide", 1},
+    {"bending", 1}, {"gaussian", 1}, {"full_width", 2}, {"gap", 1},        {"nearest", 1},       {"mean_radius", 1},
 };
 
 static double number_named(const argument *a) {

@@ -948,6 +948,34 @@ int32_t __wrap_hsp_boundary_get_morphometry(const hsp_boundary *boundary, const 
   return result;
 }
 
+int32_t __real_hsp_boundary_get_hessian_rows(const hsp_boundary *boundary, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_hessian_rows(const hsp_boundary *boundary, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_hessian_rows(const hsp_boundary *boundary, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_boundary_get_hessian_rows");
+  result = __real_hsp_boundary_get_hessian_rows(boundary, request, first, ball, block, flags, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_boundary_get_hessian_product(const hsp_boundary *boundary, const hsp_gradient_request *request, const
+    double *direction, double *product, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_hessian_product(const hsp_boundary *boundary, const hsp_gradient_request *request, const
+    double *direction, double *product, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_hessian_product(const hsp_boundary *boundary, const hsp_gradient_request *request, const
+    double *direction, double *product, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_boundary_get_hessian_product");
+  result = __real_hsp_boundary_get_hessian_product(boundary, request, direction, product, flags, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary
     *boundary);
 int32_t __wrap_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary
@@ -3339,6 +3367,28 @@ int32_t __wrap_hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_
   host_call call;
   host_call_begins(&call, "hsp_sticks_check");
   result = __real_hsp_sticks_check(sticks, invariant, id);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_picture_ink_width(double full_width, double gap, double *width);
+int32_t __wrap_hsp_picture_ink_width(double full_width, double gap, double *width);
+int32_t __wrap_hsp_picture_ink_width(double full_width, double gap, double *width) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_picture_ink_width");
+  result = __real_hsp_picture_ink_width(full_width, gap, width);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share);
+int32_t __wrap_hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share);
+int32_t __wrap_hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_picture_fog_share");
+  result = __real_hsp_picture_fog_share(nearest, farthest, mean_radius, depth, share);
   host_call_ends(&call);
   return result;
 }
