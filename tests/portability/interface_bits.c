@@ -11,7 +11,7 @@
 #include "surface_result.h"
 
 static void print_model(const computed *c) {
-  hsp_packing figures = {0.0, 0.0, 0.0, 0.0, 0, 0};
+  hsp_packing figures = {.max_overlaps = 0};
   printf("model %" PRIu32 " %" PRIu32 " %" PRIu32, c->info.cubes, c->info.table_slots, c->info.longest_probe);
   print_doubles(&c->info.step, 1);
   print_doubles(&c->info.probe, 1);
