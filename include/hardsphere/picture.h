@@ -39,7 +39,7 @@ extern "C" {
 #endif
 
 /** Takes `count` bytes; returns 0 to go on and anything else to stop. */
-typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
+typedef int32_t(HSP_CALL *hsp_sink)(void *context, const char *bytes, size_t count);
 
 #define HSP_FORMAT_SVG UINT32_C(0) /**< Scalable Vector Graphics 1.1 */
 #define HSP_FORMAT_EPS UINT32_C(1) /**< Encapsulated PostScript, language level 3 */
@@ -153,7 +153,7 @@ HSP_API int32_t hsp_picture_fog_share(double nearest, double farthest, double me
 /** Fill options with defaults.
  *  @retval HSP_E_ARGUMENT  options is NULL
  *  @retval HSP_E_VERSION   struct_size is bad */
-HSP_API int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
+HSP_API int32_t HSP_CALL hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
 
 #define HSP_PALETTE_SOFT UINT32_C(0)  /**< muted colours by element */
 #define HSP_PALETTE_JMOL UINT32_C(1)  /**< Jmol's colours by element */
@@ -161,7 +161,7 @@ HSP_API int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t 
 
 /** A palette's colour, 0xRRGGBB, for an atomic number (0 or above 109: unknown) and a chain number 0, 1, ..: tints
  *  repeat after 12 chains. Palettes by element ignore the chain. An unknown palette counts as HSP_PALETTE_SOFT. */
-HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain);
+HSP_API uint32_t HSP_CALL hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain);
 
 /** Write a picture of a computed view.
  *  colour [n] holds 0xRRGGBB for each ball of the model, NULL: all 0xD2CDC3. options may be NULL (defaults). title and
@@ -185,9 +185,9 @@ HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, ui
  *  @retval HSP_E_RANGE       width or height is negative or beyond 1e6, margin or fog beyond its range, outline or
  *                            ink_width beyond 1e6, scale negative; a ball reaches farther than 1e7 px from the middle
  *                            of a fixed frame */
-HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options,
-                                  const char *title, const char *description, hsp_sink sink, void *context,
-                                  uint64_t *bytes);
+HSP_API int32_t HSP_CALL hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options,
+                                           const char *title, const char *description, hsp_sink sink, void *context,
+                                           uint64_t *bytes);
 
 /** Write a picture of what is seen, from a computed map: for each ball that is seen one path around all of its faces,
  *  farthest ball first. Paths share their borders and nothing else; holes are clockwise loops, by either fill rule. All
@@ -216,9 +216,9 @@ HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const 
  *  @retval HSP_E_RANGE       width or height is negative or beyond 1e6, margin or fog beyond its range, outline or
  *                            ink_width beyond 1e6, scale negative; a ball reaches farther than 1e7 px from the middle
  *                            of a fixed frame */
-HSP_API int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options,
-                                      const char *title, const char *description, hsp_sink sink, void *context,
-                                      uint64_t *bytes);
+HSP_API int32_t HSP_CALL hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options,
+                                               const char *title, const char *description, hsp_sink sink, void *context,
+                                               uint64_t *bytes);
 
 /** Write a picture of computed balls and sticks. All arguments are those of hsp_picture_write, and all options apply. A
  *  half of a stick has the colour and the fog of its ball, and its data-ball. In styles with light only balls are
@@ -238,9 +238,10 @@ HSP_API int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, cons
  *  @retval HSP_E_RANGE       width or height is negative or beyond 1e6, margin or fog beyond its range, outline or
  *                            ink_width beyond 1e6, scale negative; a ball reaches farther than 1e7 px from the middle
  *                            of a fixed frame */
-HSP_API int32_t hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options,
-                                         const char *title, const char *description, hsp_sink sink, void *context,
-                                         uint64_t *bytes);
+HSP_API int32_t HSP_CALL hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour,
+                                                  const hsp_picture_options *options, const char *title,
+                                                  const char *description, hsp_sink sink, void *context,
+                                                  uint64_t *bytes);
 
 #ifdef __cplusplus
 }

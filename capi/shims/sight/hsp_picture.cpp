@@ -181,19 +181,20 @@ struct Contents {
 
 template <class Handle, class Write>
 int32_t write_if_valid(const Handle *handle, const Call &call, uint64_t &taken, Write write) {
-  if (const int32_t status = check_handle(handle, call.sink == nullptr); status != HSP_OK) return status;
+  if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
   hsp_picture_options wanted;
   if (const int32_t status = read_options(call.options, wanted); status != HSP_OK) return status;
+  if (call.sink == nullptr) return HSP_E_ARGUMENT;
   // Without results the number of colours is not known.
   const bool ready = handle->has_results();
   if (ready && call.colour != nullptr && !are_colours(call.colour, handle->balls().n)) return HSP_E_ARGUMENT;
   if (ready) {
     if (const int32_t status = check_ink(*handle, wanted); status != HSP_OK) return status;
   }
+  if (!ready) return HSP_E_STATE;
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;
   if (wanted.memory != nullptr && wanted.memory_bytes < HSP_PICTURE_MEMORY) return HSP_E_MEMORY;
-  if (!ready) return HSP_E_STATE;
   const Contents contents{handle->balls(), call, wanted};
   return hsp::capi::to_c(write(contents, from_c(wanted), taken));
 }

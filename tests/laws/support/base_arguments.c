@@ -51,9 +51,10 @@ static void fill_struct(const char *base, void *out, size_t size) {
 }
 
 /* All tasks in the caller's thread, the last first. */
-static void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
+static int32_t run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
   (void)context;
   while (tasks > 0) task(data, --tasks);
+  return 0;
 }
 
 /* Limits are those that the fixture's handles were made with. */
@@ -66,7 +67,7 @@ static void fill_sized(const argument *a, void *out) {
       [NOUN_paths] = "hsp_paths_limits",       [NOUN_gate] = "hsp_gate_limits",
       [NOUN_pores] = "hsp_pores_limits",       [NOUN_view] = "hsp_view_limits",
       [NOUN_map] = "hsp_map_limits",           [NOUN_sticks] = "hsp_sticks_limits"};
-  static const hsp_executor executor = {sizeof executor, 2, NULL, run_tasks};
+  static const hsp_executor executor = {sizeof executor, 2, NULL, run_tasks, NULL};
   const uint32_t size = (uint32_t)a->size;
   int noun;
   memset(out, 0, a->size);

@@ -48,7 +48,7 @@ void maps(benchmark::State &state, const Subject &subject, const Directions &dir
 
 void register_maps(const std::string &group, const std::string &name, const std::function<Balls()> &balls,
                    const Directions &directions) {
-  const std::string full = "visibility/" + group + '/' + name;
+  const std::string full = "maps/" + group + '/' + name;
   const SubjectRecipe recipe{full, balls, 0, Stage::model};
   register_case(full, recipe,
                 [=](benchmark::State &state, const Subject &subject) { maps(state, subject, directions); })

@@ -1,4 +1,4 @@
-#include "update_workload.hpp"
+#include "moving_workload.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -2,9 +2,9 @@
 // taking one back costs, and what computing all anew does.
 #include <array>
 
+#include "moving_workload.hpp"
 #include "sizes.hpp"
 #include "suite.hpp"
-#include "update_workload.hpp"
 
 namespace bench {
 namespace {
@@ -42,7 +42,7 @@ void measure_anew(benchmark::State &state, const Balls &balls, double probe) {
 
 void add(const Balls &balls, const Surface &surface, const std::string &what,
          const std::function<void(benchmark::State &)> &run) {
-  const std::string name = std::string("updates/") + surface.name + '/' + what + '/' + balls.name;
+  const std::string name = std::string("moving/") + surface.name + '/' + what + '/' + balls.name;
   benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
 }
 
