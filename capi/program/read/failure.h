@@ -39,7 +39,7 @@ bool failure_in_input(struct failure *failure, uint64_t line, const char *format
 /* Record a fault of the command line. Always false. */
 bool failure_in_usage(struct failure *failure, const char *format, ...) FAILURE_FORMAT(2, 3);
 
-/* What breaks a rule of usage, and what to say then. */
+/* A rule of usage: whether it is broken, and the text for that. */
 struct usage_rule {
   bool broken;
   const char *reason;
