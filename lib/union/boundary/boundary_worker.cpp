@@ -221,7 +221,7 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
   if (by_lanes) {
     clusters = lanes.find(balls, caps, finder_, face_finder_.idle_while_searching(), vertices_, circles_);
   } else if (finder_.keep_exposed(caps)) {
-    if (NearCaps::are_many(caps)) {
+    if (NearCaps::are_many(caps, caps.b.data())) {
       finder_.find(balls, caps, face_finder_.idle_while_searching().near_caps(), vertices_, circles_);
     } else {
       finder_.find(balls, caps, vertices_, circles_);

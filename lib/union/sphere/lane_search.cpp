@@ -124,7 +124,7 @@ bool SearchInLanes::keep_exposed(Caps &caps, ExposedCaps exposed) {
 uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &finder, const FreeIntervals &idle,
                              FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
   if (ExposedCaps::are_many(caps) && !keep_exposed(caps, finder.exposed_caps())) return 0;
-  if (NearCaps::are_many(caps)) {
+  if (NearCaps::are_many(caps, sweep_.caps.b)) {
     caps.make_doubles();
     finder.find(balls, caps, idle.near_caps(), vertices, circles);
     return 0;
