@@ -241,13 +241,10 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
       if constexpr (has_lanes) {
         circles = caps_of_circles(target, arrays, origin, near + k, hits - k, to, length_squared);
       }
-      for (uint32_t n = 0; ranked && n < circles; ++n) {
-        // As `near` had them: the caps may have been written there.
-        if (to.ball[n] > origin) {
-          joining.join(to.ball[n]);
-        } else {
-          first_later = count + n + 1;
-        }
+      if (ranked && circles > 0) {
+        const uint32_t later = first_index(0, circles, [&](uint32_t n) { return to.ball[n] > origin; });
+        if (later > 0) first_later = c + later;
+        joining.join_all(to.ball, later, circles);
       }
       k += circles;
       count += circles;
