@@ -1,7 +1,5 @@
 #include "sphere/lane_search.hpp"
 
-#include "model/meeting.hpp"
-
 namespace hsp {
 namespace {
 
@@ -19,26 +17,6 @@ class Parts {
   float *next_;
   uint32_t size_;
 };
-
-// Leaves out those that certainly lie inside ball i, which have no caps, of which some are among the first `earlier`
-// ones. Returns how many are left.
-uint32_t without_inner(const BallSet &balls, uint32_t i, Span<uint32_t> near, uint32_t &earlier,
-                       DisjointSets *components) {
-  uint32_t kept = 0, kept_earlier = 0;
-  for (uint32_t k = 0; k < near.size(); ++k) {
-    const uint32_t j = near[k];
-    const Vec3 v = balls.difference(i, j);
-    const double difference = balls.r[i] - balls.r[j];
-    if (difference > 0.0 && dot(v, v) < difference * difference * certainly_below) {
-      if (components != nullptr) components->join(i, j);
-      continue;
-    }
-    near[kept++] = j;
-    if (k < earlier) kept_earlier = kept;
-  }
-  earlier = kept_earlier;
-  return kept;
-}
 
 FloatCaps take_caps(Parts &parts) {
   FloatCaps caps;
@@ -102,20 +80,15 @@ bool SearchInLanes::start_block(const BallSet &balls, const CubeBlock &block, ui
 bool SearchInLanes::gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components,
                            const uint32_t *selected) {
   uint32_t *const near = caps.ball.data();
-  uint32_t earlier = 0, inside = 0;
-  uint32_t found = levels_ != nullptr ? levels_->find_neighbours(balls, i, near, caps.capacity())
-                                      : candidates_.near(i, near, caps.capacity(), earlier);
+  uint32_t earlier = 0;
+  const uint32_t found = levels_ != nullptr ? levels_->find_neighbours(balls, i, near, caps.capacity())
+                                            : candidates_.near(i, near, caps.capacity(), earlier);
   if (found > caps.capacity()) return false;
   for (; levels_ != nullptr && earlier < found && near[earlier] < i; ++earlier) {
   }
   if (selected != nullptr) earlier = put_selected_first(earlier, selected, caps.ball);
-  if (!make_float_caps(target_, arrays_of(balls), i, near, found, sweep_.caps)) {
-    inside = found - without_inner(balls, i, Span<uint32_t>(near, found), earlier, components);
-    found -= inside;
-    if (inside == 0 || !make_float_caps(target_, arrays_of(balls), i, near, found, sweep_.caps)) return false;
-  }
+  if (!make_float_caps(target_, arrays_of(balls), i, near, found, sweep_.caps)) return false;
   caps.take_circles(balls, i, found, earlier, components);
-  caps.met += inside;
   return true;
 }
 
