@@ -40,7 +40,7 @@ extern "C" {
 #define HSP_ABI_NUMBER 1
 
 /** The binary interface that provisional headers describe. */
-#define HSP_PROVISIONAL_NUMBER 1
+#define HSP_PROVISIONAL_NUMBER 2
 
 /** The bits of the results that the library of this header gives. */
 #define HSP_NUMERICS_NUMBER 2

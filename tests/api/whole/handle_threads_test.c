@@ -72,7 +72,6 @@ static void in_threads(void) {
     for (kind = 0; kind < KINDS; ++kind) {
       work works[THREADS];
       unsigned char *buffer;
-      if (kind == GATE) continue; /* of so many balls it takes too long */
       buffer = buffer_for(&all);
       check_scene("threads, with %s", kinds_of_life[kind].name);
       /* The shells of a topology are scanned by the first call that tells of them; the next ones read only. */
