@@ -108,9 +108,9 @@ const struct command_row command_table[COMMANDS] = {
                                   "the mean of their centres,\n"
                                   "which may lie in a ball; point lies in the void, by integers, null if it is "
                                   "narrower than the lattice, and no point\n"
-                                  "of the void has more clearance than clearance_bound, up to rounding; smaller is how "
-                                  "many voids --min-volume leaves\n"
-                                  "out.\n"
+                                  "of the void has more clearance; clearance_bound is clearance once more; smaller is "
+                                  "how many voids --min-volume\n"
+                                  "leaves out.\n"
                                   "\n"},
     [COMMAND_CONTACTS] =
         {.name = "contacts",
