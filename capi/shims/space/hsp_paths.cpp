@@ -51,8 +51,8 @@ int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, h
   if (!paths->has_results()) return HSP_E_STATE;
   const hsp::BallSet &balls = paths->model->balls();
   hsp::exact::Vector start, end;
-  int32_t status = round_point(balls, from, start);
-  if (status == HSP_OK) status = round_point(balls, to, end);
+  int32_t status = round_point(balls.lattice, from, start);
+  if (status == HSP_OK) status = round_point(balls.lattice, to, end);
   if (status != HSP_OK) return status;
   hsp::PathSummary found;
   const hsp::Status searched = paths->builder.find(balls, start, end, found);
