@@ -48,7 +48,7 @@ typedef struct hsp_paths_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
-HSP_API int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_paths_init needs.
  *  - Property 1: at most HSP_PATHS_BYTES of the limits.
@@ -57,7 +57,7 @@ HSP_API int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PATHS_BYTES(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, cube_corners,  \
@@ -72,7 +72,7 @@ HSP_API int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_paths_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths);
+HSP_API int32_t HSP_CALL hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths);
 
 /** Cut the free space of a model into cells, so that paths can be found. The model must outlive them; they
  *  can be read while it holds the same balls (RESULTS in hardsphere.h). On failure they hold no results.
@@ -84,7 +84,7 @@ HSP_API int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limit
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
-HSP_API int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits);
+HSP_API int32_t HSP_CALL hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits);
 
 #define HSP_PATH_CONNECTED UINT32_C(0) /**< there is a path */
 #define HSP_PATH_APART UINT32_C(1)     /**< the ends lie in two regions of free space */
@@ -115,14 +115,15 @@ typedef struct hsp_path {
  *  @retval HSP_E_CHECK       cells contradict each other, which cannot happen: please report it
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps */
-HSP_API int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
-                               hsp_paths_limits *limits);
+HSP_API int32_t HSP_CALL hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
+                                        hsp_paths_limits *limits);
 
 /** The points [needed][3] of the last path, from its start to its end; none if there was none.
  *  @retval HSP_E_ARGUMENT  paths is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of points
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity,
+                                              uint32_t *needed);
 
 #ifdef __cplusplus
 }

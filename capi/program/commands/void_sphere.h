@@ -1,6 +1,5 @@
 /* Where a void has most room: its point that is farthest from all balls, the centre of its largest empty sphere. */
-#ifndef HARDSPHERE_TOOL_VOID_SPHERE_H
-#define HARDSPHERE_TOOL_VOID_SPHERE_H
+#pragma once
 
 #include "commands/void_list.h"
 
@@ -8,5 +7,3 @@
  * False: memory is short, or the library refuses. */
 bool void_spheres_find(const struct geometry *geometry, const struct molecule *molecule, double probe,
                        struct void_list *list, struct failure *failure);
-
-#endif

@@ -64,7 +64,7 @@ TEST(HiddenParts, HiddenAtBothEndsAndInTheMiddle) {
   EXPECT_EQ(hidden.size(), 3U);
   EXPECT_EQ(hidden[1].end[0].kind, hsp::MapVertexKind::plain);
   EXPECT_TRUE(line.certain());
-  // What is left is hidden as a whole, and that is no part.
+  // The rest is hidden as a whole, and that is no part.
   EXPECT_TRUE(line.hide(-2.5, 2.5));
   EXPECT_EQ(hidden.size(), 3U);
 }
