@@ -66,16 +66,26 @@ static double first_floor(const struct geometry *geometry, const struct molecule
   return fmax(0.0, clearance_at(wall, probe, of->middle) - 4.0 * step);
 }
 
+/* A centre that lies on the lattice but for roundings, as in symmetric cages, becomes that point of it. */
+static void put_on_lattice(double step, double point[3]) {
+  const double per_unit = round(1.0 / step);
+  for (int axis = 0; axis < 3 && per_unit >= 1.0; ++axis) {
+    const double steps = per_unit * point[axis], nearest = round(steps);
+    if (fabs(steps - nearest) < 1e-6) point[axis] = (nearest + 0.0) / per_unit;
+  }
+}
+
 /* Maxima come the widest first; from that of a void no way leads on above it. Their levels are rounded to a part of a
  * step: distances in doubles have more digits. */
 static bool take_widest(const struct geometry *geometry, const hsp_pores *pores, const struct molecule *wall,
-                        double probe, struct void_cell *of, struct failure *failure) {
+                        double probe, double step, struct void_cell *of, struct failure *failure) {
   hsp_pores_counts counts;
   int32_t status = hsp_pores_get_counts(pores, &counts);
   for (uint32_t k = 0; status == HSP_OK && k < counts.maxima && !of->sphere.found; ++k) {
     hsp_pore_maximum maximum;
     status = hsp_pores_get_maxima(pores, k, 1, &maximum);
     if (status != HSP_OK || maximum.gate != HSP_NONE || !lies_in(geometry, maximum.xyz, of->region)) continue;
+    put_on_lattice(step, maximum.xyz);
     of->sphere.found = true;
     of->sphere.clearance = clearance_at(wall, probe, maximum.xyz);
     memcpy(of->sphere.xyz, maximum.xyz, sizeof of->sphere.xyz);
@@ -93,7 +103,7 @@ static bool find_sphere(const struct geometry *geometry, struct geometry *around
   while (done) {
     done = geometry_find_pores(around, wall, probe, floor, failure);
     if (!done) break;
-    if (!take_widest(geometry, around->work.pores, wall, probe, of, failure)) return false;
+    if (!take_widest(geometry, around->work.pores, wall, probe, step, of, failure)) return false;
     if (of->sphere.found || floor == 0.0) break;
     floor = floor > least ? FLOOR * floor : 0.0;
   }
