@@ -76,7 +76,7 @@ HSP_API int32_t HSP_CALL hsp_boundary_get_hessian_rows(const hsp_boundary *bound
  *
  *  Cost: O(n + vertices + circles); three and a half gradients.
  *  @retval HSP_E_ARGUMENT    boundary or direction is NULL, or product with a capacity above 0; unknown tangency; an
- *                            executor with workers and without run
+ *                            executor with several workers and without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    capacity < n
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
