@@ -1,5 +1,8 @@
 // A loop of the caller's, which does the tasks of a piece of work, side by side if it likes. Nothing here starts a
 // thread.
+//
+// As an example ten tasks and a loop of two threads: run() calls task(data, 0) to task(data, 9), the even ones on one
+// thread and the odd ones on the other, say, and returns when both are done.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +11,7 @@
 
 namespace hsp {
 
-// The most tasks of one loop, and the most workers that anybody asks for.
+// The most tasks of one loop, and the most workers that a loop is shared out among.
 inline constexpr uint32_t max_tasks = 1024;
 
 class Executor {

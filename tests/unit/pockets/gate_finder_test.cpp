@@ -33,7 +33,7 @@ TEST(GateFinder, FindsWhatTheSearchWithoutPoresDoes) {
     for (int k = 0; k < 3; ++k) {
       const auto place = [&] {
         const auto last = static_cast<int64_t>(pores.maxima().size()) - 1;
-        const hsp::Vec3 &at = pores.maxima()[static_cast<uint32_t>(random.in(0, last))].point.place;
+        const hsp::Vec3 &at = pores.maxima()[static_cast<uint32_t>(random.in(0, last))].point.position;
         const int64_t aside = k == 2 ? 150000000 : 9;
         return hsp::exact::Vector{std::llround(at.x) + random.in(-aside, aside), std::llround(at.y),
                                   std::llround(at.z)};
