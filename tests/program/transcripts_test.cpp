@@ -142,7 +142,7 @@ TEST(TranscriptRules, EveryBadInputIsRefusedSomewhere) {
   }
 }
 
-// Help is asked for in five ways. packaging_man_page holds its text, which the manual page has from here.
+// Help is asked for in five ways. The manual page and completion are made of its text (packaging_man_page).
 TEST(Help, IsTheSameHoweverItIsAskedFor) {
   const auto printed = [](const std::vector<std::string> &arguments) {
     const Outcome outcome = run_program(arguments);

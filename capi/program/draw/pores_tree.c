@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands/pores_charts.h"
 #include "commands/pores_found.h"
 #include "draw/chart.h"
 #include "draw/pocket_colours.h"
+#include "draw/pores_charts.h"
 #include "draw/text_width.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
@@ -202,13 +202,13 @@ static void add_cavities(struct text_buffer *out, const struct pores_found *foun
 
 /* The probes of --pockets, if they are within the axis. */
 static bool shows_wide_probe(const struct pores_found *found, const struct tree_page *page) {
-  const double wide = found->request->pockets;
+  const double wide = found->request->pores.pockets;
   return wide >= 0.0 && wide > page->across.low && wide < page->across.high;
 }
 
 static void add_wide_probe(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
   if (!shows_wide_probe(found, page)) return;
-  const double x = chart_x(&page->frame, &page->across, found->request->pockets);
+  const double x = chart_x(&page->frame, &page->across, found->request->pores.pockets);
   chart_dashed(out, x, page->frame.top, x, page->frame.top + page->frame.height);
 }
 
@@ -259,7 +259,7 @@ static void add_tree_legend(struct tree_legend *legend, const struct pores_found
   static const char *const others[] = {[OTHERS] = "other pockets", [NO_POCKET] = "no pocket"};
   static const char wide_probe[] = "the wide probe of pockets", maxima[] = "numbers: maxima, as they are listed",
                     cavity[] = "ends in a dot: a cavity, which no such probe leaves";
-  const bool pockets = found->request->pockets >= 0.0;
+  const bool pockets = found->request->pores.pockets >= 0.0;
   double at[2];
   int rank = 0;
   for (uint32_t p = 0; pockets && p < found->pocket_count && rank < OTHERS; ++p) {

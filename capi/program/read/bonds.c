@@ -1,4 +1,4 @@
-#include "draw/bonds.h"
+#include "read/bonds.h"
 
 #include <math.h>
 #include <stdlib.h>

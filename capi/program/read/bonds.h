@@ -1,6 +1,5 @@
 /* Which atoms are bonded: those that the file says, and those that are about as close as covalent radii say. */
-#ifndef HARDSPHERE_TOOL_BONDS_H
-#define HARDSPHERE_TOOL_BONDS_H
+#pragma once
 
 #include "read/geometry.h"
 #include "read/molecule.h"
@@ -23,5 +22,3 @@ double atoms_squared_distance(const struct molecule *molecule, uint32_t i, uint3
  * metals but beryllium have no bonds. The model of the geometry becomes another one. */
 bool bonds_find(const struct molecule *molecule, struct geometry *geometry, struct bond **bonds, uint32_t *count,
                 struct failure *failure);
-
-#endif

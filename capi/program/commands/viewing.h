@@ -1,10 +1,7 @@
 /* From where a user looks at the balls: the options of draw, map and pick. */
-#ifndef HARDSPHERE_TOOL_VIEWING_H
-#define HARDSPHERE_TOOL_VIEWING_H
+#pragma once
 
 #include <stdbool.h>
-
-#include "read/failure.h"
 
 /* Three numbers that a user may give; `given` tells whether there are any. */
 struct given_vector {
@@ -21,10 +18,5 @@ struct viewing {
   double spin;                /* degrees, by which they are turned about the upright axis after that */
 };
 
-/* Whether the angles can be turned by. */
-bool viewing_check(const struct viewing *viewing, struct failure *failure);
-
 /* Whether the user says anything. */
 bool viewing_is_given(const struct viewing *viewing);
-
-#endif

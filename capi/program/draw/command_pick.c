@@ -26,7 +26,7 @@ struct found {
 static void print(struct record *record, const void *of) {
   const struct found *const found = of;
   const hsp_map_sight *const sight = &found->sight;
-  const double *const at = found->request->at.xyz;
+  const double *const at = found->request->pick.at.xyz;
   const bool background = sight->ball == HSP_NONE;
   if (record->form == FOR_PERSONS) {
     text_buffer_add(record->out, "  %-16s at %.10g %.10g %s\n", "seen", at[0], at[1], record->molecule->format->unit);
@@ -42,11 +42,16 @@ static void print(struct record *record, const void *of) {
   if (record->form == FOR_PERSONS && !background) ball_rows_print(record->molecule, &sight->ball, 1, record->out);
 }
 
+void describe_pick(const struct request *request, struct record *record) {
+  const struct found none = {.request = request};
+  print(record, &none);
+}
+
 bool command_pick(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure) {
   struct found found = {.request = request};
   if (!geometry_compute_map(geometry, &request->viewing, molecule, failure)) return false;
-  const int32_t status = pick(geometry->work.map, request->at.xyz, &found.sight);
+  const int32_t status = pick(geometry->work.map, request->pick.at.xyz, &found.sight);
   if (status != HSP_OK) return failure_in_library(failure, status);
   report(request, molecule, print, &found, out);
   return true;

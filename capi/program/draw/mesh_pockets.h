@@ -1,6 +1,5 @@
 /* Pockets as a picture of the surface shows them. */
-#ifndef HARDSPHERE_TOOL_MESH_POCKETS_H
-#define HARDSPHERE_TOOL_MESH_POCKETS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -15,5 +14,3 @@
  * where this changes. of_triangle and of_patch are to be freed on true and on false. */
 bool mesh_pockets_find(struct geometry *geometry, const struct molecule *molecule, struct triangle_mesh *mesh,
                        bool smooth, double wide, double least, struct mesh_pockets *pockets, struct failure *failure);
-
-#endif

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands/pores_charts.h"
 #include "commands/pores_found.h"
 #include "draw/chart.h"
+#include "draw/pores_charts.h"
 #include "draw/smooth_curve.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"

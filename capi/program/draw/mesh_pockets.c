@@ -1,4 +1,4 @@
-#include "commands/mesh_pockets.h"
+#include "draw/mesh_pockets.h"
 
 #include <math.h>
 #include <stdlib.h>

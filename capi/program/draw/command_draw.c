@@ -12,7 +12,6 @@
 #include "draw/ball_colours.h"
 #include "draw/ball_groups.h"
 #include "draw/ball_names.h"
-#include "draw/bonds.h"
 #include "draw/highlight_view.h"
 #include "draw/look.h"
 #include "draw/occlusion.h"
@@ -23,6 +22,7 @@
 #include "draw/spinning.h"
 #include "draw/view_axes.h"
 #include "draw/view_geometry.h"
+#include "read/bonds.h"
 #include "read/line_reader.h"
 #include "write/output_file.h"
 #include "write/report.h"
@@ -44,7 +44,8 @@ static bool make_colours(const struct request *request, const struct molecule *m
                          const struct geometry *geometry, uint32_t **colour, struct drawn *drawn,
                          struct failure *failure) {
   const struct drawing *drawing = &request->drawing;
-  if (!ball_colours_make(drawing, &request->highlight, molecule, colour, &drawn->palette, failure)) return false;
+  if (!ball_colours_make(drawing, &request->drawing.highlight, molecule, colour, &drawn->palette, failure))
+    return false;
   drawn->occlusion = drawing_occlusion(drawing, molecule->atoms);
   const bool by_default = drawing->occlusion < 0.0;
   if (occlusion_darken(molecule, geometry, request->probe, &drawn->occlusion, by_default, *colour, failure)) {
@@ -192,19 +193,19 @@ static bool annotate(const struct request *request, const struct molecule *molec
   uint32_t count = 0, left_out = 0;
   double *seen = NULL;
   bool *painted = NULL;
-  bool done = ball_colours_make(drawing, &request->highlight, molecule, &colour, &palette, failure);
+  bool done = ball_colours_make(drawing, &request->drawing.highlight, molecule, &colour, &palette, failure);
   if (!done) return false;
   /* Legends of kinds, of muted atoms, and of colours that occlusion darkens or fog fades. */
   const bool faded = drawn->occlusion > 0.0 || drawn->options.fog > 0.0;
-  const bool several = drawing->colour == COLOUR_RESIDUE || request->highlight.count > 0;
+  const bool several = drawing->colour == COLOUR_RESIDUE || request->drawing.highlight.count > 0;
   const bool of_seen = drawing->legend && palette.remark != NULL && (several || faded);
   const bool has_map = drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing);
   if (drawing->label >= 0 && !has_map) {
     done = geometry_compute_map(geometry, &drawing->viewing, molecule, failure);
   }
   if (drawing->label >= 0) {
-    done = done && page_labels_find(geometry->work.map, molecule, &request->highlight, drawing->label, &labels, &count,
-                                    failure);
+    done = done && page_labels_find(geometry->work.map, molecule, &request->drawing.highlight, drawing->label, &labels,
+                                    &count, failure);
   }
   struct shown_bodies bodies = bodies_of(request, molecule, geometry->bond, geometry->bonds);
   if (of_seen && !drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing)) {
@@ -223,7 +224,7 @@ static bool annotate(const struct request *request, const struct molecule *molec
                                         .palette = &palette,
                                         .colour = colour,
                                         .darkened = darkened,
-                                        .selected = &request->highlight,
+                                        .selected = &request->drawing.highlight,
                                         .seen = seen};
   done = done && annotation_write(&annotation, over, &left_out, failure);
   geometry->labels += count;
@@ -332,7 +333,7 @@ static bool find_view(struct drawing *drawing, const struct request *request, co
   progress_show(&geometry->progress, "looking around");
   if (drawing_is_of_sticks(drawing) && !bonds_find(molecule, geometry, &bonds, &count, failure)) return false;
   const struct shown_bodies bodies = bodies_of(request, molecule, bonds, count);
-  const bool done = highlight_view_find(&bodies, &request->highlight, &drawing->viewing, failure);
+  const bool done = highlight_view_find(&bodies, &request->drawing.highlight, &drawing->viewing, failure);
   free(bonds);
   return done;
 }
@@ -413,6 +414,12 @@ static void print(struct record *record, const void *of) {
   record_number(record, "occlusion", NULL, drawn->occlusion, 0, "");
   const double range[2] = {palette->low, palette->high};
   if (palette->remark == NULL) record_numbers(record, "range", range, 2);
+}
+
+void describe_draw(const struct request *request, struct record *record) {
+  struct found none = {.request = request};
+  if (!drawing_is_of_values(&request->drawing)) none.drawn.palette.remark = "";
+  print(record, &none);
 }
 
 bool command_draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

@@ -47,12 +47,18 @@ static void print(struct record *record, const void *of) {
   if (record->form == AS_JSON || seen->per_ball) record_table(record, "balls", &balls);
 }
 
+void describe_map(const struct request *request, struct record *record) {
+  static const struct seen none;
+  (void)request;
+  print(record, &none);
+}
+
 bool command_map(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                  struct text_buffer *out, struct failure *failure) {
   struct seen seen;
   memset(&seen, 0, sizeof seen);
   seen.rows = ball_rows_of(molecule, NULL);
-  seen.per_ball = request->per_ball;
+  seen.per_ball = request->map.per_ball;
   const bool done = geometry_compute_map(geometry, &request->viewing, molecule, failure) &&
                     read_map(geometry->work.map, molecule->atoms, &seen, failure);
   if (done) report(request, molecule, print, &seen, out);
