@@ -1,4 +1,11 @@
 // The balls of a set in the order of their cubes, and an index of these.
+//
+// As an example a plane, letters being balls; the block of the cube in the middle, which has D:
+//    F  |  G  |          Rows are in the order of y, the lowest first, and so are the numbers of balls: A to G. So each
+//   ----+-----+----      row of the block is one range, A to C, D to E and F to G, which two numbers tell. In space
+//       |  D  |  E       there are nine rows.
+//   ----+-----+----
+//    A  | B C |
 #pragma once
 
 #include "model/cube_index.hpp"

@@ -1,3 +1,11 @@
+// All neighbours of all balls: counted, or listed in rows.
+//
+// As an example balls 0, 1 and 2, of which 0 meets 2 and 1 meets 2. `first` has where rows begin and, at its end, where
+// the last one ends:
+//   rows of the smaller index     first   0 1 2 2       ids   2 | 2 |
+//   rows of both                  first   0 1 2 4       ids   2 | 2 | 0 1
+// The first walk over all pairs counts, and sums of the counts are ends of rows. The second one fills each row from its
+// end on, so that what was an end has become the beginning.
 #include "model/neighbour_lists.hpp"
 
 #include "core/ahead.hpp"

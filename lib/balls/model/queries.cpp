@@ -1,3 +1,11 @@
+// Balls at a point and at a ball, found in the cubes that can hold them.
+//
+// As an example cubes of side 10 and a largest radius of 5, along one axis. A ball that contains a point has its centre
+// at most 5 away:
+//   point   its cube   in it at      centres from    cubes
+//     13        1          3         8 to 18         0 and 1      3 < 10 - 5: the lower neighbour
+//     17        1          7         12 to 22        1 and 2      7 >= 5: the upper one
+// So a point has two cubes along each axis, eight in all, in four rows that the hash table is asked for.
 #include "model/queries.hpp"
 
 #include "core/extremes.hpp"

@@ -1,4 +1,11 @@
 // As many balls at a time as a register holds floats, and their indices in order without branches on them.
+//
+// A query of radius 2 at 0 and four balls of radius 1 with centres on the x axis:
+//   x                  2    3    4    5
+//   within             9    9    9    9      the square of 2 + 1
+//   excess            -5    0    7   16      x^2 less that: below 0 the ball meets the query, above 0 it does not
+//   certain           yes   no  yes  yes     whether it is farther from 0 than meeting_doubt times `within`
+// Ball j + 1 is left to integers, which find 9 <= 9: it touches, and so meets. Hits are j and j + 1, bits 0011.
 #include "model/query_hits.hpp"
 
 #include "exact/lattice.hpp"

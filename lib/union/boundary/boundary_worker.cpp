@@ -1,3 +1,12 @@
+// One worker's part of the boundary: from the balls of its cubes to half-edges, loops and faces.
+//
+// As an example ten balls in three cubes, 0 to 3, 4 and 5, 6 to 9, for three workers. Worker w begins with the first
+// cube that begins at or behind ball 10 w / 3:
+//   worker     10 w / 3      cubes     balls
+//      0          0            0       0 to 3
+//      1          3            1       4 and 5
+//      2          6            2       6 to 9
+// A cube is never shared: its neighbours are looked up once for all of its balls. A worker may be left without any.
 #include "boundary/boundary_worker.hpp"
 
 #include "core/first_index.hpp"

@@ -23,8 +23,8 @@ class alignas(64) BoundaryWorker {
  public:
   BoundaryWorker();  // out of line: it is large
 
-  // Worker 0 finds into the boundary's own arrays; the others have copies of them. scratch: nobody needs it while balls
-  // are searched.
+  // Worker 0 writes into the boundary's own arrays; the others have copies of them. scratch: memory that is free while
+  // balls are searched.
   void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
              Span<uint32_t> scratch);
 

@@ -1,3 +1,9 @@
+// Faces of one ball, from its loops.
+//
+// As an example a ball with loops 4, 5 and 6, of which the first and the last bound one free piece, as those of a band
+// around the ball do:
+//   numbered in the order of first loops     face 0: loops 4 and 6      face 1: loop 5
+//   loops sorted by face                     4 6 5, with new numbers 4 5 6, so that those of a face are consecutive
 #include "boundary/faces.hpp"
 
 #include "boundary/point_location.hpp"
@@ -9,7 +15,7 @@ namespace {
 
 // With few caps, as on van der Waals surfaces, most balls have several loops and counting the clusters at once is
 // cheaper than gathering the caps again; with many caps few balls have several loops.
-constexpr uint32_t few_caps = 16;
+constexpr uint32_t most_counted_caps = 16;
 
 // Numbers the faces of one ball from the partition of its loops, in the order of their first loops and from face_count
 // on, which counts them. Returns whether the loops of every face are consecutive.
@@ -81,9 +87,9 @@ void FaceFinder::carve(Workspace &workspace, uint32_t neighbours) {
 }
 
 uint32_t FaceFinder::count_clusters(const Caps &caps, uint32_t known) {
-  return known == not_counted && caps.count <= few_caps ? clusters_.find(caps) : known;
+  return known == not_counted && caps.count <= most_counted_caps ? clusters_.find(caps) : known;
 }
-static_assert((few_caps + 1) * BoundaryArrays::one_cluster <= 256);
+static_assert((most_counted_caps + 1) * BoundaryArrays::one_cluster <= 256);
 
 // If a sphere has a free point, its free faces and its clusters alternate around the loops as the nodes of a tree whose
 // edges are the loops (the sphere less disjoint closed curves). Hence #faces = #loops - #clusters + 1.

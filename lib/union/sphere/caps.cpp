@@ -1,3 +1,12 @@
+// The caps of one ball, gathered from the balls around it.
+//
+// As an example the ball of radius 5 at 0 and other balls. With d the distance of the centres and R the other radius
+// the cap is u.x >= b on the unit sphere, b = (d^2 + 25 - R^2) / (2 * 5 d):
+//   R = 5 at (6,0,0)      36 / 60 =  0.6      a cap: the part x >= 3 of the sphere
+//   R = 1 at (3,0,0)      33 / 30 =  1.1      above 1: the other ball is inside this one, and has no cap
+//   R = 10 at (3,0,0)    -66 / 30 = -2.2      below -1: this ball is contained in the other one
+//   R = 4 at (9,0,0)      90 / 90 =  1        they touch, which integers say, and the perturbation says what that is
+//   R = 1 at (9,0,0)     105 / 90 =  1.2      too far away
 #include "sphere/caps.hpp"
 
 #include "core/first_index.hpp"
@@ -227,8 +236,8 @@ bool Caps::take_near(Span<uint32_t> near, Joining &joining) {
   return take_all<true>(near.data(), hits, joining);
 }
 
-// There may be read and written spare ids behind `near`. Unless the caps are `ranked`, nothing is joined and nobody
-// asks where later balls begin.
+// May read and write four ids past the end of `near`. Unless the caps are `ranked`, nothing is joined, and where later
+// balls begin is not asked.
 template <bool ranked>
 bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
   const BallArrays arrays = arrays_of(*balls_);

@@ -1,3 +1,11 @@
+// Caps that may touch what is free, of a ball that has hundreds of them.
+//
+// As an example the unit sphere and the caps
+//   A   x >= 0.5                     60 degrees around x
+//   B   x >= 0.9                     26 degrees around x: inside A, hence discarded
+//   C   0.6 x + 0.8 y >= 0.95        18 degrees around a direction 53 degrees from x: up to 71 degrees from x, out of
+//                                    A, so that it stays
+// Copies of A are dropped but one. Most discarded caps are inside one that is much larger: large ones are tried first.
 #include "sphere/exposed_caps.hpp"
 
 #include <cstring>

@@ -1,3 +1,12 @@
+// Quad-edges of the boundary, linked around their faces.
+//
+// As an example two balls that meet in one free circle, which two subdivision vertices halve:
+//        0 ---- e0 ---> 1         quarter-edge 0 is e0 with the face of the first ball on its left, sym(0) = 2 is the
+//        ^              |         same edge with that of the second ball on its left; 4 and 6 are those of e1
+//        +----- e1 -----+
+//   on the first ball     lnext(0) = 4, lnext(4) = 0
+//   on the second ball    lnext(6) = 2, lnext(2) = 6, the other way round
+//   vertices - edges + faces = 2 - 2 + 2 = 2
 #include "topology/simple_faces.hpp"
 
 namespace hsp {
