@@ -1,3 +1,11 @@
+// An example: 20,000 balls of 1.6, thirty of 3 and one of 20.
+//
+//   level          balls             side of its cubes    looked at by a ball of 1.6
+//   -              one of 20         none                 always
+//   0              thirty of 3       4 * 3   = 12         cubes within 1.6 + 3   on each axis: at most 8
+//   1              20,000 of 1.6     4 * 1.6 = 6.4        cubes within 1.6 + 1.6 on each axis: at most 8
+//
+// The grid's own cubes are 2 * 20 = 40 wide, so that a ball would look at 27 of them, which hold nearly everything.
 #include "model/radius_levels.hpp"
 
 #include <bit>
