@@ -10,12 +10,14 @@ import sys
 
 
 def session(line, program, folder):
-    """The lines that follow a call: its output, its errors and its status."""
-    arguments = shlex.split(line[len("$ hardsphere"):].replace("'", "\\'").replace("#", "\\#"))
+    """The lines of a call: itself, its output, its errors and its status; or one line, where it is refused and was so."""
+    call, refused, _ = line.partition("  ? ")
+    arguments = shlex.split(call[len("$ hardsphere"):].replace("'", "\\'").replace("#", "\\#"))
     done = subprocess.run([program, *arguments], cwd=folder, capture_output=True, check=False)
-    lines = done.stdout.decode("utf-8", "surrogateescape").split("\n")[:-1]
-    lines += ["! " + text for text in done.stderr.decode("utf-8", "surrogateescape").split("\n")[:-1]]
-    return lines + (["? %d" % done.returncode] if done.returncode != 0 else [])
+    out, err = (text.decode("utf-8", "surrogateescape").split("\n")[:-1] for text in (done.stdout, done.stderr))
+    if refused and done.returncode != 0 and not out and len(err) == 1:
+        return ["%s  ? %d  %s" % (call, done.returncode, err[0][len("hardsphere: "):])]
+    return [call] + out + ["! " + text for text in err] + (["? %d" % done.returncode] if done.returncode != 0 else [])
 
 
 def written_anew(text, program, folder):

@@ -165,6 +165,26 @@ void add_hits_in_lanes(const QueryArrays &balls, const QueryBall &query, const B
   });
 }
 
+uint32_t near_query_in_lanes(const RoundedQueryBall &query, const float *rounded, const uint32_t *ids,
+                             const BallRange *ranges, uint32_t count, uint32_t *near) {
+  const float *const at = query.ball;
+  const FloatBall ball{Floats::all_of(at), Floats::all_of(at + 1), Floats::all_of(at + 2), Floats::all_of(at + 3)};
+  const Floats doubt = Floats::all(query.doubt);
+  uint32_t found = 0;
+  for (const BallRange *range = ranges; range < ranges + count; ++range) {
+    uint32_t j = range->first;
+    do {
+      const FourOfEach other = FourOfEach::load(rounded + 4 * size_t{j});
+      const Floats excess = ball.excess(other.a, other.b, other.c, other.d);
+      const LaneBits may_meet = not_less(doubt, excess) & first_lanes(range->last - j);
+      store_front(near + found, Integers::load(ids + j), FrontOrder::of(may_meet));
+      found += ones(may_meet);
+      j += Floats::lanes;
+    } while (j < range->last);
+  }
+  return found;
+}
+
 void write_ascending_in_lanes(const QueryHits &hits, uint32_t *ids, uint32_t room) {
   constexpr uint32_t n = Integers::lanes;
   const uint32_t count = hits.count;

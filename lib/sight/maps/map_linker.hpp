@@ -77,7 +77,7 @@ class MapLinker {
       for (uint32_t end = 0; end < 2; ++end) {
         CornerName name;
         if (arc.end[end].kind == MapVertexKind::t) {
-          ++first_landing_[arc.end[end].ball];
+          ++first_landing_[arc.end[end].body];
           ++edges;
         } else if (scene.name(arc, end, name)) {
           ++first_named_[name.group];
@@ -87,7 +87,7 @@ class MapLinker {
       }
     }
     for (const MapArc &arc : arcs) {
-      if (arc.closed && arc.nearer == no_id && first_landing_[arc.ball] > 0) --edges;
+      if (arc.closed && arc.nearer == no_id && first_landing_[arc.body] > 0) --edges;
     }
     end_rows(first_named_, groups_);
     end_rows(first_landing_, bodies_);
@@ -136,9 +136,9 @@ class MapLinker {
   // At the end of an arc, whose bodies it names, and a third one.
   uint32_t add_vertex(uint32_t end, MapVertexKind kind, uint32_t third, Map &map) {
     const MapArc &arc = arcs_[end / 2];
-    const Vec3 at = map.scene.at(arc.ball, arc.nearer, end % 2 == 0 ? arc.from : arc.to);
+    const Vec3 at = map.scene.at(arc.body, arc.nearer, end % 2 == 0 ? arc.from : arc.to);
     const uint32_t v = map.vertices.size();
-    map.vertices.push({at.x, at.y, at.z, kind, no_id, {arc.ball, arc.nearer, third}});
+    map.vertices.push({at.x, at.y, at.z, kind, no_id, {arc.body, arc.nearer, third}});
     end_at_[3 * v] = end;
     return v;
   }
@@ -161,15 +161,15 @@ class MapLinker {
     const bool triple = kind == MapVertexKind::triple;
     if (creases != (triple ? 3U : 1U)) return false;
     if (triple) {
-      const uint32_t ball[3] = {ended_by(0).ball, ended_by(1).ball, ended_by(2).ball};
+      const uint32_t ball[3] = {ended_by(0).body, ended_by(1).body, ended_by(2).body};
       if (ball[0] == ball[1] || ball[1] == ball[2] || ball[0] == ball[2]) return false;
     }
     const MapArc &arc = arcs_[crease / 2];
     const uint32_t v = add_vertex(name.end, kind, no_id, map);
     MapVertex &vertex = map.vertices[v];
-    vertex.ball[0] = triple ? group : arc.ball;
-    vertex.ball[1] = triple ? name.middle : arc.nearer;
-    vertex.ball[2] = name.last;
+    vertex.body[0] = triple ? group : arc.body;
+    vertex.body[1] = triple ? name.middle : arc.nearer;
+    vertex.body[2] = name.last;
     for (uint32_t k = 0; k < count; ++k) {
       end_at_[3 * v + k] = ends[k].end;
       vertex_at_[ends[k].end] = v;
@@ -193,16 +193,16 @@ class MapLinker {
     for (uint32_t end = 2 * arcs_.size(); end-- > 0;) {
       const ArcEnd &label = arcs_[end / 2].end[end % 2];
       if (label.kind != MapVertexKind::t) continue;
-      const uint32_t v = add_vertex(end, MapVertexKind::t, label.ball, map);
+      const uint32_t v = add_vertex(end, MapVertexKind::t, label.body, map);
       const MapVertex &at = map.vertices[v];
-      landing_[--first_landing_[label.ball]] = {map.scene.landing(label.ball, at.x, at.y), v};
+      landing_[--first_landing_[label.body]] = {map.scene.landing(label.body, at.x, at.y), v};
       vertex_at_[end] = v;
     }
   }
 
   uint32_t add_edge(const MapArc &arc, double from, double to, uint32_t v, uint32_t w, Map &map) {
     const uint32_t e = map.edges.size();
-    map.edges.push({from, to, arc.ball, arc.nearer, {v, w}});
+    map.edges.push({from, to, arc.body, arc.nearer, {v, w}});
     return e;
   }
 
@@ -271,9 +271,9 @@ class MapLinker {
         add_whole_edge(a++, map);
         continue;
       }
-      const uint32_t body = arcs_[a].ball;
+      const uint32_t body = arcs_[a].body;
       uint32_t last = a + 1;
-      while (last < arcs_.size() && arcs_[last].ball == body && arcs_[last].nearer == no_id) ++last;
+      while (last < arcs_.size() && arcs_[last].body == body && arcs_[last].nearer == no_id) ++last;
       const Span<Landing> landings = landing_.part(first_landing_[body], first_landing_[body + 1]);
       if (!cut_contour(a, last, landings, map)) return false;
       landed += landings.size();

@@ -76,8 +76,6 @@ class alignas(64) BoundaryWorker {
   void search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes, DisjointSets *components,
                    uint8_t *ball_state);
 
-  void search_crowded(const CubeGrid &grid, uint32_t cube, const CubeBlock &block, bool in_lanes,
-                      DisjointSets *components, uint8_t *ball_state);
   void search_nested(const BallSet &balls, const CubeBlock &block, BallRange own, bool in_lanes,
                      DisjointSets *components, uint8_t *ball_state);
 

@@ -118,7 +118,7 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
     for (uint32_t loop = 1; loop < loops.size(); ++loop) loops.join(0, loop);
   } else if (clusters > 1) {
     if (counted_clusters != not_counted) gather_again();
-    join_loops_by_meridians(caps, boundary, first_loop, loops);
+    join_loops_by_meridians(caps, boundary, first_loop, clusters - 1, loops);
   }
 }
 
@@ -154,12 +154,14 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
 //
 // This joins all loops l_1 .. l_r of a face f: the sphere minus f is r discs. The meridian from a cluster in disc a to
 // the pole leaves the disc through l_a, and each further disc it enters it leaves through that disc's loop, so the
-// chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free.
-void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop,
+// chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free. As many joins as there are
+// clusters but one leave as many sets as there are faces: after these no further meridian is looked at.
+void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, uint32_t joins,
                                          DisjointSets &loops) {
   const exact::Predicates predicates = caps.predicates();
   uint32_t pole_loop = no_id;
-  for (uint32_t representative = 0; representative < caps.count; ++representative) {
+  const auto join = [&](uint32_t p, uint32_t q) { joins -= static_cast<uint32_t>(loops.join(p, q)); };
+  for (uint32_t representative = 0; representative < caps.count && joins > 0; ++representative) {
     if (!clusters_.is_representative(representative)) continue;
     const exact::Plane meridian = meridian_through(caps.direction(representative));
     intervals_.find(caps, predicates, meridian);
@@ -169,10 +171,10 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, u
       };
       const uint32_t exit_loop = loop_at(interval.exit_cap, +1);
       const uint32_t entry_loop = loop_at(interval.entry_cap, -1);
-      loops.join(exit_loop, entry_loop);
+      join(exit_loop, entry_loop);
       if (contains_pole(caps, predicates, meridian, interval, +1)) {
         if (pole_loop == no_id) pole_loop = exit_loop;
-        loops.join(pole_loop, exit_loop);
+        join(pole_loop, exit_loop);
       }
     });
   }

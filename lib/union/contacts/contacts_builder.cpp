@@ -21,6 +21,7 @@ namespace {
 CubeBlock part_from(const CubeBlock &block, uint32_t i) {
   CubeBlock part;
   part.ranges = 0;
+  part.levels = block.levels;
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange &range = block.range[k];
     if (range.last > i) part.range[part.ranges++] = {range.first > i ? range.first : i, range.last};
@@ -121,7 +122,7 @@ void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary
 }
 
 bool ContactsBuilder::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block, uint32_t first) {
-  return candidates_.start_cube(grid, cube, first, part_from(block, first));
+  return block.levels == nullptr && candidates_.start_cube(grid, cube, first, part_from(block, first));
 }
 
 void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,

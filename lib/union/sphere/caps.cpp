@@ -119,6 +119,16 @@ struct Caps::Distance {
 void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components) {
   start(balls, i);
   Joining joining(i, components);
+  if (!small_code && block.levels != nullptr && block.ranges > 0) {
+    uint32_t found = block.levels->find_neighbours(balls, i, ball.data(), capacity());
+    if (found <= capacity()) {
+      // Of a part of a block the others come first.
+      uint32_t others = 0;
+      while (others < found && ball[others] < block.range[0].first) ++others;
+      for (uint32_t k = others; k < found; ++k) ball[k - others] = ball[k];
+      return take_given<true>(found - others, joining);
+    }
+  }
   if constexpr (has_lanes) {
     if (lanes) return gather_in_lanes(block, joining);
   }
@@ -146,19 +156,22 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, Disj
 void Caps::gather_given(const BallSet &balls, uint32_t i, uint32_t n) {
   start(balls, i);
   Joining joining(i, nullptr);
-  take_given(n, joining);
+  take_given<false>(n, joining);
 }
 
 // No cap comes behind its ball.
+template <bool ranked>
 void Caps::take_given(uint32_t n, Joining &joining) {
   if constexpr (has_lanes) {
     if (lanes) {
-      take_all<false>(ball.data(), n, joining);
+      take_all<ranked>(ball.data(), n, joining);
       return;
     }
   }
   const exact::LatticeBall own = balls_->ball(origin);
-  for (uint32_t k = 0; k < n; ++k) take(own, ball[k], {*balls_, origin, ball[k]}, joining);
+  for (uint32_t k = 0; k < n; ++k) {
+    if (!take(own, ball[k], {*balls_, origin, ball[k]}, joining)) return;
+  }
 }
 
 void Caps::put_selected_first(const uint32_t *selected) {
@@ -178,7 +191,7 @@ void Caps::make_doubles() {
   const uint32_t n = count, later = first_later;
   count = met = 0;
   Joining joining(origin, nullptr);
-  take_given(n, joining);
+  take_given<false>(n, joining);
   first_later = later;
 }
 
@@ -237,12 +250,10 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
       if constexpr (has_lanes) {
         circles = caps_of_circles(target, arrays, origin, near + k, hits - k, to, length_squared);
       }
-      for (uint32_t n = 0; ranked && n < circles; ++n) {
-        if (near[k + n] > origin) {
-          joining.join(near[k + n]);
-        } else {
-          first_later = count + n + 1;
-        }
+      if (ranked && circles > 0) {
+        const uint32_t later = first_index(0, circles, [&](uint32_t n) { return to.ball[n] > origin; });
+        if (later > 0) first_later = c + later;
+        joining.join_all(to.ball, later, circles);
       }
       k += circles;
       count += circles;
