@@ -25,7 +25,7 @@
  *   hardsphere/regions.h    cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3)
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces (Step 3)
  *   hardsphere/cells.h      free space as simple cells, their neighbours, point location (Section 2)
- *   hardsphere/paths.h      how a probe gets from one point to another, and how wide one may be (Section 2)
+ *   hardsphere/paths.h      how a probe gets from one point to another (Section 2)
  *   hardsphere/pores.h      free space for every probe at once: cavities, gates, tunnels, channels of crystals
  *   hardsphere/pockets.h    pockets between two probes, with mouths and sizes; regions of free space
  *   hardsphere/view.h       pieces in painter's order as true arcs (Section 5.1)
@@ -119,7 +119,7 @@
  *   cells       cells, neighbours, regions,        -                                -
  *               where a point lies
  *   paths       whether there is one, what is      points, once, to the lattice;    a polyline through passages of a
- *               certified, whether a probe passes  lengths                          few steps: hsp_path.certified
+ *               certified                          lengths                          few steps: hsp_path.certified
  *   pores       maxima, gates, their balls, what   points, levels                   -
  *               merges where, the order of levels
  *   pockets     maxima, mouths and balls of each,  areas, volumes                   where plugs cut a pocket off:
@@ -243,8 +243,8 @@
  *   reason, leaves the handle without contents: what reads these is HSP_E_STATE. So a model or body whose set has
  *   failed is not an empty one, as hsp_X_init makes it: queries and every hsp_X_compute of it are HSP_E_STATE, and
  *   hsp_model_get_info alone still answers: 0 balls, step 1e-8. A boundary, surface, mesh, topology, view, map,
- *   contacts, cells, paths, a gate, pores, sticks, a periodic union or balls that move hold no results, and reading
- *   them yields HSP_E_STATE.
+ *   contacts, cells, paths, pores, sticks, a periodic union or balls that move hold no results, and reading them yields
+ *   HSP_E_STATE.
  *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H

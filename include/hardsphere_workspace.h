@@ -48,7 +48,6 @@ typedef struct hsp_workspace {
 #if HSP_HAS_SPACE
   hsp_cells *cells; /**< NULL before hsp_workspace_cells (hardsphere/cells.h) */
   hsp_paths *paths; /**< NULL before hsp_workspace_path (hardsphere/paths.h) */
-  hsp_gate *gate;   /**< NULL before hsp_workspace_gate (hardsphere/paths.h) */
   hsp_pores *pores; /**< NULL before hsp_workspace_pores (hardsphere/pores.h) */
 #endif
 #if HSP_HAS_MOTION
@@ -73,10 +72,9 @@ typedef struct hsp_workspace {
 #if HSP_HAS_SPACE
   void (*drop_cells)(struct hsp_workspace *work); /**< drops its results (hardsphere/cells.h) */
   void (*drop_paths)(struct hsp_workspace *work); /**< drops its results (hardsphere/paths.h) */
-  void (*drop_gate)(struct hsp_workspace *work);  /**< drops its results (hardsphere/paths.h) */
   void (*drop_pores)(struct hsp_workspace *work); /**< drops its results (hardsphere/pores.h) */
 #endif
-  void *memory[14];                    /**< of the handles */
+  void *memory[13];                    /**< of the handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what it has room for (hardsphere/boundary.h) */
@@ -95,7 +93,6 @@ typedef struct hsp_workspace {
 #if HSP_HAS_SPACE
   hsp_cells_limits cells_limits; /**< what it has room for (hardsphere/cells.h) */
   hsp_paths_limits paths_limits; /**< what it has room for (hardsphere/paths.h) */
-  hsp_gate_limits gate_limits;   /**< what it has room for (hardsphere/paths.h) */
   hsp_pores_limits pores_limits; /**< what it has room for (hardsphere/pores.h) */
 #endif
 #if HSP_HAS_MOTION
@@ -157,10 +154,6 @@ static inline void hsp_workspace_drop_paths(hsp_workspace *work) {
   if (work->paths != NULL) (void)hsp_paths_compute(work->paths, NULL, NULL);
 }
 
-static inline void hsp_workspace_drop_gate(hsp_workspace *work) {
-  if (work->gate != NULL) (void)hsp_gate_compute(work->gate, NULL, NULL, NULL, NULL);
-}
-
 static inline void hsp_workspace_drop_pores(hsp_workspace *work) {
   if (work->pores != NULL) (void)hsp_pores_compute(work->pores, NULL, NULL, NULL);
 }
@@ -184,7 +177,6 @@ static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
 #if HSP_HAS_SPACE
   if (work->drop_cells != NULL) work->drop_cells(work); /* hardsphere/cells.h */
   if (work->drop_paths != NULL) work->drop_paths(work); /* hardsphere/paths.h */
-  if (work->drop_gate != NULL) work->drop_gate(work);   /* hardsphere/paths.h */
   if (work->drop_pores != NULL) work->drop_pores(work); /* hardsphere/pores.h */
 #endif
 }
@@ -438,40 +430,14 @@ static inline int32_t hsp_workspace_grow_paths(hsp_workspace *work, const hsp_pa
   return hsp_workspace_make_paths(work);
 }
 
-static inline int32_t hsp_workspace_make_gate(hsp_workspace *work) {
-  size_t bytes = 0;
-  int32_t status = hsp_gate_bytes(&work->gate_limits, &bytes);
-  work->gate = NULL;
-  work->drop_gate = hsp_workspace_drop_gate;
-  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[10], bytes);
-  if (status == HSP_OK) {
-    status = hsp_gate_init(work->memory[10], bytes, &work->gate_limits, &work->gate);
-  }
-  return status;
-}
-
-static inline int32_t hsp_workspace_ready_gate(hsp_workspace *work) {
-  int32_t status = HSP_OK;
-  if (work->gate != NULL) return HSP_OK;
-  if (work->gate_limits.struct_size == 0) {
-    status = hsp_gate_limits_init(&work->gate_limits, sizeof work->gate_limits, work->most_balls);
-  }
-  return status == HSP_OK ? hsp_workspace_make_gate(work) : status;
-}
-
-static inline int32_t hsp_workspace_grow_gate(hsp_workspace *work, const hsp_gate_limits *limits) {
-  work->gate_limits = *limits;
-  return hsp_workspace_make_gate(work);
-}
-
 static inline int32_t hsp_workspace_make_pores(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_pores_bytes(&work->pores_limits, &bytes);
   work->pores = NULL;
   work->drop_pores = hsp_workspace_drop_pores;
-  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[11], bytes);
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[10], bytes);
   if (status == HSP_OK) {
-    status = hsp_pores_init(work->memory[11], bytes, &work->pores_limits, &work->pores);
+    status = hsp_pores_init(work->memory[10], bytes, &work->pores_limits, &work->pores);
   }
   return status;
 }
@@ -496,9 +462,9 @@ static inline int32_t hsp_workspace_make_moving(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_moving_bytes(&work->moving_limits, &bytes);
   work->moving = NULL;
-  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[12], bytes);
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[11], bytes);
   if (status == HSP_OK) {
-    status = hsp_moving_init(work->memory[12], bytes, &work->moving_limits, &work->moving);
+    status = hsp_moving_init(work->memory[11], bytes, &work->moving_limits, &work->moving);
   }
   return status;
 }
@@ -523,9 +489,9 @@ static inline int32_t hsp_workspace_make_periodic(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_periodic_bytes(&work->periodic_limits, &bytes);
   work->periodic = NULL;
-  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[13], bytes);
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[12], bytes);
   if (status == HSP_OK) {
-    status = hsp_periodic_init(work->memory[13], bytes, &work->periodic_limits, &work->periodic);
+    status = hsp_periodic_init(work->memory[12], bytes, &work->periodic_limits, &work->periodic);
   }
   return status;
 }
@@ -547,9 +513,9 @@ static inline int32_t hsp_workspace_grow_periodic(hsp_workspace *work, const hsp
 #endif
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
- *  are. If it fails there are no balls to ask for, not those of before either: HSP_E_STATE, HSP_E_ARGUMENT without
- *  memory for a model. */
+ *  contacts, cells, paths and pores hold no results of other balls then; balls that move and a box stay as they are. If
+ *  it fails there are no balls to ask for, not those of before either: HSP_E_STATE, HSP_E_ARGUMENT without memory for a
+ *  model. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -684,19 +650,6 @@ static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from
     }
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_paths(work, &limits);
-  }
-  return status;
-}
-
-/** Find the widest probe from one point to another, both [3], or to the outside if `to` is NULL; arguments and statuses
- *  as hsp_gate_compute. */
-static inline int32_t hsp_workspace_gate(hsp_workspace *work, const double *from, const double *to) {
-  int32_t status = hsp_workspace_ready_gate(work);
-  hsp_gate_limits limits = work->gate_limits;
-  while (status == HSP_OK) {
-    status = hsp_gate_compute(work->gate, work->model, from, to, &limits);
-    if (status != HSP_E_CAPACITY) return status;
-    status = hsp_workspace_grow_gate(work, &limits);
   }
   return status;
 }

@@ -132,7 +132,6 @@ mutable struct hsp_mesh end
 mutable struct hsp_topology end
 mutable struct hsp_cells end
 mutable struct hsp_paths end
-mutable struct hsp_gate end
 mutable struct hsp_pores end
 mutable struct hsp_view end
 mutable struct hsp_map end
@@ -901,28 +900,6 @@ struct hsp_path
     ends::UInt32
     certified::UInt32
     points::UInt32
-    reserved::UInt32
-end
-
-struct hsp_gate_limits
-    struct_size::UInt32
-    balls::UInt32
-    cubes::UInt32
-    entries::UInt32
-    cells::UInt32
-    adjacencies::UInt32
-    landmarks::UInt32
-    facets::UInt32
-    corners::UInt32
-    cube_balls::UInt32
-    cube_corners::UInt32
-end
-
-struct hsp_widest_probe
-    radius::Cdouble
-    passes::UInt32
-    gate::NTuple{3, UInt32}
-    builds::UInt32
     reserved::UInt32
 end
 
@@ -2177,29 +2154,6 @@ end
 function hsp_paths_get_points(paths, points, capacity, needed)
     ccall((:hsp_paths_get_points, libhardsphere), Int32, (Ptr{hsp_paths}, Ptr{Cdouble}, UInt32, Ptr{UInt32}), paths,
           points, capacity, needed)
-end
-
-function hsp_gate_limits_init(limits, struct_size, balls)
-    ccall((:hsp_gate_limits_init, libhardsphere), Int32, (Ptr{hsp_gate_limits}, UInt32, UInt32), limits, struct_size,
-          balls)
-end
-
-function hsp_gate_bytes(limits, bytes)
-    ccall((:hsp_gate_bytes, libhardsphere), Int32, (Ptr{hsp_gate_limits}, Ptr{Csize_t}), limits, bytes)
-end
-
-function hsp_gate_init(memory, bytes, limits, gate)
-    ccall((:hsp_gate_init, libhardsphere), Int32, (Ptr{Cvoid}, Csize_t, Ptr{hsp_gate_limits}, Ptr{Ptr{hsp_gate}}),
-          memory, bytes, limits, gate)
-end
-
-function hsp_gate_compute(gate, model, from, to, limits)
-    ccall((:hsp_gate_compute, libhardsphere), Int32, (Ptr{hsp_gate}, Ptr{hsp_model}, Ptr{Cdouble}, Ptr{Cdouble},
-          Ptr{hsp_gate_limits}), gate, model, from, to, limits)
-end
-
-function hsp_gate_get_widest(gate, widest)
-    ccall((:hsp_gate_get_widest, libhardsphere), Int32, (Ptr{hsp_gate}, Ptr{hsp_widest_probe}), gate, widest)
 end
 
 function hsp_pores_limits_init(limits, struct_size, balls)

@@ -176,11 +176,6 @@ pub struct hsp_paths {
 }
 
 #[repr(C)]
-pub struct hsp_gate {
-    _private: [u8; 0],
-}
-
-#[repr(C)]
 pub struct hsp_pores {
     _private: [u8; 0],
 }
@@ -1136,32 +1131,6 @@ pub struct hsp_path {
     pub ends: u32,
     pub certified: u32,
     pub points: u32,
-    pub reserved: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct hsp_gate_limits {
-    pub struct_size: u32,
-    pub balls: u32,
-    pub cubes: u32,
-    pub entries: u32,
-    pub cells: u32,
-    pub adjacencies: u32,
-    pub landmarks: u32,
-    pub facets: u32,
-    pub corners: u32,
-    pub cube_balls: u32,
-    pub cube_corners: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct hsp_widest_probe {
-    pub radius: f64,
-    pub passes: u32,
-    pub gate: [u32; 3],
-    pub builds: u32,
     pub reserved: u32,
 }
 
@@ -2453,22 +2422,6 @@ extern "C" {
         limits: *mut hsp_paths_limits,
     ) -> i32;
     pub fn hsp_paths_get_points(paths: *const hsp_paths, points: *mut f64, capacity: u32, needed: *mut u32) -> i32;
-    pub fn hsp_gate_limits_init(limits: *mut hsp_gate_limits, struct_size: u32, balls: u32) -> i32;
-    pub fn hsp_gate_bytes(limits: *const hsp_gate_limits, bytes: *mut usize) -> i32;
-    pub fn hsp_gate_init(
-        memory: *mut c_void,
-        bytes: usize,
-        limits: *const hsp_gate_limits,
-        gate: *mut *mut hsp_gate,
-    ) -> i32;
-    pub fn hsp_gate_compute(
-        gate: *mut hsp_gate,
-        model: *const hsp_model,
-        from: *const f64,
-        to: *const f64,
-        limits: *mut hsp_gate_limits,
-    ) -> i32;
-    pub fn hsp_gate_get_widest(gate: *const hsp_gate, widest: *mut hsp_widest_probe) -> i32;
     pub fn hsp_pores_limits_init(limits: *mut hsp_pores_limits, struct_size: u32, balls: u32) -> i32;
     pub fn hsp_pores_bytes(limits: *const hsp_pores_limits, bytes: *mut usize) -> i32;
     pub fn hsp_pores_init(

@@ -210,7 +210,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_CELL_AT_BALL = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_CELL_APART = 2_c_int32_t  ! a whole power cell, which its ball does not meet
 
-  ! ---- paths.h: how a probe gets from one point to another, and how wide one may be (Section 2) ----------------------
+  ! ---- paths.h: how a probe gets from one point to another (Section 2) -----------------------------------------------
 
   integer(c_int32_t), parameter :: HSP_PATH_CONNECTED = 0_c_int32_t  ! there is a path
   integer(c_int32_t), parameter :: HSP_PATH_APART = 1_c_int32_t  ! the ends lie in two regions of free space
@@ -1143,7 +1143,7 @@ module hardsphere
     integer(c_int64_t) :: faces     ! on spheres
   end type
 
-  ! ---- paths.h: how a probe gets from one point to another, and how wide one may be (Section 2) ----------------------
+  ! ---- paths.h: how a probe gets from one point to another (Section 2) -----------------------------------------------
 
   type, bind(C) :: hsp_paths_limits
     integer(c_int32_t) :: struct_size = 44_c_int32_t  ! sizeof(hsp_paths_limits)
@@ -1167,29 +1167,6 @@ module hardsphere
     integer(c_int32_t) :: certified  ! whether no segment meets a ball, exactly: 1 or 0
     integer(c_int32_t) :: points     ! 2 or more with the ends; 0 if there is none
     integer(c_int32_t) :: reserved   ! 0
-  end type
-
-  type, bind(C) :: hsp_gate_limits
-    integer(c_int32_t) :: struct_size = 44_c_int32_t  ! sizeof(hsp_gate_limits)
-    integer(c_int32_t) :: balls                       ! of the model
-    integer(c_int32_t) :: cubes                       ! as hsp_cells_limits.cubes
-    integer(c_int32_t) :: entries                     ! as hsp_cells_limits.entries
-    integer(c_int32_t) :: cells                       ! as hsp_cells_limits.cells
-    integer(c_int32_t) :: adjacencies                 ! as hsp_cells_limits.adjacencies
-    integer(c_int32_t) :: landmarks                   ! as hsp_cells_limits.landmarks
-    integer(c_int32_t) :: facets                      ! as hsp_cells_limits.facets
-    integer(c_int32_t) :: corners                     ! as hsp_cells_limits.corners
-    integer(c_int32_t) :: cube_balls                  ! as hsp_cells_limits.cube_balls
-    integer(c_int32_t) :: cube_corners                ! as hsp_cells_limits.cube_corners
-  end type
-
-  type, bind(C) :: hsp_widest_probe
-    ! added to the radii of the model; 0 if not even a point passes, infinite without balls
-    real(c_double) :: radius
-    integer(c_int32_t) :: passes    ! whether a point does, exactly: 1 or 0
-    integer(c_int32_t) :: gate(3)   ! the balls that stop a wider one, ascending, HSP_NONE behind the last
-    integer(c_int32_t) :: builds    ! how often free space was cut into cells
-    integer(c_int32_t) :: reserved  ! 0
   end type
 
   ! ---- pores.h: free space for every probe at once: cavities, gates, tunnels, channels of crystals -------------------
@@ -3383,7 +3360,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- paths.h: how a probe gets from one point to another, and how wide one may be (Section 2) --------------------
+    ! ---- paths.h: how a probe gets from one point to another (Section 2) ---------------------------------------------
 
     function hsp_paths_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_paths_limits_init")
       import :: c_int32_t, hsp_paths_limits
@@ -3433,47 +3410,6 @@ module hardsphere
       real(c_double), intent(inout), optional :: points(3, *)  ! 3, needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_gate_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_gate_limits_init")
-      import :: c_int32_t, hsp_gate_limits
-      type(hsp_gate_limits), intent(inout) :: limits
-      integer(c_int32_t), value :: struct_size
-      integer(c_int32_t), value :: balls
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_gate_bytes(limits, bytes) result(status) bind(C, name="hsp_gate_bytes")
-      import :: c_int32_t, c_size_t, hsp_gate_limits
-      type(hsp_gate_limits), intent(in) :: limits
-      integer(c_size_t), intent(inout) :: bytes
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_gate_init(memory, bytes, limits, gate) result(status) bind(C, name="hsp_gate_init")
-      import :: c_int32_t, c_ptr, c_size_t, hsp_gate_limits
-      type(c_ptr), value :: memory
-      integer(c_size_t), value :: bytes
-      type(hsp_gate_limits), intent(in) :: limits
-      type(c_ptr), intent(inout) :: gate
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_gate_compute(gate, model, from, to, limits) result(status) bind(C, name="hsp_gate_compute")
-      import :: c_double, c_int32_t, c_ptr, hsp_gate_limits
-      type(c_ptr), value :: gate
-      type(c_ptr), value :: model
-      real(c_double), intent(in) :: from(3)
-      real(c_double), intent(in), optional :: to(3)
-      type(hsp_gate_limits), intent(inout), optional :: limits
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_gate_get_widest(gate, widest) result(status) bind(C, name="hsp_gate_get_widest")
-      import :: c_int32_t, c_ptr, hsp_widest_probe
-      type(c_ptr), value :: gate
-      type(hsp_widest_probe), intent(inout) :: widest
       integer(c_int32_t) :: status
     end function
 
@@ -4832,7 +4768,7 @@ contains
       + 1536_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
   end function
 
-  ! ---- paths.h: how a probe gets from one point to another, and how wide one may be (Section 2) ----------------------
+  ! ---- paths.h: how a probe gets from one point to another (Section 2) -----------------------------------------------
 
   !> HSP_PATHS_BYTES of the header, for the size of an allocation.
   pure function hsp_paths_bytes_bound(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, &
@@ -4845,18 +4781,6 @@ contains
       + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
       + 2176_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t) &
       + 24_c_size_t*int(points, c_size_t)
-  end function
-
-  !> HSP_GATE_BYTES of the header, for the size of an allocation.
-  pure function hsp_gate_bytes_bound(balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, &
-    cube_balls, cube_corners) result(bytes)
-    integer(c_int32_t), intent(in) :: balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, &
-      cube_balls, cube_corners
-    integer(c_size_t) :: bytes
-    bytes = 122880_c_size_t + 1440_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(cubes, c_size_t) &
-      + 8_c_size_t*int(entries, c_size_t) + 28_c_size_t*int(cells, c_size_t) + 16_c_size_t*int(adjacencies, c_size_t) &
-      + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
-      + 1536_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
   end function
 
   ! ---- pores.h: free space for every probe at once: cavities, gates, tunnels, channels of crystals -------------------

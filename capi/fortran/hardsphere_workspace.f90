@@ -39,12 +39,11 @@ module hardsphere_workspace
     type(c_ptr) :: contacts = c_null_ptr ! hardsphere/contacts.h
     type(c_ptr) :: cells = c_null_ptr ! hardsphere/cells.h
     type(c_ptr) :: paths = c_null_ptr ! hardsphere/paths.h
-    type(c_ptr) :: gate = c_null_ptr ! hardsphere/paths.h
     type(c_ptr) :: pores = c_null_ptr ! hardsphere/pores.h
     type(c_ptr) :: moving = c_null_ptr ! hardsphere/moving.h
     type(c_ptr) :: periodic = c_null_ptr ! hardsphere/periodic.h
     integer(c_int32_t), private :: most_balls = 0
-    type(memory_block), private :: memory(14)
+    type(memory_block), private :: memory(13)
     type(hsp_boundary_limits), private :: boundary_limits ! hardsphere/boundary.h
     type(hsp_topology_limits), private :: topology_limits ! hardsphere/regions.h
     type(hsp_view_limits), private :: view_limits ! hardsphere/view.h
@@ -54,7 +53,6 @@ module hardsphere_workspace
     type(hsp_contacts_limits), private :: contacts_limits ! hardsphere/contacts.h
     type(hsp_cells_limits), private :: cells_limits ! hardsphere/cells.h
     type(hsp_paths_limits), private :: paths_limits ! hardsphere/paths.h
-    type(hsp_gate_limits), private :: gate_limits ! hardsphere/paths.h
     type(hsp_pores_limits), private :: pores_limits ! hardsphere/pores.h
     type(hsp_moving_limits), private :: moving_limits ! hardsphere/moving.h
     type(hsp_periodic_limits), private :: periodic_limits ! hardsphere/periodic.h
@@ -69,7 +67,6 @@ module hardsphere_workspace
     procedure :: compute_contacts
     procedure :: compute_cells ! hardsphere/cells.h
     procedure :: find_path ! hardsphere/paths.h
-    procedure :: compute_gate ! hardsphere/paths.h
     procedure :: compute_pores ! hardsphere/pores.h
     procedure :: compute_pores_periodic ! hardsphere/pores.h
     procedure :: find_tunnel ! hardsphere/pores.h
@@ -87,7 +84,7 @@ module hardsphere_workspace
   private :: compute_mesh, raise_mesh_limits ! hardsphere/mesh.h
   private :: compute_map ! hardsphere/map.h
   private :: compute_cells ! hardsphere/cells.h
-  private :: find_path, compute_gate ! hardsphere/paths.h
+  private :: find_path ! hardsphere/paths.h
   private :: compute_pores, compute_pores_periodic, find_tunnel, find_tunnel_periodic ! hardsphere/pores.h
   private :: find_cheapest_tunnel, find_cheapest_tunnel_periodic, find_some_tunnel ! hardsphere/pores.h
   private :: set_moving ! hardsphere/moving.h
@@ -102,7 +99,6 @@ module hardsphere_workspace
   private :: make_contacts, ready_contacts, grow_contacts ! hardsphere/contacts.h
   private :: make_cells, ready_cells, grow_cells ! hardsphere/cells.h
   private :: make_paths, ready_paths, grow_paths ! hardsphere/paths.h
-  private :: make_gate, ready_gate, grow_gate ! hardsphere/paths.h
   private :: make_pores, ready_pores, grow_pores ! hardsphere/pores.h
   private :: make_moving, ready_moving, grow_moving ! hardsphere/moving.h
   private :: drop_of_periodic, make_periodic, ready_periodic, grow_periodic ! hardsphere/periodic.h
@@ -112,8 +108,7 @@ contains
   ! ---- model.h
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
-  ! are.
+  ! contacts, cells, paths and pores hold no results of other balls then; balls that move and a box stay as they are.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -318,23 +313,6 @@ contains
       end if
       if (status /= HSP_E_CAPACITY) return
       status = grow_paths(self, limits)
-    end do
-  end function
-
-  ! Finds the widest probe from one point to another, or to the outside without `to`; arguments and statuses as
-  ! hsp_gate_compute.
-  function compute_gate(self, from, to) result(status)
-    class(hsp_workspace), intent(inout), target :: self
-    real(c_double), intent(in) :: from(3)
-    real(c_double), intent(in), optional :: to(3)
-    type(hsp_gate_limits) :: limits
-    integer(c_int32_t) :: status
-    status = ready_gate(self)
-    limits = self%gate_limits
-    do while (status == HSP_OK)
-      status = hsp_gate_compute(self%gate, self%model, from, to, limits)
-      if (status /= HSP_E_CAPACITY) return
-      status = grow_gate(self, limits)
     end do
   end function
 
@@ -560,8 +538,6 @@ contains
     if (c_associated(self%contacts)) ignored = hsp_contacts_compute(self%contacts, boundary=c_null_ptr) ! hardsphere/contacts.h
     if (c_associated(self%cells)) ignored = hsp_cells_compute(self%cells, model=c_null_ptr) ! hardsphere/cells.h
     if (c_associated(self%paths)) ignored = hsp_paths_compute(self%paths, model=c_null_ptr) ! hardsphere/paths.h
-    if (c_associated(self%gate)) ignored = hsp_gate_compute(self%gate, model=c_null_ptr, &                    ! hardsphere/paths.h
-      from=[real(c_double) :: 0, 0, 0]) ! hardsphere/paths.h
     if (c_associated(self%pores)) ignored = hsp_pores_compute(self%pores, model=c_null_ptr) ! hardsphere/pores.h
   end subroutine
 
@@ -836,35 +812,6 @@ contains
     status = make_paths(self)
   end function
 
-  ! ---- paths.h
-  function make_gate(self) result(status)
-    class(hsp_workspace), intent(inout), target :: self
-    integer(c_int32_t) :: status
-    integer(c_size_t) :: bytes
-    self%gate = c_null_ptr
-    status = hsp_gate_bytes(self%gate_limits, bytes)
-    if (status == HSP_OK) status = allocated_to(self%memory(11), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_gate_init(c_loc(self%memory(11)%bytes), bytes, self%gate_limits, self%gate)
-  end function
-
-  function ready_gate(self) result(status)
-    class(hsp_workspace), intent(inout), target :: self
-    integer(c_int32_t) :: status
-    status = HSP_OK
-    if (c_associated(self%gate)) return
-    status = hsp_gate_limits_init(self%gate_limits, self%gate_limits%struct_size, self%most_balls)
-    if (status == HSP_OK) status = make_gate(self)
-  end function
-
-  function grow_gate(self, limits) result(status)
-    class(hsp_workspace), intent(inout), target :: self
-    type(hsp_gate_limits), intent(in) :: limits
-    integer(c_int32_t) :: status
-    self%gate_limits = limits
-    status = make_gate(self)
-  end function
-
   ! ---- pores.h
   function make_pores(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -872,9 +819,9 @@ contains
     integer(c_size_t) :: bytes
     self%pores = c_null_ptr
     status = hsp_pores_bytes(self%pores_limits, bytes)
-    if (status == HSP_OK) status = allocated_to(self%memory(12), bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(11), bytes)
     if (status /= HSP_OK) return
-    status = hsp_pores_init(c_loc(self%memory(12)%bytes), bytes, self%pores_limits, self%pores)
+    status = hsp_pores_init(c_loc(self%memory(11)%bytes), bytes, self%pores_limits, self%pores)
   end function
 
   function ready_pores(self) result(status)
@@ -901,9 +848,9 @@ contains
     integer(c_size_t) :: bytes
     self%moving = c_null_ptr
     status = hsp_moving_bytes(self%moving_limits, bytes)
-    if (status == HSP_OK) status = allocated_to(self%memory(13), bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(12), bytes)
     if (status /= HSP_OK) return
-    status = hsp_moving_init(c_loc(self%memory(13)%bytes), bytes, self%moving_limits, self%moving)
+    status = hsp_moving_init(c_loc(self%memory(12)%bytes), bytes, self%moving_limits, self%moving)
   end function
 
   function ready_moving(self) result(status)
@@ -930,9 +877,9 @@ contains
     integer(c_size_t) :: bytes
     self%periodic = c_null_ptr
     status = hsp_periodic_bytes(self%periodic_limits, bytes)
-    if (status == HSP_OK) status = allocated_to(self%memory(14), bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(13), bytes)
     if (status /= HSP_OK) return
-    status = hsp_periodic_init(c_loc(self%memory(14)%bytes), bytes, self%periodic_limits, self%periodic)
+    status = hsp_periodic_init(c_loc(self%memory(13)%bytes), bytes, self%periodic_limits, self%periodic)
   end function
 
   function ready_periodic(self, n) result(status)

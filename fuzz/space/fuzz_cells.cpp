@@ -150,49 +150,31 @@ void require_sound(const FoundPath &found, const Point &from, const Point &to) {
   FUZZ_REQUIRE(path.certified == 0 || path.clearance >= -doubt, "clearance of a certified path");
 }
 
-// One lattice step below the widest probe there is a path, and two above there is none.
+// One lattice step below the widest probe that pores say there is a path, and two above there is none.
 void require_widest(const fuzz::ScaledBalls &set, const hsp_model *model, const Point &from, const Point *to,
-                    bool passes, fuzz::Bytes &bytes) {
-  support::OwnedHandle<support::GateKind> gate;
-  hsp_gate_limits limits;
-  FUZZ_REQUIRE(hsp_gate_limits_init(&limits, sizeof limits, set.n()) == HSP_OK, "hsp_gate_limits_init");
-  gate.take(limits);
-  const auto compute = [&](hsp_gate *handle, hsp_gate_limits *asked) {
-    return hsp_gate_compute(handle, model, from.data(), to == nullptr ? nullptr : to->data(), asked);
-  };
-  int32_t status = HSP_OK;
-  gate.compute([&](hsp_gate *handle, hsp_gate_limits *asked) {
-    status = compute(handle, asked);
-    return status == HSP_E_RANGE ? HSP_OK : status;
-  });
-  if (status == HSP_E_RANGE) return;  // no lattice has room for balls grown that much
-  hsp_widest_probe widest{};
-  FUZZ_REQUIRE(hsp_gate_get_widest(gate.get(), &widest) == HSP_OK, "hsp_gate_get_widest");
-  FUZZ_REQUIRE((widest.passes != 0) == passes && widest.builds <= 64, "whether a point passes");
-  for (int k = 0; k < 3; ++k) {
-    FUZZ_REQUIRE(widest.gate[k] == HSP_NONE || widest.gate[k] < set.n(), "a ball of a gate");
-    FUZZ_REQUIRE(k == 0 || widest.gate[k] == HSP_NONE || widest.gate[k - 1] < widest.gate[k], "the order of a gate");
+                    bool passes) {
+  support::OwnedHandle<support::PoresKind> pores;
+  hsp_pores_limits limits;
+  FUZZ_REQUIRE(hsp_pores_limits_init(&limits, sizeof limits, set.n()) == HSP_OK, "hsp_pores_limits_init");
+  pores.take(limits);
+  pores.compute(
+      [&](hsp_pores *handle, hsp_pores_limits *asked) { return hsp_pores_compute(handle, model, nullptr, asked); });
+  hsp_pore_passage widest{};
+  FUZZ_REQUIRE(hsp_pores_widest(pores.get(), from.data(), to == nullptr ? nullptr : to->data(), &widest) == HSP_OK,
+               "widest");
+  FUZZ_REQUIRE((widest.passes != 0) == passes, "whether a point passes");
+  FUZZ_REQUIRE(passes || (widest.radius == 0 && widest.gate == HSP_NONE && widest.ball == HSP_NONE), "nothing passes");
+  FUZZ_REQUIRE(!passes || set.n() == 0 || (widest.gate == HSP_NONE) != (widest.ball == HSP_NONE), "a gate or an end");
+  if (!passes || to == nullptr || !std::isfinite(widest.radius)) return;
+  const auto steps = static_cast<int64_t>(std::floor(widest.radius / set.step()));
+  for (const int64_t more : {steps - 1, steps + 3}) {
+    fuzz::ScaledBalls grown = set;
+    grown.probe_steps += more;
+    if (more < 0 || grown.probe_steps >= INT64_C(1) << 29) continue;
+    const fuzz::ComputedSet other(grown);
+    const FoundPath found(other.get().model, set.n(), from, *to);
+    FUZZ_REQUIRE((found.path.ends == HSP_PATH_CONNECTED) == (more < steps), "the widest probe");
   }
-  FUZZ_REQUIRE(passes || (widest.radius == 0 && widest.gate[0] == HSP_NONE), "nothing passes");
-  if (passes && to != nullptr && std::isfinite(widest.radius)) {
-    const auto steps = static_cast<int64_t>(std::floor(widest.radius / set.step()));
-    for (const int64_t more : {steps - 1, steps + 3}) {
-      fuzz::ScaledBalls grown = set;
-      grown.probe_steps += more;
-      if (more < 0 || grown.probe_steps >= INT64_C(1) << 29) continue;
-      const fuzz::ComputedSet other(grown);
-      const FoundPath found(other.get().model, set.n(), from, *to);
-      FUZZ_REQUIRE((found.path.ends == HSP_PATH_CONNECTED) == (more < steps), "the widest probe");
-    }
-  }
-  if (!bytes.one_in(4)) return;
-  const auto compare = [&](const hsp_gate *handle) {
-    hsp_widest_probe again{};
-    const int32_t read = hsp_gate_get_widest(handle, &again);
-    FUZZ_REQUIRE(read != HSP_OK || std::memcmp(&again, &widest, sizeof widest) == 0, "the probe the second time");
-    return read;
-  };
-  fuzz::require_limits<support::GateKind>(gate.needed(), bytes, compute, compare);
 }
 
 }  // namespace
@@ -267,7 +249,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const bool to_outside = bytes.one_in(2);
     const bool outside = here != HSP_NONE && reference.cells[here].region == 0;
     require_widest(set, model, from, to_outside ? nullptr : &to,
-                   to_outside ? outside : found.path.ends == HSP_PATH_CONNECTED, bytes);
+                   to_outside ? outside : found.path.ends == HSP_PATH_CONNECTED);
   }
 
   const fuzz::ComputedSet other(fuzz::permuted(set, fuzz::shuffled(set.n(), bytes)));

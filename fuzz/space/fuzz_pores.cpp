@@ -1,6 +1,6 @@
 // Pores of any set: classes at a probe are the regions of free space around grown balls, for points and in number; the
 // regions beside the balls are those of shells that are nested; sizes of pockets with plugs, and then with plugs in
-// leaks; the tree, pockets and tunnels fit together; the widest probe between two points, which looks at one pair;
+// leaks; the tree, pockets and tunnels fit together; the widest probe between two points against free space as cells;
 // tied balls in integers; no effect of the order of the balls; limits that are too small.
 #include <algorithm>
 #include <array>
@@ -14,6 +14,7 @@
 #include "brute_pores.hpp"
 #include "computed_set.hpp"
 #include "owned_spaces.hpp"
+#include "probe_by_cells.hpp"
 #include "required_limits.hpp"
 #include "topology_input.hpp"
 
@@ -334,10 +335,27 @@ void require_pockets(const fuzz::ScaledBalls &set, hsp_pores *pores, int64_t nar
   }
 }
 
-void require_tunnel(const fuzz::ScaledBalls &set, hsp_pores *pores, const Point &from, const Point *to) {
+// A probe narrower by a step gets from one point to the other, and one wider by two does not.
+void require_widest(const fuzz::ScaledBalls &set, const hsp_pore_passage &passage, int64_t floor, const Point &from,
+                    const Point *to) {
+  if (set.n() == 0) return;
+  support::ProbeByCells cells(set.in_lengths(), set.step());
+  const auto may_be_open = [&](int64_t steps, bool expected) {
+    const double probe = set.length(set.probe_steps + steps);
+    return cells.passes(probe, from.data(), to == nullptr ? nullptr : to->data()).value_or(expected) == expected;
+  };
+  const auto steps = static_cast<int64_t>(std::floor(passage.radius / set.step()));
+  const int64_t narrower = floor == 0 && steps < 1 ? 0 : steps - 1, wider = passage.passes == 1 ? steps + 2 : 0;
+  if (passage.passes == 1 && narrower >= 0) FUZZ_REQUIRE(may_be_open(narrower, true), "a narrower probe passes");
+  if (wider >= 0) FUZZ_REQUIRE(may_be_open(wider, false), "no wider probe passes");
+  FUZZ_REQUIRE(!cells.has_failed(), "cells of grown balls");
+}
+
+void require_tunnel(const fuzz::ScaledBalls &set, hsp_pores *pores, int64_t floor, const Point &from, const Point *to) {
   const double *const end = to == nullptr ? nullptr : to->data();
   hsp_pore_passage passage{};
   FUZZ_REQUIRE(hsp_pores_widest(pores, from.data(), end, &passage) == HSP_OK, "widest");
+  require_widest(set, passage, floor, from, to);
   hsp_tunnel tunnel{};
   const int32_t status = hsp_pores_find_tunnel(pores, from.data(), end, nullptr, 0, &tunnel, nullptr);
   if (status == HSP_E_CAPACITY) return;
@@ -385,7 +403,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
       if (reference.maxima.empty() || !bytes.one_in(2)) continue;
       std::memcpy(end.data(), reference.maxima[bytes.below(reference.counts.maxima)].xyz, sizeof end);
     }
-    require_tunnel(set, pores.get(), ends[0], bytes.one_in(2) ? nullptr : &ends[1]);
+    require_tunnel(set, pores.get(), floor, ends[0], bytes.one_in(2) ? nullptr : &ends[1]);
   }
   const auto again = [&](hsp_pores *handle, hsp_pores_limits *limits) {
     return hsp_pores_compute(handle, model, &options, limits);

@@ -1,5 +1,4 @@
-/* hardsphere/paths.h: how a point, the centre of a probe, gets through free space, and how wide a probe may be (Section
- * 2, Theorem 2.4).
+/* hardsphere/paths.h: how a point, the centre of a probe, gets through free space (Section 2, Theorem 2.4).
  *
  * Guide: questions.md, coming_from.md.
  *
@@ -9,12 +8,10 @@
  * of its centre. Whether there is a path is decided in integers, as everything combinatorial is; balls that touch count
  * as meeting, so that nothing passes between them.
  *
- *   path           a polyline on the lattice, from cell to cell of free space and then shortened; it need not be the
- *                  shortest one. It is certified if integers say of every segment that it meets no ball
- *   widest probe   of the balls that get from one point to another in free space the largest radius, added to those of
- *                  the model. From a point to the outside is to as far as one likes
- *   gate           the balls that stop wider ones: three that close a passage, where the centre of the probe is in
- *                  their plane, or the one that is nearest to an end if that is tighter than every passage */
+ *   path   a polyline on the lattice, from cell to cell of free space and then shortened; it need not be the shortest
+ *          one. It is certified if integers say of every segment that it meets no ball
+ *
+ * How wide a probe gets from one point to another, and what stops a wider one, says hsp_pores_widest (pores.h). */
 #ifndef HARDSPHERE_PATHS_H
 #define HARDSPHERE_PATHS_H
 
@@ -127,90 +124,6 @@ HSP_API int32_t HSP_CALL hsp_paths_find(hsp_paths *paths, const double *from, co
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t HSP_CALL hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity,
                                               uint32_t *needed);
-
-/** A search for the widest probe between two points. */
-typedef struct hsp_gate hsp_gate;
-
-/** The limits that fix the memory of a gate: balls of the model, and the cells of the balls as they grow. */
-typedef struct hsp_gate_limits {
-  uint32_t struct_size;  /**< sizeof(hsp_gate_limits) */
-  uint32_t balls;        /**< of the model */
-  uint32_t cubes;        /**< as hsp_cells_limits.cubes */
-  uint32_t entries;      /**< as hsp_cells_limits.entries */
-  uint32_t cells;        /**< as hsp_cells_limits.cells */
-  uint32_t adjacencies;  /**< as hsp_cells_limits.adjacencies */
-  uint32_t landmarks;    /**< as hsp_cells_limits.landmarks */
-  uint32_t facets;       /**< as hsp_cells_limits.facets */
-  uint32_t corners;      /**< as hsp_cells_limits.corners */
-  uint32_t cube_balls;   /**< as hsp_cells_limits.cube_balls */
-  uint32_t cube_corners; /**< as hsp_cells_limits.cube_corners */
-} hsp_gate_limits;
-
-/** Limits that suffice for most molecules of `balls` atoms, about 7.2 kB for each: those of hsp_cells_limits_init.
- *  @retval HSP_E_ARGUMENT  limits is NULL
- *  @retval HSP_E_VERSION   struct_size is bad
- *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
-HSP_API int32_t HSP_CALL hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls);
-
-/** Bytes that hsp_gate_init needs.
- *  - Property 1: at most HSP_GATE_BYTES of the limits.
- *  - Property 2: grows with each limit.
- *
- *  @retval HSP_E_ARGUMENT  a null pointer
- *  @retval HSP_E_VERSION   bad struct_size
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t HSP_CALL hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
-
-/** The same as an upper bound that is a constant expression, for static arrays. */
-#define HSP_GATE_BYTES(balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls,            \
-                       cube_corners)                                                                                 \
-  ((size_t)122880 + (size_t)1440 * (size_t)(balls) + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + \
-   (size_t)28 * (size_t)(cells) + (size_t)16 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) +            \
-   (size_t)72 * (size_t)(facets) + (size_t)48 * (size_t)(corners) + (size_t)1536 * (size_t)(cube_balls) +            \
-   (size_t)64 * (size_t)(cube_corners))
-
-/** Make a gate without results in caller memory of any alignment; sets *gate.
- *  @retval HSP_E_ARGUMENT  a null pointer
- *  @retval HSP_E_VERSION   bad struct_size
- *  @retval HSP_E_MEMORY    bytes is less than hsp_gate_bytes says; nothing is written
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t HSP_CALL hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate);
-
-/** Find the widest probe between two points, from [3] and to [3], or to the outside if `to` is NULL. The points are
- *  rounded to the lattice. The model must outlive the gate, which can be read while the model holds the same balls
- *  (RESULTS in hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h; at most forty
- *  retries.
- *
- *  Cost: that of hsp_pores_compute and some three times hsp_cells_compute, of balls that grow up to the widest probe.
- *  Where pores need more than their default limits, or probes touch balls too far apart for them, that of some thirty
- *  times hsp_cells_compute. Results are the same, bit for bit.
- *  @retval HSP_E_ARGUMENT    gate, model or from is NULL
- *  @retval HSP_E_VERSION     bad struct_size of limits
- *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
- *  @retval HSP_E_STATE       hsp_model_set has failed
- *  @retval HSP_E_CHECK       cells contradict each other, which cannot happen: please report it
- *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
- *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or a probe passes with which the largest ball has
- *                            2^30 lattice steps or more: set the model with a larger step */
-HSP_API int32_t HSP_CALL hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
-                                          hsp_gate_limits *limits);
-
-/** The widest probe. Frozen. */
-typedef struct hsp_widest_probe {
-  double radius;     /**< added to the radii of the model; 0 if not even a point passes, infinite without balls */
-  uint32_t passes;   /**< whether a point does, exactly: 1 or 0 */
-  uint32_t gate[3];  /**< the balls that stop a wider one, ascending, HSP_NONE behind the last */
-  uint32_t builds;   /**< how often free space was cut into cells */
-  uint32_t reserved; /**< 0 */
-} hsp_widest_probe;
-
-/** The widest probe that was found.
- *  - Property 1: a probe narrower by one lattice step passes, and one wider by one does not, exactly.
- *  - Property 2: the order of the balls has no effect but on their numbers, unless several gates close at once.
- *
- *  @retval HSP_E_ARGUMENT  a null pointer
- *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t HSP_CALL hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest);
 
 #ifdef __cplusplus
 }

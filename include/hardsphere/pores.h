@@ -364,8 +364,8 @@ typedef struct hsp_pore_passage {
 /** The widest probe that gets from one point to another, from [3] and to [3], or to the outside if `to` is NULL. The
  *  points are rounded to the lattice. In a periodic box it may get to any copy of `to`; and as nothing is outside
  *  there, `to` NULL is another copy of `from`: the probe goes on for ever. Without balls that is as without a box.
- *  - Property 1: its radius is that of hsp_gate_get_widest up to a lattice step, which looks at one pair of points
- *    alone.
+ *  - Property 1: a probe narrower by one lattice step has a path between the two points, as hsp_paths_find finds it,
+ *    and one wider by one has none.
  *  - Property 2: in a box, with `to` NULL, it is at most through[0] of hsp_pore_percolation, and that at one of the
  *    maxima at least.
  *

@@ -21,7 +21,6 @@ hsp_part(space
     paths/cell_search.cpp
     paths/free_segments.cpp
     paths/path_finder.cpp
-    paths/widest_probe.cpp
     tangents/tangent_point.cpp
     pores/ascent.cpp
     pores/balls_around.cpp
@@ -34,7 +33,6 @@ hsp_part(space
     pores/tied_balls.cpp
     pores/way_up.cpp
     pockets/class_tree.cpp
-    pockets/gate_finder.cpp
     pockets/plugs.cpp
     pockets/pockets.cpp
     pockets/region_finder.cpp

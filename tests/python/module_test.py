@@ -352,7 +352,7 @@ class Wrong(unittest.TestCase):
         for bonds in None, [(0, 1)]:
             self.refused("colors: shape (1,), expected (327,)", lambda: balls.svg([0], bonds=bonds))
         self.refused("towards: shape (2,), expected (3,)", lambda: balls.svg(towards=[1, 2]))
-        self.refused("from_: shape (2,), expected (3,)", lambda: hardsphere.Gate().compute(balls.model, [1, 2]))
+        self.refused("from_: shape (2,), expected (3,)", lambda: balls.pores().handle.widest([1, 2]))
         self.refused("matrix: shape (8,), expected (9,)", lambda: hardsphere.pose_from_matrix([1] * 8, [0] * 3))
 
     def test_shapes_that_serve(self):
@@ -395,8 +395,7 @@ class EveryGetter(unittest.TestCase):
         balls = hardsphere.Balls(centers, radii, probe=0.1)
         balls.mesh(0.5), balls.contacts(), balls.topology, balls.surface(), balls.pores(), balls.svg()
         handles = [balls.model, *balls._handles.values(), hardsphere.Cells().compute(balls.model),
-                   hardsphere.Map().compute(balls.model, towards=[0, 0, 1]), hardsphere.Box(centers, radii, [9, 9, 9]).handle,
-                   hardsphere.Gate().compute(balls.model, [3, 3, 3])]
+                   hardsphere.Map().compute(balls.model, towards=[0, 0, 1]), hardsphere.Box(centers, radii, [9, 9, 9]).handle]
         called = 0
         for handle in handles:
             for name, method in inspect.getmembers(handle, inspect.ismethod):

@@ -25,16 +25,6 @@ struct PathsKind : KindOf<hsp_paths, hsp_paths_limits, 7, hsp_paths_bytes, hsp_p
                            most.corners, most.cube_balls, most.cube_corners, most.points);
   }
 };
-struct GateKind : KindOf<hsp_gate, hsp_gate_limits, 40, hsp_gate_bytes, hsp_gate_init> {
-  static constexpr const char *name = "hsp_gate";
-  static constexpr std::array limits = {&Limits::balls,       &Limits::cubes,       &Limits::entries, &Limits::cells,
-                                        &Limits::adjacencies, &Limits::landmarks,   &Limits::facets,  &Limits::corners,
-                                        &Limits::cube_balls,  &Limits::cube_corners};
-  static size_t most_bytes(const Limits &most) {
-    return HSP_GATE_BYTES(most.balls, most.cubes, most.entries, most.cells, most.adjacencies, most.landmarks,
-                          most.facets, most.corners, most.cube_balls, most.cube_corners);
-  }
-};
 struct PoresKind : KindOf<hsp_pores, hsp_pores_limits, 40, hsp_pores_bytes, hsp_pores_init> {
   static constexpr const char *name = "hsp_pores";
   static constexpr std::array limits = {&Limits::balls,      &Limits::maxima,     &Limits::gates, &Limits::tied,

@@ -1,9 +1,6 @@
 // Section 2: the table of k, rho, and how many balls meet a ball, for the paper's molecules and radii; and Figure 4,
 // how large vertical decompositions are beside the library's cells. Free space: its cells by turns with Steps 1 and 2,
-// in which of them points lie, and, of molecules, paths between some of these; and how often cells are cut for widest
-// probes, one of them out of a void.
-#include <algorithm>
-#include <chrono>
+// in which of them points lie, and, of molecules, paths between some of these.
 #include <cstddef>
 #include <optional>
 
@@ -67,41 +64,9 @@ struct Paths {
   support::OwnedHandle<support::PathsKind> paths;
 };
 
-// A point in a void that the molecule has for a probe of 1.4 Angstrom; none if there is no void.
-std::vector<double> point_in_void(const Balls &balls) {
-  Model model(balls, 1.4);
-  Boundary boundary(model);
-  Topology topology(boundary);
-  if (topology.counts().regions < 2) return {};
-  const std::vector<double> points = random_points_in_box(model, 200000);
-  for (size_t i = 0; i < points.size(); i += 3) {
-    uint32_t cell = 0;
-    expect_ok(hsp_topology_locate(topology.get(), &points[i], &cell), "hsp_topology_locate");
-    if (cell != HSP_NONE && cell != 0)
-      return {points.begin() + static_cast<ptrdiff_t>(i), points.begin() + static_cast<ptrdiff_t>(i) + 3};
-  }
-  return {};
-}
-
-// How often cells were cut for the widest probe from a point to the outside.
-uint32_t gate_builds(const Model &model, const double *from) {
-  hsp_gate_limits limits{};
-  expect_ok(hsp_gate_limits_init(&limits, sizeof limits, model.size()), "hsp_gate_limits_init");
-  support::OwnedHandle<support::GateKind> gate;
-  gate.take(limits);
-  gate.compute([&](hsp_gate *made, hsp_gate_limits *asked) {
-    return hsp_gate_compute(made, model.get(), from, nullptr, asked);
-  });
-  hsp_widest_probe widest{};
-  expect_ok(hsp_gate_get_widest(gate.get(), &widest), "hsp_gate_get_widest");
-  return widest.builds;
-}
-
-// bare: without a probe.
-void free_space(benchmark::State &state, Subject &subject, bool bare) {
+void free_space(benchmark::State &state, Subject &subject) {
   constexpr size_t points = 10000, ways = 20;
-  constexpr uint32_t few = 1000;   // balls, so that a gate does not take seconds
-  constexpr uint32_t many = 5000;  // of which paths are not asked for
+  constexpr uint32_t many = 5000;  // balls, of which paths are not asked for
   const Model &model = *subject.model;
   FreeSpace space(model);
   const std::vector<double> box = random_points_in_box(model, points);
@@ -127,19 +92,6 @@ void free_space(benchmark::State &state, Subject &subject, bool bare) {
   benchmark::DoNotOptimize(sum);
   state.counters["locate_each"] = state.counters["locate_seconds"] / static_cast<double>(points);
   state.counters["path_each"] = paths ? state.counters["paths_seconds"] / static_cast<double>(ways) : 0;
-  uint32_t builds = 0;
-  if (model.size() < few) {
-    for (size_t k = 0; k < 4; ++k) builds = std::max(builds, gate_builds(model, &ends[3 * k]));
-  }
-  state.counters["gate_builds"] = builds;
-  const std::vector<double> in_void = bare && model.size() < few ? point_in_void(subject.balls) : std::vector<double>{};
-  state.counters["void_builds"] = 0;
-  state.counters["void_seconds"] = 0;
-  if (in_void.empty()) return;
-  const auto start = std::chrono::steady_clock::now();
-  state.counters["void_builds"] = gate_builds(model, in_void.data());
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  state.counters["void_seconds"] = taken.count();
 }
 
 }  // namespace
@@ -163,10 +115,7 @@ void register_suite() {
     for (const Size &size : all_sizes()) {
       if (size.name.ends_with("_x216")) continue;  // gigabytes
       const SubjectRecipe recipe{group + size.name, size.balls, surface.probe, Stage::boundary};
-      const bool bare = surface.probe == 0;
-      register_case(group + size.name, recipe, [bare](benchmark::State &state, Subject &subject) {
-        free_space(state, subject, bare);
-      })->Unit(benchmark::kMillisecond);
+      register_case(group + size.name, recipe, free_space)->Unit(benchmark::kMillisecond);
     }
   }
   for (const uint32_t n : {10U, 20U, 40U, 60U, 80U, 100U, 140U, 200U}) {

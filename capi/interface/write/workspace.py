@@ -8,7 +8,7 @@ from .template import filled, guarded
 
 TEMPLATE = Path(__file__).with_name("workspace_template.h")
 # The handles behind the model, in the order in which they stand in a workspace.
-HANDLES = ("boundary", "topology", "view", "surface", "mesh", "map", "contacts", "cells", "paths", "gate", "pores",
+HANDLES = ("boundary", "topology", "view", "surface", "mesh", "map", "contacts", "cells", "paths", "pores",
            "moving", "periodic")
 WIDTH = 120
 # The functions of a workspace that make a handle, where they are not called as it.

@@ -41,7 +41,6 @@ module hardsphere_workspace
     procedure :: compute_contacts
     procedure :: compute_cells ! hardsphere/cells.h
     procedure :: find_path ! hardsphere/paths.h
-    procedure :: compute_gate ! hardsphere/paths.h
     procedure :: compute_pores ! hardsphere/pores.h
     procedure :: compute_pores_periodic ! hardsphere/pores.h
     procedure :: find_tunnel ! hardsphere/pores.h
@@ -59,7 +58,7 @@ module hardsphere_workspace
   private :: compute_mesh, raise_mesh_limits ! hardsphere/mesh.h
   private :: compute_map ! hardsphere/map.h
   private :: compute_cells ! hardsphere/cells.h
-  private :: find_path, compute_gate ! hardsphere/paths.h
+  private :: find_path ! hardsphere/paths.h
   private :: compute_pores, compute_pores_periodic, find_tunnel, find_tunnel_periodic ! hardsphere/pores.h
   private :: find_cheapest_tunnel, find_cheapest_tunnel_periodic, find_some_tunnel ! hardsphere/pores.h
   private :: set_moving ! hardsphere/moving.h
@@ -71,8 +70,7 @@ contains
   ! ---- model.h
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
-  ! are.
+  ! contacts, cells, paths and pores hold no results of other balls then; balls that move and a box stay as they are.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -211,10 +209,6 @@ contains
       status = grow_paths(self, limits)
     end do
   end function
-
-  ! Finds the widest probe from one point to another, or to the outside without `to`; arguments and statuses as
-  ! hsp_gate_compute.
-  ! <compute gate>
 
   ! ---- pores.h
 

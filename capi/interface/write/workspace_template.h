@@ -53,9 +53,9 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 /* ---- model.h */
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
- *  are. If it fails there are no balls to ask for, not those of before either: HSP_E_STATE, HSP_E_ARGUMENT without
- *  memory for a model. */
+ *  contacts, cells, paths and pores hold no results of other balls then; balls that move and a box stay as they are. If
+ *  it fails there are no balls to ask for, not those of before either: HSP_E_STATE, HSP_E_ARGUMENT without memory for a
+ *  model. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -153,10 +153,6 @@ static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from
   }
   return status;
 }
-
-/** Find the widest probe from one point to another, both [3], or to the outside if `to` is NULL; arguments and statuses
- *  as hsp_gate_compute. */
-/* <compute gate> */
 
 /* ---- pores.h */
 

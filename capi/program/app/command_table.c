@@ -103,8 +103,9 @@ const struct command_row command_table[COMMANDS] = {
                            "JSON: <>; cell is its number in the library, components how many pieces of the union lie "
                            "in it, balls their indices in the order of the file, counted from 0, ascending, middle the "
                            "mean of their centres, which may lie in a ball; point lies in the void, by integers, null "
-                           "if it is narrower than the lattice, and no point of the void has more clearance than "
-                           "clearance_bound, up to rounding; smaller is how many voids --min-volume leaves out.",
+                           "if it is narrower than the lattice, and no point of the void has more clearance; "
+                           "clearance_bound is clearance once more; smaller is how many voids --min-volume leaves "
+                           "out.",
                        .describe = describe_voids},
     [COMMAND_CONTACTS] =
         {.name = "contacts",

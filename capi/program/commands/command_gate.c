@@ -16,12 +16,6 @@ struct ends {
   bool inside; /* it ends at that point, not outside */
 };
 
-static uint32_t gate_balls(const hsp_widest_probe *widest) {
-  uint32_t count = 0;
-  while (count < 3 && widest->gate[count] != HSP_NONE) ++count;
-  return count;
-}
-
 static void print_end(struct record *record, const char *name, const struct place *place, const double point[3]) {
   const struct file_format *const format = record->molecule->format;
   char shown[4][NUMBER_BYTES];
@@ -37,16 +31,17 @@ static void print_end(struct record *record, const char *name, const struct plac
 struct found {
   const struct request *request;
   struct ends ends;
-  hsp_widest_probe widest;
+  struct widest_probe widest;
 };
 
 static void print(struct record *record, const void *of) {
-  static const char *const kinds[] = {"", "one ball at an end", "two balls", "three balls around a passage"};
   const struct found *const found = of;
   const struct ends *const ends = &found->ends;
-  const hsp_widest_probe *const widest = &found->widest;
-  const uint32_t count = gate_balls(widest);
-  const bool passes = widest->passes != 0;
+  const struct widest_probe *const widest = &found->widest;
+  const bool passes = widest->passes;
+  const char *const kind = widest->balls == 0   ? ""
+                           : widest->balls == 1 ? "one ball at an end"
+                                                : "three balls around a passage";
   print_end(record, "from", &found->request->gate.from, ends->from);
   print_end(record, "to", &found->request->gate.to, ends->to);
   record_atoms(record);
@@ -54,12 +49,12 @@ static void print(struct record *record, const void *of) {
   if (!passes) record_text(record, NULL, "widest probe", "none", "not even a point passes");
   record_number(record, "widest_probe", passes ? "widest probe" : NULL, passes ? widest->radius : (double)NAN, 8,
                 "@, added to the radii");
-  if (passes) record_count(record, NULL, "gate", count, kinds[count]);
-  record_counts(record, "gate", widest->gate, count);
+  if (passes) record_count(record, NULL, "gate", widest->balls, kind);
+  record_counts(record, "gate", widest->gate, widest->balls);
   record_numbers(record, "from", ends->from, 3);
   record_numbers(record, "to", ends->inside ? ends->to : NULL, 3);
-  if (record->form == FOR_PERSONS && passes && count > 0) {
-    ball_rows_print(record->molecule, widest->gate, count, record->out);
+  if (record->form == FOR_PERSONS && widest->balls > 0) {
+    ball_rows_print(record->molecule, widest->gate, widest->balls, record->out);
   }
 }
 
@@ -93,9 +88,8 @@ bool command_gate(const struct request *request, const struct molecule *molecule
   struct found found = {.request = request};
   struct ends *const ends = &found.ends;
   if (!find_ends(request, molecule, geometry, ends, failure)) return false;
-  if (!geometry_find_gate(geometry, molecule, ends->from, ends->inside ? ends->to : NULL, failure)) return false;
-  const int32_t status = hsp_gate_get_widest(geometry->work.gate, &found.widest);
-  if (status != HSP_OK) return failure_in_library(failure, status);
+  const double *const to = ends->inside ? ends->to : NULL;
+  if (!geometry_find_widest(geometry, molecule, ends->from, to, &found.widest, failure)) return false;
   report(request, molecule, print, &found, out);
   return true;
 }

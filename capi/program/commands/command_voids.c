@@ -15,7 +15,7 @@ struct found {
 
 static bool void_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct void_cell *cell = &((const struct found *)of)->list.voids[row];
-  const struct void_room *room = &cell->room;
+  const struct void_sphere *sphere = &cell->sphere;
   (void)text;
   cells[0].count = (int64_t)row + 1;
   cells[1].count = cell->region;
@@ -25,9 +25,8 @@ static bool void_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   cells[6].counts.list = cell->balls;
   cells[6].counts.length = cell->ball_count;
   cells[7].vector = cell->middle;
-  cells[8].vector = room->found ? room->xyz : NULL;
-  cells[9].quantity = room->found ? room->clearance : (double)NAN;
-  cells[10].quantity = room->bound;
+  cells[8].vector = sphere->found ? sphere->xyz : NULL;
+  cells[9].quantity = cells[10].quantity = sphere->found ? sphere->clearance : (double)NAN;
   cells[11].count = cell->ball_count;
   return true;
 }

@@ -230,7 +230,7 @@ bool pores_find(const struct molecule *molecule, struct geometry *geometry, stru
   return (!boxed || periodic_result_find_box(request, molecule, &found->box, failure)) &&
          (!request->pores.regions || take_regions(geometry, molecule, found, failure)) &&
          (boxed ? geometry_find_pores_in_box(geometry, molecule, found->box.box, request->probe, failure)
-                : geometry_find_pores(geometry, molecule, request->probe, failure)) &&
+                : geometry_find_pores(geometry, molecule, 0.0, request->probe, failure)) &&
          take_tree(geometry->work.pores, found, failure) &&
          (!boxed || take_channels(geometry->work.pores, found, failure)) &&
          (request->pores.pockets < 0.0 || take_pockets(geometry, found, failure)) &&

@@ -34,25 +34,6 @@ static bool try_coarser(struct geometry *geometry, const struct molecule *molecu
   return true;
 }
 
-struct ends {
-  const double *from, *to;
-};
-
-static int32_t find_gate(hsp_workspace *work, const void *of) {
-  const struct ends *const ends = of;
-  return hsp_workspace_gate(work, ends->from, ends->to);
-}
-
-bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
-                        const double *to, struct failure *failure) {
-  const struct ends ends = {from, to};
-  int32_t status = HSP_OK;
-  progress_show(&geometry->progress, "looking for the widest probe");
-  if (!try_coarser(geometry, molecule, 0.0, find_gate, &ends, &status, failure)) return false;
-  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
 static hsp_pores_options pores_of(double narrowest) {
   return (hsp_pores_options){.struct_size = (uint32_t)sizeof(hsp_pores_options), .reserved = 0, .floor = narrowest};
 }
@@ -61,9 +42,53 @@ static int32_t find_pores(hsp_workspace *work, const void *of) {
   return hsp_workspace_pores(work, of);
 }
 
-/* Of the model, whose balls are grown by the probe. */
-static bool find_pores_outside_boxes(struct geometry *geometry, const struct molecule *molecule, double probe,
-                                     double narrowest, struct failure *failure) {
+struct ends {
+  const double *from, *to;
+  hsp_pore_passage *passage;
+};
+
+static int32_t find_passage(hsp_workspace *work, const void *of) {
+  const struct ends *const ends = of;
+  const int32_t status = hsp_workspace_pores(work, NULL);
+  return status != HSP_OK ? status : hsp_pores_widest(work->pores, ends->from, ends->to, ends->passage);
+}
+
+static int order_of_balls(const void *left, const void *right) {
+  const uint32_t *a = left, *b = right;
+  return (*a > *b) - (*a < *b);
+}
+
+/* The balls that stop a wider probe. */
+static int32_t take_gate(const hsp_pores *pores, const hsp_pore_passage *passage, struct widest_probe *widest) {
+  hsp_pore_gate gate;
+  if (passage->ball != HSP_NONE) widest->gate[widest->balls++] = passage->ball;
+  if (passage->gate == HSP_NONE) return HSP_OK;
+  const int32_t status = hsp_pores_get_gates(pores, passage->gate, 1, &gate);
+  if (status != HSP_OK) return status;
+  widest->balls = 3;
+  for (int k = 0; k < 3; ++k) widest->gate[k] = gate.ball[k];
+  qsort(widest->gate, 3, sizeof *widest->gate, order_of_balls);
+  return HSP_OK;
+}
+
+bool geometry_find_widest(struct geometry *geometry, const struct molecule *molecule, const double from[3],
+                          const double *to, struct widest_probe *widest, struct failure *failure) {
+  hsp_pore_passage passage;
+  const struct ends ends = {from, to, &passage};
+  int32_t status = HSP_OK;
+  *widest = (struct widest_probe){.passes = false};
+  progress_show(&geometry->progress, "looking for the widest probe");
+  if (!try_coarser(geometry, molecule, 0.0, find_passage, &ends, &status, failure)) return false;
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
+  if (status == HSP_OK) status = take_gate(geometry->work.pores, &passage, widest);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  widest->passes = passage.passes != 0;
+  widest->radius = passage.radius;
+  return true;
+}
+
+bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double probe, double narrowest,
+                         struct failure *failure) {
   const hsp_pores_options options = pores_of(narrowest);
   int32_t status = HSP_OK;
   progress_show(&geometry->progress, "looking for pores");
@@ -71,11 +96,6 @@ static bool find_pores_outside_boxes(struct geometry *geometry, const struct mol
          (status == HSP_OK ||
           (status == HSP_E_RANGE ? failure_in_input(failure, 0, "balls are too far apart for their radii")
                                  : failure_in_library(failure, status)));
-}
-
-bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double narrowest,
-                         struct failure *failure) {
-  return find_pores_outside_boxes(geometry, molecule, 0.0, narrowest, failure);
 }
 
 /* In the model, or in the box. */
@@ -114,7 +134,7 @@ static bool find_pores_and_surface(struct geometry *geometry, const struct molec
                                    double probe, double step, struct failure *failure) {
   return box != NULL ? find_pores_of_box(geometry, molecule, probe, step, box, 0.0, failure)
                      : geometry_set_model(geometry, molecule, probe, step, failure) &&
-                           find_pores_outside_boxes(geometry, molecule, probe, 0.0, failure) &&
+                           geometry_find_pores(geometry, molecule, probe, 0.0, failure) &&
                            geometry_compute_boundary(geometry, failure);
 }
 

@@ -14,13 +14,22 @@ bool geometry_compute_cells(struct geometry *geometry, struct failure *failure);
 bool geometry_find_path(struct geometry *geometry, const double from[3], const double to[3], hsp_path *path,
                         struct failure *failure);
 
-/* Find the widest probe from one point to another, or to the outside if `to` is NULL. The model is made again on a
- * coarser lattice if probes are too wide for its own. */
-bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
-                        const double *to, struct failure *failure);
+/* The widest probe between two points, and the balls that stop a wider one: three at a gate, one at an end. */
+struct widest_probe {
+  bool passes;   /* whether a point does: else the rest is 0 */
+  double radius; /* infinite without balls */
+  uint32_t balls;
+  uint32_t gate[3]; /* [balls], ascending */
+};
 
-/* Find maxima and gates that are wider than the narrowest probe; likewise. */
-bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double narrowest,
+/* Find it, from one point to another, or to the outside if `to` is NULL, by the pores of all balls. The model is made
+ * again on a coarser lattice if probes are too wide for its own. */
+bool geometry_find_widest(struct geometry *geometry, const struct molecule *molecule, const double from[3],
+                          const double *to, struct widest_probe *widest, struct failure *failure);
+
+/* Find maxima and gates that are wider than the narrowest probe, of the model, whose balls are grown by the probe;
+ * likewise. */
+bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double probe, double narrowest,
                          struct failure *failure);
 
 /* The same in a periodic box, [9]. */

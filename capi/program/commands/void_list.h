@@ -4,10 +4,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "commands/void_room.h"
 #include "read/failure.h"
 #include "read/geometry.h"
 #include "read/molecule.h"
+
+/* The largest empty sphere. */
+struct void_sphere {
+  bool found; /* false: the void is narrower than the lattice of the model can show */
+  double xyz[3];
+  double clearance; /* the distance from there to the nearest ball: no point of the void has more */
+};
 
 struct void_cell {
   uint32_t region; /* its number in the library, from 1 on */
@@ -15,9 +21,7 @@ struct void_cell {
   const uint32_t *balls; /* those with a face on it, ascending; in void_list.balls */
   uint32_t ball_count;
   double middle[3]; /* mean of the centres of these balls; it may lie in one */
-  double low[3];    /* of a box that the void lies in */
-  double high[3];
-  struct void_room room;
+  struct void_sphere sphere;
 };
 
 struct void_list {
@@ -35,8 +39,9 @@ struct void_list {
 bool void_list_make(const struct geometry *geometry, const struct molecule *molecule, double probe, double min_volume,
                     struct void_list *list, struct failure *failure);
 
-/* The point with most room in the void of that rank, counted from 1, of a molecule grown by the probe: its model, which
- * is set, has all else that it knew forgotten. option: what asks for it. False: there is no such void, or no room. */
+/* The centre of the largest empty sphere in the void of that rank, counted from 1, of a molecule grown by the probe:
+ * its model, which is set, has all else that it knew forgotten. option: what asks for it. False: there is no such void,
+ * or no room. */
 bool void_list_point(struct geometry *geometry, const struct molecule *molecule, double probe, uint64_t rank,
                      const char *option, double point[3], struct failure *failure);
 

@@ -638,19 +638,6 @@ class Path(Record):
                 ("points", C.c_uint32), ("reserved", C.c_uint32)]
 
 
-class GateLimits(Record):
-    """The limits that fix the memory of a gate:"""
-    _fields_ = [("struct_size", C.c_uint32), ("balls", C.c_uint32), ("cubes", C.c_uint32), ("entries", C.c_uint32),
-                ("cells", C.c_uint32), ("adjacencies", C.c_uint32), ("landmarks", C.c_uint32), ("facets", C.c_uint32),
-                ("corners", C.c_uint32), ("cube_balls", C.c_uint32), ("cube_corners", C.c_uint32)]
-
-
-class WidestProbe(Record):
-    """The widest probe."""
-    _fields_ = [("radius", C.c_double), ("passes", C.c_uint32), ("gate", C.c_uint32 * 3), ("builds", C.c_uint32),
-                ("reserved", C.c_uint32)]
-
-
 class PoresLimits(Record):
     """The limits that fix the memory of pores."""
     _fields_ = [("struct_size", C.c_uint32), ("balls", C.c_uint32), ("maxima", C.c_uint32), ("gates", C.c_uint32),
@@ -1560,18 +1547,6 @@ class Paths(Handle):
         return call("hsp_paths_get_points", self)
 
 
-class Gate(Handle):
-    noun = "gate"
-
-    def compute(self, model: Model, from_: Any, to: Any | None = None) -> Gate:
-        """Find the widest probe between two points, from [3] and to [3], or to the outside if `to` is NULL."""
-        return call("hsp_gate_compute", self, model=model, from_=from_, to=to)
-
-    def get_widest(self) -> WidestProbe:
-        """The widest probe that was found."""
-        return call("hsp_gate_get_widest", self)
-
-
 class Pores(Handle):
     noun = "pores"
 
@@ -2405,14 +2380,6 @@ FUNCTIONS = {
         "path:struct_out:hsp_path::never limits:sized:hsp_paths_limits::always",
     "hsp_paths_get_points": "int32_t paths:handle:hsp_paths::never points:array_out:double:needed;3:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_gate_limits_init": "int32_t limits:sized:hsp_gate_limits::never struct_size:value:uint32_t::never "
-        "balls:value:uint32_t::never",
-    "hsp_gate_bytes": "int32_t limits:sized_in:hsp_gate_limits::never bytes:value_out:size_t::never",
-    "hsp_gate_init": "int32_t memory:memory:void::never bytes:value:size_t::never "
-        "limits:sized_in:hsp_gate_limits::never gate:handle_out:hsp_gate::never",
-    "hsp_gate_compute": "int32_t gate:handle:hsp_gate::never model:handle:hsp_model::never "
-        "from:array_in:double:3:never to:array_in:double:3:always limits:sized:hsp_gate_limits::always",
-    "hsp_gate_get_widest": "int32_t gate:handle:hsp_gate::never widest:struct_out:hsp_widest_probe::never",
     "hsp_pores_limits_init": "int32_t limits:sized:hsp_pores_limits::never struct_size:value:uint32_t::never "
         "balls:value:uint32_t::never",
     "hsp_pores_bytes": "int32_t limits:sized_in:hsp_pores_limits::never bytes:value_out:size_t::never",
@@ -2658,15 +2625,15 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          'hsp_topology_vertex': TopologyVertex, 'hsp_topology_edge': TopologyEdge, 'hsp_simple_face': SimpleFace,
          'hsp_cells_limits': CellsLimits, 'hsp_cells_counts': CellsCounts, 'hsp_free_cell': FreeCell, 'hsp_cell_pair':
          CellPair, 'hsp_arrangement': Arrangement, 'hsp_paths_limits': PathsLimits, 'hsp_path': Path,
-         'hsp_gate_limits': GateLimits, 'hsp_widest_probe': WidestProbe, 'hsp_pores_limits': PoresLimits,
-         'hsp_pores_options': PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum,
-         'hsp_pore_gate': PoreGate, 'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation,
-         'hsp_pore_channel': PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts,
-         'hsp_pore_passage': PorePassage, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point':
-         TunnelPoint, 'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access':
-         PoreAccess, 'hsp_pore_region': PoreRegion, 'hsp_pore_pocket_size': PorePocketSize, 'hsp_view_limits':
-         ViewLimits, 'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece,
-         'hsp_view_loop': ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo,
-         'hsp_map_vertex': MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight,
-         'hsp_map_point': MapPoint, 'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick,
-         'hsp_sticks_conflict': SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})
+         'hsp_pores_limits': PoresLimits, 'hsp_pores_options': PoresOptions, 'hsp_pores_counts': PoresCounts,
+         'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate, 'hsp_pore_gate_shifts': PoreGateShifts,
+         'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel': PoreChannel, 'hsp_pore_place': PorePlace,
+         'hsp_pore_place_shifts': PorePlaceShifts, 'hsp_pore_passage': PorePassage, 'hsp_tunnel': Tunnel,
+         'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point': TunnelPoint, 'hsp_tunnel_point_shifts':
+         TunnelPointShifts, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access': PoreAccess, 'hsp_pore_region':
+         PoreRegion, 'hsp_pore_pocket_size': PorePocketSize, 'hsp_view_limits': ViewLimits, 'hsp_view_options':
+         ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop': ViewLoop,
+         'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex': MapVertex,
+         'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point': MapPoint,
+         'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick, 'hsp_sticks_conflict':
+         SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})

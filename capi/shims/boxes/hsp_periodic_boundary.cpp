@@ -1,122 +1,97 @@
+#include "boundary_records.hpp"
 #include "hsp_periodic.hpp"
-#include "loop_walk.hpp"
-#include "measure/boundary_positions.hpp"
 #include "periodic/periodic_records.hpp"
 #include "periodic_shifts.hpp"
 
 using hsp::capi::check_request;
 using hsp::capi::for_each_half_edge;
 using hsp::capi::LibraryArithmetic;
+using hsp::capi::list_records;
 
 namespace {
 
-// The ball of the grid, or an image, from where the caller has put it.
-hsp_image image_of(const hsp::PeriodicUnion &periodic, uint32_t grid_ball) {
-  const hsp::PeriodicImages &images = periodic.images();
-  const uint32_t k = periodic.balls().caller[grid_ball];
-  hsp_image result{};
-  result.ball = images.ball_of(k);
-  hsp::capi::put_shift(images.box().in_given_vectors(images.shift_from_caller(k)), result.shift);
-  return result;
-}
+// Each record once, with its first ball at its place in the box. The set has its lengths in steps.
+struct Listing {
+  explicit Listing(const hsp_periodic &handle)
+      : periodic(handle.builder), boundary(periodic.boundary()), balls(periodic.balls()) {}
 
-hsp_periodic_id record_to_c(const hsp::PeriodicUnion &periodic, const hsp::MovedRecord &record) {
-  hsp_periodic_id result{};
-  result.id = record.id;
-  hsp::capi::put_shift(periodic.images().box().in_given_vectors(record.shift), result.shift);
-  return result;
-}
+  uint32_t vertices() const { return periodic.counts().vertices; }
+  uint32_t arcs() const { return periodic.counts().arcs; }
+  uint32_t circles() const { return periodic.counts().circles; }
+  uint32_t loops() const { return periodic.counts().loops; }
+  bool lists_vertex(uint32_t vertex) const { return periodic.listed_vertices().has(vertex); }
+  bool lists_circle(uint32_t circle) const { return periodic.listed_circles().has(circle); }
+  hsp::OrderedVertex in_order(const hsp::VertexRecord &vertex) const { return periodic.in_listed_order(vertex); }
+  template <class Visit>
+  void for_each_arc(Visit visit) const {
+    for (uint32_t own = 0; own < periodic.images().balls(); ++own) {
+      for (const uint32_t e : boundary.half_edges(own)) {
+        if (periodic.listed_half_edges().has(e)) visit(own, e);
+      }
+    }
+  }
+  // 0 on the ball that a record has first, 1 on the other one.
+  uint32_t side(uint32_t own, uint32_t other) const {
+    return periodic.is_listed(balls.caller[own], balls.caller[other]) ? 0 : 1;
+  }
+  // Of the grid, or an image, from where the caller has put it.
+  hsp_image ball(uint32_t grid_ball) const {
+    const hsp::PeriodicImages &images = periodic.images();
+    const uint32_t k = balls.caller[grid_ball];
+    hsp_image result{};
+    result.ball = images.ball_of(k);
+    hsp::capi::put_shift(images.box().in_given_vectors(images.shift_from_caller(k)), result.shift);
+    return result;
+  }
+  template <class Record>
+  static hsp_image *balls_of(Record &record) {
+    return record.image;
+  }
+  hsp_periodic_id moved(const hsp::MovedRecord &record) const {
+    hsp_periodic_id result{};
+    result.id = record.id;
+    hsp::capi::put_shift(periodic.images().box().in_given_vectors(record.shift), result.shift);
+    return result;
+  }
+  hsp_periodic_id vertex(uint32_t id) const { return moved(hsp::listed_vertex(periodic, id)); }
+  hsp_periodic_id face(uint32_t id) const { return moved({id, {}}); }
+  hsp_periodic_id face_across(uint32_t own, uint32_t e) const { return moved(hsp::face_across(periodic, own, e)); }
+  hsp_periodic_id face_across(hsp::ClosedHalfEdge own) const { return moved(hsp::face_across(periodic, own)); }
+  hsp_periodic_id circle(hsp::ClosedHalfEdge own) const { return moved(hsp::listed_circle(periodic, own)); }
+  static constexpr hsp_periodic_loop no_loop{{HSP_NONE, {0, 0, 0}}, 0, 0, 0, 0};
+  double angle(uint32_t own, uint32_t e) const { return hsp::angle_of_listed_arc(periodic, own, e); }
+  void put_position(const hsp::Position &position, double (&xyz)[3]) const {
+    hsp::to_coordinates(balls, position, xyz);
+    for (double &x : xyz) x = length(x);
+  }
+  double length(double steps) const { return periodic.images().lattice().length(steps); }
 
-// The set has its lengths in steps.
-void put_position(const hsp::PeriodicUnion &periodic, const hsp::Position &position, double (&xyz)[3]) {
-  hsp::to_coordinates(periodic.balls(), position, xyz);
-  for (double &x : xyz) x = periodic.images().lattice().length(x);
-}
-
-// Common to arcs and circles: the circle of balls a and b of the grid.
-template <class Record>
-void put_circle(const hsp::PeriodicUnion &periodic, uint32_t a, uint32_t b, Record &record) {
-  const hsp::CirclePosition position = hsp::position_of_circle(periodic.balls(), a, b);
-  put_position(periodic, position.centre, record.centre);
-  hsp::capi::to_array(position.axis, record.axis);
-  record.radius = periodic.images().lattice().length(position.radius);
-  record.image[0] = image_of(periodic, a);
-  record.image[1] = image_of(periodic, b);
-}
-
-// 0 on the ball that a record has first, 1 on the other one.
-uint32_t side_in_box(const hsp::PeriodicUnion &periodic, uint32_t own, uint32_t other) {
-  return periodic.is_listed(periodic.balls().caller[own], periodic.balls().caller[other]) ? 0 : 1;
-}
+  const hsp::PeriodicUnion &periodic;
+  const hsp::Boundary &boundary;
+  const hsp::BallSet &balls;
+};
 
 }  // namespace
 
 int32_t hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity,
                                   uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  const int32_t status =
-      check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().vertices; });
-  if (status != HSP_OK) return status;
-  const hsp::PeriodicUnion &structure = periodic->builder;
-  const hsp::Boundary &boundary = structure.boundary();
-  uint32_t written = 0;
-  for (uint32_t v = 0; v < boundary.vertex_count(); ++v) {
-    if (!structure.listed_vertices().has(v)) continue;
-    const hsp::OrderedVertex vertex = structure.in_listed_order(boundary.vertex(v));
-    hsp_periodic_vertex &record = out[written++];
-    put_position(structure, hsp::position_of_vertex(structure.balls(), boundary, v), record.xyz);
-    for (int t = 0; t < 3; ++t) record.image[t] = image_of(structure, vertex.ball[t]);
-    record.sign = vertex.sign;
-    record.flags = boundary.vertex(v).tied() ? HSP_VERTEX_TIED : 0;
-  }
-  return HSP_OK;
+  return list_records(periodic, out, capacity, needed, &Listing::vertices,
+                      [out](const Listing &l) { hsp::capi::put_vertices(l, out); });
 }
 
 int32_t hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity,
                               uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  const int32_t status =
-      check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().arcs; });
-  if (status != HSP_OK) return status;
-  const hsp::PeriodicUnion &structure = periodic->builder;
-  const hsp::Boundary &boundary = structure.boundary();
-  uint32_t written = 0;
-  for (uint32_t own = 0; own < periodic->balls(); ++own) {
-    for (const uint32_t e : boundary.half_edges(own)) {
-      if (!structure.listed_half_edges().has(e)) continue;
-      hsp_periodic_arc &arc = out[written++];
-      put_circle(structure, own, boundary.half_edge(e).circle, arc);
-      arc.angle = hsp::angle_of_listed_arc(structure, own, e);
-      // A half-edge runs clockwise about the axis away from its own ball, the arc counter-clockwise.
-      arc.vertex[0] = record_to_c(structure, hsp::listed_vertex(structure, boundary.end_vertex(e)));
-      arc.vertex[1] = record_to_c(structure, hsp::listed_vertex(structure, boundary.half_edge(e).vertex));
-      arc.face[0] = record_to_c(structure, {boundary.face_of(e), {}});
-      arc.face[1] = record_to_c(structure, hsp::face_across(structure, own, e));
-    }
-  }
-  return HSP_OK;
+  return list_records(periodic, out, capacity, needed, &Listing::arcs,
+                      [out](const Listing &l) { hsp::capi::put_arcs(l, out); });
 }
 
 int32_t hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity,
                                  uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  const int32_t status =
-      check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().circles; });
-  if (status != HSP_OK) return status;
-  const hsp::PeriodicUnion &structure = periodic->builder;
-  const hsp::Boundary &boundary = structure.boundary();
-  uint32_t written = 0;
-  for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
-    if (!structure.listed_circles().has(c)) continue;
-    const hsp::CircleRecord &circle = boundary.circle(c);
-    const uint32_t a = side_in_box(structure, circle.ball[0], circle.ball[1]);
-    const hsp::ClosedHalfEdge own(c, a);
-    hsp_periodic_circle &record = out[written++];
-    put_circle(structure, circle.ball[a], circle.ball[1 - a], record);
-    record.face[0] = record_to_c(structure, {boundary.face_of_loop(circle.loop[a]), {}});
-    record.face[1] = record_to_c(structure, hsp::face_across(structure, own));
-  }
-  return HSP_OK;
+  return list_records(periodic, out, capacity, needed, &Listing::circles,
+                      [out](const Listing &l) { hsp::capi::put_circles(l, out); });
 }
 
 int32_t hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity,
@@ -124,36 +99,18 @@ int32_t hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *
   const int32_t status =
       check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().faces; });
   if (status != HSP_OK) return status;
-  const hsp::PeriodicUnion &structure = periodic->builder;
-  const hsp::Boundary &boundary = structure.boundary();
-  for (uint32_t f = 0; f < boundary.face_count(); ++f) {
-    const hsp::IdRange loops = boundary.loops_of_face(f);
-    out[f] = {image_of(structure, boundary.face(f).ball), loops.size(), boundary.face(f).shell, loops.first, 0};
+  const Listing list(*periodic);
+  for (uint32_t f = 0; f < list.boundary.face_count(); ++f) {
+    const hsp::IdRange loops = list.boundary.loops_of_face(f);
+    out[f] = {list.ball(list.boundary.face(f).ball), loops.size(), list.boundary.face(f).shell, loops.first, 0};
   }
   return HSP_OK;
 }
 
 int32_t hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity,
                                uint32_t *needed) {
-  const int32_t status =
-      check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().loops; });
-  if (status != HSP_OK) return status;
-  const hsp::PeriodicUnion &structure = periodic->builder;
-  const hsp::Boundary &boundary = structure.boundary();
-  uint32_t first_arc = 0;
-  for (uint32_t loop = 0; loop < boundary.loop_count(); ++loop) {
-    const hsp::LoopElement start = boundary.loop_start(loop);
-    hsp_periodic_loop &record = out[loop];
-    record = {{HSP_NONE, {0, 0, 0}}, boundary.face_of_loop(loop), 0, first_arc, 0};
-    if (start.is_circle()) {
-      const hsp::ClosedHalfEdge circle = start.closed_half_edge();
-      record.circle = record_to_c(structure, hsp::listed_circle(structure, circle));
-      record.side = side_in_box(structure, boundary.ball_of(circle), boundary.neighbour(circle));
-    }
-    for_each_half_edge(boundary, loop, [&](uint32_t) { ++record.arcs; });
-    first_arc += record.arcs;
-  }
-  return HSP_OK;
+  return list_records(periodic, out, capacity, needed, &Listing::loops,
+                      [out](const Listing &l) { hsp::capi::put_loops(l, out); });
 }
 
 int32_t hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity,
@@ -161,16 +118,15 @@ int32_t hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_lo
   const int32_t status =
       check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return 2 * p.builder.counts().arcs; });
   if (status != HSP_OK) return status;
-  const hsp::PeriodicUnion &structure = periodic->builder;
-  const hsp::Boundary &boundary = structure.boundary();
+  const Listing list(*periodic);
   uint32_t written = 0;
-  for (uint32_t loop = 0; loop < boundary.loop_count(); ++loop) {
-    const uint32_t ball = boundary.face(boundary.face_of_loop(loop)).ball;
-    for_each_half_edge(boundary, loop, [&](uint32_t e) {
+  for (uint32_t loop = 0; loop < list.boundary.loop_count(); ++loop) {
+    const uint32_t ball = list.boundary.face(list.boundary.face_of_loop(loop)).ball;
+    for_each_half_edge(list.boundary, loop, [&](uint32_t e) {
       hsp_periodic_loop_arc &record = out[written++];
-      record.arc = record_to_c(structure, hsp::listed_arc(structure, ball, e));
-      record.vertex = record_to_c(structure, hsp::listed_vertex(structure, boundary.half_edge(e).vertex));
-      record.side = side_in_box(structure, ball, boundary.half_edge(e).circle);
+      record.arc = list.moved(hsp::listed_arc(list.periodic, ball, e));
+      record.vertex = list.vertex(list.boundary.half_edge(e).vertex);
+      record.side = list.side(ball, list.boundary.half_edge(e).circle);
       record.reserved = 0;
     });
   }

@@ -3,6 +3,7 @@
 #include "model/neighbour_lists.hpp"
 #include "periodic/periodic_queries.hpp"
 #include "periodic_shifts.hpp"
+#include "rounded_point.hpp"
 
 using hsp::capi::check_results;
 using hsp::capi::LibraryArithmetic;
@@ -91,14 +92,12 @@ struct QueryInBox {
 };
 
 int32_t round_query(const hsp::PeriodicImages &images, const double *xyz, double radius, QueryInBox &query) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!hsp::is_finite(xyz[axis])) return HSP_E_NOT_FINITE;
-  }
-  if (!hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
+  const int32_t rounded = hsp::capi::round_point(images.lattice(), xyz, query.centre);
+  if (rounded == HSP_E_NOT_FINITE || !hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
   if (radius < 0.0) return HSP_E_NEGATIVE;
   const double steps = images.lattice().steps(radius);
   const double widest = static_cast<double>(hsp::widest_query * images.box().shortest_side());
-  if (!(steps <= widest) || !images.lattice().round(xyz, query.centre)) return HSP_E_RANGE;
+  if (rounded != HSP_OK || !(steps <= widest)) return HSP_E_RANGE;
   query.radius = hsp::nearest(steps);
   return images.box().wrap(query.centre, query.home) == hsp::Status::ok ? HSP_OK : HSP_E_RANGE;
 }

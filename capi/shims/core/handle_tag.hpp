@@ -13,7 +13,6 @@ enum class HandleKind : uint8_t {
   boundary,
   cells,
   contacts,
-  gate,
   map,
   mesh,
   model,

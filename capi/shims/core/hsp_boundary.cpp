@@ -1,8 +1,15 @@
+// hsp_boundary: computing it, its counts and its records.
+//
+// An arc has two half-edges, one on each of its balls, and its id is the rank of its lower half-edge among all lower
+// ones. As an example the three balls of lib/union/boundary/boundary.hpp, with half-edges 0 and 1 on ball 0, 2 and 3 on
+// ball 1, 4 and 5 on ball 2:
+//   half-edges of ball 0     both are the lower ones of their arcs: arcs 0 and 1, with balls 1 and 2 in some order
+//   half-edges of ball 1     one is the twin of one of ball 0, the other one lower than its twin: arc 2, with ball 2
+//   half-edges of ball 2     both are twins
 #include "hsp_boundary.hpp"
+#include "boundary_records.hpp"
 #include "caller_executor.hpp"
-#include "loop_walk.hpp"
 #include "measure/boundary_metric_check.hpp"
-#include "measure/boundary_positions.hpp"
 
 using hsp::capi::check_handle;
 using hsp::capi::check_results;
@@ -14,6 +21,7 @@ namespace {
 
 using hsp::capi::check_request;
 using hsp::capi::for_each_half_edge;
+using hsp::capi::list_records;
 
 constexpr uint32_t number_of(hsp::BoundaryInvariant invariant) {
   return static_cast<uint32_t>(invariant);
@@ -39,21 +47,54 @@ void for_each_arc(const hsp::Boundary &boundary, Visit visit) {
   }
 }
 
-// Which of two balls a < b of the caller's order `ball` is: 0 or 1.
-uint32_t side_of(const hsp::BallSet &balls, uint32_t ball, uint32_t other) {
-  return balls.given_before(ball, other) ? 0 : 1;
-}
+// All records, each with its balls in the caller's order.
+struct Listing {
+  explicit Listing(const hsp_boundary &handle) : boundary(handle.structure()), balls(handle.balls()) {}
 
-// Common to arcs and circles: the circle of balls a and b.
-template <class Record>
-void write_circle(const hsp::BallSet &balls, uint32_t a, uint32_t b, Record &record) {
-  const hsp::CirclePosition position = hsp::position_of_circle(balls, a, b);
-  hsp::to_coordinates(balls, position.centre, record.centre);
-  hsp::capi::to_array(position.axis, record.axis);
-  record.radius = balls.lattice.length(position.radius);
-  record.ball[0] = balls.caller[a];
-  record.ball[1] = balls.caller[b];
-}
+  uint32_t vertices() const { return boundary.vertex_count(); }
+  uint32_t arcs() const { return boundary.arc_count(); }
+  uint32_t circles() const { return boundary.circle_count(); }
+  uint32_t loops() const { return boundary.loop_count(); }
+  static bool lists_vertex(uint32_t) { return true; }
+  static bool lists_circle(uint32_t) { return true; }
+  hsp::OrderedVertex in_order(const hsp::VertexRecord &vertex) const {
+    return hsp::in_order(vertex, [this](uint32_t a, uint32_t b) { return balls.given_before(a, b); });
+  }
+  template <class Visit>
+  void for_each_arc(Visit visit) const {
+    ::for_each_arc(boundary, [&](uint32_t, uint32_t half_edge, uint32_t twin) {
+      const uint32_t own = side(boundary.ball_of(half_edge), boundary.ball_of(twin)) == 0 ? half_edge : twin;
+      visit(boundary.ball_of(own), own);
+    });
+  }
+  // Which of two balls a < b of the caller's order `ball` is: 0 or 1.
+  uint32_t side(uint32_t ball, uint32_t other) const { return balls.given_before(ball, other) ? 0 : 1; }
+  uint32_t ball(uint32_t grid_ball) const { return balls.caller[grid_ball]; }
+  template <class Record>
+  static uint32_t *balls_of(Record &record) {
+    return record.ball;
+  }
+  static uint32_t vertex(uint32_t id) { return id; }
+  static uint32_t face(uint32_t id) { return id; }
+  uint32_t face_across(uint32_t, uint32_t half_edge) const { return boundary.face_of(boundary.twin(half_edge)); }
+  uint32_t face_across(hsp::ClosedHalfEdge own) const {
+    return boundary.face_of_loop(boundary.circle(own.circle()).loop[1 - own.side()]);
+  }
+  static uint32_t circle(hsp::ClosedHalfEdge own) { return own.circle(); }
+  static constexpr hsp_loop no_loop{0, HSP_NONE, 0, 0, 0};
+  // Of the half-edge with the lower id, so that it is the same from both.
+  double angle(uint32_t, uint32_t half_edge) const {
+    const uint32_t twin = boundary.twin(half_edge);
+    return hsp::angle_of_arc(balls, boundary, half_edge < twin ? half_edge : twin);
+  }
+  void put_position(const hsp::Position &position, double (&xyz)[3]) const {
+    hsp::to_coordinates(balls, position, xyz);
+  }
+  double length(double steps) const { return balls.lattice.length(steps); }
+
+  const hsp::Boundary &boundary;
+  const hsp::BallSet &balls;
+};
 
 }  // namespace
 
@@ -101,6 +142,7 @@ int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_count
   counts->faces = structure.face_count();
   counts->loops = structure.loop_count();
   counts->shells = structure.shell_count();
+  // One look at each ball and vertex, here and not at the end of each computation: few callers ask for it.
   for (uint32_t i = 0; i < counts->balls; ++i) {
     counts->contained_balls += structure.is_contained(i) ? 1U : 0U;
     counts->exposed_balls += structure.is_exposed(i) ? 1U : 0U;
@@ -114,63 +156,20 @@ int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_count
 
 int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  const int32_t status = check_request(boundary, out, capacity, needed,
-                                       [](const hsp_boundary &b) { return b.structure().vertex_count(); });
-  if (status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->structure();
-  const hsp::BallSet &balls = boundary->balls();
-  const auto given_before = [&balls](uint32_t a, uint32_t b) { return balls.given_before(a, b); };
-  for (uint32_t v = 0; v < structure.vertex_count(); ++v) {
-    const hsp::OrderedVertex vertex = hsp::in_order(structure.vertex(v), given_before);
-    hsp_vertex &record = out[v];
-    hsp::to_coordinates(balls, hsp::position_of_vertex(balls, structure, v), record.xyz);
-    for (int t = 0; t < 3; ++t) record.ball[t] = balls.caller[vertex.ball[t]];
-    record.sign = vertex.sign;
-    record.flags = structure.vertex(v).tied() ? HSP_VERTEX_TIED : 0;
-    record.reserved = 0;
-  }
-  return HSP_OK;
+  return list_records(boundary, out, capacity, needed, &Listing::vertices,
+                      [out](const Listing &l) { hsp::capi::put_vertices(l, out); });
 }
 
 int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  const int32_t status =
-      check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.structure().arc_count(); });
-  if (status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->structure();
-  const hsp::BallSet &balls = boundary->balls();
-  for_each_arc(structure, [&](uint32_t id, uint32_t half_edge, uint32_t twin) {
-    const bool own_first = side_of(balls, structure.ball_of(half_edge), structure.ball_of(twin)) == 0;
-    const uint32_t a = own_first ? half_edge : twin;
-    const uint32_t b = own_first ? twin : half_edge;
-    hsp_arc &arc = out[id];
-    write_circle(balls, structure.ball_of(a), structure.ball_of(b), arc);
-    // A half-edge runs clockwise about the axis away from its own ball, the arc counter-clockwise about that away from
-    // ball a: so it starts where the half-edge on a ends.
-    arc.vertex[0] = structure.end_vertex(a);
-    arc.vertex[1] = structure.half_edge(a).vertex;
-    arc.face[0] = structure.face_of(a);
-    arc.face[1] = structure.face_of(b);
-    arc.angle = hsp::angle_of_arc(balls, structure, half_edge);
-  });
-  return HSP_OK;
+  return list_records(boundary, out, capacity, needed, &Listing::arcs,
+                      [out](const Listing &l) { hsp::capi::put_arcs(l, out); });
 }
 
 int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  const int32_t status = check_request(boundary, out, capacity, needed,
-                                       [](const hsp_boundary &b) { return b.structure().circle_count(); });
-  if (status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->structure();
-  const hsp::BallSet &balls = boundary->balls();
-  for (uint32_t c = 0; c < structure.circle_count(); ++c) {
-    const hsp::CircleRecord &circle = structure.circle(c);
-    const uint32_t a = side_of(balls, circle.ball[0], circle.ball[1]);
-    write_circle(balls, circle.ball[a], circle.ball[1 - a], out[c]);
-    out[c].face[0] = structure.face_of_loop(circle.loop[a]);
-    out[c].face[1] = structure.face_of_loop(circle.loop[1 - a]);
-  }
-  return HSP_OK;
+  return list_records(boundary, out, capacity, needed, &Listing::circles,
+                      [out](const Listing &l) { hsp::capi::put_circles(l, out); });
 }
 
 int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed) {
@@ -187,24 +186,8 @@ int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint
 }
 
 int32_t hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity, uint32_t *needed) {
-  const int32_t status =
-      check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.structure().loop_count(); });
-  if (status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->structure();
-  uint32_t first_arc = 0;
-  for (uint32_t loop = 0; loop < structure.loop_count(); ++loop) {
-    const hsp::LoopElement start = structure.loop_start(loop);
-    hsp_loop &record = out[loop];
-    record = {structure.face_of_loop(loop), HSP_NONE, 0, first_arc, 0};
-    if (start.is_circle()) {
-      const hsp::ClosedHalfEdge circle = start.closed_half_edge();
-      record.circle = circle.circle();
-      record.side = side_of(boundary->balls(), structure.ball_of(circle), structure.neighbour(circle));
-    }
-    for_each_half_edge(structure, loop, [&](uint32_t) { ++record.arcs; });
-    first_arc += record.arcs;
-  }
-  return HSP_OK;
+  return list_records(boundary, out, capacity, needed, &Listing::loops,
+                      [out](const Listing &l) { hsp::capi::put_loops(l, out); });
 }
 
 int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity,
@@ -226,7 +209,7 @@ int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *o
   });
   walk_all([out](hsp_loop_arc &record, uint32_t half_edge) { record.arc = out[half_edge].vertex; });
   walk_all([&](hsp_loop_arc &record, uint32_t half_edge) {
-    record.side = side_of(boundary->balls(), structure.ball_of(half_edge), structure.half_edge(half_edge).circle);
+    record.side = Listing(*boundary).side(structure.ball_of(half_edge), structure.half_edge(half_edge).circle);
     record.vertex = structure.half_edge(half_edge).vertex;
   });
   return HSP_OK;

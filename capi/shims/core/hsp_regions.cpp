@@ -2,6 +2,7 @@
 
 #include "caller_executor.hpp"
 #include "model/queries.hpp"
+#include "rounded_point.hpp"
 #include "topology/positions.hpp"
 #include "topology/shell_volumes.hpp"
 
@@ -168,11 +169,10 @@ int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uin
   if (const int32_t status = check_results(topology, xyz == nullptr || region == nullptr); status != HSP_OK)
     return status;
   const hsp::CubeGrid &grid = topology->boundary->model->grid;
-  hsp::LatticeQuery point;
-  const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);
-  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
-  *region = hsp::any_ball_meets(grid, point)
+  hsp::exact::Vector point;
+  if (const int32_t status = hsp::capi::round_point(grid.balls().lattice, xyz, point); status != HSP_OK) return status;
+  *region = hsp::any_ball_meets(grid, {point, 0})
                 ? HSP_NONE
-                : hsp::region_of_point(grid, topology->boundary->structure(), topology->structure(), point.centre);
+                : hsp::region_of_point(grid, topology->boundary->structure(), topology->structure(), point);
   return HSP_OK;
 }

@@ -31,7 +31,7 @@ void put_vertices(const Handle &handle, const Map &map, uint32_t first, uint32_t
     out[k] = {{length(vertex.x), length(vertex.y), length(vertex.z)},
               static_cast<uint32_t>(vertex.kind),
               vertex.leaving,
-              {handle.caller(vertex.ball[0]), handle.caller(vertex.ball[1]), handle.caller(vertex.ball[2])},
+              {handle.caller(vertex.body[0]), handle.caller(vertex.body[1]), handle.caller(vertex.body[2])},
               0};
   }
 }
@@ -49,8 +49,8 @@ void put_edges(const Handle &handle, const Map &map, uint32_t first, uint32_t co
     length.point(curve.ellipse.second, record.second);
     record.from = curve.from;
     record.to = curve.to;
-    record.ball[0] = handle.caller(edge.is_silhouette() ? edge.ball : edge.nearer);
-    record.ball[1] = handle.caller(edge.is_silhouette() ? no_id : edge.ball);
+    record.ball[0] = handle.caller(edge.is_silhouette() ? edge.body : edge.nearer);
+    record.ball[1] = handle.caller(edge.is_silhouette() ? no_id : edge.body);
     for (uint32_t side = 0; side < 2; ++side) {
       record.face[side] = map.face_of(2 * e + side);
       record.vertex[side] = edge.vertex[side];

@@ -7,7 +7,7 @@
 #include "conversion.hpp"
 #include "handle_memory.hpp"
 #include "hsp_topology.hpp"
-#include "model/queries.hpp"
+#include "rounded_point.hpp"
 
 using hsp::capi::check_handle;
 using hsp::capi::check_results;
@@ -138,10 +138,10 @@ int32_t hsp_cells_get_pairs(const hsp_cells *cells, uint32_t first, uint32_t cou
 int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *cell) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(cells, xyz == nullptr || cell == nullptr); status != HSP_OK) return status;
-  hsp::LatticeQuery point;
-  const hsp::Status status = hsp::round_query(cells->balls(), xyz, 0.0, point);
-  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
-  *cell = hsp::cell_at(cells->balls(), cells->structure(), point.centre);
+  hsp::exact::Vector point;
+  if (const int32_t status = hsp::capi::round_point(cells->balls().lattice, xyz, point); status != HSP_OK)
+    return status;
+  *cell = hsp::cell_at(cells->balls(), cells->structure(), point);
   return HSP_OK;
 }
 
@@ -166,6 +166,7 @@ int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, h
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(model, scratch == nullptr && words > 0); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = model->grid;
+  // Neighbours alone, first: nothing is written to `of_ball` unless the scratch memory suffices for all balls.
   uint64_t needed = 0;
   for (uint32_t i = 0; i < grid.balls().n; ++i) {
     uint64_t own = 0;

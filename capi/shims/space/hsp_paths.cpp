@@ -52,8 +52,8 @@ int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, h
   if (!paths->has_results()) return HSP_E_STATE;
   const hsp::BallSet &balls = paths->model->balls();
   hsp::exact::Vector start, end;
-  int32_t status = round_point(balls, from, start);
-  if (status == HSP_OK) status = round_point(balls, to, end);
+  int32_t status = round_point(balls.lattice, from, start);
+  if (status == HSP_OK) status = round_point(balls.lattice, to, end);
   if (status != HSP_OK) return status;
   hsp::PathSummary found;
   const hsp::Status searched = paths->builder.find(balls, start, end, found);
@@ -77,46 +77,5 @@ int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t ca
                              lattice.length(static_cast<double>(list[k].z))};
     hsp::capi::put_vector(point, points, k);
   }
-  return HSP_OK;
-}
-
-int32_t hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp_gate>(limits, struct_size, balls);
-}
-
-int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_gate>(limits, bytes);
-}
-
-int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, gate);
-}
-
-int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
-                         hsp_gate_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(gate); status != HSP_OK) return status;
-  gate->complete = false;
-  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
-  if (from == nullptr) return HSP_E_ARGUMENT;
-  if (!model->has_results()) return HSP_E_STATE;
-  hsp::exact::Vector start, end;
-  int32_t rounded = round_point(model->balls(), from, start);
-  if (rounded == HSP_OK && to != nullptr) rounded = round_point(model->balls(), to, end);
-  if (rounded != HSP_OK) return rounded;
-  const hsp::Status status = gate->builder.find(model->grid, start, to == nullptr ? nullptr : &end, gate->widest);
-  gate->model.set(model);
-  return hsp::capi::finish(*gate, status, limits);
-}
-
-int32_t hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_results(gate, widest == nullptr); status != HSP_OK) return status;
-  const hsp::WidestProbe &found = gate->widest;
-  *widest = {gate->model->balls().lattice.length(found.radius),
-             found.passes ? 1U : 0U,
-             {found.gate[0], found.gate[1], found.gate[2]},
-             gate->builder.builds(),
-             0};
   return HSP_OK;
 }

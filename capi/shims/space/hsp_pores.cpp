@@ -1,5 +1,6 @@
 #include "core/sorting.hpp"
 #include "pore_records.hpp"
+#include "rounded_point.hpp"
 
 using hsp::capi::as_it_is;
 using hsp::capi::check_handle;
@@ -12,8 +13,9 @@ using hsp::capi::get_list;
 using hsp::capi::highest_level;
 using hsp::capi::is_level;
 using hsp::capi::LibraryArithmetic;
-using hsp::capi::put_place;
+using hsp::capi::put_position;
 using hsp::capi::put_shift;
+using hsp::capi::round_point;
 using hsp::capi::winding_of;
 
 namespace {
@@ -128,15 +130,10 @@ hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined,
   return channel;
 }
 
-int32_t round_point(const hsp_pores &pores, const double *xyz, hsp::exact::Vector &point) {
-  if (pores.lattice().round(xyz, point)) return HSP_OK;
-  return (hsp::is_finite(xyz[0]) && hsp::is_finite(xyz[1]) && hsp::is_finite(xyz[2])) ? HSP_E_RANGE : HSP_E_NOT_FINITE;
-}
-
 // Where a point is; of a handle with results.
-int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PorePlace &place) {
+int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PoreLocation &place) {
   hsp::exact::Vector point;
-  if (const int32_t status = round_point(pores, xyz, point); status != HSP_OK) return status;
+  if (const int32_t status = round_point(pores.lattice(), xyz, point); status != HSP_OK) return status;
   return hsp::capi::to_c(hsp::locate(pores.builder.pores(), pores.balls_around(), point, pores.builder.floor(), place));
 }
 
@@ -152,8 +149,8 @@ int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, cons
     if (avoided[k] >= pores->gates().size()) return HSP_E_ID;
   }
   hsp::exact::Vector start, end;
-  int32_t status = round_point(*pores, from, start);
-  if (status == HSP_OK && to != nullptr) status = round_point(*pores, to, end);
+  int32_t status = round_point(pores->lattice(), from, start);
+  if (status == HSP_OK && to != nullptr) status = round_point(pores->lattice(), to, end);
   if (status != HSP_OK) return status;
   const hsp::TunnelEnds ends{start, to != nullptr ? &end : nullptr, {avoided, count}, pores->builder.floor(), by_cost};
   hsp::TunnelSummary found;
@@ -212,9 +209,7 @@ int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodi
 
 int32_t hsp_pores_get_counts(const hsp_pores *pores, hsp_pores_counts *counts) {
   if (const int32_t status = check_results(pores, counts == nullptr); status != HSP_OK) return status;
-  uint32_t merges = 0;
-  for (const hsp::PoreGate &gate : pores->gates()) merges += gate.merges ? 1 : 0;
-  const uint32_t maxima = pores->maxima().size();
+  const uint32_t merges = pores->builder.pores().mergers(), maxima = pores->maxima().size();
   *counts = {maxima, pores->gates().size(), merges, maxima - merges, pores->builder.pores().outer_balls(), 0};
   return HSP_OK;
 }
@@ -227,7 +222,7 @@ int32_t hsp_pores_get_maxima(const hsp_pores *pores, uint32_t first, uint32_t co
   for (uint32_t k = 0; k < count; ++k) {
     const hsp::PoreMaximum &maximum = pores->maxima()[first + k];
     hsp_pore_maximum &record = out[k];
-    put_place(*pores, maximum.point.place, record.xyz);
+    put_position(*pores, maximum.point.position, record.xyz);
     record.radius = pores->lattice().length(maximum.point.level);
     record.death = maximum.gate == hsp::no_id ? floor_of(*pores)
                                               : pores->lattice().length(pores->gates()[maximum.gate].point.level);
@@ -246,7 +241,7 @@ int32_t hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint32_t cou
   for (uint32_t k = 0; k < count; ++k) {
     const hsp::PoreGate &gate = pores->gates()[first + k];
     hsp_pore_gate &record = out[k];
-    put_place(*pores, gate.point.place, record.xyz);
+    put_position(*pores, gate.point.position, record.xyz);
     record.radius = pores->lattice().length(gate.point.level);
     for (int b = 0; b < 3; ++b) record.ball[b] = gate.point.ball[b];
     for (int side = 0; side < 2; ++side) record.end[side] = gate.end[side];
@@ -362,7 +357,7 @@ int32_t hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, 
   LibraryArithmetic arithmetic;
   const int32_t refused = check_results(pores, xyz == nullptr || place == nullptr || shifts == nullptr);
   if (refused != HSP_OK) return refused;
-  hsp::PorePlace found;
+  hsp::PoreLocation found;
   if (const int32_t status = locate(*pores, xyz, found); status != HSP_OK) return status;
   *place = {pores->lattice().length(found.level), found.ball, found.maximum};
   put_shift(pores->image_shift(found.ball, found.ball_shift), shifts->ball);
@@ -375,8 +370,8 @@ int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const doubl
   const int32_t refused = check_results(pores, from == nullptr || passage == nullptr);
   if (refused != HSP_OK) return refused;
   hsp::exact::Vector start, end;
-  int32_t status = round_point(*pores, from, start);
-  if (status == HSP_OK && to != nullptr) status = round_point(*pores, to, end);
+  int32_t status = round_point(pores->lattice(), from, start);
+  if (status == HSP_OK && to != nullptr) status = round_point(pores->lattice(), to, end);
   if (status != HSP_OK) return status;
   hsp::PorePassage found;
   status = hsp::capi::to_c(hsp::find_passage(pores->builder.pores(), pores->balls_around(), start,
@@ -421,7 +416,7 @@ int32_t hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *po
       [](const hsp_pores &handle) { return handle.builder.tunnel().points(); },
       [pores](const hsp::TunnelPoint &point) {
         hsp_tunnel_point record;
-        put_place(*pores, point.place, record.xyz);
+        put_position(*pores, point.position, record.xyz);
         record.radius = pores->lattice().length(point.level);
         for (int b = 0; b < 4; ++b) record.ball[b] = point.ball[b];
         record.gate = point.gate;

@@ -1,4 +1,7 @@
 // The first ball that a vertical ray upwards enters.
+//
+// As an example the ray from (0,0,7), and balls of radius 5 at (3,0,20) and (0,4,18): it would enter them at 20 - 4 =
+// 16 and at 18 - 3 = 15, so that the second one is the first that it enters.
 #pragma once
 
 #include "model/cube_grid.hpp"

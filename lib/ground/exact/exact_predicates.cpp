@@ -1,3 +1,13 @@
+// The exact stage, with integers of 64 to 256 bits.
+//
+// As an example the ball of radius 5 at 0, so that W = 4 * 25, and P, Q and R the balls of radius 5 at (6,0,0), (0,6,0)
+// and (0,0,6): each has h = 6 * 6 + 25 - 25 = 36.
+//   n = u x v = (0, 0, 36)       q = h_P v - h_Q u = (-216, 216, 0)
+//   D = W n.n - q.q = 129600 - 93312 = 36288 > 0:  the circles of P and Q cross,
+//       at y = (q x n +- sqrt(D) n) / n.n = (6, 6, +-5.29), which is x = y / 2 = (3, 3, +-2.65), and 9 + 9 + 7 = 25
+//   B = n.z = 216                H = q x z + h_R n = (1296, 1296, 1296)
+//   F = W B^2 - H.H = 4665600 - 5038848 < 0:       the three planes meet outside the sphere, in y = (6, 6, 6),
+//       so that R holds neither point: z.y = +-31.7 is less than h_R
 #include "exact/exact_predicates.hpp"
 
 #include "exact/chord_line.hpp"

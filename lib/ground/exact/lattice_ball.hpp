@@ -1,5 +1,11 @@
 // Balls on the lattice, and the relation of two of them: disjoint, nested, or meeting in a circle. The symbolic
 // perturbation decides ties.
+//
+// As an example balls of radius 5 and 3, whose sum is 8 and whose difference is 2, by the distance d of their centres:
+//   d = 9      disjoint
+//   d = 8      they touch: a circle for the perturbation, which inflates both
+//   d = 4      circle
+//   d = 1      second_in_first
 #pragma once
 
 #include "exact/plane.hpp"

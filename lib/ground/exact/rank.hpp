@@ -1,5 +1,9 @@
 // The rank of a ball in the symbolic perturbation: lexicographic (x, y, z, R, index). The ball of lower rank is
 // inflated infinitely more.
+//
+// As an example balls (x, y, z, R, index), in the order of their ranks: (0,0,0,1,7), (0,0,0,2,3), (0,0,0,2,5),
+// (0,1,-9,1,0). The first two have one centre and differ in their radii, the second and the third are equal but
+// for the index.
 #pragma once
 
 #include <cstdint>

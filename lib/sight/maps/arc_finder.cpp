@@ -1,8 +1,7 @@
 #include "maps/arc_finder.hpp"
 
-#include <initializer_list>
-
 #include "maps/ball_scene.hpp"
+#include "maps/hidden_parts.hpp"
 #include "maps/trigonometric_roots.hpp"
 
 namespace hsp {
@@ -13,11 +12,12 @@ constexpr double level_slope = 0x1p-30;
 
 // The part of a crease that is not known to be hidden shrinks from both ends while occluders are looked at, the highest
 // first. Only in that window roots are looked for.
-class CreaseOcclusion {
+class CreaseOcclusion : public HiddenParts {
  public:
-  CreaseOcclusion(const Crease &crease, FixedVector<HiddenInterval> &hidden) : crease_(crease), hidden_(hidden) {
-    hidden_.clear();
-    open_window(-crease.end, crease.end);
+  CreaseOcclusion(const Crease &crease, FixedVector<HiddenInterval> &hidden)
+      : HiddenParts(-crease.end, crease.end, hidden), crease_(crease) {
+    hidden.clear();
+    find_middle();
   }
 
   // The extent in the view plane of the part that may be seen.
@@ -29,38 +29,20 @@ class CreaseOcclusion {
     return box;
   }
 
-  // False if the crease lies on the front of some ball or on the cylinder below it, or enters it where these meet, so
-  // that roundings decide.
-  bool certain() const { return certain_; }
-
-  // Adds what a ball hides. True if nothing is left.
-  bool add(const SeenBall &ball, uint32_t id) {
-    id_ = id;
-    find_breakpoints(ball);
-    bool all = false;
-    double left = left_, right = right_;
+  // Hides what a ball covers. True if nothing is left.
+  bool add_ball(const SeenBall &ball, uint32_t id) {
+    begin_body();
+    add_breakpoints(ball, id);
     const auto depth = [&](double from, double to) {
-      return depth_behind(found_ == 0 ? middle_ : crease_.at(0.5 * (from + to)), ball);
+      return depth_behind(count_ == 0 ? middle_ : crease_.at(0.5 * (from + to)), ball);
     };
-    const auto hide = [&](const HiddenInterval &part) {
-      all = part.from == left_ && part.to == right_;
-      if (all) return;
-      hidden_.push(part);
-      if (part.from == left_) left = part.to;
-      if (part.to == right_) right = part.from;
-    };
-    if (!visit_hidden({at_, found_}, left_, right_, shallow_depth * ball.r * ball.r, depth, hide)) certain_ = false;
-    if (all) return true;
-    if (left != left_ || right != right_) open_window(left, right);
-    return left_ >= right_;
+    if (cut(shallow_depth * ball.r * ball.r, depth)) return true;
+    if (narrow()) find_middle();
+    return from_ >= to_;
   }
 
  private:
-  void open_window(double left, double right) {
-    left_ = left;
-    right_ = right;
-    middle_ = crease_.at(0.5 * (left + right));
-  }
+  void find_middle() { middle_ = crease_.at(0.5 * (from_ + to_)); }
 
   // Of m + rho (a cos t + b sin t) over |t| <= end, a little widened.
   void extent(double m, double a, double b, const SinCos &end, double &low, double &high) const {
@@ -78,14 +60,9 @@ class CreaseOcclusion {
     low -= margin;
   }
 
-  void add_breakpoint(double t, MapVertexKind kind) {
-    if (t > left_ && t < right_) at_[found_++] = {t, {kind, id_}};
-  }
-
   // Where the crease enters or leaves what is behind the ball: through its sphere above its centre, below through the
   // cylinder under its silhouette. Both sides meet at the height of the centre, |t| = level.
-  void find_breakpoints(const SeenBall &ball) {
-    found_ = 0;
+  void add_breakpoints(const SeenBall &ball, uint32_t id) {
     const Crease &c = crease_;
     const Vec3 w{c.m.x - ball.x, c.m.y - ball.y, c.m.z - ball.z};
     double level = pi;
@@ -98,48 +75,34 @@ class CreaseOcclusion {
       const double A = 2 * c.rho * dot(w, c.a);
       const double B = 2 * c.rho * dot(w, c.b);
       const double K = ball.r * ball.r - dot(w, w) - c.rho * c.rho;
-      const double M_squared = A * A + B * B;
-      if (K * K < M_squared) {
-        const double middle = arc_tangent(B, A);
-        const double half = arc_tangent(std::sqrt(M_squared - K * K), K);
-        for (double t : {middle - half, middle + half}) {
-          if (t > pi) t -= 2 * pi;
-          if (t < -pi) t += 2 * pi;
-          const double above = level - std::fabs(t);
-          if (above >= 0.0) add_breakpoint(t, MapVertexKind::triple);
-          if (std::fabs(above) < level_height && t > left_ && t < right_) certain_ = false;
-        }
-      }
+      visit_level(A, B, K, [&](double t) {
+        const double above = level - std::fabs(t);
+        if (above >= 0.0) add(t, {MapVertexKind::triple, id});
+        if (std::fabs(above) < level_height && is_open(t)) certain_ = false;
+      });
     }
-    if (level < right_ || -level > left_) {
+    if (level < to_ || -level > from_) {
       const double wa = w.x * c.a.x + w.y * c.a.y;
       const double wb = w.x * c.b.x + w.y * c.b.y;
       const TrigonometricPolynomial beside{w.x * w.x + w.y * w.y - ball.r * ball.r + c.rho * c.rho, 2 * c.rho * wa,
                                            2 * c.rho * wb, -c.rise * c.rise};
       if (level == 0.0) {
-        add_roots(beside, left_, right_);
+        add_roots(beside, from_, to_, id);
       } else {
-        add_roots(beside, left_, right_ < -level ? right_ : -level);
-        add_roots(beside, left_ > level ? left_ : level, right_);
+        add_roots(beside, from_, to_ < -level ? to_ : -level, id);
+        add_roots(beside, from_ > level ? from_ : level, to_, id);
       }
     }
-    sort_breakpoints({at_, found_});
   }
 
-  void add_roots(const TrigonometricPolynomial &f, double from, double to) {
+  void add_roots(const TrigonometricPolynomial &f, double from, double to, uint32_t id) {
     double root[most_trigonometric_roots];
     const uint32_t count = find_roots(f, from, to, root);
-    for (uint32_t k = 0; k < count; ++k) add_breakpoint(root[k], MapVertexKind::t);
+    for (uint32_t k = 0; k < count; ++k) add(root[k], {MapVertexKind::t, id});
   }
 
   const Crease &crease_;
-  FixedVector<HiddenInterval> &hidden_;
-  double left_ = 0.0, right_ = 0.0;
   Vec3 middle_{};
-  Breakpoint at_[2 + 2 * most_trigonometric_roots];
-  uint32_t found_ = 0;
-  uint32_t id_ = no_id;  // of the ball at hand
-  bool certain_ = true;
 };
 
 bool may_hide(const SeenBall &ball, const BoundingBox &box) {
@@ -169,7 +132,7 @@ bool find_crease_arcs(SeenBalls &seen, uint32_t far, uint32_t nearer, Span<const
   const double lowest = crease.is_whole() ? crease.m.z - crease.rise : balls[nearer].z;
   for (const uint32_t k : near) {
     if (balls[k].top() <= lowest) break;
-    if (k != nearer && may_hide(balls[k], box) && occlusion.add(balls[k], k)) return occlusion.certain();
+    if (k != nearer && may_hide(balls[k], box) && occlusion.add_ball(balls[k], k)) return occlusion.certain();
   }
   const ArcEnd natural{crease.is_whole() ? MapVertexKind::plain : MapVertexKind::tangency, no_id};
   push_visible(hidden.items(), -crease.end, crease.end, natural, far, nearer, arcs);

@@ -86,7 +86,7 @@ struct CornerName {
 // Along a crease the triple point where it enters the third ball has one sign of the determinant of the balls and the
 // point, the one where it leaves has the other; exchanging two of the balls changes the sign.
 inline CornerName name_of_triple(const MapArc &arc, uint32_t end) {
-  CornerName name{arc.ball, arc.nearer, arc.end[end].ball, end};
+  CornerName name{arc.body, arc.nearer, arc.end[end].body, end};
   if (sort_three(name.group, name.middle, name.last)) name.point ^= 1U;
   return name;
 }
@@ -95,8 +95,8 @@ inline CornerName name_of_triple(const MapArc &arc, uint32_t end) {
 // left.
 inline CornerName name_of_tangency(const MapArc &arc, uint32_t end) {
   const bool silhouette = arc.nearer == no_id;
-  const uint32_t far = silhouette ? arc.end[end].ball : arc.ball;
-  const uint32_t nearer = silhouette ? arc.ball : arc.nearer;
+  const uint32_t far = silhouette ? arc.end[end].body : arc.body;
+  const uint32_t nearer = silhouette ? arc.body : arc.nearer;
   const uint32_t point = silhouette ? 1 - end : end;
   return {far < nearer ? far : nearer, far < nearer ? nearer : far, no_id, point};
 }
@@ -126,8 +126,7 @@ struct BallScene {
     return largest;
   }
 
-  // A common vertex has the number of its group, and before all T.
-  static constexpr bool corners_first = true;
+  // Of corners: each is in that of its first ball.
   uint32_t groups() const { return balls.size(); }
   // Of an end of an arc that is no T; false if it is none.
   bool name(const MapArc &arc, uint32_t end, CornerName &name) const {
@@ -155,11 +154,11 @@ struct BallScene {
     return {crease.m, crease.rho * crease.a, crease.rho * crease.b};
   }
   EdgeCurve curve(const MapEdge &edge, const MapVertex &, const MapVertex &) const {
-    return round_curve(edge.ball, edge.nearer).part(edge);
+    return round_curve(edge.body, edge.nearer).part(edge);
   }
   // The middle of an edge on a silhouette, from its vertices where that is well conditioned, as it is sooner found so.
   Vec3 middle_of(const MapEdge &edge, const MapVertex &v, const MapVertex &w) const {
-    const SeenBall &ball = balls[edge.ball];
+    const SeenBall &ball = balls[edge.body];
     const double x = v.x + w.x - 2 * ball.x;
     const double y = v.y + w.y - 2 * ball.y;
     const double squared = x * x + y * y;

@@ -30,7 +30,7 @@ void look_along(const EdgeCurve &curve, bool silhouette, double x, double y, Nea
 template <class Map>
 void look_at_edge(const Map &map, uint32_t e, double x, double y, NearestPoint &nearest) {
   const MapEdge &edge = map.edges[e];
-  const double least = map.scene.least_distance(edge.ball, x, y);
+  const double least = map.scene.least_distance(edge.body, x, y);
   if (least > 0.0 && least * least > nearest.squared) return;
   for (const uint32_t v : edge.vertex) look_at_point(map.vertices[v].x, map.vertices[v].y, x, y, nearest);
   look_along(curve_of(map, e), edge.is_silhouette(), x, y, nearest);

@@ -16,17 +16,17 @@ inline constexpr double shallow_depth = 0x1p-36;
 // sphere and the cylinder below.
 inline constexpr double level_height = 0x1p-36;
 
-// The end of an arc: nothing (plain), or the ball that begins to hide the curve there. At the natural end of a crease,
-// a tangency, there is no such ball.
+// The end of an arc: nothing (plain), or the body that begins to hide the curve there. At the natural end of a crease,
+// a tangency, there is no such body.
 struct ArcEnd {
   MapVertexKind kind = MapVertexKind::plain;
-  uint32_t ball = no_id;
+  uint32_t body = no_id;
 };
 
 // A visible part of a silhouette or crease, named as in MapEdge.
 struct MapArc {
   double from, to;
-  uint32_t ball;
+  uint32_t body;
   uint32_t nearer;
   ArcEnd end[2];
   bool closed;  // the whole curve, without ends
@@ -116,7 +116,7 @@ bool visit_visible(Span<HiddenInterval> hidden, double from, double to, const Ar
 
 // Pushes the visible arcs of a curve. On a closed curve, which begins and ends at the same point, the first and the
 // last arc are one if both reach that point. Returns false as above.
-inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, const ArcEnd &natural, uint32_t ball,
+inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, const ArcEnd &natural, uint32_t body,
                          uint32_t nearer, FixedVector<MapArc> &arcs) {
   const bool closes = natural.kind == MapVertexKind::plain;
   const uint64_t first = arcs.required();
@@ -126,11 +126,11 @@ inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, co
   bool opens = false;
   const bool certain =
       visit_visible(hidden, from, to, natural, [&](double begin, const ArcEnd &begins, double end, const ArcEnd &ends) {
-        const MapArc arc{begin, end, ball, nearer, {begins, ends}, false};
+        const MapArc arc{begin, end, body, nearer, {begins, ends}, false};
         const bool at_first = closes && begins.kind == MapVertexKind::plain;
         const bool at_last = closes && ends.kind == MapVertexKind::plain;
         if (at_first && at_last) {
-          arcs.push({from, to, ball, nearer, {{}, {}}, true});
+          arcs.push({from, to, body, nearer, {{}, {}}, true});
         } else if (at_first) {
           opening = arc;
           opens = true;

@@ -70,7 +70,7 @@ class MapChecker : FirstViolation<MapInvariant> {
     for (uint32_t v = 0; v < n; ++v) {
       const MapVertex &vertex = map_.vertices[v];
       const bool good = count_[v] == degree_of(vertex.kind) && vertex.leaving < map_.half_edges.size() &&
-                        map_.origin(vertex.leaving) == v && is_body(vertex.ball[0]);
+                        map_.origin(vertex.leaving) == v && is_body(vertex.body[0]);
       if (!good) return fail(MapInvariant::vertices, v);
     }
     return true;
@@ -79,16 +79,16 @@ class MapChecker : FirstViolation<MapInvariant> {
   // Whether a vertex names the bodies of an edge: one for a silhouette, two for a crease.
   bool names(const MapVertex &vertex, const MapEdge &edge) const {
     const auto has = [&](uint32_t body) {
-      return vertex.ball[0] == body || vertex.ball[1] == body || vertex.ball[2] == body;
+      return vertex.body[0] == body || vertex.body[1] == body || vertex.body[2] == body;
     };
-    return has(edge.ball) && (edge.is_silhouette() || has(edge.nearer));
+    return has(edge.body) && (edge.is_silhouette() || has(edge.nearer));
   }
 
   bool edges() {
     for (uint32_t e = 0; e < map_.edges.size(); ++e) {
       const MapEdge &edge = map_.edges[e];
-      const bool good = is_body(edge.ball) && (edge.is_silhouette() || is_body(edge.nearer)) &&
-                        edge.ball != edge.nearer && edge.from <= edge.to && edge.to - edge.from <= 2 * pi + 1e-6 &&
+      const bool good = is_body(edge.body) && (edge.is_silhouette() || is_body(edge.nearer)) &&
+                        edge.body != edge.nearer && edge.from <= edge.to && edge.to - edge.from <= 2 * pi + 1e-6 &&
                         names(map_.vertices[edge.vertex[0]], edge) && names(map_.vertices[edge.vertex[1]], edge);
       if (!good) return fail(MapInvariant::edges, e);
     }
@@ -157,7 +157,7 @@ class MapChecker : FirstViolation<MapInvariant> {
   void measure_ends(uint32_t e, double off[2]) const {
     const MapEdge &edge = map_.edges[e];
     for (int end = 0; end < 2; ++end) {
-      const Vec3 point = map_.scene.at(edge.ball, edge.nearer, end == 0 ? edge.from : edge.to);
+      const Vec3 point = map_.scene.at(edge.body, edge.nearer, end == 0 ? edge.from : edge.to);
       const MapVertex &vertex = map_.vertices[edge.vertex[end]];
       const double dx = point.x - vertex.x;
       const double dy = point.y - vertex.y;
@@ -231,7 +231,7 @@ class MapChecker : FirstViolation<MapInvariant> {
       const uint32_t owner = map_.loops[map_.half_edges[h].loop].owner;
       if (owner == no_id) continue;
       const MapEdge &edge = map_.edges[h / 2];
-      const Vec3 middle = map_.scene.at(edge.ball, edge.nearer, 0.5 * (edge.from + edge.to));
+      const Vec3 middle = map_.scene.at(edge.body, edge.nearer, 0.5 * (edge.from + edge.to));
       if (!map_.scene.may_be_seen(owner, middle, position_tolerance(map_))) return fail(MapInvariant::sides, h);
     }
     return true;

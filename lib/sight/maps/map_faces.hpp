@@ -21,8 +21,8 @@ template <class Map, class Sight>
 SightBehind sight_behind(const Map &map, const MapEdge &edge, const Sight &sight) {
   SightBehind behind{no_id, false};
   for (const double part : {0.3819660112501051, 0.7639320225002103, 0.1458980337503154, 0.5278640450004206}) {
-    const Vec3 at = map.scene.at(edge.ball, edge.nearer, edge.from + part * (edge.to - edge.from));
-    const auto highest = sight.highest_at(at.x, at.y, edge.ball);
+    const Vec3 at = map.scene.at(edge.body, edge.nearer, edge.from + part * (edge.to - edge.from));
+    const auto highest = sight.highest_at(at.x, at.y, edge.body);
     behind = {highest.body, highest.certain};
     if (behind.certain) break;
   }
@@ -47,7 +47,7 @@ bool fits_behind_contours(const Map &map, const Sight &sight) {
     if (owner != no_id) {
       if (!map.scene.may_be_seen(owner, middle, margin)) return false;
     } else {
-      const auto highest = sight.highest_at(middle.x, middle.y, edge.ball);
+      const auto highest = sight.highest_at(middle.x, middle.y, edge.body);
       if (highest.certain && highest.body != no_id) return false;
     }
   }
@@ -161,7 +161,7 @@ class MapFaceFinder {
     map.visit_loop(l, [&](uint32_t h) {
       if (map.left_of(h) != no_id) return;
       const MapEdge &edge = map.edges[h / 2];
-      const double length = (edge.to - edge.from) * map.scene.contour_length(edge.ball);
+      const double length = (edge.to - edge.from) * map.scene.contour_length(edge.body);
       if (length > longest) {
         longest = length;
         best = h;

@@ -77,7 +77,7 @@ class MapLinker {
       for (uint32_t end = 0; end < 2; ++end) {
         CornerName name;
         if (arc.end[end].kind == MapVertexKind::t) {
-          ++first_landing_[arc.end[end].ball];
+          ++first_landing_[arc.end[end].body];
           ++edges;
         } else if (scene.name(arc, end, name)) {
           ++first_named_[name.group];
@@ -87,7 +87,7 @@ class MapLinker {
       }
     }
     for (const MapArc &arc : arcs) {
-      if (arc.closed && arc.nearer == no_id && first_landing_[arc.ball] > 0) --edges;
+      if (arc.closed && arc.nearer == no_id && first_landing_[arc.body] > 0) --edges;
     }
     end_rows(first_named_, groups_);
     end_rows(first_landing_, bodies_);
@@ -99,9 +99,8 @@ class MapLinker {
   bool link(Map &map) {
     if (!all_named_) return false;
     sort_named_ends(map.scene);
-    if (!Scene::corners_first) add_landings(map);
     if (!add_corners(map)) return false;
-    if (Scene::corners_first) add_landings(map);
+    add_landings(map);
     return add_edges(map) && link_half_edges(map);
   }
 
@@ -137,9 +136,9 @@ class MapLinker {
   // At the end of an arc, whose bodies it names, and a third one.
   uint32_t add_vertex(uint32_t end, MapVertexKind kind, uint32_t third, Map &map) {
     const MapArc &arc = arcs_[end / 2];
-    const Vec3 at = map.scene.at(arc.ball, arc.nearer, end % 2 == 0 ? arc.from : arc.to);
+    const Vec3 at = map.scene.at(arc.body, arc.nearer, end % 2 == 0 ? arc.from : arc.to);
     const uint32_t v = map.vertices.size();
-    map.vertices.push({at.x, at.y, at.z, kind, no_id, {arc.ball, arc.nearer, third}});
+    map.vertices.push({at.x, at.y, at.z, kind, no_id, {arc.body, arc.nearer, third}});
     end_at_[3 * v] = end;
     return v;
   }
@@ -162,18 +161,15 @@ class MapLinker {
     const bool triple = kind == MapVertexKind::triple;
     if (creases != (triple ? 3U : 1U)) return false;
     if (triple) {
-      const uint32_t ball[3] = {ended_by(0).ball, ended_by(1).ball, ended_by(2).ball};
+      const uint32_t ball[3] = {ended_by(0).body, ended_by(1).body, ended_by(2).body};
       if (ball[0] == ball[1] || ball[1] == ball[2] || ball[0] == ball[2]) return false;
     }
     const MapArc &arc = arcs_[crease / 2];
-    const uint32_t v =
-        add_vertex(Scene::corners_first ? name.end : crease, kind, triple ? arc.end[crease % 2].ball : no_id, map);
-    if (Scene::corners_first) {
-      MapVertex &vertex = map.vertices[v];
-      vertex.ball[0] = triple ? group : arc.ball;
-      vertex.ball[1] = triple ? name.middle : arc.nearer;
-      vertex.ball[2] = name.last;
-    }
+    const uint32_t v = add_vertex(name.end, kind, no_id, map);
+    MapVertex &vertex = map.vertices[v];
+    vertex.body[0] = triple ? group : arc.body;
+    vertex.body[1] = triple ? name.middle : arc.nearer;
+    vertex.body[2] = name.last;
     for (uint32_t k = 0; k < count; ++k) {
       end_at_[3 * v + k] = ends[k].end;
       vertex_at_[ends[k].end] = v;
@@ -192,23 +188,21 @@ class MapLinker {
     return true;
   }
 
-  // Vertices at ends on contours, by the bodies of these; where they come first, in the order of the arcs.
+  // Vertices at ends on contours: behind the corners, from the last arc to the first, as rows fill up from their ends.
   void add_landings(Map &map) {
-    const uint32_t ends = 2 * arcs_.size();
-    for (uint32_t k = 0; k < ends; ++k) {
-      const uint32_t end = Scene::corners_first ? ends - 1 - k : k;
+    for (uint32_t end = 2 * arcs_.size(); end-- > 0;) {
       const ArcEnd &label = arcs_[end / 2].end[end % 2];
       if (label.kind != MapVertexKind::t) continue;
-      const uint32_t v = add_vertex(end, MapVertexKind::t, label.ball, map);
+      const uint32_t v = add_vertex(end, MapVertexKind::t, label.body, map);
       const MapVertex &at = map.vertices[v];
-      landing_[--first_landing_[label.ball]] = {map.scene.landing(label.ball, at.x, at.y), v};
+      landing_[--first_landing_[label.body]] = {map.scene.landing(label.body, at.x, at.y), v};
       vertex_at_[end] = v;
     }
   }
 
   uint32_t add_edge(const MapArc &arc, double from, double to, uint32_t v, uint32_t w, Map &map) {
     const uint32_t e = map.edges.size();
-    map.edges.push({from, to, arc.ball, arc.nearer, {v, w}});
+    map.edges.push({from, to, arc.body, arc.nearer, {v, w}});
     return e;
   }
 
@@ -277,9 +271,9 @@ class MapLinker {
         add_whole_edge(a++, map);
         continue;
       }
-      const uint32_t body = arcs_[a].ball;
+      const uint32_t body = arcs_[a].body;
       uint32_t last = a + 1;
-      while (last < arcs_.size() && arcs_[last].ball == body && arcs_[last].nearer == no_id) ++last;
+      while (last < arcs_.size() && arcs_[last].body == body && arcs_[last].nearer == no_id) ++last;
       const Span<Landing> landings = landing_.part(first_landing_[body], first_landing_[body + 1]);
       if (!cut_contour(a, last, landings, map)) return false;
       landed += landings.size();

@@ -32,13 +32,13 @@ class SilhouetteWalk {
     const bool is_t = at.kind == MapVertexKind::t;
     if (is_silhouette(neighbour)) {
       // The stem is a silhouette or a crease.
-      const bool crosses = is_t && at.ball[1] == no_id;
-      return {true, false, behind(neighbour), crosses ? map_.scene.slot_of(at.ball[0]) : no_id};
+      const bool crosses = is_t && at.body[1] == no_id;
+      return {true, false, behind(neighbour), crosses ? map_.scene.slot_of(at.body[0]) : no_id};
     }
     // The contour of a half of a stick goes on as that of the other one, before the same body.
     if (at.kind == MapVertexKind::halves) return {true, false, behind(h), no_id};
     if (!is_t) return {false, false, no_id, no_id};
-    const uint32_t nearer = map_.scene.slot_of(at.ball[2]);
+    const uint32_t nearer = map_.scene.slot_of(at.body[2]);
     return {false, true, nearer, nearer};
   }
 

@@ -72,7 +72,7 @@ ProjectedArc arc_of(const Map &map, uint32_t half_edge) {
                    {end[0], end[1]},
                    no_id};
   if (edge.is_silhouette()) return arc;
-  arc.other_ball = map.scene.ball_of(edge.ball);
+  arc.other_ball = map.scene.ball_of(edge.body);
   for (int k = 0; k < 2; ++k) {
     arc.ellipse.major[k] = on.second[k];
     arc.ellipse.minor[k] = -on.first[k];

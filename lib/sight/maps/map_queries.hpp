@@ -32,7 +32,7 @@ struct EdgePoint {
 template <class Map>
 EdgePoint edge_point(const Map &map, uint32_t e, double t) {
   const MapEdge &edge = map.edges[e];
-  const Vec3 at = map.scene.at(edge.ball, edge.nearer, map.scene.edge_parameter(edge, t));
+  const Vec3 at = map.scene.at(edge.body, edge.nearer, map.scene.edge_parameter(edge, t));
   if (!edge.is_silhouette()) return {at.x, at.y, at.z, 0.0, 0.0};
   const uint32_t behind = map.faces[map.face_of(2 * e + 1)].owner;
   const double gap =

@@ -29,21 +29,21 @@ constexpr uint32_t degree_of(MapVertexKind kind) {
   return kind == MapVertexKind::plain || kind == MapVertexKind::tangency ? 2 : 3;
 }
 
-// Positions are view coordinates. Balls are bodies by the ids of their scene.
+// Positions are view coordinates. Bodies have the ids of their scene.
 struct MapVertex {
   double x, y, z;
   MapVertexKind kind;
   uint32_t leaving;  // a half-edge that leaves it; of a T the stem
-  // The balls of the curves that meet. Triple: ascending. T: the nearer ball last, and the stem's before it (no_id if
-  // that is a silhouette). Tangency: farther, nearer. Plain: those of the curve.
-  uint32_t ball[3];
+  // Those of the curves that meet. Triple: ascending. T: the nearer body last, and the stem's before it (no_id if that
+  // is a silhouette). Tangency: farther, nearer. Plain: those of the curve.
+  uint32_t body[3];
 };
 
-// A part of the silhouette of `ball`, or with another ball of the crease of `ball` and `nearer`, with parameters of
+// A part of the silhouette of `body`, or with another body of the crease of `body` and `nearer`, with parameters of
 // ball_scene.hpp that increase from the first vertex to the second. Half-edge 2e runs along edge e, 2e + 1 against it.
 struct MapEdge {
   double from, to;
-  uint32_t ball;
+  uint32_t body;
   uint32_t nearer;  // no_id on a silhouette
   uint32_t vertex[2];
 
@@ -66,7 +66,7 @@ struct MapLoop {
 };
 
 struct MapFace {
-  uint32_t owner;       // the ball that is seen, no_id for the background
+  uint32_t owner;       // the body that is seen, no_id for the background
   uint32_t first_loop;  // the outer loop and then the holes; the unbounded face has holes only
   double area;          // 0 for the unbounded face
 };
@@ -113,8 +113,8 @@ struct MapRecords {
   // The body on the left, no_id where that is known from other edges only.
   uint32_t left_of(uint32_t half_edge) const {
     const MapEdge &edge = edges[half_edge / 2];
-    if (edge.is_silhouette()) return half_edge % 2 == 0 ? edge.ball : no_id;
-    return half_edge % 2 == 0 ? edge.nearer : edge.ball;
+    if (edge.is_silhouette()) return half_edge % 2 == 0 ? edge.body : no_id;
+    return half_edge % 2 == 0 ? edge.nearer : edge.body;
   }
   // Calls visit(half-edge) around a loop; what follows each is known before.
   template <class Visit>

@@ -1,9 +1,6 @@
 #include "maps/stick_arcs.hpp"
 
-#include <initializer_list>
-
-#include "core/elementary.hpp"
-#include "maps/hidden_intervals.hpp"
+#include "maps/hidden_parts.hpp"
 #include "maps/trigonometric_roots.hpp"
 
 namespace hsp {
@@ -11,26 +8,18 @@ namespace {
 
 constexpr ArcEnd natural_end{MapVertexKind::tangency, no_id};
 
-// A curve between two parameters, and the parts of it that bodies hide: those behind their fronts.
-//
-// Where a curve may change between hidden and not are the roots of polynomials: it passes the contour of what hides it,
-// its surface, or the planes across a stick through the centres of its balls. On circles these are trigonometric
-// polynomials of degree 2, on lines quadratic ones. The roots only cut; whether a part is hidden is asked at its
-// middle. Only on a contour something may come to be seen: elsewhere other bodies hide it or what follows finds no
-// partner.
+// Of whatever curves. On circles breakpoints are the roots of trigonometric polynomials of degree 2, on lines of
+// quadratic ones.
 template <class Curve>
-class HiddenParts {
+class HiddenByBodies : public HiddenParts {
  public:
-  HiddenParts(const Curve &curve, double from, double to, FixedVector<HiddenInterval> &hidden)
-      : curve_(curve), from_(from), to_(to), hidden_(hidden) {}
-
-  // False if the curve lies on the front or contour of some body, or enters it between these, so that roundings decide.
-  bool certain() const { return certain_; }
+  HiddenByBodies(const Curve &curve, double from, double to, FixedVector<HiddenInterval> &hidden)
+      : HiddenParts(from, to, hidden), curve_(curve) {}
 
   // Hides the parts that a ball covers; true if that is all. At its contour the end of a part is a T on `id`, at its
   // surface it is as `at_surface` says.
   bool add_ball(const SeenBall &ball, uint32_t id, const ArcEnd &at_surface) {
-    count_ = 0;
+    begin_body();
     add_distance(ball, true);
     for (uint32_t k = 0; k < count_; ++k) at_[k].end = at_surface;
     // At the height of the centre a curve goes through both the front and the contour, and roundings may let it miss
@@ -48,16 +37,16 @@ class HiddenParts {
     for (uint32_t k = first; k < count_; ++k) at_[k].end = {MapVertexKind::t, id};
     keep([&](const Vec3 &q) { return counted(q, q.z < ball.z); }, first);
     if (at_centre > 0 && kept == 0) certain_ = false;
-    return cut([&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; }, ball.r);
+    return cut_by(ball.r, [&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; });
   }
 
   // The silhouette of a ball at the height of its centre, by another ball. A nearer one hides what is in its disc, a
   // farther one what is inside it.
   bool add_ball_at_silhouette(const SeenBall &ball, uint32_t id, bool nearer) {
-    count_ = 0;
+    begin_body();
     add_distance(ball, !nearer);
     for (uint32_t k = 0; k < count_; ++k) at_[k].end = {nearer ? MapVertexKind::t : MapVertexKind::tangency, id};
-    return cut([&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; }, ball.r);
+    return cut_by(ball.r, [&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; });
   }
 
   // Hides the parts that a stick covers, by the bodies of its parts.
@@ -65,7 +54,7 @@ class HiddenParts {
     const Vec3 along{stick.e[0], stick.e[1], 0.0};
     const Vec3 across{-stick.e[1], stick.e[0], 0.0};
     const double squared = stick.radius * stick.radius;
-    count_ = 0;
+    begin_body();
     for (const double side : {stick.radius, -stick.radius}) add_level(stick.foot, across, side);
     for (uint32_t k = 0; k < count_; ++k) {
       const Vec3 q = curve_.at(at_[k].t);
@@ -82,24 +71,16 @@ class HiddenParts {
     }
     add_squares(stick.foot, across, {up * -stick.e[0], up * -stick.e[1], stick.seen}, {}, squared);
     for (uint32_t k = first; k < count_; ++k) at_[k].end = {};
-    return cut(
-        [&](const Vec3 &q) {
-          const StickFront front = front_of(stick, q.x, q.y);
-          if (front.beside <= 0.0) return front.beside;
-          if (!front.exists) return -stick.radius;
-          const double above = front.z - q.z;
-          return above < front.beside ? above : front.beside;
-        },
-        stick.radius);
+    return cut_by(stick.radius, [&](const Vec3 &q) {
+      const StickFront front = front_of(stick, q.x, q.y);
+      if (front.beside <= 0.0) return front.beside;
+      if (!front.exists) return -stick.radius;
+      const double above = front.z - q.z;
+      return above < front.beside ? above : front.beside;
+    });
   }
 
  private:
-  static constexpr uint32_t most = 48;
-
-  void add(double t) {
-    if (t > from_ && t < to_ && count_ < most) at_[count_++].t = t;
-  }
-
   // Drops breakpoints from `first` on where `good` does not hold.
   template <class Good>
   void keep(Good good, uint32_t first) {
@@ -115,12 +96,7 @@ class HiddenParts {
   void add_level_on(const RoundCurve &curve, const Vec3 &c, const Vec3 &n, double value) {
     const double A = dot(n, curve.first);
     const double B = dot(n, curve.second);
-    const double K = value - dot(n, curve.middle - c);
-    const double squared = A * A + B * B;
-    if (!(K * K < squared)) return;
-    const double middle = arc_tangent(B, A);
-    const double half = arc_tangent(std::sqrt(squared - K * K), K);
-    for (double t : {middle - half, middle + half}) add(t > pi ? t - 2 * pi : t < -pi ? t + 2 * pi : t);
+    visit_level(A, B, value - dot(n, curve.middle - c), [this](double t) { add(t); });
   }
   void add_level_on(const StraightCurve &curve, const Vec3 &c, const Vec3 &n, double value) {
     const double slope = dot(n, curve.step);
@@ -179,26 +155,15 @@ class HiddenParts {
     if (sum_of != 0.0) add(constant / sum_of);
   }
 
+  // Ends come later.
+  void add(double t) { HiddenParts::add(t, {}); }
   // depth(q): how far q is behind the body, negative where it is not behind.
   template <class Depth>
-  bool cut(Depth depth, double radius) {
-    sort_breakpoints({at_, count_});
-    bool all = false;
-    const auto depth_between = [&](double from, double to) { return depth(curve_.at(0.5 * (from + to))); };
-    const auto hide = [&](const HiddenInterval &part) {
-      all = part.from == from_ && part.to == to_;
-      if (!all) hidden_.push(part);
-    };
-    if (!visit_hidden({at_, count_}, from_, to_, shallow_depth * radius, depth_between, hide)) certain_ = false;
-    return all;
+  bool cut_by(double radius, Depth depth) {
+    return cut(shallow_depth * radius, [&](double from, double to) { return depth(curve_.at(0.5 * (from + to))); });
   }
 
   const Curve &curve_;
-  double from_, to_;
-  FixedVector<HiddenInterval> &hidden_;
-  Breakpoint at_[most];
-  uint32_t count_ = 0;
-  bool certain_ = true;
 };
 
 }  // namespace
@@ -283,7 +248,7 @@ bool StickArcs::hide_by_own_stick(uint32_t body, uint32_t ball) {
 void StickArcs::add_silhouette(uint32_t ball) {
   begin_curve();
   const RoundCurve curve = scene_.round_curve(ball, no_id);
-  HiddenParts<RoundCurve> parts(curve, -pi, pi, hidden_);
+  HiddenByBodies<RoundCurve> parts(curve, -pi, pi, hidden_);
   bool hidden = false;
   for (const uint32_t k : above_.of(ball)) {
     if (hidden) break;
@@ -304,7 +269,7 @@ void StickArcs::add_crease(uint32_t ball, uint32_t nearer) {
   if (!crease.exists) return;
   begin_curve();
   const RoundCurve curve = scene_.round_curve(ball, nearer);
-  HiddenParts<RoundCurve> parts(curve, -crease.end, crease.end, hidden_);
+  HiddenByBodies<RoundCurve> parts(curve, -crease.end, crease.end, hidden_);
   const bool hidden = hide(parts, ball, nearer, no_id, {MapVertexKind::triple, no_id});
   end_curve(parts, hidden, -crease.end, crease.end, crease.is_whole() ? ArcEnd{} : natural_end, ball, nearer);
 }
@@ -316,7 +281,7 @@ void StickArcs::add_top_ring(const StickBite &bite) {
   begin_curve();
   const RoundCurve curve = scene_.round_curve(body, ball);
   const double end = pi / 2 - bite.from;
-  HiddenParts<RoundCurve> parts(curve, -end, end, hidden_);
+  HiddenByBodies<RoundCurve> parts(curve, -end, end, hidden_);
   end_curve(parts, hide(parts, ball, no_id, bite.stick, {}), -end, end, natural_end, body, ball);
 }
 
@@ -328,7 +293,7 @@ void StickArcs::add_rings(uint32_t k) {
   for (uint32_t ring = 0; ring < stick.parts; ++ring) {
     begin_curve();
     const RoundCurve curve = scene_.round_curve(names[ring][0], names[ring][1]);
-    HiddenParts<RoundCurve> parts(curve, -pi / 2, pi / 2, hidden_);
+    HiddenByBodies<RoundCurve> parts(curve, -pi / 2, pi / 2, hidden_);
     const bool hidden =
         parts.add_ball(scene_.balls[stick.ball[1]], stick.ball[1], {}) || hide(parts, low, stick.ball[1], k, {});
     end_curve(parts, hidden, -pi / 2, pi / 2, natural_end, names[ring][0], names[ring][1]);
@@ -346,7 +311,7 @@ void StickArcs::add_line(uint32_t body, bool left) {
   const double from = left ? -end : begin;
   const double to = left ? -begin : end;
   const StraightCurve curve = scene_.line_of(stick, left);
-  HiddenParts<StraightCurve> parts(curve, from, to, hidden_);
+  HiddenByBodies<StraightCurve> parts(curve, from, to, hidden_);
   const bool hidden = parts.add_ball(scene_.balls[top], top, {}) || hide(parts, body, top, scene_.stick_of(body), {});
   const uint32_t first = arcs_.size();
   end_curve(parts, hidden, from, to, natural_end, body, no_id);

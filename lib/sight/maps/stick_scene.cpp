@@ -4,14 +4,14 @@ namespace hsp {
 
 bool StickScene::name(const MapArc &arc, uint32_t end, CornerName &name) const {
   const ArcEnd &label = arc.end[end];
-  const bool of_ball = is_ball(arc.ball);
+  const bool of_ball = is_ball(arc.body);
   if (label.kind == MapVertexKind::triple) {
-    if (!of_ball || arc.nearer == no_id || !is_ball(arc.nearer) || !is_ball(label.ball)) return false;
+    if (!of_ball || arc.nearer == no_id || !is_ball(arc.nearer) || !is_ball(label.body)) return false;
     name = name_of_triple(arc, end);
     return true;
   }
   if (label.kind != MapVertexKind::tangency) return false;
-  const uint32_t other = arc.nearer == no_id ? label.ball : arc.nearer;
+  const uint32_t other = arc.nearer == no_id ? label.body : arc.nearer;
   if (of_ball && other == no_id) return false;
   if (of_ball && is_ball(other)) {
     name = name_of_tangency(arc, end);
@@ -23,14 +23,14 @@ bool StickScene::name(const MapArc &arc, uint32_t end, CornerName &name) const {
     return true;
   };
   // From the left to the right.
-  if (arc.nearer != no_id) return ends_at(ring_of(arc.ball, arc.nearer), of_ball ? arc.nearer : arc.ball, end);
+  if (arc.nearer != no_id) return ends_at(ring_of(arc.body, arc.nearer), of_ball ? arc.nearer : arc.body, end);
   // Behind a stick's bite the silhouette begins at the right of the stick.
   if (of_ball) return ends_at(StickRing::top, other, 1 - end);
   const bool left = arc.from < 0.0;
-  const uint32_t part = part_of(arc.ball);
+  const uint32_t part = part_of(arc.body);
   const bool low = left == (end == 1);
-  if (!low && part + 1 == stick_at(arc.ball).parts) return false;
-  return ends_at(low && part == 0 ? StickRing::foot : StickRing::middle, arc.ball, left ? 0 : 1);
+  if (!low && part + 1 == stick_at(arc.body).parts) return false;
+  return ends_at(low && part == 0 ? StickRing::foot : StickRing::middle, arc.body, left ? 0 : 1);
 }
 
 bool StickScene::may_be_seen(uint32_t body, const Vec3 &p, double margin) const {

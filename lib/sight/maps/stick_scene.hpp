@@ -69,7 +69,7 @@ struct StickScene : BallScene {
   uint32_t body_of(uint32_t stick, uint32_t part) const { return balls.size() + 2 * stick + part; }
   const Stick &stick_at(uint32_t body) const { return sticks[stick_of(body)]; }
   bool is_straight(uint32_t body, uint32_t nearer) const { return nearer == no_id && !is_ball(body); }
-  bool is_straight(const MapEdge &edge) const { return is_straight(edge.ball, edge.nearer); }
+  bool is_straight(const MapEdge &edge) const { return is_straight(edge.body, edge.nearer); }
 
   StickRing ring_of(uint32_t body, uint32_t nearer) const {
     return is_ball(body) ? StickRing::foot : is_ball(nearer) ? StickRing::top : StickRing::middle;
@@ -96,7 +96,7 @@ struct StickScene : BallScene {
   }
 
   EdgeCurve curve(const MapEdge &edge, const MapVertex &v, const MapVertex &w) const {
-    if (!is_straight(edge)) return round_curve(edge.ball, edge.nearer).part(edge);
+    if (!is_straight(edge)) return round_curve(edge.body, edge.nearer).part(edge);
     const Vec3 from{v.x, v.y, 0.0};
     const Vec3 to{w.x, w.y, 0.0};
     return {EdgeEllipse(combine(0.5, from, 0.5, to), 0.5 * (to - from), Vec3{}), -pi, 0.0};
@@ -105,13 +105,11 @@ struct StickScene : BallScene {
     return is_straight(edge) ? edge.from + 0.5 * (1.0 + sin_cos(t).cosine) * (edge.to - edge.from) : t;
   }
   Vec3 middle_of(const MapEdge &edge, const MapVertex &, const MapVertex &) const {
-    return at(edge.ball, edge.nearer, 0.5 * (edge.from + edge.to));
+    return at(edge.body, edge.nearer, 0.5 * (edge.from + edge.to));
   }
 
-  // A common vertex comes behind all T, where a crease or half circle ends. Groups are those of triple points and of
-  // tangencies by their first ball, and of the ends of half circles by their stick: those of all at the foot, then in
-  // the middle, then at the top.
-  static constexpr bool corners_first = false;
+  // Of corners: triple points and tangencies by their first ball, and ends of half circles by their stick: those of all
+  // at the foot, then in the middle, then at the top.
   uint32_t groups() const { return 2 * balls.size() + 3 * sticks.size(); }
   uint32_t group_of(StickRing ring, uint32_t stick) const {
     return 2 * balls.size() + static_cast<uint32_t>(ring) * sticks.size() + stick;

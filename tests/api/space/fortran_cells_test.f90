@@ -14,8 +14,8 @@ program fortran_cells_test
   real(c_double), parameter :: above(3) = [2.0_c_double, 2.0_c_double, 8.0_c_double]
   real(c_double), parameter :: under(3) = [2.0_c_double, 2.0_c_double, -8.0_c_double]
 
-  integer(c_int8_t), allocatable, target :: model_memory(:), cells_memory(:), paths_memory(:), gate_memory(:)
-  type(c_ptr) :: model = c_null_ptr, cells = c_null_ptr, paths = c_null_ptr, gate = c_null_ptr
+  integer(c_int8_t), allocatable, target :: model_memory(:), cells_memory(:), paths_memory(:)
+  type(c_ptr) :: model = c_null_ptr, cells = c_null_ptr, paths = c_null_ptr
   type(hsp_cells_limits) :: limits
   type(hsp_cells_counts) :: counts
   type(hsp_free_cell), allocatable :: records(:)
@@ -23,8 +23,6 @@ program fortran_cells_test
   type(hsp_arrangement) :: arrangement, spheres(n)
   type(hsp_paths_limits) :: paths_limits
   type(hsp_path) :: path
-  type(hsp_gate_limits) :: gate_limits
-  type(hsp_widest_probe) :: widest
   real(c_double) :: points(3, 20)
   integer(c_int32_t) :: neighbours(100), needed, cell, last
   integer(c_size_t) :: bytes
@@ -98,22 +96,5 @@ program fortran_cells_test
   call check(all(points(:, 1) == under) .and. all(points(:, needed) == above), 'its ends')
   call expect(hsp_paths_find(paths, xyz(:, 1), above, path), HSP_OK, 'hsp_paths_find from a centre')
   call check(path%ends == HSP_PATH_COVERED .and. path%points == 0, 'no path')
-
-  call check(c_sizeof(gate_limits) == 44 .and. c_sizeof(widest) == 32, 'sizes of records of gates')
-  call expect(hsp_gate_limits_init(gate_limits, int(c_sizeof(gate_limits), c_int32_t), n), HSP_OK, 'hsp_gate_limits_init')
-  call check(gate_limits%balls == 1 .and. gate_limits%corners == 2128, 'limits of a gate')
-  call expect(hsp_gate_bytes(gate_limits, bytes), HSP_OK, 'hsp_gate_bytes')
-  call check(bytes <= hsp_gate_bytes_bound(gate_limits%balls, gate_limits%cubes, gate_limits%entries, gate_limits%cells, &
-                                           gate_limits%adjacencies, gate_limits%landmarks, gate_limits%facets, &
-                                           gate_limits%corners, gate_limits%cube_balls, gate_limits%cube_corners), &
-             'hsp_gate_bytes_bound')
-  allocate (gate_memory(bytes))
-  call expect(hsp_gate_init(c_loc(gate_memory), bytes, gate_limits, gate), HSP_OK, 'hsp_gate_init')
-  call expect(hsp_gate_get_widest(gate, widest), HSP_E_STATE, 'no probe yet')
-  call expect(hsp_gate_compute(gate, model, under), HSP_OK, 'hsp_gate_compute to the outside')
-  call expect(hsp_gate_compute(gate, model, under, above, gate_limits), HSP_OK, 'hsp_gate_compute')
-  call expect(hsp_gate_get_widest(gate, widest), HSP_OK, 'hsp_gate_get_widest')
-  call check(abs(widest%radius - 4) < 1e-9_c_double .and. widest%passes == 1, 'the widest probe')
-  call check(widest%gate(1) == 0 .and. all(widest%gate(2:) == HSP_NONE), 'its gate')
   call report_checks()
 end program

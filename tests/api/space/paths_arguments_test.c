@@ -1,5 +1,5 @@
-/* Paths through free space and widest probes: arguments that tests/laws says nothing about, every call out of order,
- * and what is known of a ball and of a cage in closed form. */
+/* Paths through free space: arguments that tests/laws says nothing about, every call out of order, and what is known of
+ * a ball and of a cage in closed form. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>
@@ -12,13 +12,9 @@ enum { IN_CUBE = CAGE, IN_CUBE_CORNERS = 1200, POINTS = 200 };
 static unsigned char model_memory[HSP_MODEL_BYTES(CAGE)];
 static unsigned char paths_memory[HSP_PATHS_BYTES(CUBES, ENTRIES, CELLS, PAIRS, MARKS, FACETS, CORNERS, IN_CUBE,
                                                   IN_CUBE_CORNERS, POINTS)];
-static unsigned char
-    gate_memory[HSP_GATE_BYTES(CAGE, CUBES, ENTRIES, CELLS, PAIRS, MARKS, FACETS, CORNERS, IN_CUBE, IN_CUBE_CORNERS)];
 static hsp_model *model;
 static hsp_paths *paths;
-static hsp_gate *gate;
 static hsp_path path;
-static hsp_widest_probe widest;
 static double points[POINTS][3];
 static uint32_t number;
 
@@ -30,12 +26,6 @@ static const double not_finite[3] = {0, (double)NAN, 0}, far_away[3] = {1e300, 0
 static hsp_paths_limits paths_limits(void) {
   const hsp_paths_limits limits = {
       (uint32_t)sizeof limits, CUBES, ENTRIES, CELLS, PAIRS, MARKS, FACETS, CORNERS, IN_CUBE, IN_CUBE_CORNERS, POINTS};
-  return limits;
-}
-
-static hsp_gate_limits gate_limits(void) {
-  const hsp_gate_limits limits = {
-      (uint32_t)sizeof limits, CAGE, CUBES, ENTRIES, CELLS, PAIRS, MARKS, FACETS, CORNERS, IN_CUBE, IN_CUBE_CORNERS};
   return limits;
 }
 
@@ -72,12 +62,6 @@ static void check_no_path(hsp_paths *which, int32_t status) {
   CHECK_UNTOUCHED(points);
 }
 
-static void check_no_probe(const hsp_gate *which, int32_t status) {
-  FILL(widest);
-  CHECK_EQUAL(hsp_gate_get_widest(which, &widest), status);
-  CHECK_UNTOUCHED(widest);
-}
-
 static void find(const double *from, const double *to) {
   CHECK_EQUAL(hsp_paths_find(paths, from, to, &path, NULL), HSP_OK);
   CHECK_EQUAL(path.reserved, 0);
@@ -91,7 +75,6 @@ static void find(const double *from, const double *to) {
   CHECK(memcmp(points[0], from, sizeof points[0]) == 0 && memcmp(points[number - 1], to, sizeof points[0]) == 0);
 }
 
-/* Much of one thing, and of all. */
 /* One limit, or all, at or above a power of two, where tables grow; the others small. */
 static void sizes(void) {
   static const uint32_t small[2] = {0, 1};
@@ -101,7 +84,6 @@ static void sizes(void) {
       for (k = 0; k < 4; ++k) {
         uint32_t n[11] = {0};
         hsp_paths_limits of_paths;
-        hsp_gate_limits of_gate;
         size_t bytes = 0;
         for (other = 1; other < 11; ++other) {
           n[other] = which == 0 || which == other ? (UINT32_C(1) << exponent) + k / 2 : small[k % 2];
@@ -110,10 +92,6 @@ static void sizes(void) {
         memcpy(&of_paths, n, sizeof of_paths);
         CHECK_EQUAL(hsp_paths_bytes(&of_paths, &bytes), HSP_OK);
         CHECK(bytes > 0 && bytes <= HSP_PATHS_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]));
-        n[0] = (uint32_t)sizeof of_gate;
-        memcpy(&of_gate, n, sizeof of_gate);
-        CHECK_EQUAL(hsp_gate_bytes(&of_gate, &bytes), HSP_OK);
-        CHECK(bytes > 0 && bytes <= HSP_GATE_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]));
       }
     }
   }
@@ -124,13 +102,6 @@ static void default_paths_limits(void) {
   CHECK_EQUAL(hsp_paths_limits_init(&limits, (uint32_t)sizeof limits, (HSP_MAX_BALLS - 2048) / 80 + 1), HSP_E_RANGE);
   CHECK_EQUAL(hsp_paths_limits_init(&limits, (uint32_t)sizeof limits, 10), HSP_OK);
   CHECK(limits.cubes == 84 && limits.cells == 356 && limits.cube_corners == 464 && limits.points == 1064);
-}
-
-static void default_gate_limits(void) {
-  hsp_gate_limits limits;
-  CHECK_EQUAL(hsp_gate_limits_init(&limits, (uint32_t)sizeof limits, (HSP_MAX_BALLS - 2048) / 80 + 1), HSP_E_RANGE);
-  CHECK_EQUAL(hsp_gate_limits_init(&limits, (uint32_t)sizeof limits, 10), HSP_OK);
-  CHECK(limits.balls == 10 && limits.cubes == 84 && limits.cells == 356 && limits.cube_corners == 464);
 }
 
 static void finding_paths(void) {
@@ -178,55 +149,18 @@ static void finding_paths(void) {
   CHECK(fabs(path.length - 16) < 1e-9);
 }
 
-static void finding_probes(void) {
-  hsp_gate_limits asked = gate_limits();
-  CHECK_EQUAL(hsp_gate_init(gate_memory, sizeof gate_memory, &asked, &gate), HSP_OK);
-  set_one();
-  CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
-  CHECK(widest.passes == 1 && fabs(widest.radius - 4) < 1e-9 && widest.gate[0] == 0 && widest.reserved == 0);
-  CHECK(widest.gate[1] == HSP_NONE && widest.gate[2] == HSP_NONE);
-  CHECK_EQUAL(hsp_gate_compute(gate, model, under, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
-  CHECK(widest.passes == 1 && fabs(widest.radius - 8) < 1e-9);
-  CHECK_EQUAL(hsp_gate_compute(gate, model, under, inside, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
-  CHECK(widest.passes == 0 && widest.radius == 0 && widest.gate[0] == HSP_NONE && widest.builds == 0);
-
-  CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
-  check_no_probe(gate, HSP_E_STATE);
-  set_one();
-  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
-  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_compute(gate, model, under, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
-  CHECK(widest.passes == 1 && isinf(widest.radius) && widest.gate[0] == HSP_NONE);
-}
-
 /* The widest way out of the middle is through the squares of four balls, the half of whose diagonals is sqrt(50). */
 static void cage(void) {
   static const double middle[3] = {10, 10, 10}, outside[3] = {10, 10, 60};
-  uint32_t k;
   set_cage(6);
   CHECK_EQUAL(hsp_paths_compute(paths, model, NULL), HSP_OK);
   find(middle, outside);
   CHECK(path.ends == HSP_PATH_CONNECTED && path.certified == 1 && path.points > 2 && path.clearance > 0);
   CHECK(path.clearance <= sqrt(50.0) - 6 + 1e-7);
-  for (k = 0; k < 2; ++k) {
-    CHECK_EQUAL(hsp_gate_compute(gate, model, middle, k == 0 ? NULL : outside, NULL), HSP_OK);
-    CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
-    CHECK(widest.passes == 1 && widest.builds >= 2 && widest.builds <= 40);
-    CHECK_NEAR(widest.radius, sqrt(50.0) - 6, 2e-8);
-    CHECK(widest.gate[0] < widest.gate[1] && widest.gate[1] < widest.gate[2] && widest.gate[2] < CAGE);
-  }
   set_cage(7.5);
   CHECK_EQUAL(hsp_paths_compute(paths, model, NULL), HSP_OK);
   find(middle, outside);
   CHECK_EQUAL(path.ends, HSP_PATH_APART);
-  CHECK_EQUAL(hsp_gate_compute(gate, model, middle, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
-  CHECK(widest.passes == 0 && widest.radius == 0 && widest.builds == 1);
 }
 
 /* Every limit below what is needed is refused, and what is handed back suffices in the end. */
@@ -259,42 +193,12 @@ static void small_paths_limits(void) {
   }
 }
 
-static void small_gate_limits(void) {
-  static const double middle[3] = {10, 10, 10};
-  uint32_t needed[11], words[11], which;
-  hsp_gate_limits asked = gate_limits();
-  CHECK_EQUAL(hsp_gate_init(gate_memory, sizeof gate_memory, &asked, &gate), HSP_OK);
-  CHECK_EQUAL(hsp_gate_compute(gate, model, middle, NULL, &asked), HSP_OK);
-  CHECK_EQUAL(asked.balls, CAGE);
-  memcpy(needed, &asked, sizeof needed);
-  for (which = 1; which < 11; ++which) {
-    int retries = 0;
-    int32_t status;
-    if (needed[which] == 0) continue;
-    memcpy(words, needed, sizeof words);
-    --words[which];
-    memcpy(&asked, words, sizeof asked);
-    for (;; ++retries) {
-      CHECK_EQUAL(hsp_gate_init(gate_memory, sizeof gate_memory, &asked, &gate), HSP_OK);
-      status = hsp_gate_compute(gate, model, middle, NULL, &asked);
-      if (status != HSP_E_CAPACITY || retries == 40) break;
-      check_no_probe(gate, HSP_E_STATE);
-    }
-    CHECK_EQUAL(status, HSP_OK);
-    CHECK(retries > 0);
-    CHECK(memcmp(&asked, needed, sizeof needed) == 0);
-  }
-}
-
 int main(void) {
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, CAGE, &model), HSP_OK);
   default_paths_limits();
-  default_gate_limits();
   sizes();
   finding_paths();
-  finding_probes();
   cage();
-  small_gate_limits();
   set_one();
   small_paths_limits();
   return check_report();

@@ -11,7 +11,7 @@ program fortran_workspace_test
   type(hsp_workspace), target :: work
   type(hsp_path) :: path
   type(hsp_tunnel) :: tunnel, cheapest
-  type(hsp_widest_probe) :: widest
+  type(hsp_pore_passage) :: widest
 
   call nothing_set()
   call view_without_boundary()
@@ -35,7 +35,6 @@ contains
     call expect(work%compute_contacts(), HSP_E_STATE, 'no boundary for contacts')
     call expect(work%compute_cells(), HSP_E_ARGUMENT, 'no model for cells')
     call expect(work%find_path(away, away, path), HSP_E_ARGUMENT, 'no model for a path')
-    call expect(work%compute_gate(away), HSP_E_ARGUMENT, 'no model for a probe')
     call expect(work%set_moving(1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP), HSP_E_ARGUMENT, 'no model to move')
   end subroutine
 
@@ -169,11 +168,9 @@ contains
     call expect(hsp_cells_check(work%cells, work%topology, invariant, id), HSP_OK, 'their invariants')
     call expect(work%find_path(away, -away, path), HSP_OK, 'a path')
     call check(path%ends == HSP_PATH_CONNECTED .and. path%certified == 1, 'past all balls')
-    call expect(work%compute_gate(away), HSP_OK, 'the widest probe')
-    call expect(work%compute_gate(away, -away), HSP_OK, 'the widest probe on that way')
-    call expect(hsp_gate_get_widest(work%gate, widest), HSP_OK, 'how wide it is')
-    call check(widest%passes == 1 .and. widest%radius > 0, 'some probe passes')
     call expect(work%compute_pores(), HSP_OK, 'pores')
+    call expect(hsp_pores_widest(work%pores, away, -away, widest), HSP_OK, 'the widest probe on that way')
+    call check(widest%passes == 1 .and. widest%radius > 0, 'some probe passes')
     call expect(work%find_tunnel(from=away, to=-away, count=0_c_int32_t, tunnel=tunnel), HSP_OK, 'a tunnel')
     call check(tunnel%there == 1 .and. tunnel%points >= 2, 'some probe gets through')
     call expect(work%find_cheapest_tunnel(from=away, to=-away, count=0_c_int32_t, tunnel=cheapest), HSP_OK, &

@@ -1,4 +1,4 @@
-/* Every limit of models, boundaries, topologies, views, contacts, cells, paths, gates, pores, bodies, periodic
+/* Every limit of models, boundaries, topologies, views, contacts, cells, paths, pores, bodies, periodic
  * unions and balls that move, for sets of every kind, at 0, 1, needed-1, needed and needed+1: HSP_E_CAPACITY with
  * nothing written beyond what the header names, or the same results as with ample memory. Memory is of exactly the
  * size that the bytes function tells, with guard bytes around it. */
@@ -419,18 +419,6 @@ static void sweep_paths(const computed *c, const char *name) {
   paths_result_release(&all);
 }
 
-static void gate_results(const void *gate, const void *source) {
-  const gate_result *all = source;
-  hsp_widest_probe widest;
-  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
-  CHECK_BYTES(&widest, &all->widest, sizeof widest);
-}
-
-static void no_gate_results(const void *gate) {
-  hsp_widest_probe widest;
-  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_E_STATE);
-}
-
 /* Of pores all records and the points of the tunnel, of which there are none after a failure. */
 static void pores_results(const void *pores, const void *source) {
   const pores_result *all = source;
@@ -485,25 +473,6 @@ static void sweep_pores_in_box(const computed *c, const char *name) {
   }
   pores_result_release(&all);
   periodic_result_release(&periodic);
-}
-
-/* In few steps, so that cells are not cut thirty times: a tetrahedron of balls that leaves its middle open. */
-static void sweep_gate(void) {
-  static const double xyz[12] = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1}, radius[4] = {1.5, 1.5, 1.5, 1.375};
-  hsp_model_options options;
-  computed base;
-  gate_result all;
-  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
-  options.step = 0.0625;
-  if (CHECK_EQUAL(computed_make(4, xyz, radius, &options, &base), HSP_OK)) {
-    if (CHECK_EQUAL(gate_result_make(&base, &all), HSP_OK)) {
-      const known_handle known = {&gate_handle, &all, &all.needed, gate_results, no_gate_results, NULL};
-      CHECK(all.widest.builds >= 2 && all.widest.builds <= 40);
-      sweep_limits(&known, "a gate");
-    }
-    gate_result_release(&all);
-  }
-  computed_release(&base);
 }
 
 static void body_results(const void *body, const void *source) {
@@ -652,6 +621,5 @@ int main(void) {
     }
     computed_release(&all);
   }
-  sweep_gate();
   return check_report();
 }

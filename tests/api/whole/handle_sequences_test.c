@@ -50,7 +50,7 @@ static void take_sources(int content, hsp_model *model, hsp_boundary *boundary, 
   all->boundary.model = model;
   all->boundary.boundary = boundary;
   all->topology.base = all->view.base = all->map.base = all->sticks.base = all->surface.base = all->mesh.base =
-      all->contacts.base = all->cells.base = all->paths.base = all->gate.base = all->pores.base = &all->boundary;
+      all->contacts.base = all->cells.base = all->paths.base = all->pores.base = &all->boundary;
 }
 
 static void make_contents(void) {
@@ -93,7 +93,6 @@ static void compute_contents(void) {
     made[CONTACTS] = contacts_result_make(base, &all->contacts);
     made[CELLS] = cells_result_make(base, &all->cells);
     made[PATHS] = paths_result_make(base, &all->paths);
-    made[GATE] = gate_result_make(base, &all->gate);
     made[PORES] = pores_result_make(base, &all->pores);
     all->room = ROOM;
     if (buffer == NULL) buffer = buffer_for(all);
@@ -145,7 +144,6 @@ static int32_t first_reading(int kind, const void *handle) {
     hsp_sticks_info sticks;
     hsp_complex contacts;
     hsp_cells_counts cells;
-    hsp_widest_probe gate;
     hsp_pores_counts pores;
   } out;
   uint32_t needed;
@@ -172,8 +170,6 @@ static int32_t first_reading(int kind, const void *handle) {
       const int32_t status = hsp_paths_get_points(handle, NULL, 0, &needed);
       return status == HSP_E_CAPACITY ? HSP_OK : status;
     }
-    case GATE:
-      return hsp_gate_get_widest(handle, &out.gate);
     default:
       return hsp_pores_get_counts(handle, &out.pores);
   }
@@ -319,7 +315,7 @@ static int32_t compute_in_parts(hsp_boundary *boundary, const hsp_model *model) 
   loop own = loop_of(LOOP_SHUFFLED);
   const hsp_executor executor = executor_of(&own, 2);
   hsp_boundary_request request = {.struct_size = sizeof request};
-  hsp_boundary_limits limits = {sizeof limits, 0, 0, 0, 0, 0};
+  hsp_boundary_limits limits = {.struct_size = sizeof limits};
   int32_t status;
   request.executor = &executor;
   status = hsp_boundary_compute_with(boundary, model, &request, &limits);

@@ -71,7 +71,6 @@ static void in_threads(void) {
   if (computations_make(&set, &options, &all) && computations_add_slow(&all, &options)) {
     for (kind = 0; kind < KINDS; ++kind) {
       work works[THREADS];
-      if (kind == GATE) continue; /* of so many balls it takes too long */
       check_scene("threads, with %s", kinds_of_life[kind].name);
       for (t = 0; t < THREADS; ++t) {
         memset(&works[t], 0, sizeof works[t]);

@@ -37,7 +37,6 @@ static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   if (status == HSP_OK) status = hsp_workspace_contacts(work);
   if (status == HSP_OK) status = hsp_workspace_cells(work);
   if (status == HSP_OK) status = hsp_workspace_path(work, far_below, far_above, &path);
-  if (status == HSP_OK) status = hsp_workspace_gate(work, far_below, far_above);
   if (status == HSP_OK && set->n <= 30) status = hsp_workspace_pores(work, NULL);
   if (status == HSP_OK && set->n <= 30) {
     status = hsp_workspace_cheapest_tunnel(work, NULL, far_below, far_above, NULL, 0, &cheapest);
@@ -80,7 +79,7 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   hsp_surface_totals surface; /* without a probe it is the boundary */
   hsp_map_info map;
   hsp_cells_counts free_space;
-  hsp_widest_probe widest;
+  hsp_pore_passage widest;
   uint32_t invariant, id;
   CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), HSP_OK);
@@ -106,9 +105,9 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   CHECK_EQUAL(hsp_cells_get_counts(work->cells, &free_space), HSP_OK);
   CHECK_EQUAL(free_space.regions, topology.regions);
   CHECK(path.ends == HSP_PATH_CONNECTED && path.certified == 1);
-  CHECK_EQUAL(hsp_gate_get_widest(work->gate, &widest), HSP_OK);
-  CHECK(widest.passes == 1 && widest.radius > 0);
   if (set->n <= 30) {
+    CHECK_EQUAL(hsp_pores_widest(work->pores, far_below, far_above, &widest), HSP_OK);
+    CHECK(widest.passes == 1 && widest.radius == tunnel.radius && widest.radius > 0);
     CHECK(tunnel.there == 1 && tunnel.points >= 2 && tunnel.points <= work->pores_limits.points);
     CHECK(cheapest.there == 1 && cheapest.radius <= tunnel.radius);
     CHECK_EQUAL(hsp_cells_check(work->cells, work->topology, &invariant, &id), HSP_OK);
@@ -132,7 +131,7 @@ static void set_after_set(void) {
   hsp_workspace_free(&work);
   CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL &&
         work.surface == NULL && work.mesh == NULL && work.map == NULL && work.contacts == NULL && work.cells == NULL &&
-        work.paths == NULL && work.gate == NULL && work.pores == NULL && work.moving == NULL);
+        work.paths == NULL && work.pores == NULL && work.moving == NULL);
   check_scene("after it was freed");
   CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
   check_results(&work, &set);
@@ -165,7 +164,6 @@ static void out_of_date(void) {
   hsp_map_info map;
   hsp_complex complex;
   hsp_cells_counts cells;
-  hsp_widest_probe widest;
   uint32_t i;
   ball_set_start(&few, "a ball", 1e-8);
   ball_set_add(&few, 0, 0, 0, 1);
@@ -181,7 +179,6 @@ static void out_of_date(void) {
   CHECK_EQUAL(hsp_workspace_contacts(&work), HSP_E_STATE);
   CHECK_EQUAL(hsp_workspace_cells(&work), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_path(&work, far_below, far_above, &path), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_workspace_gate(&work, far_below, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_tunnel(&work, NULL, far_below, NULL, NULL, 0, &tunnel), HSP_E_STATE);
   CHECK_EQUAL(hsp_workspace_cheapest_tunnel(&work, NULL, far_below, NULL, NULL, 0, &tunnel), HSP_E_STATE);
@@ -204,7 +201,6 @@ static void out_of_date(void) {
     CHECK_EQUAL(hsp_contacts_get_complex(work.contacts, &complex), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_contacts(&work), HSP_E_STATE);
     CHECK_EQUAL(hsp_cells_get_counts(work.cells, &cells), HSP_E_STATE);
-    CHECK_EQUAL(hsp_gate_get_widest(work.gate, &widest), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_topology(&work), HSP_E_STATE);
   }
   check_scene("a refused set");
@@ -235,7 +231,6 @@ static void check_readings(hsp_workspace *work, int32_t expected) {
   hsp_map_info map;
   hsp_complex complex;
   hsp_cells_counts cells;
-  hsp_widest_probe widest;
   CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), expected);
   CHECK_EQUAL(hsp_topology_get_counts(work->topology, &topology), expected);
   CHECK_EQUAL(hsp_view_get_info(work->view, &view), expected);
@@ -244,7 +239,6 @@ static void check_readings(hsp_workspace *work, int32_t expected) {
   CHECK_EQUAL(hsp_map_get_info(work->map, &map), expected);
   CHECK_EQUAL(hsp_contacts_get_complex(work->contacts, &complex), expected);
   CHECK_EQUAL(hsp_cells_get_counts(work->cells, &cells), expected);
-  CHECK_EQUAL(hsp_gate_get_widest(work->gate, &widest), expected);
 }
 
 /* As many balls as before that meet more: the boundary takes larger memory, which may lie elsewhere, and what was

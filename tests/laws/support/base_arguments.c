@@ -64,9 +64,9 @@ static void fill_sized(const argument *a, void *out) {
       [NOUN_contacts] = "hsp_contacts_limits", [NOUN_periodic] = "hsp_periodic_limits",
       [NOUN_surface] = "hsp_surface_limits",   [NOUN_mesh] = "hsp_mesh_limits",
       [NOUN_topology] = "hsp_topology_limits", [NOUN_cells] = "hsp_cells_limits",
-      [NOUN_paths] = "hsp_paths_limits",       [NOUN_gate] = "hsp_gate_limits",
-      [NOUN_pores] = "hsp_pores_limits",       [NOUN_view] = "hsp_view_limits",
-      [NOUN_map] = "hsp_map_limits",           [NOUN_sticks] = "hsp_sticks_limits"};
+      [NOUN_paths] = "hsp_paths_limits",       [NOUN_pores] = "hsp_pores_limits",
+      [NOUN_view] = "hsp_view_limits",         [NOUN_map] = "hsp_map_limits",
+      [NOUN_sticks] = "hsp_sticks_limits"};
   static const hsp_executor executor = {sizeof executor, 2, NULL, run_tasks, NULL};
   const uint32_t size = (uint32_t)a->size;
   int noun;

@@ -88,7 +88,6 @@ int depends_on(int noun, int base) {
     case NOUN_boundary:
     case NOUN_cells:
     case NOUN_paths:
-    case NOUN_gate:
     case NOUN_pores:
     case NOUN_map:
     case NOUN_sticks:
@@ -145,8 +144,6 @@ static int32_t start_limits(int noun, void *limits) {
       return hsp_cells_limits_init(limits, sizeof(hsp_cells_limits), n);
     case NOUN_paths:
       return hsp_paths_limits_init(limits, sizeof(hsp_paths_limits), n);
-    case NOUN_gate:
-      return hsp_gate_limits_init(limits, sizeof(hsp_gate_limits), n);
     case NOUN_pores:
       return hsp_pores_limits_init(limits, sizeof(hsp_pores_limits), n);
     case NOUN_view:
@@ -201,8 +198,6 @@ static int32_t compute(int noun, void *handle, void *limits) {
     case NOUN_paths:
       status = hsp_paths_compute(handle, model, limits);
       return status != HSP_OK ? status : hsp_paths_find(handle, fixture_outside, there, &path, limits);
-    case NOUN_gate:
-      return hsp_gate_compute(handle, model, fixture_outside, NULL, limits);
     case NOUN_pores: /* down to where there are gates of the void, with tunnel, pocket and regions */
       need(hsp_pores_options_init(&below, sizeof below), "options");
       below.floor = fixture_floor;

@@ -2178,52 +2178,6 @@ static int64_t call_hsp_paths_get_points(const value *v) {
   return (int64_t)hsp_paths_get_points(v[0].p, v[1].p, v[2].u, v[3].p);
 }
 
-static const argument of_hsp_gate_limits_init[] = {
-  {"limits", "hsp_gate_limits", .kind = KIND_sized, .size = sizeof(hsp_gate_limits)},
-  {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"balls", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-};
-static int64_t call_hsp_gate_limits_init(const value *v) {
-  return (int64_t)hsp_gate_limits_init(v[0].p, v[1].u, v[2].u);
-}
-
-static const argument of_hsp_gate_bytes[] = {
-  {"limits", "hsp_gate_limits", .kind = KIND_sized_in, .size = sizeof(hsp_gate_limits), .is_const = 1},
-  {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
-};
-static int64_t call_hsp_gate_bytes(const value *v) {
-  return (int64_t)hsp_gate_bytes(v[0].p, v[1].p);
-}
-
-static const argument of_hsp_gate_init[] = {
-  {"memory", "void", .kind = KIND_memory},
-  {"bytes", "size_t", .kind = KIND_value, .size = sizeof(size_t)},
-  {"limits", "hsp_gate_limits", .kind = KIND_sized_in, .size = sizeof(hsp_gate_limits), .is_const = 1},
-  {"gate", "hsp_gate", .kind = KIND_handle_out, .noun = NOUN_gate},
-};
-static int64_t call_hsp_gate_init(const value *v) {
-  return (int64_t)hsp_gate_init(v[0].p, v[1].z, v[2].p, v[3].p);
-}
-
-static const argument of_hsp_gate_compute[] = {
-  {"gate", "hsp_gate", .kind = KIND_handle, .noun = NOUN_gate},
-  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
-  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
-  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .null = NULL_always, .is_const = 1},
-  {"limits", "hsp_gate_limits", .kind = KIND_sized, .size = sizeof(hsp_gate_limits), .null = NULL_always},
-};
-static int64_t call_hsp_gate_compute(const value *v) {
-  return (int64_t)hsp_gate_compute(v[0].p, v[1].p, v[2].p, v[3].p, v[4].p);
-}
-
-static const argument of_hsp_gate_get_widest[] = {
-  {"gate", "hsp_gate", .kind = KIND_handle, .noun = NOUN_gate, .is_const = 1},
-  {"widest", "hsp_widest_probe", .kind = KIND_struct_out, .size = sizeof(hsp_widest_probe)},
-};
-static int64_t call_hsp_gate_get_widest(const value *v) {
-  return (int64_t)hsp_gate_get_widest(v[0].p, v[1].p);
-}
-
 static const argument of_hsp_pores_limits_init[] = {
   {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits)},
   {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -3556,17 +3510,6 @@ const function registry[] = {
       BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_paths_get_points", "paths", RESULT_status, 4, of_hsp_paths_get_points, call_hsp_paths_get_points, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_gate_limits_init", "paths", RESULT_status, 3, of_hsp_gate_limits_init, call_hsp_gate_limits_init, BIT(HSP_OK) |
-      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
-  {"hsp_gate_bytes", "paths", RESULT_status, 2, of_hsp_gate_bytes, call_hsp_gate_bytes, BIT(HSP_OK) |
-      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
-  {"hsp_gate_init", "paths", RESULT_status, 4, of_hsp_gate_init, call_hsp_gate_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) |
-      BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
-  {"hsp_gate_compute", "paths", RESULT_status, 5, of_hsp_gate_compute, call_hsp_gate_compute, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_CHECK) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
-  {"hsp_gate_get_widest", "paths", RESULT_status, 2, of_hsp_gate_get_widest, call_hsp_gate_get_widest, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_pores_limits_init", "pores", RESULT_status, 3, of_hsp_pores_limits_init, call_hsp_pores_limits_init, BIT(HSP_OK)
       | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_pores_bytes", "pores", RESULT_status, 2, of_hsp_pores_bytes, call_hsp_pores_bytes, BIT(HSP_OK) |
@@ -4283,22 +4226,6 @@ const field registry_fields[] = {
   {"hsp_path", "certified", "uint32_t", offsetof(hsp_path, certified), 1},
   {"hsp_path", "points", "uint32_t", offsetof(hsp_path, points), 1},
   {"hsp_path", "reserved", "uint32_t", offsetof(hsp_path, reserved), 1},
-  {"hsp_gate_limits", "struct_size", "uint32_t", offsetof(hsp_gate_limits, struct_size), 1},
-  {"hsp_gate_limits", "balls", "uint32_t", offsetof(hsp_gate_limits, balls), 1},
-  {"hsp_gate_limits", "cubes", "uint32_t", offsetof(hsp_gate_limits, cubes), 1},
-  {"hsp_gate_limits", "entries", "uint32_t", offsetof(hsp_gate_limits, entries), 1},
-  {"hsp_gate_limits", "cells", "uint32_t", offsetof(hsp_gate_limits, cells), 1},
-  {"hsp_gate_limits", "adjacencies", "uint32_t", offsetof(hsp_gate_limits, adjacencies), 1},
-  {"hsp_gate_limits", "landmarks", "uint32_t", offsetof(hsp_gate_limits, landmarks), 1},
-  {"hsp_gate_limits", "facets", "uint32_t", offsetof(hsp_gate_limits, facets), 1},
-  {"hsp_gate_limits", "corners", "uint32_t", offsetof(hsp_gate_limits, corners), 1},
-  {"hsp_gate_limits", "cube_balls", "uint32_t", offsetof(hsp_gate_limits, cube_balls), 1},
-  {"hsp_gate_limits", "cube_corners", "uint32_t", offsetof(hsp_gate_limits, cube_corners), 1},
-  {"hsp_widest_probe", "radius", "double", offsetof(hsp_widest_probe, radius), 1},
-  {"hsp_widest_probe", "passes", "uint32_t", offsetof(hsp_widest_probe, passes), 1},
-  {"hsp_widest_probe", "gate", "uint32_t", offsetof(hsp_widest_probe, gate), 3},
-  {"hsp_widest_probe", "builds", "uint32_t", offsetof(hsp_widest_probe, builds), 1},
-  {"hsp_widest_probe", "reserved", "uint32_t", offsetof(hsp_widest_probe, reserved), 1},
   {"hsp_pores_limits", "struct_size", "uint32_t", offsetof(hsp_pores_limits, struct_size), 1},
   {"hsp_pores_limits", "balls", "uint32_t", offsetof(hsp_pores_limits, balls), 1},
   {"hsp_pores_limits", "maxima", "uint32_t", offsetof(hsp_pores_limits, maxima), 1},

@@ -50,7 +50,6 @@ enum {
   NOUN_topology,
   NOUN_cells,
   NOUN_paths,
-  NOUN_gate,
   NOUN_pores,
   NOUN_view,
   NOUN_map,

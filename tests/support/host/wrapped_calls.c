@@ -2357,64 +2357,6 @@ int32_t __wrap_hsp_paths_get_points(const hsp_paths *paths, double *points, uint
   return result;
 }
 
-int32_t __real_hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls);
-int32_t __wrap_hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls);
-int32_t __wrap_hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_gate_limits_init");
-  result = __real_hsp_gate_limits_init(limits, struct_size, balls);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
-int32_t __wrap_hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
-int32_t __wrap_hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_gate_bytes");
-  result = __real_hsp_gate_bytes(limits, bytes);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate);
-int32_t __wrap_hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate);
-int32_t __wrap_hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_gate_init");
-  result = __real_hsp_gate_init(memory, bytes, limits, gate);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
-    hsp_gate_limits *limits);
-int32_t __wrap_hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
-    hsp_gate_limits *limits);
-int32_t __wrap_hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
-    hsp_gate_limits *limits) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_gate_compute");
-  result = __real_hsp_gate_compute(gate, model, from, to, limits);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest);
-int32_t __wrap_hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest);
-int32_t __wrap_hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_gate_get_widest");
-  result = __real_hsp_gate_get_widest(gate, widest);
-  host_call_ends(&call);
-  return result;
-}
-
 int32_t __real_hsp_pores_limits_init(hsp_pores_limits *limits, uint32_t struct_size, uint32_t balls);
 int32_t __wrap_hsp_pores_limits_init(hsp_pores_limits *limits, uint32_t struct_size, uint32_t balls);
 int32_t __wrap_hsp_pores_limits_init(hsp_pores_limits *limits, uint32_t struct_size, uint32_t balls) {

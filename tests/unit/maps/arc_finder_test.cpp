@@ -52,8 +52,8 @@ TEST(ArcFinder, OrdersArcsByBalls) {
   const auto arcs = all.finder.arcs();
   ASSERT_GT(arcs.size(), 50U);
   for (uint32_t a = 0; a + 1 < arcs.size(); ++a) {
-    ASSERT_LE(arcs[a].ball, arcs[a + 1].ball);
-    if (arcs[a].ball != arcs[a + 1].ball || arcs[a + 1].nearer != hsp::no_id) continue;
+    ASSERT_LE(arcs[a].body, arcs[a + 1].body);
+    if (arcs[a].body != arcs[a + 1].body || arcs[a + 1].nearer != hsp::no_id) continue;
     ASSERT_EQ(arcs[a].nearer, hsp::no_id);
     ASSERT_LE(arcs[a].to, arcs[a + 1].from);
   }

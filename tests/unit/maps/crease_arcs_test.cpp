@@ -60,7 +60,7 @@ TEST(CreaseArcs, OfLevelBallsAreSegments) {
   const hsp::Crease crease(placed.seen.balls()[2], placed.seen.balls()[1]);
   const int hidden = crease.at(arcs[0].to).y > crease.at(arcs[0].from).y ? 1 : 0;
   EXPECT_EQ(arcs[0].end[hidden].kind, hsp::MapVertexKind::t);
-  EXPECT_EQ(arcs[0].end[hidden].ball, 0U);
+  EXPECT_EQ(arcs[0].end[hidden].body, 0U);
   EXPECT_EQ(arcs[0].end[1 - hidden].kind, hsp::MapVertexKind::tangency);
   EXPECT_NEAR(crease.at(hidden == 1 ? arcs[0].to : arcs[0].from).y, placed.seen.balls()[0].y - 20, 1e-9);
 }

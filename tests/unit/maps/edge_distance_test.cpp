@@ -42,7 +42,7 @@ TEST(EdgeDistance, IsThatOfTheNearestOfManyPoints) {
     const hsp::VisibilityMap &map = built.map();
     for (uint32_t e = 0; e < map.edges.size(); ++e) {
       const hsp::MapEdge &edge = map.edges[e];
-      const hsp::SeenBall &ball = map.scene.balls[edge.ball];
+      const hsp::SeenBall &ball = map.scene.balls[edge.body];
       for (int k = 0; k < 5; ++k) {
         // Near the ball, in its middle, and far away.
         const double reach = k == 0 ? 0.0 : k == 4 ? 20 * ball.r : 1.2 * ball.r;
@@ -70,7 +70,7 @@ TEST(EdgeDistance, KeepsWhatIsNearer) {
   const hsp::VisibilityMap &map = built.map();
   ASSERT_EQ(map.edges.size(), 2U);
   for (uint32_t e = 0; e < 2; ++e) {
-    const hsp::SeenBall &ball = map.scene.balls[map.edges[e].ball];
+    const hsp::SeenBall &ball = map.scene.balls[map.edges[e].body];
     hsp::NearestPoint nearest;
     look_at_edge(map, e, ball.x + 0.6 * ball.r, ball.y - 0.8 * ball.r + 1, nearest);
     const hsp::NearestPoint before = nearest;

@@ -35,15 +35,15 @@ TEST(HiddenIntervals, LeaveArcsBetweenThem) {
   EXPECT_EQ(arcs[0].from, -2.0);
   EXPECT_EQ(arcs[0].to, -1.0);
   EXPECT_EQ(arcs[0].end[0].kind, MapVertexKind::tangency);
-  EXPECT_EQ(arcs[0].end[1].ball, 8U);
+  EXPECT_EQ(arcs[0].end[1].body, 8U);
   EXPECT_EQ(arcs[1].from, 0.0);
   EXPECT_EQ(arcs[1].to, 1.0);
-  EXPECT_EQ(arcs[1].end[0].ball, 8U);
-  EXPECT_EQ(arcs[1].end[1].ball, 7U);
+  EXPECT_EQ(arcs[1].end[0].body, 8U);
+  EXPECT_EQ(arcs[1].end[1].body, 7U);
   EXPECT_EQ(arcs[2].from, 2.5);
-  EXPECT_EQ(arcs[2].end[0].ball, 9U);
+  EXPECT_EQ(arcs[2].end[0].body, 9U);
   EXPECT_EQ(arcs[2].end[1].kind, MapVertexKind::tangency);
-  EXPECT_EQ(arcs[2].ball, 3U);
+  EXPECT_EQ(arcs[2].body, 3U);
   EXPECT_EQ(arcs[2].nearer, 4U);
 }
 
@@ -52,8 +52,8 @@ TEST(HiddenIntervals, OfAClosedCurveLeaveOneArcAcrossItsSeam) {
   ASSERT_EQ(arcs.size(), 2U);
   EXPECT_EQ(arcs[0].from, 2 - 2 * pi);
   EXPECT_EQ(arcs[0].to, -1.0);
-  EXPECT_EQ(arcs[0].end[0].ball, 7U);
-  EXPECT_EQ(arcs[0].end[1].ball, 8U);
+  EXPECT_EQ(arcs[0].end[0].body, 7U);
+  EXPECT_EQ(arcs[0].end[1].body, 8U);
   EXPECT_EQ(arcs[1].from, 0.0);
   EXPECT_FALSE(arcs[0].closed || arcs[1].closed);
 }
@@ -63,9 +63,9 @@ TEST(HiddenIntervals, MayEndAtTheSeam) {
   const auto arcs = visible({{3, pi, {by(5), {}}}, {-pi, -3, {{}, by(5)}}, hidden(0, 1, 6)}, -pi, pi, {});
   ASSERT_EQ(arcs.size(), 2U);
   EXPECT_EQ(arcs[0].from, -3.0);
-  EXPECT_EQ(arcs[0].end[0].ball, 5U);
+  EXPECT_EQ(arcs[0].end[0].body, 5U);
   EXPECT_EQ(arcs[1].to, 3.0);
-  EXPECT_EQ(arcs[1].end[1].ball, 5U);
+  EXPECT_EQ(arcs[1].end[1].body, 5U);
 }
 
 TEST(HiddenIntervals, LeaveAllOrNothing) {

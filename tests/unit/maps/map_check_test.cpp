@@ -46,7 +46,7 @@ TEST_F(MapCheck, Vertices) {
     v.leaving = v.kind == hsp::MapVertexKind::plain ? hsp::no_id : v.leaving ^ 1U;
   });
   expect<hsp::MapVertex>(map().vertices, MapInvariant::vertices,
-                         [&](hsp::MapVertex &v) { v.ball[0] = map().scene.balls.size(); });
+                         [&](hsp::MapVertex &v) { v.body[0] = map().scene.balls.size(); });
   expect<hsp::MapEdge>(map().edges, MapInvariant::vertices,
                        [&](hsp::MapEdge &e) { e.vertex[0] = map().vertices.size(); });
 }
@@ -54,10 +54,10 @@ TEST_F(MapCheck, Vertices) {
 TEST_F(MapCheck, Edges) {
   expect<hsp::MapEdge>(map().edges, MapInvariant::edges, [](hsp::MapEdge &e) { std::swap(e.from, e.to); });
   expect<hsp::MapEdge>(map().edges, MapInvariant::edges, [](hsp::MapEdge &e) { e.to += 7; });
-  expect<hsp::MapEdge>(map().edges, MapInvariant::edges, [&](hsp::MapEdge &e) { e.ball = map().scene.balls.size(); });
+  expect<hsp::MapEdge>(map().edges, MapInvariant::edges, [&](hsp::MapEdge &e) { e.body = map().scene.balls.size(); });
   expect<hsp::MapVertex>(map().vertices, MapInvariant::edges, [](hsp::MapVertex &v) {
-    v.ball[0] = 0;
-    v.ball[1] = v.ball[2] = hsp::no_id;
+    v.body[0] = 0;
+    v.body[1] = v.body[2] = hsp::no_id;
   });
 }
 
@@ -139,7 +139,7 @@ class TwoDiscs {
   TwoDiscs(int64_t one, int64_t other) : built_({{0, 0, 0, one}, {one + other + 10, 0, 0, other}}) {
     for (uint32_t l = 0; l < map().loops.size(); ++l) {
       const hsp::MapLoop &loop = map().loops[l];
-      const bool large = map().scene.balls[map().edges[loop.first_half_edge / 2].ball].x < 0;
+      const bool large = map().scene.balls[map().edges[loop.first_half_edge / 2].body].x < 0;
       (loop.area > 0 ? outer_ : hole_)[large ? 0 : 1] = l;
     }
   }

@@ -113,7 +113,7 @@ TEST(MapFaces, RefusesEdgesThatDoNotFit) {
     hsp::MapEdge &edge = map.edges[e];
     const hsp::MapEdge good = edge;
     if (!edge.is_silhouette()) continue;
-    edge.ball = (edge.ball + 1) % map.scene.balls.size();
+    edge.body = (edge.body + 1) % map.scene.balls.size();
     ++changed;
     noticed += again() ? 0 : 1;
     edge = good;

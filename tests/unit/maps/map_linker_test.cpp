@@ -137,7 +137,7 @@ TEST(MapLinker, RefusesStemsThatDoNotLand) {
       // The whole circle on which it lands is seen from 1e-5 behind it on only.
       linked.arcs = good;
       for (MapArc &arc : linked.arcs) {
-        if (arc.ball != good[a].end[end].ball || !arc.closed) continue;
+        if (arc.body != good[a].end[end].body || !arc.closed) continue;
         linked.arcs = good;
         linked.arcs.erase(linked.arcs.begin() + (&arc - linked.arcs.data()));
         break;

@@ -55,7 +55,7 @@ TEST(MapPaths, ArcsRunFromVertexToVertex) {
     for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
       const hsp::ProjectedArc arc = hsp::arc_of(map, h);
       const hsp::MapEdge &edge = map.edges[h / 2];
-      const double near = 1e-6 * map.scene.balls[edge.ball].r;
+      const double near = 1e-6 * map.scene.balls[edge.body].r;
       EXPECT_LE(distance(at(arc, arc.from), arc.start), near);
       EXPECT_LE(distance(at(arc, arc.to), arc.end), near);
       EXPECT_EQ(arc.from <= arc.to, h % 2 == 0);
@@ -71,8 +71,8 @@ TEST(MapPaths, ArcsRunFromVertexToVertex) {
         const double dx = p[0] - ball.x, dy = p[1] - ball.y;
         return ball.z + std::sqrt(std::max(0.0, ball.r * ball.r - dx * dx - dy * dy));
       };
-      EXPECT_NEAR(front(map.scene.balls[edge.ball]), front(map.scene.balls[edge.nearer]),
-                  1e-3 * map.scene.balls[edge.ball].r);
+      EXPECT_NEAR(front(map.scene.balls[edge.body]), front(map.scene.balls[edge.nearer]),
+                  1e-3 * map.scene.balls[edge.body].r);
     }
   }
   EXPECT_GT(creases, 200U);

@@ -48,7 +48,7 @@ TEST(MapQueries, FindFacesAsOftenAsTheirAreasSay) {
     }
   for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
     const hsp::MapEdge &edge = map.edges[h / 2];
-    border[map.face_of(h)] += (edge.to - edge.from) * map.scene.balls[edge.ball].r;
+    border[map.face_of(h)] += (edge.to - edge.from) * map.scene.balls[edge.body].r;
   }
   for (uint32_t f = 1; f < map.faces.size(); ++f)
     EXPECT_NEAR(counted[f], map.faces[f].area, grid.side * border[f] + 4 * grid.side * grid.side) << f;
@@ -109,12 +109,12 @@ TEST(MapQueries, TellDepthAndGapAlongEdges) {
       const hsp::EdgePoint next = at(0.4001);
       // A small step to the right of the direction of travel.
       const double length = std::hypot(next.x - p.x, next.y - p.y);
-      const double step = 1e-9 * map.scene.balls[edge.ball].r;
+      const double step = 1e-9 * map.scene.balls[edge.body].r;
       const double x = p.x + step * (next.y - p.y) / length;
       const double y = p.y - step * (next.x - p.x) / length;
       const double right = highest_front(map, x, y);
       const double left = highest_front(map, 2 * p.x - x, 2 * p.y - y);
-      const double tolerance = 1e-3 * map.scene.balls[edge.ball].r;
+      const double tolerance = 1e-3 * map.scene.balls[edge.body].r;
       ++edges;
       EXPECT_NEAR(left, p.z - p.gap_left, tolerance);
       if (std::isinf(p.gap_right)) {

@@ -51,9 +51,9 @@ TEST(SilhouetteArcs, NameWhatHidesTheRest) {
   for (const hsp::MapArc &arc : own.arcs) {
     const bool above = arc.from > 0;
     EXPECT_EQ(arc.end[above ? 0 : 1].kind, hsp::MapVertexKind::t);
-    EXPECT_EQ(arc.end[above ? 0 : 1].ball, 0U);
+    EXPECT_EQ(arc.end[above ? 0 : 1].body, 0U);
     EXPECT_EQ(arc.end[above ? 1 : 0].kind, hsp::MapVertexKind::tangency);
-    EXPECT_EQ(arc.end[above ? 1 : 0].ball, 2U);
+    EXPECT_EQ(arc.end[above ? 1 : 0].body, 2U);
   }
 }
 

@@ -1,11 +1,9 @@
-// Paths and widest probes as path_finder_test.cpp and widest_probe_test.cpp try few of: hundreds of pairs of points on
-// each molecule, sets of all kinds, crambin's void.
+// Paths as path_finder_test.cpp tries few of: hundreds of pairs of points on each molecule, and sets of all kinds.
 #include <gtest/gtest.h>
 
 #include <iterator>
 
 #include "checked_paths.hpp"
-#include "checked_probe.hpp"
 #include "sweep_length.hpp"
 
 namespace {
@@ -59,34 +57,6 @@ TEST(SlowPaths, ThroughMolecules) {
   EXPECT_EQ(seen.found, static_cast<uint32_t>(pairs) * std::size(molecules));
   EXPECT_GT(10 * seen.bent, 3 * seen.found);
   EXPECT_GT(100 * seen.of_many, 5 * seen.found);
-}
-
-TEST(SlowWidestProbe, AmongRandomBalls) {
-  oracle::RandomSource random(1);
-  checked_probe::Seen seen;
-  ASSERT_NO_FATAL_FAILURE(checked_probe::check_among_random_balls(random, oracle::rounds(20, 300), seen));
-  EXPECT_GT(seen.gates, 0U);
-  EXPECT_GT(seen.touches, 0U);
-}
-
-// From the void that crambin has for a probe of 1.4, with van der Waals radii: known to ten digits, by a search among
-// power diagrams in doubles.
-TEST(SlowWidestProbe, OutOfCrambin) {
-  using namespace checked_probe;
-  Balls balls = read_molecule(support::own_molecule("crambin.pdb"));
-  for (auto &ball : balls) ball = {ball.x * 100000, ball.y * 100000, ball.z * 100000, ball.radius * 100000};
-  const Balls accessible = grown(balls, 140000000);
-  BuiltTopology topology(accessible);
-  ASSERT_EQ(topology.status(), hsp::Status::ok);
-  ASSERT_EQ(topology.structure().region_count, 2U);
-  const Vector from{980000000, 1220000000, 610000000};
-  ASSERT_GT(room(accessible, from), 0.0);
-  ASSERT_NE(cell_of(topology, from), 0U);
-  const BuiltProbe built(balls, from, nullptr);
-  ASSERT_EQ(built.status(), hsp::Status::ok);
-  EXPECT_NEAR(built.widest().radius * 1e-8, 0.838840049, 6e-10);
-  EXPECT_NE(built.widest().gate[2], no_id);
-  EXPECT_LE(built.builds(), 40U);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // The comparisons of the other files of this folder over many more sets.
 #include <gtest/gtest.h>
 
+#include "checked_passage.hpp"
 #include "checked_pores.hpp"
+#include "molecule_balls.hpp"
 #include "pore_widths.hpp"
 #include "sweep_length.hpp"
 
@@ -60,6 +62,33 @@ TEST(PoresSlow, WidestProbesBetweenPlaces) {
   for (int turn = 0; turn < oracle::rounds(120, 12500); ++turn) {
     ASSERT_NO_FATAL_FAILURE(pore_widths::compare_with_gates(random, turn % pore_sets::general_kinds, 8, seen));
   }
+}
+
+TEST(PoresSlow, WidestProbesAmongRandomBalls) {
+  oracle::RandomSource random(16);
+  checked_passage::Seen seen;
+  ASSERT_NO_FATAL_FAILURE(checked_passage::check_among_random_balls(random, oracle::rounds(20, 300), seen));
+  EXPECT_GT(seen.gates, 0U);
+  EXPECT_GT(seen.touches, 0U);
+}
+
+// From the void that crambin has for a probe of 1.4, with van der Waals radii: known to ten digits, by a search among
+// power diagrams in doubles.
+TEST(PoresSlow, WidestProbeOutOfCrambin) {
+  using namespace checked_passage;
+  Balls balls = read_molecule(support::own_molecule("crambin.pdb"));
+  for (auto &ball : balls) ball = {ball.x * 100000, ball.y * 100000, ball.z * 100000, ball.radius * 100000};
+  const Balls accessible = grown(balls, 140000000);
+  BuiltTopology topology(accessible);
+  ASSERT_EQ(topology.status(), hsp::Status::ok);
+  ASSERT_EQ(topology.structure().region_count, 2U);
+  const Vector from{980000000, 1220000000, 610000000};
+  ASSERT_GT(room(accessible, from), 0.0);
+  ASSERT_NE(cell_of(topology, from), 0U);
+  const BuiltPassage built(balls, from, nullptr);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  EXPECT_NEAR(built.level() * 1e-8, 0.838840049, 6e-10);
+  EXPECT_TRUE(built.has_gate());
 }
 
 }  // namespace

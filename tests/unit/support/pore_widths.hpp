@@ -1,8 +1,10 @@
-// The widest probe between two places by maxima and gates, against the one that bisects free space of grown balls.
+// The widest probe between two places by maxima and gates, against cells of free space around grown balls.
 #pragma once
 
+#include "checked_passage.hpp"
 #include "checked_pores.hpp"
-#include "checked_probe.hpp"
+#include "lattice_lengths.hpp"
+#include "probe_by_cells.hpp"
 
 namespace pore_widths {
 
@@ -37,6 +39,10 @@ class Widths {
   std::vector<double> width_;
 };
 
+inline std::array<double, 3> in_lengths(const hsp::exact::Vector &point) {
+  return {static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
+}
+
 // Between maxima, which are places in free space that are known to be in their classes, and to the outside.
 inline void compare_with_gates(oracle::RandomSource &random, int kind, int pairs, Seen &seen) {
   const oracle::Balls balls = pore_sets::general_set(random, 30, kind);
@@ -49,7 +55,7 @@ inline void compare_with_gates(oracle::RandomSource &random, int kind, int pairs
     const auto b = random.one_in(3) ? hsp::pore_outside : static_cast<uint32_t>(random.in(0, count - 1));
     if (a == b) continue;
     const auto place = [&](uint32_t end) {
-      const hsp::Vec3 &at = pores.maxima()[end].point.place;
+      const hsp::Vec3 &at = pores.maxima()[end].point.position;
       return hsp::exact::Vector{std::llround(at.x), std::llround(at.y), std::llround(at.z)};
     };
     const auto level = [&](uint32_t end) {
@@ -58,23 +64,32 @@ inline void compare_with_gates(oracle::RandomSource &random, int kind, int pairs
     const hsp::exact::Vector from = place(a), to = b == hsp::pore_outside ? from : place(b);
     // Rounded to the lattice the places lose less than a step.
     if (std::min(level(a), level(b)) < 4.0) continue;
-    const checked_probe::BuiltProbe probe(balls, from, b == hsp::pore_outside ? nullptr : &to);
-    ASSERT_EQ(probe.status(), hsp::Status::ok);
+    hsp::PorePassage passage{};
+    const hsp::exact::Vector *const end = b == hsp::pore_outside ? nullptr : &to;
+    ASSERT_EQ(find_passage(pores.builder(), pores.grid(), from, end, 0, passage), hsp::Status::ok);
     const double ours = std::min({Widths(pores, a).at(b), level(a), level(b)});
-    if (!probe.widest().passes || ours == -INFINITY) {
-      ASSERT_EQ(probe.widest().passes, ours != -INFINITY) << oracle::to_text(balls);
-      continue;
-    }
-    ASSERT_NEAR(probe.widest().radius, ours, 1.0) << oracle::to_text(balls);
+    ASSERT_EQ(passage.passes, ours != -INFINITY) << oracle::to_text(balls);
+    const std::array<double, 3> start = in_lengths(from), last = in_lengths(to);
+    const double *const end_in_lengths = end == nullptr ? nullptr : last.data();
+    support::ProbeByCells cells(oracle::in_lengths(balls, 1), 1.0);
+    const auto is_open = [&](support::ProbeByCells &free_space, double probe) {
+      return free_space.passes(probe, start.data(), end_in_lengths);
+    };
+    ASSERT_EQ(is_open(cells, std::max(0.0, std::floor(ours) - 1.0)), passage.passes) << oracle::to_text(balls);
+    if (!passage.passes) continue;
+    ASSERT_NEAR(passage.level, ours, 1.0) << oracle::to_text(balls);
     ++seen.pairs;
-    if (ours > std::min(level(a), level(b)) - 2.0) continue;
+    const std::optional<bool> wider = is_open(cells, std::floor(ours) + 2.0);
+    if (!wider) continue;
+    ASSERT_FALSE(*wider) << oracle::to_text(balls);
+    if (ours > std::min(level(a), level(b)) - 8.0) continue;
     ++seen.gates;
-    for (const auto &gate : pores.gates()) {
-      if (gate.point.level != ours) continue;
-      std::array<uint32_t, 3> named{gate.point.ball[0], gate.point.ball[1], gate.point.ball[2]};
-      std::sort(named.begin(), named.end());
-      for (size_t corner = 0; corner < 3; ++corner) ASSERT_EQ(probe.widest().gate[corner], named[corner]);
-    }
+    ASSERT_NE(passage.gate, hsp::no_id);
+    oracle::Balls without = balls;
+    for (const uint32_t ball : pores.gates()[passage.gate].point.ball) without[ball].radius -= 5;
+    support::ProbeByCells opened(oracle::in_lengths(without, 1), 1.0);
+    ASSERT_EQ(is_open(opened, std::floor(ours) + 2.0), true) << oracle::to_text(balls);
+    ASSERT_FALSE(cells.has_failed() || opened.has_failed());
   }
 }
 

@@ -287,15 +287,6 @@ static uint64_t paths_hash(const void *paths, const void *source, unsigned char 
   return mixed_hash(UINT64_C(0xCBF29CE484222325), buffer, 3 * needed * sizeof(double));
 }
 
-static uint64_t gate_hash(const void *gate, const void *source, unsigned char *buffer, uint32_t room) {
-  hsp_widest_probe widest;
-  (void)source;
-  (void)buffer;
-  (void)room;
-  if (hsp_gate_get_widest(gate, &widest) != HSP_OK) return 0;
-  return mixed_hash(UINT64_C(0xCBF29CE484222325), &widest, sizeof widest);
-}
-
 /* Maxima, gates, all their balls, the tunnel, and where its points are. */
 static uint64_t pores_hash(const void *pores, const void *source, unsigned char *buffer, uint32_t room) {
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
@@ -491,15 +482,10 @@ static int use_cells(void *cells) {
   return hsp_cells_check(cells, NULL, &invariant, &id) == HSP_OK;
 }
 
-/* Nothing but finding paths does, which is a part of computing them; nor of a gate. */
+/* Nothing but finding paths does, which is a part of computing them. */
 static int use_paths(void *paths) {
   uint32_t needed = 0;
   return hsp_paths_get_points(paths, NULL, 0, &needed) == HSP_E_CAPACITY && needed >= 2;
-}
-
-static int use_gate(void *gate) {
-  hsp_widest_probe widest;
-  return hsp_gate_get_widest(gate, &widest) == HSP_OK && widest.builds <= 40;
 }
 
 static int use_pores(void *pores) {
@@ -556,7 +542,6 @@ const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boun
                                            {&contacts_handle, "contacts", contacts_hash, use_contacts},
                                            {&cells_handle, "cells", cells_hash, use_cells},
                                            {&paths_handle, "a path", paths_hash, use_paths},
-                                           {&gate_handle, "a gate", gate_hash, use_gate},
                                            {&pores_handle, "pores", pores_hash, use_pores},
                                            {&body_handle, "a body", body_hash, use_body},
                                            {&periodic_handle, "a periodic union", periodic_hash, use_periodic},
@@ -616,9 +601,7 @@ static int make_contacts_and_cells(computations *all) {
   const computed *c = &all->boundary;
   if (!CHECK_EQUAL(contacts_result_make(c, &all->contacts), HSP_OK)) return 0;
   all->room += all->contacts.count + all->contacts.needed.triangles + all->contacts.needed.tetrahedra;
-  if (c->n <= CELLS_OF_BALLS && !(add_cells(all) && add_path(all))) return 0;
-  if (c->n <= GATES_OF_BALLS && !CHECK_EQUAL(gate_result_make(c, &all->gate), HSP_OK)) return 0;
-  if (c->n <= CELLS_OF_BALLS && !add_pores(all)) return 0;
+  if (c->n <= CELLS_OF_BALLS && !(add_cells(all) && add_path(all) && add_pores(all))) return 0;
   if (!CHECK_EQUAL(body_result_make(c, &all->body), HSP_OK)) return 0;
   all->room += all->body.overlap[0].pairs;
   if (!CHECK_EQUAL(periodic_result_make(c, &all->periodic), HSP_OK)) return 0;
@@ -648,7 +631,6 @@ void computations_release(computations *all) {
   periodic_result_release(&all->periodic);
   body_result_release(&all->body);
   pores_result_release(&all->pores);
-  gate_result_release(&all->gate);
   paths_result_release(&all->paths);
   cells_result_release(&all->cells);
   contacts_result_release(&all->contacts);
@@ -663,36 +645,26 @@ void computations_release(computations *all) {
 }
 
 const void *source_of(const computations *all, int kind) {
-  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,     &all->surface,  &all->mesh,
-                                      &all->map,      &all->sticks,   &all->contacts, &all->cells,    &all->paths,
-                                      &all->gate,     &all->pores,    &all->body,     &all->periodic, &all->moving};
+  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,     &all->surface, &all->mesh,
+                                      &all->map,      &all->sticks,   &all->contacts, &all->cells,   &all->paths,
+                                      &all->pores,    &all->body,     &all->periodic, &all->moving};
   return sources[kind];
 }
 
 void *handle_of(const computations *all, int kind) {
-  void *const handles[KINDS] = {all->boundary.boundary,
-                                all->topology.topology,
-                                all->view.view,
-                                all->surface.surface,
-                                all->mesh.mesh,
-                                all->map.map,
-                                all->sticks.sticks,
-                                all->contacts.contacts,
-                                all->cells.cells,
-                                all->paths.paths,
-                                all->gate.gate,
-                                all->pores.pores,
-                                all->boundary.n > 0 ? all->body.body : NULL,
-                                all->periodic.periodic,
-                                all->moving.moving};
+  void *const handles[KINDS] = {
+      all->boundary.boundary, all->topology.topology, all->view.view,     all->surface.surface,
+      all->mesh.mesh,         all->map.map,           all->sticks.sticks, all->contacts.contacts,
+      all->cells.cells,       all->paths.paths,       all->pores.pores,   all->boundary.n > 0 ? all->body.body : NULL,
+      all->periodic.periodic, all->moving.moving};
   return handles[kind];
 }
 
 limit_numbers limits_of(const computations *all, int kind) {
   const void *const needed[KINDS] = {
-      &all->boundary.needed, &all->topology.needed, &all->view.needed,     &all->surface.needed,  &all->mesh.needed,
-      &all->map.needed,      &all->sticks.needed,   &all->contacts.needed, &all->cells.needed,    &all->paths.needed,
-      &all->gate.needed,     &all->pores.needed,    &all->body.needed,     &all->periodic.needed, &all->moving.needed};
+      &all->boundary.needed, &all->topology.needed, &all->view.needed,     &all->surface.needed, &all->mesh.needed,
+      &all->map.needed,      &all->sticks.needed,   &all->contacts.needed, &all->cells.needed,   &all->paths.needed,
+      &all->pores.needed,    &all->body.needed,     &all->periodic.needed, &all->moving.needed};
   limit_numbers limits;
   memset(&limits, 0, sizeof limits);
   memcpy(&limits, needed[kind], kinds_of_life[kind].kind->struct_size);

@@ -35,7 +35,6 @@ enum {
   CONTACTS,
   CELLS,
   PATHS,
-  GATE,
   PORES,
   BODY,
   PERIODIC,
@@ -44,7 +43,7 @@ enum {
 };
 extern const kind_of_life kinds_of_life[KINDS];
 
-enum { GATES_OF_BALLS = 4, CELLS_OF_BALLS = 20, STICKS_OF_BALLS = 40 };
+enum { CELLS_OF_BALLS = 20, STICKS_OF_BALLS = 40 };
 
 /* All that is computed of one set. */
 typedef struct computations {
@@ -59,7 +58,6 @@ typedef struct computations {
   contacts_result contacts;
   cells_result cells; /* none of sets of more than CELLS_OF_BALLS balls, for the sake of time */
   paths_result paths; /* likewise */
-  gate_result gate;   /* none of sets of more than GATES_OF_BALLS balls: cells are cut thirty times */
   pores_result pores; /* likewise */
   body_result body;
   periodic_result periodic;
@@ -68,7 +66,7 @@ typedef struct computations {
 } computations;
 
 /* Computes the boundary of a set, and unless `options` is NULL its topology, that view and map, sticks, the smooth
- * surface and triangles of it, contacts, cells, path, gate, pores, the body, the set in a periodic box and balls that
+ * surface and triangles of it, contacts, cells, path, pores, the body, the set in a periodic box and balls that
  * move; false, after a failed check, if a call fails. To be followed by computations_release. */
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all);
 void computations_release(computations *all);

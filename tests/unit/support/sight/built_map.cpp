@@ -25,7 +25,7 @@ struct Curve {
 };
 
 Curve curve_of(const hsp::VisibilityMap &map, const hsp::MapEdge &edge) {
-  const hsp::SeenBall &far = map.scene.balls[edge.ball];
+  const hsp::SeenBall &far = map.scene.balls[edge.body];
   if (edge.nearer == hsp::no_id) return {{far.x, far.y, far.z}, {far.r, 0, 0}, {0, far.r, 0}};
   const hsp::SeenBall &near = map.scene.balls[edge.nearer];
   const Vector3 d = {near.x - far.x, near.y - far.y, near.z - far.z};
@@ -213,7 +213,7 @@ std::string map_disagrees(const BuiltMap &built, size_t pixels) {
   for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
     const uint32_t owner = map.faces[map.face_of(h)].owner;
     const hsp::MapEdge &edge = map.edges[h / 2];
-    if (owner != hsp::no_id) length[built.caller(owner)] += (edge.to - edge.from) * map.scene.balls[edge.ball].r;
+    if (owner != hsp::no_id) length[built.caller(owner)] += (edge.to - edge.from) * map.scene.balls[edge.body].r;
   }
   std::vector<double> counted(seen.size(), 0);
   for (const oracle::SeenPixel &pixel : image)

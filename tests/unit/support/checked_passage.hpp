@@ -1,5 +1,5 @@
-// The widest probe, held against the cells of the complement of balls grown by a little less and a little more, which
-// the topology finds by shells and rays; the gate, by taking its balls back a little.
+// The widest probe between two points, held against the cells of the complement of balls grown by a little less and a
+// little more, which the topology finds by shells and rays; its gate, by taking the balls of that back a little.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,51 +7,39 @@
 #include <algorithm>
 #include <cmath>
 
-#include "built_grid.hpp"
+#include "built_pores.hpp"
 #include "built_topology.hpp"
-#include "carved_memory.hpp"
-#include "lattice_lengths.hpp"
-#include "paths/widest_probe.hpp"
+#include "pockets/class_tree.hpp"
 #include "random_balls.hpp"
 #include "topology/regions.hpp"
 
-namespace checked_probe {
+namespace checked_passage {
 
 using hsp::no_id;
 using hsp::exact::Vector;
 using oracle::Balls;
 
-class BuiltProbe {
+class BuiltPassage {
  public:
-  BuiltProbe(const Balls &balls, const Vector &from, const Vector *to) : grid_(oracle::in_lengths(balls, 1)) {
-    hsp::ProbeLimits limits{{}, static_cast<uint32_t>(balls.size())};
-    static_cast<void>(hsp::default_limits(limits.balls, limits.cells));
-    do {
-      memory_.carve(finder_, limits);
-      status_ = finder_.find(grid_.grid().balls(), from, to, widest_);
-      limits = finder_.retry_limits();
-    } while (status_ == hsp::Status::capacity && ++retries_ < 40);
+  BuiltPassage(const Balls &balls, const Vector &from, const Vector *to) : pores_(balls, 0) {
+    status_ = pores_.status();
+    if (status_ == hsp::Status::ok) status_ = find_passage(pores_.builder(), pores_.grid(), from, to, 0, passage_);
+    if (status_ != hsp::Status::ok || passage_.gate == no_id) return;
+    for (uint32_t k = 0; k < 3; ++k) gate_[k] = pores_.gates()[passage_.gate].point.ball[k];
   }
   hsp::Status status() const { return status_; }
-  const hsp::WidestProbe &widest() const { return widest_; }
-  uint32_t builds() const { return finder_.builds(); }
-  // Whether what it says it needed suffices for the same once more.
-  bool suffices_again(const Vector &from, const Vector *to) {
-    const hsp::ProbeLimits needed = finder_.needed();
-    CarvedMemory memory;
-    hsp::WidestProbeFinder again;
-    hsp::WidestProbe widest{};
-    memory.carve(again, needed);
-    return again.find(grid_.grid().balls(), from, to, widest) == hsp::Status::ok && widest.radius == widest_.radius;
-  }
+  bool passes() const { return passage_.passes; }
+  double level() const { return passage_.level; }
+  // That stops wider probes at an end, or no_id; those that do at a gate.
+  uint32_t ball() const { return passage_.ball; }
+  bool has_gate() const { return passage_.gate != no_id; }
+  const std::array<uint32_t, 3> &gate() const { return gate_; }
 
  private:
-  BuiltGrid grid_;
-  CarvedMemory memory_;
-  hsp::WidestProbeFinder finder_;
-  hsp::WidestProbe widest_{};
+  BuiltPores pores_;
+  hsp::PorePassage passage_{};
+  std::array<uint32_t, 3> gate_{};
   hsp::Status status_ = hsp::Status::ok;
-  uint32_t retries_ = 0;
 };
 
 inline double distance(const oracle::LatticeBall &ball, const Vector &point) {
@@ -111,39 +99,35 @@ inline void check_among_random_balls(oracle::RandomSource &random, int sets, See
     const Vector other = draw(2 * size);
     const Vector *const to = random.one_in(2) ? nullptr : &other;
     const double at_ends = std::min(room(balls, from), to == nullptr ? INFINITY : room(balls, *to));
-    BuiltProbe built(balls, from, to);
+    const BuiltPassage built(balls, from, to);
     ASSERT_EQ(built.status(), hsp::Status::ok);
-    EXPECT_LE(built.builds(), 40U);
-    EXPECT_TRUE(built.suffices_again(from, to));
-    const hsp::WidestProbe &widest = built.widest();
-    if (!widest.passes) {
+    if (!built.passes()) {
       ASSERT_TRUE(at_ends <= 0.0 || !joined(balls, from, to)) << oracle::to_text(balls);
+      ASSERT_TRUE(built.level() == 0.0 && !built.has_gate() && built.ball() == no_id);
       continue;
     }
-    ASSERT_LE(widest.radius, at_ends + 1e-6);
-    const auto below = static_cast<int64_t>(std::floor(widest.radius)) - 1;
+    ASSERT_LE(built.level(), at_ends + 1e-6);
+    const auto below = static_cast<int64_t>(std::floor(built.level())) - 1;
     if (below >= 0) {
       ASSERT_TRUE(joined(grown(balls, below), from, to)) << oracle::to_text(balls);
     }
-    if (widest.gate[1] == no_id) {
-      ASSERT_LT(widest.gate[0], balls.size());
-      const auto &ball = balls[widest.gate[0]];
+    ASSERT_NE(built.has_gate(), built.ball() != no_id);
+    if (!built.has_gate()) {
+      ASSERT_LT(built.ball(), balls.size());
+      const auto &ball = balls[built.ball()];
       const double there = to == nullptr ? INFINITY : distance(ball, *to);
-      ASSERT_NEAR(std::min(distance(ball, from), there) - static_cast<double>(ball.radius), widest.radius, 1e-6);
-      ASSERT_NEAR(widest.radius, at_ends, 1e-6);
+      ASSERT_NEAR(std::min(distance(ball, from), there) - static_cast<double>(ball.radius), built.level(), 1e-6);
+      ASSERT_NEAR(built.level(), at_ends, 1e-6);
       ++seen.touches;
       continue;
     }
-    ASSERT_LT(widest.gate[0], widest.gate[1]);
-    ASSERT_LT(widest.gate[1], widest.gate[2]);
-    ASSERT_LT(widest.gate[2], balls.size());
-    if (widest.radius + 4.0 > at_ends) continue;
+    if (built.level() + 4.0 > at_ends) continue;
     Balls closed = grown(balls, below + 3);
     ASSERT_FALSE(joined(closed, from, to)) << oracle::to_text(balls);
-    for (const uint32_t ball : widest.gate) closed[ball].radius -= 5;
+    for (const uint32_t ball : built.gate()) closed[ball].radius -= 5;
     ASSERT_TRUE(joined(closed, from, to)) << oracle::to_text(balls);
     ++seen.gates;
   }
 }
 
-}  // namespace checked_probe
+}  // namespace checked_passage

@@ -1,0 +1,131 @@
+#include "commands/void_sphere.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands/space_geometry.h"
+
+/* The pores of the balls with a face on the void answer, as no other ball counts. The void is bounded by faces of these
+ * alone, so that it is a part of their free space, too. And from a point of the void the straight way to the nearest
+ * ball meets none before: it stays in the void and ends on a face of it. So the distance to these balls is that to all,
+ * and the largest empty sphere lies around the widest maximum in the void. It touches none but these, or a ball inside
+ * one of them where that touches it: another ball with that point on its sphere would cut the empty sphere, or the
+ * three touch each other there. */
+
+/* An empty sphere is no larger than the void. Pores narrower than this part of that are looked for if there are no
+ * wider ones in the void, and so on down to a part of that for which all of them may as well be found. */
+#define FLOOR 0.4
+#define LEAST_FLOOR 0.01
+
+/* All balls around a void, as a molecule of their own. */
+static bool make_wall(uint32_t most, struct molecule *wall, struct failure *failure) {
+  wall->xyz = calloc((size_t)most + 1, 3 * sizeof *wall->xyz);
+  wall->radius = calloc((size_t)most + 1, sizeof *wall->radius);
+  wall->line = calloc((size_t)most + 1, sizeof *wall->line);
+  return (wall->xyz != NULL && wall->radius != NULL && wall->line != NULL) || failure_of_memory(failure);
+}
+
+static void free_wall(struct molecule *wall) {
+  free(wall->xyz);
+  free(wall->radius);
+  free(wall->line);
+}
+
+static void take_wall(const struct molecule *molecule, const struct void_cell *of, struct molecule *wall) {
+  wall->atoms = of->ball_count;
+  for (size_t k = 0; k < of->ball_count; ++k) {
+    const size_t ball = of->balls[k];
+    memcpy(wall->xyz + 3 * k, molecule->xyz + 3 * ball, 3 * sizeof *wall->xyz);
+    wall->radius[k] = molecule->radius[ball];
+    wall->line[k] = molecule->line[ball];
+  }
+}
+
+/* Whether the point lies in the void, by integers. */
+static bool lies_in(const struct geometry *geometry, const double point[3], uint32_t region) {
+  uint32_t found = HSP_NONE;
+  return hsp_topology_locate(geometry->work.topology, point, &found) == HSP_OK && found == region;
+}
+
+static double clearance_at(const struct molecule *wall, double probe, const double point[3]) {
+  double least = HUGE_VAL;
+  for (size_t k = 0; k < wall->atoms; ++k) {
+    const double *const centre = wall->xyz + 3 * k;
+    const double x = point[0] - centre[0], y = point[1] - centre[1], z = point[2] - centre[2];
+    least = fmin(least, sqrt(x * x + y * y + z * z) - (wall->radius[k] + probe));
+  }
+  return least;
+}
+
+/* A width that the widest maximum of the void exceeds if its middle lies in it; else one that it may exceed. */
+static double first_floor(const struct geometry *geometry, const struct molecule *wall, const struct void_cell *of,
+                          double probe, double step) {
+  const double ball = 0.2387324146; /* 3 / (4 pi) */
+  if (!lies_in(geometry, of->middle, of->region)) return FLOOR * cbrt(ball * of->figures.volume);
+  return fmax(0.0, clearance_at(wall, probe, of->middle) - 4.0 * step);
+}
+
+/* A centre that lies on the lattice but for roundings, as in symmetric cages, becomes that point of it. */
+static void put_on_lattice(double step, double point[3]) {
+  const double per_unit = round(1.0 / step);
+  for (int axis = 0; axis < 3 && per_unit >= 1.0; ++axis) {
+    const double steps = per_unit * point[axis], nearest = round(steps);
+    if (fabs(steps - nearest) < 1e-6) point[axis] = (nearest + 0.0) / per_unit;
+  }
+}
+
+/* Maxima come the widest first; from that of a void no way leads on above it. Their levels are rounded to a part of a
+ * step: distances in doubles have more digits. */
+static bool take_widest(const struct geometry *geometry, const hsp_pores *pores, const struct molecule *wall,
+                        double probe, double step, struct void_cell *of, struct failure *failure) {
+  hsp_pores_counts counts;
+  int32_t status = hsp_pores_get_counts(pores, &counts);
+  for (uint32_t k = 0; status == HSP_OK && k < counts.maxima && !of->sphere.found; ++k) {
+    hsp_pore_maximum maximum;
+    status = hsp_pores_get_maxima(pores, k, 1, &maximum);
+    if (status != HSP_OK || maximum.gate != HSP_NONE || !lies_in(geometry, maximum.xyz, of->region)) continue;
+    put_on_lattice(step, maximum.xyz);
+    of->sphere.found = true;
+    of->sphere.clearance = clearance_at(wall, probe, maximum.xyz);
+    memcpy(of->sphere.xyz, maximum.xyz, sizeof of->sphere.xyz);
+  }
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+/* Where balls are too far apart for their radii, on a coarser lattice too, there is none. */
+static bool find_sphere(const struct geometry *geometry, struct geometry *around, const struct molecule *wall,
+                        double probe, double step, struct void_cell *of, struct failure *failure) {
+  const struct failure none = *failure;
+  double floor = first_floor(geometry, wall, of, probe, step);
+  const double least = LEAST_FLOOR * floor;
+  bool done = geometry_set_model(around, wall, probe, step, failure);
+  while (done) {
+    done = geometry_find_pores(around, wall, probe, floor, failure);
+    if (!done) break;
+    if (!take_widest(geometry, around->work.pores, wall, probe, step, of, failure)) return false;
+    if (of->sphere.found || floor == 0.0) break;
+    floor = floor > least ? FLOOR * floor : 0.0;
+  }
+  if (done || failure->exit_status != EXIT_BAD_INPUT) return done;
+  *failure = none;
+  return true;
+}
+
+bool void_spheres_find(const struct geometry *geometry, const struct molecule *molecule, double probe,
+                       struct void_list *list, struct failure *failure) {
+  struct geometry around = {.largest_rounding = 0.0};
+  struct molecule wall = {.atoms = 0};
+  hsp_model_info info;
+  uint32_t most = 0;
+  for (uint32_t i = 0; i < list->count; ++i) most = most > list->voids[i].ball_count ? most : list->voids[i].ball_count;
+  const int32_t status = hsp_model_get_info(geometry->work.model, &info);
+  bool done = (status == HSP_OK || failure_in_library(failure, status)) && make_wall(most, &wall, failure);
+  for (uint32_t i = 0; done && i < list->count; ++i) {
+    take_wall(molecule, &list->voids[i], &wall);
+    done = find_sphere(geometry, &around, &wall, probe, info.step, &list->voids[i], failure);
+  }
+  free_wall(&wall);
+  geometry_free(&around);
+  return done;
+}

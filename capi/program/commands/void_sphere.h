@@ -1,0 +1,9 @@
+/* Where a void has most room: its point that is farthest from all balls, the centre of its largest empty sphere. */
+#pragma once
+
+#include "commands/void_list.h"
+
+/* Find it in each void of the list, for a computed topology and the model's probe. A library without pores finds none.
+ * False: memory is short, or the library refuses. */
+bool void_spheres_find(const struct geometry *geometry, const struct molecule *molecule, double probe,
+                       struct void_list *list, struct failure *failure);
