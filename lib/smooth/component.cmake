@@ -1,8 +1,9 @@
 # The surface that a rolling probe leaves, and triangles.
 hsp_part(smooth
-  STANDS_ON union
+  STANDS_ON union wide
   HEADERS surface mesh
   SOURCES
+    surface/actual_balls.cpp
     surface/arc_parts.cpp
     surface/coincident_patches.cpp
     surface/concave_patches.cpp
