@@ -9,12 +9,15 @@ hsp_part(smooth
     surface/concave_patches.cpp
     surface/covered_gaps.cpp
     surface/crease_lengths.cpp
+    surface/creased_patches.cpp
+    surface/creases.cpp
     surface/cusped_circles.cpp
     surface/cut_patches.cpp
     surface/degenerate_balls.cpp
     surface/flat_patches.cpp
     surface/near_probes.kernel.cpp
     surface/patch_corners.cpp
+    surface/patch_loops.cpp
     surface/probe_caps.cpp
     surface/probe_grid.cpp
     surface/probe_positions.cpp
