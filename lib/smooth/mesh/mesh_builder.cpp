@@ -30,28 +30,30 @@ void MeshBuilder::carve(Workspace &workspace, const MeshLimits &limits) {
   patch_.carve(workspace, limits.points);
 }
 
-Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, double edge) {
+Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, double edge, Patience patience) {
   BoundaryOutline outline(balls, boundary, curves_, nullptr);
-  return build_all(outline, edge);
+  return build_all(outline, edge, patience);
 }
 
-Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge) {
+Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
+                          Patience patience) {
   if (balls.probe_steps == 0) {
     BoundaryOutline outline(balls, boundary, curves_, &surface.chosen());
-    return build_all(outline, edge);
+    return build_all(outline, edge, patience);
   }
   if (!surface.is_closed()) return Status::open_surface;
   SurfaceOutline outline(balls, boundary, surface, curves_.room());
-  return build_all(outline, edge);
+  return build_all(outline, edge, patience);
 }
 
 template <class Outline>
-Status MeshBuilder::build_all(Outline &outline, double edge) {
+Status MeshBuilder::build_all(Outline &outline, double edge, Patience &patience) {
   needed_ = {outline.sphere_count(), outline.curve_count(), 0, 0, 0};
   if (needed_.balls > limits_.balls || needed_.curves > limits_.curves) return Status::capacity;
   if (has_too_many_inside(outline, edge)) return Status::range;
-  const Status status = triangulate_all(outline, edge);
-  if (status == Status::degenerate || status == Status::range) return status;
+  if (!patience.allows(2000 * uint64_t{needed_.curves})) return Status::stopped;
+  const Status status = triangulate_all(outline, edge, patience);
+  if (status == Status::degenerate || status == Status::range || status == Status::stopped) return status;
   const uint32_t first_of_bands = clamped_count(mesh_.triangles_.required());
   if (!outline.add_bands(edge, mesh_.vertices_, mesh_.triangles_)) return Status::range;
   const uint64_t vertices = mesh_.vertices_.required();
@@ -62,8 +64,9 @@ Status MeshBuilder::build_all(Outline &outline, double edge) {
   if (vertices > limits_.vertices || triangles > limits_.triangles || needed_.points > limits_.points) {
     return Status::capacity;
   }
+  if (!patience.allows(50 * (vertices + triangles))) return Status::stopped;
   remove_outdated(first_of_bands);
-  name_balls(outline);
+  if (!name_balls(outline, patience) || !patience.allows(50 * triangles)) return Status::stopped;
   sort_by_patches();
   return Status::ok;
 }
@@ -81,7 +84,7 @@ bool MeshBuilder::has_too_many_inside(const Outline &outline, double edge) const
 
 // Status::capacity if there is no room for the points of a sphere.
 template <class Outline>
-Status MeshBuilder::triangulate_all(Outline &outline, double edge) {
+Status MeshBuilder::triangulate_all(Outline &outline, double edge, Patience &patience) {
   const uint32_t spheres = outline.sphere_count();
   mesh_.vertices_.clear();
   mesh_.triangles_.clear();
@@ -89,19 +92,25 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge) {
   mesh_.curves_ = outline.curve_count();
   mesh_.refined_ = 0;
   for (uint32_t v = 0; v < outline.corner_count(); ++v) mesh_.vertices_.push(outline.corner(v));
-  for (uint32_t c = 0; c < outline.curve_count(); ++c) add_samples(outline, c);
+  for (uint32_t c = 0; c < outline.curve_count(); ++c) {
+    if (!patience.allows(3000)) return Status::stopped;
+    add_samples(outline, c);
+  }
   for (uint32_t s = 0; s < spheres; ++s) range_[s] = {0, 0, outline.has_patches(s), false};
   // Patches need none of what is stored, so that everything is counted even if there is no room for it.
   uint64_t most_vertices = 0;
+  uint64_t before = 0;  // points of the sphere before
   int pinching_from = rounds_before_pinching;
   for (int round = 0; round < most_rounds; ++round) {
     bool complete = true;
     for (uint32_t s = 0; s < spheres; ++s) {
       if (!range_[s].outdated) continue;
+      if (!patience.allows(10000 + 2000 * before)) return Status::stopped;
       range_[s].outdated = false;
       range_[s].unfinished = !triangulate(outline, edge, s, round >= pinching_from);
       complete = complete && !range_[s].unfinished;
-      needed_.points = larger_count(needed_.points, clamped_count(patch_.needed_points()));
+      before = patch_.needed_points();
+      needed_.points = larger_count(needed_.points, clamped_count(before));
     }
     if (needed_.points > limits_.points) return Status::capacity;
     if (complete) return Status::ok;
@@ -218,8 +227,9 @@ void MeshBuilder::remove_outdated(uint32_t first_of_bands) {
 }
 
 template <class Outline>
-void MeshBuilder::name_balls(const Outline &outline) {
+bool MeshBuilder::name_balls(const Outline &outline, Patience &patience) {
   for (MeshTriangle &triangle : mesh_.triangles_.items()) {
+    if (!patience.allows(100)) return false;
     if (triangle.kind != PatchKind::convex && triangle.kind != PatchKind::concave) continue;
     double middle[3] = {0.0, 0.0, 0.0};
     for (const uint32_t v : triangle.vertex) {
@@ -227,6 +237,7 @@ void MeshBuilder::name_balls(const Outline &outline) {
     }
     triangle.ball = outline.ball_at(triangle.ball, middle);
   }
+  return true;
 }
 
 void MeshBuilder::sort_by_patches() {
