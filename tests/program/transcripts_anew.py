@@ -30,13 +30,7 @@ def written_anew(text, program, folder):
         if remark:
             lines.append(line)
         if call:
-            short = "  ? " in line
-            line = line.split("  ? ")[0]
-            outcome = session(line, program, folder)
-            if short and len(outcome) == 2 and outcome[0].startswith("! hardsphere: "):
-                lines.append("%s  %s  %s" % (line, outcome[1], outcome[0].removeprefix("! hardsphere: ")))
-            else:
-                lines += [line, *outcome]
+            lines += session(line, program, folder)
             begun = True
         blank = line == ""
         if blank and not begun:
