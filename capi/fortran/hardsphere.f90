@@ -49,7 +49,7 @@ module hardsphere
   ! The binary interface that provisional headers describe.
   integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMBER = 1_c_int32_t
   ! The bits of the results that the library of this header gives.
-  integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 3_c_int32_t
 
   ! ---- status.h: the statuses that functions return ------------------------------------------------------------------
 

@@ -43,7 +43,7 @@ extern "C" {
 #define HSP_PROVISIONAL_NUMBER 1
 
 /** The bits of the results that the library of this header gives. */
-#define HSP_NUMERICS_NUMBER 2
+#define HSP_NUMERICS_NUMBER 3
 
 /** HSP_VERSION_NUMBER of the library that was linked. */
 HSP_API uint32_t hsp_version(void);

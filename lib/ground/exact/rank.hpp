@@ -1,5 +1,6 @@
-// The rank of a ball in the symbolic perturbation: lexicographic (x, y, z, R, index). The ball of lower rank is
-// inflated infinitely more.
+// The rank of a ball: lexicographic (x, y, z, R, index). It is the last level of the symbolic perturbation (PROOFS.md,
+// section 3), where the ball of lower rank is inflated infinitely more, and the order of all that must not depend on
+// ids.
 #pragma once
 
 #include <cstdint>

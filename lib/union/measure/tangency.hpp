@@ -1,4 +1,4 @@
-// Balls that touch another ball from inside. Such a ball may have no face, so that the boundary holds nothing of the
+// Balls that touch another ball from inside. Such a ball counts as inside, so that the boundary holds nothing of the
 // touching; but moved outward it would poke out.
 #pragma once
 

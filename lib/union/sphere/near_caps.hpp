@@ -14,9 +14,9 @@ namespace hsp {
 
 class NearCaps {
  public:
-  // Fewer are compared each with each: that is as quick. Spheres without a radius have no angles.
+  // Fewer are compared each with each: that is as quick.
   static constexpr uint32_t fewest = 1024;
-  static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest && caps.sphere.W > 0; }
+  static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest; }
 
   // Memory, [caps] each.
   struct Memory {
