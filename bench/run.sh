@@ -37,8 +37,8 @@ if [ "$peers" = yes ]; then install_optional_packages "${packages_of_peers[@]}";
 cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
   -DHSP_TESTS=OFF -DHSP_TOOL=$peers -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
 suites=(bench_paper_section_2 bench_paper_section_3 bench_section_3_alternatives bench_paper_section_4_2
-  bench_paper_section_5_1 bench_visibility bench_topology bench_gradients bench_contacts bench_surface bench_scaling
-  bench_queries bench_poses bench_periodic bench_updates bench_split_work bench_degenerate)
+  bench_paper_section_5_1 bench_maps bench_topology bench_gradients bench_contacts bench_surface bench_scaling
+  bench_queries bench_poses bench_periodic bench_moving bench_split_work bench_degenerate)
 if [ "$peers" = yes ]; then
   suites+=(bench_peers_surfaces bench_peers_queries bench_peers_visibility bench_peers_poses hardsphere_tool)
 fi
@@ -137,7 +137,7 @@ run_suite bench_paper_section_3 5 0.02
 run_suite bench_section_3_alternatives 3 0.02
 run_suite bench_paper_section_4_2 5 0.02
 run_suite bench_paper_section_5_1 3 0.02
-run_suite bench_visibility 3 0.02
+run_suite bench_maps 3 0.02
 run_suite bench_topology 5 0.05
 run_suite bench_gradients 5 0.05
 run_suite bench_contacts 5 0.05
@@ -146,7 +146,7 @@ run_suite bench_scaling 5 0.02
 run_suite bench_queries 5 0.02
 run_suite bench_poses 3 0.02
 run_suite bench_periodic 3 0.02
-run_suite bench_updates 5 0.02
+run_suite bench_moving 5 0.02
 run_suite bench_split_work 6 0.02
 run_suite bench_degenerate 5 0.02
 if [ "$peers" = yes ]; then
@@ -193,7 +193,7 @@ if [ "$old" = yes ]; then
     run_turns bench_degenerate .
     run_turns bench_surface '/compute/sod_stand_in$'
     run_turns bench_paper_section_2 'free_space/.*/sod_stand_in$'
-    run_turns bench_updates '/move_1/sod_stand_in$'
+    run_turns bench_moving '/move_1/sod_stand_in$'
   done
 fi
 

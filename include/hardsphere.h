@@ -21,7 +21,8 @@
  *   hardsphere/periodic_boundary.h  vertices, arcs, circles, faces in such a box
  *   hardsphere/surface.h    the smooth surface that a probe leaves, its area and volume (Section 4.3)
  *   hardsphere/mesh.h       boundary or smooth surface as triangles
- *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, regions, point location (Step 3)
+ *   hardsphere/regions.h    cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3)
+ *   hardsphere/topology.h   the boundary as quad-edges with simple faces (Step 3)
  *   hardsphere/cells.h      free space as simple cells, their neighbours, point location (Section 2)
  *   hardsphere/paths.h      how a probe gets from one point to another, and how wide one may be (Section 2)
  *   hardsphere/pores.h      free space for every probe at once: cavities, gates, tunnels, channels of crystals
@@ -51,14 +52,22 @@
  * NAMES
  *   hsp_X_compute, of models, bodies and balls that move hsp_X_set, takes what results are made of. hsp_X_get_counts
  *   says how many there are of each kind; hsp_X_get_info says that and what else is settled, such as the lattice or the
- *   frame of a view. hsp_X_measure, hsp_X_gradient and hsp_X_curvature give numbers, in all and of each ball.
+ *   frame of a view. hsp_X_measure, hsp_X_gradient and hsp_X_curvature give numbers, in all and of each ball, into
+ *   arguments of their own. Functions with a request (REQUESTS AND OUTPUTS) have other names than those without:
+ *   hsp_X_compute_with beside hsp_X_compute, and hsp_X_get_measures, hsp_X_get_gradient, hsp_X_get_derivatives,
+ *   hsp_X_get_morphometry, which fill outputs. A hsp_X_compute_with that is not there yet may come.
+ *   Arguments are in this order: handle, what is asked about (balls, box, boundary, options or request), limits or
+ *   outputs, first_bad; of outputs the totals first, then arrays, then capacity and needed. Euler characteristics are
+ *   int64_t, as differences of counts that have 32 bits; yes or no is uint32_t, but in arrays of masks, such as
+ *   selected, uint8_t, as other codes keep these. The counts of hsp_moving_info are uint64_t, as no limit bounds them.
  *
  * TIERS
  *   Each header says at its head which of two tiers it is of. Stable are those of the union of balls and its numbers:
- *   version, status, executor, element, model, query, boundary, measure, gradient, contacts, topology. From 1.0 on they
- *   stay as they are, and are only added to; HSP_ABI_NUMBER is theirs. All others are provisional: what stands there
- *   may change with any minor version, with a line in the changelog and HSP_PROVISIONAL_NUMBER (version.h). Results are
- *   as well tested in either.
+ *   version, status, executor, element, model, query, boundary, measure, gradient, contacts, regions, topology. From
+ *   1.0 on they stay as they are, and are only added to; HSP_ABI_NUMBER is theirs. All others are provisional: what
+ *   stands there may change with any minor version, with a line in the changelog and HSP_PROVISIONAL_NUMBER
+ *   (version.h). So are hardsphere_workspace.h, hardsphere.hpp and the Fortran modules, which are source that a program
+ *   compiles and have no part in the binary interface. Results are as well tested in either.
  *
  * ARRAYS
  *   name          shape   type      unit      meaning
@@ -100,8 +109,10 @@
  *                                                                                   open_joints, HSP_E_OPEN_SURFACE
  *   mesh        how patches hang together          positions, normals               triangles where borders lie on each
  *                                                                                   other: HSP_E_DEGENERATE
- *   topology    edges, simple faces, shells,       positions, areas, volumes        -
- *               regions, where a point lies
+ *   regions     shells, components, regions,       areas, volumes                   -
+ *               balls that line them, where a
+ *               point lies
+ *   topology    edges, simple faces                positions                        -
  *   cells       cells, neighbours, regions,        -                                -
  *               where a point lies
  *   paths       whether there is one, what is      points, once, to the lattice;    a polyline through passages of a
@@ -126,10 +137,12 @@
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
  *   be read by any number of threads at a time. Not const is the handle of what makes, moves or drops results, of names
  *   with _set, _compute, _find, _move, _undo; and that of these, which work in its own memory: hsp_model_get_packing;
- *   hsp_boundary_check; hsp_topology_check, _get_shells, _get_regions, _get_region_balls, _get_traversal;
- *   hsp_cells_check; hsp_map_check; hsp_sticks_check; hsp_contacts_group; hsp_periodic_group_contacts;
- *   hsp_pores_get_channels, _measure_pockets; hsp_picture_write, _write_map, _write_sticks. These leave results as they
- *   are, but that _measure_pockets finds mouths.
+ *   hsp_boundary_check, hsp_topology_check, hsp_contacts_check, hsp_periodic_check, hsp_surface_check, hsp_cells_check,
+ *   hsp_map_check, hsp_sticks_check; hsp_contacts_group; hsp_periodic_group_contacts; hsp_pores_get_channels,
+ *   _measure_pockets; hsp_picture_write, _write_map, _write_sticks. These leave results as they are, but that
+ *   _measure_pockets finds mouths.
+ *   HSP_X_BYTES, at least as much as hsp_X_bytes of the library of this header, is for static arrays of a program that
+ *   links the archive. It may grow with a minor version: a program that loads a shared library asks hsp_X_bytes.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
  *   no handle any more are refused with HSP_E_HANDLE, also where a language has one type for all pointers.
  *
@@ -149,16 +162,19 @@
  *   trap exceptions, as with -ffpe-trap: results are the same bits, and nothing traps. Every function that calculates
  *   sets the default environment for its thread, to nearest with neither flushing nor traps, and puts back the caller's
  *   with the flags that it had; so does every task of an executor in its thread. Functions of the caller's, such as the
- *   loop of an executor and a sink, run in the caller's environment, and what they change of it stays. It is in MXCSR
- *   on x86, FPCR and FPSR on 64-bit Arm, FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC on s390x, FCSR on MIPS.
- *   WebAssembly and arithmetic in software have none; on other processors the library computes in that of the caller.
+ *   loop of an executor and a sink, run in the caller's environment, and what they change of it stays; proceed of an
+ *   executor, which any thread may call, runs in a copy of it. It is in MXCSR on x86, FPCR and FPSR on 64-bit Arm,
+ *   FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC on s390x, FCSR on MIPS. WebAssembly and arithmetic in software
+ *   have none; on other processors the library computes in that of the caller.
  *
  * COST
  *   What says nothing of its cost takes O(1), and O(1) for each record that it writes. In what functions of the stable
  *   tier say, n is the number of balls, m the most balls that meet one ball, and c the most centres in 27 cubes of side
  *   2 r_max: m times a constant where radii are of one size, and n where one ball is as large as all others together.
- *   "At worst" is a bound for every set, and a set that comes near it is named. Of m it is that of each ball, and added
- *   up. Logarithms of what is sorted are left out where they are those of one ball's records.
+ *   "Expected" is where no coordinates were chosen to collide in hash tables; where they were, a search looks at up to
+ *   194 slots instead of some two (hsp_model_set). "At worst" is a bound for every set, and a set that comes near it is
+ *   named. Of m it is that of each ball, and added up. Logarithms of what is sorted are left out where they are those
+ *   of one ball's records.
  *
  * LIMITS
  *   All handles but models take in what some numbers allow, which fix their memory. Every hsp_X_limits is an array of
@@ -182,7 +198,7 @@
  *   above 1024 or no multiple of 4. Of a struct that is written, such a part stays or becomes zeros; nothing is written
  *   beyond struct_size.
  *   All other structs are frozen: they stay as they are as long as the number of their header's tier does. Additions
- *   come as structs and functions of their own.
+ *   come as structs and functions of their own, or instead of reserved bytes, which are 0 until then.
  *
  * OUTPUT ARRAYS
  *   Where a function takes (T *out, uint32_t capacity, uint32_t *needed): *needed is set to the number of records there
@@ -196,7 +212,8 @@
  *   shell, values for all balls, all records of a boundary. The second is that of structures which are walked by the
  *   numbers of their parts, such as quad-edges, half-edges, patches and free cells, and which may be read in parts.
  *   Where a function takes several arrays before the capacity, each of them may be NULL, and the capacity is that of
- *   each.
+ *   each. Records are counted by a uint32_t: a list of more than 2^32 - 1 pairs, some 16 for each ball of the largest
+ *   sets, is not possible.
  *
  * REQUESTS AND OUTPUTS
  *   A function with much to say takes a request, which says what is asked, and outputs, which say where results go.
@@ -213,7 +230,10 @@
  *   Every function that takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the pointer is
  *   not NULL, and there is no live handle of that kind. Nothing is written then, not even what comments name, such as
  *   *first_bad. A handle that is NULL is HSP_E_ARGUMENT, like every pointer that must not be NULL. Where more than one
- *   status fits, one of them comes back.
+ *   status fits, the first of these comes back: what is wrong with the handles, in the order of arguments;
+ *   HSP_E_VERSION; HSP_E_ARGUMENT; HSP_E_STATE; what is wrong with values, such as HSP_E_ID, HSP_E_NOT_FINITE,
+ *   HSP_E_NEGATIVE and HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. A model that has no room for all balls is
+ *   HSP_E_CAPACITY before these are looked at.
  *
  * HANDLES AFTER A FAILURE
  *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for whatever
@@ -236,6 +256,7 @@
 #include "hardsphere/measure.h"
 #include "hardsphere/model.h"
 #include "hardsphere/query.h"
+#include "hardsphere/regions.h"
 #include "hardsphere/status.h"
 #include "hardsphere/topology.h"
 #include "hardsphere/version.h"

@@ -86,11 +86,11 @@ auto range(int32_t (*function)(Arguments...), Handle *handle, uint32_t first, ui
 class threads {
  public:
   explicit threads(uint32_t number) noexcept
-      : executor_{sizeof executor_, number, reinterpret_cast<void *>(uintptr_t{number}), run} {}
+      : executor_{sizeof executor_, number, reinterpret_cast<void *>(uintptr_t{number}), run, nullptr} {}
   operator const hsp_executor &() const noexcept { return executor_; }
 
  private:
-  static void run(void *number, uint32_t tasks, hsp_task *task, void *data) {
+  static int32_t run(void *number, uint32_t tasks, hsp_task *task, void *data) {
     std::atomic<uint32_t> next = 0;
     const auto work = [&] {
       for (uint32_t k = next++; k < tasks; k = next++) task(data, k);
@@ -102,6 +102,7 @@ class threads {
     } catch (const std::exception &) {  // fewer will do
     }
     work();
+    return 0;
   }
 
   hsp_executor executor_;
@@ -257,7 +258,7 @@ class workspace {
   }
 
   hsp_workspace work_{};
-  hsp_executor executor_{sizeof executor_, 1, nullptr, nullptr};
+  hsp_executor executor_{sizeof executor_, 1, nullptr, nullptr, nullptr};
   unsigned computed_ = 0;
   uint32_t size_ = 0;
 };

@@ -3,7 +3,7 @@
  * hardsphere with memory that grows: for C and C++ programs that may call malloc. Nothing of this is in the library.
  *
  *   hsp_workspace work = {0};                                   (in C++: hsp_workspace work = {};)
- *   int32_t status = hsp_workspace_areas(&work, n, xyz, radius, 1.4, area, &totals);
+ *   int32_t status = hsp_workspace_areas(&work, n, xyz, radius, 1.4, &totals, area);
  *   ...
  *   status = hsp_workspace_set(&work, n, xyz, radius, NULL, NULL);
  *   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
@@ -33,7 +33,7 @@
 typedef struct hsp_workspace {
   hsp_model *model;       /**< NULL before hsp_workspace_set (hardsphere/model.h) */
   hsp_boundary *boundary; /**< NULL before hsp_workspace_boundary (hardsphere/boundary.h) */
-  hsp_topology *topology; /**< NULL before hsp_workspace_topology (hardsphere/topology.h) */
+  hsp_topology *topology; /**< NULL before hsp_workspace_topology (hardsphere/regions.h) */
 #if HSP_HAS_SIGHT
   hsp_view *view; /**< NULL before hsp_workspace_view (hardsphere/view.h) */
 #endif
@@ -61,7 +61,7 @@ typedef struct hsp_workspace {
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what it has room for (hardsphere/boundary.h) */
-  hsp_topology_limits topology_limits; /**< what it has room for (hardsphere/topology.h) */
+  hsp_topology_limits topology_limits; /**< what it has room for (hardsphere/regions.h) */
 #if HSP_HAS_SIGHT
   hsp_view_limits view_limits; /**< what it has room for (hardsphere/view.h) */
 #endif
@@ -98,7 +98,7 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
   (void)work;
   if (work->boundary != NULL) (void)hsp_boundary_compute(work->boundary, NULL, NULL); /* hardsphere/boundary.h */
-  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/topology.h */
+  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/regions.h */
 #if HSP_HAS_SIGHT
   if (work->view != NULL) (void)hsp_view_compute(work->view, NULL, NULL, NULL, NULL); /* hardsphere/view.h */
 #endif
@@ -120,7 +120,7 @@ static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
 
 static inline void hsp_workspace_drop_of_boundary(hsp_workspace *work) {
   (void)work;
-  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/topology.h */
+  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/regions.h */
 #if HSP_HAS_SMOOTH
   if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL); /* hardsphere/surface.h */
   if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);       /* hardsphere/mesh.h */
@@ -509,7 +509,7 @@ static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
 /** Area of each of n balls that a probe can reach, and area and volume of all, in one call; arguments and statuses as
  *  hsp_areas. Model and boundary are there afterwards. */
 static inline int32_t hsp_workspace_areas(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
-                                          double probe, double *area, hsp_totals *totals) {
+                                          double probe, hsp_totals *totals, double *area) {
   hsp_model_options options;
   int32_t status = hsp_model_options_init(&options, sizeof options);
   options.probe = probe;
@@ -717,11 +717,11 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
 /** Compute the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
  *  used. */
 static inline int32_t hsp_workspace_periodic(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
-                                             const hsp_model_options *options, const double *box, uint32_t *first_bad) {
+                                             const double *box, const hsp_model_options *options, uint32_t *first_bad) {
   int32_t status = hsp_workspace_ready_periodic(work, n);
   hsp_periodic_limits limits = work->periodic_limits;
   while (status == HSP_OK) {
-    status = hsp_periodic_compute(work->periodic, n, xyz, radius, options, box, &limits, first_bad);
+    status = hsp_periodic_compute(work->periodic, n, xyz, radius, box, options, &limits, first_bad);
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_periodic(work, &limits);
   }

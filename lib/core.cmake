@@ -82,5 +82,5 @@ hsp_part(union
     contacts/contact_measures.kernel.cpp
     contacts/contacts_builder.cpp
     contacts/contacts_check.cpp
-  SHIMS caller_executor hsp_areas hsp_boundary hsp_measure hsp_gradient hsp_contacts hsp_topology hsp_topology_records
-    hsp_topology_regions)
+  SHIMS caller_executor hsp_areas hsp_boundary hsp_measure hsp_gradient hsp_contacts hsp_regions hsp_topology
+    hsp_topology_records)

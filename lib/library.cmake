@@ -247,6 +247,9 @@ option(HSP_SINGLE_OBJECT "Make the archive of one object with nothing but hsp_* 
 if(BUILD_SHARED_LIBS)
   add_library(hardsphere SHARED $<TARGET_OBJECTS:hardsphere_objects>)
   target_compile_definitions(hardsphere_objects PRIVATE HSP_BUILD_SHARED=1)
+  if(WIN32)
+    target_compile_definitions(hardsphere INTERFACE HSP_USE_SHARED=1)
+  endif()
   set_target_properties(hardsphere PROPERTIES VERSION ${PROJECT_VERSION}
     SOVERSION ${HSP_ABI_NUMBER})
 elseif(HSP_SINGLE_OBJECT)

@@ -11,7 +11,7 @@ function(run_suite name filter)
   endif()
 endfunction()
 foreach(name paper_section_3 paper_section_4_2 paper_section_5_1 topology gradients contacts periodic scaling queries
-    split_work updates visibility)
+    split_work moving maps)
   run_suite(bench_${name} /crambin)
 endforeach()
 run_suite(bench_paper_section_2 "figures/|figure_4/[124]0/|free_space/.*/caffeine")

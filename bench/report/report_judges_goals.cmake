@@ -78,12 +78,12 @@ add_frame(section_5_1/sod_stand_in 4392 1.5 2.0 2.0)
 add_frame(frames/caffeine 24 0.5 0.75 2.5)
 add_frame(frames/sod_stand_in 4392 0.25 3.25 0.5)
 add_frame(frames/sod_stand_in_x8 35136 0.25 0.5 0.5)
-add_results(visibility/molecules/crambin
+add_results(maps/molecules/crambin
   atoms=327 edges=654 balls_seen=200 bytes=32700 map_seconds=0.003 map_ratio=2.0)
-add_results(visibility/molecules/sod_stand_in atoms=4392 map_seconds=0.01 map_ratio=2.5)
-add_results(visibility/random/1000 atoms=1000 map_seconds=0.001)
-add_results(visibility/random/10000 atoms=10000 map_seconds=0.0125893)
-add_results(visibility/random/100000 atoms=100000 map_seconds=0.158489)
+add_results(maps/molecules/sod_stand_in atoms=4392 map_seconds=0.01 map_ratio=2.5)
+add_results(maps/random/1000 atoms=1000 map_seconds=0.001)
+add_results(maps/random/10000 atoms=10000 map_seconds=0.0125893)
+add_results(maps/random/100000 atoms=100000 map_seconds=0.158489)
 add_results(peers/visibility/crambin atoms=327 cgal_envelope_ratio=20000.0)
 # A case that did not run says why; a set smaller than 300 is no row of searches.
 string(APPEND entries ",{\"run_type\": \"iteration\", \"run_name\": \"frames/sod_stand_in_x216\","

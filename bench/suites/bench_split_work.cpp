@@ -34,7 +34,7 @@ void compute_alone(hsp_boundary *boundary, const hsp_model *model, Measures &out
 }
 
 // An executor whose threads are started anew each time.
-void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
+int32_t run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
   const uint32_t threads = *static_cast<const uint32_t *>(context);
   std::atomic<uint32_t> next = 0;
   const auto take_part = [&] {
@@ -44,11 +44,12 @@ void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
   for (uint32_t t = 1; t < threads; ++t) others.emplace_back(take_part);
   take_part();
   for (std::thread &other : others) other.join();
+  return 0;
 }
 
 // Split for two workers, of which there may be one.
 void compute_split(hsp_boundary *boundary, const hsp_model *model, uint32_t threads, Measures &out) {
-  const hsp_executor executor{sizeof executor, 2, &threads, run_tasks};
+  const hsp_executor executor{sizeof executor, 2, &threads, run_tasks, nullptr};
   hsp_boundary_request request{};
   request.struct_size = sizeof request;
   request.executor = &executor;

@@ -8,9 +8,10 @@ const HSP_VERSION_MAJOR = UInt32(0)
 const HSP_VERSION_MINOR = UInt32(3)
 const HSP_VERSION_PATCH = UInt32(0)
 const HSP_VERSION_NUMBER = UInt32(300)
-const HSP_ABI_NUMBER = UInt32(1)
-const HSP_PROVISIONAL_NUMBER = UInt32(1)
+const HSP_ABI_NUMBER = UInt32(2)
+const HSP_PROVISIONAL_NUMBER = UInt32(2)
 const HSP_NUMERICS_NUMBER = UInt32(3)
+const HSP_PROVISIONAL_NUMERICS_NUMBER = UInt32(3)
 const HSP_OK = Int32(0)
 const HSP_E_ARGUMENT = Int32(-1)
 const HSP_E_CAPACITY = Int32(-2)
@@ -28,6 +29,7 @@ const HSP_E_CONFLICT = Int32(-13)
 const HSP_E_OPEN_SURFACE = Int32(-14)
 const HSP_E_EXECUTOR = Int32(-15)
 const HSP_E_DEGENERATE = Int32(-16)
+const HSP_E_STOPPED = Int32(-17)
 const HSP_RADII_BONDI = UInt32(0)
 const HSP_RADII_CHEM3D = UInt32(1)
 const HSP_RADIUS_FALLBACK = UInt32(1)
@@ -64,14 +66,14 @@ const HSP_SURFACE_CREASE = UInt32(3)
 const HSP_CORNER_BALL = UInt32(0)
 const HSP_CORNER_CUSP = UInt32(1)
 const HSP_CORNER_CREASE = UInt32(2)
+const HSP_SHELL_OUTER = UInt32(0)
+const HSP_SHELL_VOID = UInt32(1)
 const HSP_POINT_VERTEX = UInt32(0)
 const HSP_POINT_CIRCLE = UInt32(1)
 const HSP_POINT_POLE = UInt32(2)
 const HSP_EDGE_ARC = UInt32(0)
 const HSP_EDGE_CIRCLE = UInt32(1)
 const HSP_EDGE_CUT = UInt32(2)
-const HSP_SHELL_OUTER = UInt32(0)
-const HSP_SHELL_VOID = UInt32(1)
 const HSP_CELL_RUN = UInt32(0)
 const HSP_CELL_AT_BALL = UInt32(1)
 const HSP_CELL_APART = UInt32(2)
@@ -140,6 +142,7 @@ struct hsp_executor
     workers::UInt32
     context::Ptr{Cvoid}
     run::Ptr{Cvoid}
+    proceed::Ptr{Cvoid}
 end
 
 struct hsp_residue_atom
@@ -175,6 +178,7 @@ struct hsp_packing
     neighbour_bound::Cdouble
     max_overlaps::UInt32
     flags::UInt32
+    reserved::NTuple{2, UInt64}
 end
 
 struct hsp_ray_hit
@@ -236,6 +240,7 @@ struct hsp_boundary_counts
     voids::UInt32
     tied_vertices::UInt32
     euler::Int64
+    reserved::NTuple{2, UInt64}
 end
 
 struct hsp_vertex
@@ -295,6 +300,7 @@ end
 struct hsp_totals
     area::Cdouble
     volume::Cdouble
+    reserved::NTuple{2, UInt64}
 end
 
 struct hsp_measure_request
@@ -319,6 +325,7 @@ struct hsp_energy
     area::Cdouble
     volume::Cdouble
     d_probe::Cdouble
+    reserved::NTuple{2, UInt64}
 end
 
 struct hsp_gradient_request
@@ -450,6 +457,12 @@ struct hsp_contacts_limits
     tetrahedra::UInt32
 end
 
+struct hsp_contacts_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_contact
     area::Cdouble
     rim::Cdouble
@@ -472,8 +485,9 @@ struct hsp_complex
     singular::NTuple{4, UInt32}
     regular::NTuple{4, UInt32}
     interior::NTuple{4, UInt32}
-    euler::Int32
+    euler::Int64
     betti::NTuple{3, UInt32}
+    reserved::NTuple{5, UInt32}
 end
 
 struct hsp_simplex
@@ -511,8 +525,7 @@ struct hsp_periodic_counts
     shells::UInt32
     components::UInt32
     contacts::UInt32
-    euler::Int32
-    reserved::UInt32
+    euler::Int64
 end
 
 struct hsp_periodic_totals
@@ -704,10 +717,11 @@ end
 struct hsp_surface_shell
     area::Cdouble
     volume::Cdouble
-    euler::Int32
+    euler::Int64
     genus::UInt32
     patches::UInt32
     chosen::UInt32
+    reserved::UInt32
 end
 
 struct hsp_mesh_limits
@@ -717,6 +731,12 @@ struct hsp_mesh_limits
     vertices::UInt32
     triangles::UInt32
     points::UInt32
+end
+
+struct hsp_mesh_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
 end
 
 struct hsp_mesh_counts
@@ -735,6 +755,12 @@ struct hsp_topology_limits
     shells::UInt32
 end
 
+struct hsp_topology_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_topology_counts
     vertices::UInt32
     edges::UInt32
@@ -744,6 +770,42 @@ struct hsp_topology_counts
     components::UInt32
     regions::UInt32
     start_face::UInt32
+    reserved::NTuple{4, UInt32}
+end
+
+struct hsp_shell
+    area::Cdouble
+    volume::Cdouble
+    point::NTuple{3, Cdouble}
+    euler::Int64
+    genus::UInt32
+    kind::UInt32
+    component::UInt32
+    region::UInt32
+    faces::UInt32
+    simple_faces::UInt32
+    edges::UInt32
+    vertices::UInt32
+    start_face::UInt32
+    reserved::UInt32
+end
+
+struct hsp_component
+    balls::UInt32
+    top_ball::UInt32
+    outer_shell::UInt32
+    shells::UInt32
+    region::UInt32
+    reserved::UInt32
+end
+
+struct hsp_region
+    area::Cdouble
+    volume::Cdouble
+    enclosing_shell::UInt32
+    components::UInt32
+    shells::UInt32
+    reserved::UInt32
 end
 
 struct hsp_topology_vertex
@@ -772,40 +834,6 @@ struct hsp_simple_face
     edges::UInt32
     q::UInt32
     shell::UInt32
-    reserved::UInt32
-end
-
-struct hsp_shell
-    area::Cdouble
-    volume::Cdouble
-    point::NTuple{3, Cdouble}
-    euler::Int32
-    genus::UInt32
-    kind::UInt32
-    component::UInt32
-    region::UInt32
-    faces::UInt32
-    simple_faces::UInt32
-    edges::UInt32
-    vertices::UInt32
-    start_face::UInt32
-end
-
-struct hsp_component
-    balls::UInt32
-    top_ball::UInt32
-    outer_shell::UInt32
-    shells::UInt32
-    region::UInt32
-    reserved::UInt32
-end
-
-struct hsp_region
-    area::Cdouble
-    volume::Cdouble
-    enclosing_shell::UInt32
-    components::UInt32
-    shells::UInt32
     reserved::UInt32
 end
 
@@ -1268,6 +1296,10 @@ function hsp_numerics()
     ccall((:hsp_numerics, libhardsphere), UInt32, ())
 end
 
+function hsp_provisional_numerics()
+    ccall((:hsp_provisional_numerics, libhardsphere), UInt32, ())
+end
+
 function hsp_status_text(status)
     ccall((:hsp_status_text, libhardsphere), Cstring, (Int32,), status)
 end
@@ -1293,6 +1325,10 @@ end
 function hsp_residue_get_atoms(set, out, capacity, needed)
     ccall((:hsp_residue_get_atoms, libhardsphere), Int32, (UInt32, Ptr{hsp_residue_atom}, UInt32, Ptr{UInt32}), set,
           out, capacity, needed)
+end
+
+function hsp_model_max_balls()
+    ccall((:hsp_model_max_balls, libhardsphere), UInt32, ())
 end
 
 function hsp_model_bytes(balls, bytes)
@@ -1492,9 +1528,9 @@ function hsp_areas_bytes(n, bytes)
     ccall((:hsp_areas_bytes, libhardsphere), Int32, (UInt32, Ptr{Csize_t}), n, bytes)
 end
 
-function hsp_areas(n, xyz, radius, probe, memory, bytes, area, totals)
+function hsp_areas(n, xyz, radius, probe, memory, bytes, totals, area)
     ccall((:hsp_areas, libhardsphere), Int32, (UInt32, Ptr{Cdouble}, Ptr{Cdouble}, Cdouble, Ptr{Cvoid}, Ptr{Csize_t},
-          Ptr{Cdouble}, Ptr{hsp_totals}), n, xyz, radius, probe, memory, bytes, area, totals)
+          Ptr{hsp_totals}, Ptr{Cdouble}), n, xyz, radius, probe, memory, bytes, totals, area)
 end
 
 function hsp_boundary_measure(boundary, selected, totals, area, volume_term, capacity, needed)
@@ -1623,6 +1659,11 @@ function hsp_contacts_compute(contacts, boundary, limits)
           Ptr{hsp_contacts_limits}), contacts, boundary, limits)
 end
 
+function hsp_contacts_compute_with(contacts, boundary, request, limits)
+    ccall((:hsp_contacts_compute_with, libhardsphere), Int32, (Ptr{hsp_contacts}, Ptr{hsp_boundary},
+          Ptr{hsp_contacts_request}, Ptr{hsp_contacts_limits}), contacts, boundary, request, limits)
+end
+
 function hsp_contacts_get_pairs(contacts, out, capacity, needed)
     ccall((:hsp_contacts_get_pairs, libhardsphere), Int32, (Ptr{hsp_contacts}, Ptr{hsp_contact}, UInt32, Ptr{UInt32}),
           contacts, out, capacity, needed)
@@ -1671,10 +1712,10 @@ function hsp_periodic_init(memory, bytes, limits, periodic)
           Ptr{Ptr{hsp_periodic}}), memory, bytes, limits, periodic)
 end
 
-function hsp_periodic_compute(periodic, n, xyz, radius, options, box, limits, first_bad)
+function hsp_periodic_compute(periodic, n, xyz, radius, box, options, limits, first_bad)
     ccall((:hsp_periodic_compute, libhardsphere), Int32, (Ptr{hsp_periodic}, UInt32, Ptr{Cdouble}, Ptr{Cdouble},
-          Ptr{hsp_model_options}, Ptr{Cdouble}, Ptr{hsp_periodic_limits}, Ptr{UInt32}), periodic, n, xyz, radius,
-          options, box, limits, first_bad)
+          Ptr{Cdouble}, Ptr{hsp_model_options}, Ptr{hsp_periodic_limits}, Ptr{UInt32}), periodic, n, xyz, radius, box,
+          options, limits, first_bad)
 end
 
 function hsp_periodic_compute_with(periodic, n, xyz, radius, box, request, limits, first_bad)
@@ -1905,6 +1946,16 @@ function hsp_mesh_compute_surface(mesh, surface, edge_length, limits)
           Ptr{hsp_mesh_limits}), mesh, surface, edge_length, limits)
 end
 
+function hsp_mesh_compute_with(mesh, boundary, edge_length, request, limits)
+    ccall((:hsp_mesh_compute_with, libhardsphere), Int32, (Ptr{hsp_mesh}, Ptr{hsp_boundary}, Cdouble,
+          Ptr{hsp_mesh_request}, Ptr{hsp_mesh_limits}), mesh, boundary, edge_length, request, limits)
+end
+
+function hsp_mesh_compute_surface_with(mesh, surface, edge_length, request, limits)
+    ccall((:hsp_mesh_compute_surface_with, libhardsphere), Int32, (Ptr{hsp_mesh}, Ptr{hsp_surface}, Cdouble,
+          Ptr{hsp_mesh_request}, Ptr{hsp_mesh_limits}), mesh, surface, edge_length, request, limits)
+end
+
 function hsp_mesh_get_counts(mesh, counts)
     ccall((:hsp_mesh_get_counts, libhardsphere), Int32, (Ptr{hsp_mesh}, Ptr{hsp_mesh_counts}), mesh, counts)
 end
@@ -1948,9 +1999,44 @@ function hsp_topology_compute(topology, boundary, limits)
           Ptr{hsp_topology_limits}), topology, boundary, limits)
 end
 
+function hsp_topology_compute_with(topology, boundary, request, limits)
+    ccall((:hsp_topology_compute_with, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_boundary},
+          Ptr{hsp_topology_request}, Ptr{hsp_topology_limits}), topology, boundary, request, limits)
+end
+
 function hsp_topology_get_counts(topology, counts)
     ccall((:hsp_topology_get_counts, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_topology_counts}), topology,
           counts)
+end
+
+function hsp_topology_get_shells(topology, out, capacity, needed)
+    ccall((:hsp_topology_get_shells, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_shell}, UInt32, Ptr{UInt32}),
+          topology, out, capacity, needed)
+end
+
+function hsp_topology_get_components(topology, out, capacity, needed)
+    ccall((:hsp_topology_get_components, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_component}, UInt32,
+          Ptr{UInt32}), topology, out, capacity, needed)
+end
+
+function hsp_topology_get_regions(topology, out, capacity, needed)
+    ccall((:hsp_topology_get_regions, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_region}, UInt32, Ptr{UInt32}),
+          topology, out, capacity, needed)
+end
+
+function hsp_topology_get_region_shells(topology, region, shells, capacity, needed)
+    ccall((:hsp_topology_get_region_shells, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
+          Ptr{UInt32}), topology, region, shells, capacity, needed)
+end
+
+function hsp_topology_get_region_balls(topology, region, balls, capacity, needed)
+    ccall((:hsp_topology_get_region_balls, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
+          Ptr{UInt32}), topology, region, balls, capacity, needed)
+end
+
+function hsp_topology_locate(topology, xyz, region)
+    ccall((:hsp_topology_locate, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{Cdouble}, Ptr{UInt32}), topology, xyz,
+          region)
 end
 
 function hsp_topology_onext(topology, q)
@@ -1989,39 +2075,9 @@ function hsp_topology_get_simple_faces(topology, first, count, out)
           Ptr{hsp_simple_face}), topology, first, count, out)
 end
 
-function hsp_topology_get_shells(topology, out, capacity, needed)
-    ccall((:hsp_topology_get_shells, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_shell}, UInt32, Ptr{UInt32}),
-          topology, out, capacity, needed)
-end
-
-function hsp_topology_get_components(topology, out, capacity, needed)
-    ccall((:hsp_topology_get_components, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_component}, UInt32,
-          Ptr{UInt32}), topology, out, capacity, needed)
-end
-
-function hsp_topology_get_regions(topology, out, capacity, needed)
-    ccall((:hsp_topology_get_regions, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_region}, UInt32, Ptr{UInt32}),
-          topology, out, capacity, needed)
-end
-
-function hsp_topology_get_region_shells(topology, region, shells, capacity, needed)
-    ccall((:hsp_topology_get_region_shells, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
-          Ptr{UInt32}), topology, region, shells, capacity, needed)
-end
-
-function hsp_topology_get_region_balls(topology, region, balls, capacity, needed)
-    ccall((:hsp_topology_get_region_balls, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
-          Ptr{UInt32}), topology, region, balls, capacity, needed)
-end
-
 function hsp_topology_get_traversal(topology, shell, faces, capacity, needed)
     ccall((:hsp_topology_get_traversal, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
           Ptr{UInt32}), topology, shell, faces, capacity, needed)
-end
-
-function hsp_topology_locate(topology, xyz, region)
-    ccall((:hsp_topology_locate, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{Cdouble}, Ptr{UInt32}), topology, xyz,
-          region)
 end
 
 function hsp_topology_check(topology, invariant, id)
@@ -2512,6 +2568,15 @@ end
 
 function hsp_sticks_check(sticks, invariant, id)
     ccall((:hsp_sticks_check, libhardsphere), Int32, (Ptr{hsp_sticks}, Ptr{UInt32}, Ptr{UInt32}), sticks, invariant, id)
+end
+
+function hsp_picture_ink_width(full_width, gap, width)
+    ccall((:hsp_picture_ink_width, libhardsphere), Int32, (Cdouble, Cdouble, Ptr{Cdouble}), full_width, gap, width)
+end
+
+function hsp_picture_fog_share(nearest, farthest, mean_radius, depth, share)
+    ccall((:hsp_picture_fog_share, libhardsphere), Int32, (Cdouble, Cdouble, Cdouble, Cdouble, Ptr{Cdouble}), nearest,
+          farthest, mean_radius, depth, share)
 end
 
 function hsp_picture_options_init(options, struct_size)

@@ -1,14 +1,16 @@
 // The C interface of hardsphere, for Rust. Generated from the headers by capi/interface/generate.sh.
-#![allow(non_camel_case_types)]
+// To link it: rustc program.rs -L PREFIX/lib -l static=hardsphere -l m, of an installed archive; C++'s library is not needed.
+#![allow(dead_code, non_camel_case_types)]
 use std::os::raw::{c_char, c_void};
 
 pub const HSP_VERSION_MAJOR: u32 = 0;
 pub const HSP_VERSION_MINOR: u32 = 3;
 pub const HSP_VERSION_PATCH: u32 = 0;
 pub const HSP_VERSION_NUMBER: u32 = 300;
-pub const HSP_ABI_NUMBER: u32 = 1;
-pub const HSP_PROVISIONAL_NUMBER: u32 = 1;
+pub const HSP_ABI_NUMBER: u32 = 2;
+pub const HSP_PROVISIONAL_NUMBER: u32 = 2;
 pub const HSP_NUMERICS_NUMBER: u32 = 3;
+pub const HSP_PROVISIONAL_NUMERICS_NUMBER: u32 = 3;
 pub const HSP_OK: i32 = 0;
 pub const HSP_E_ARGUMENT: i32 = -1;
 pub const HSP_E_CAPACITY: i32 = -2;
@@ -26,6 +28,7 @@ pub const HSP_E_CONFLICT: i32 = -13;
 pub const HSP_E_OPEN_SURFACE: i32 = -14;
 pub const HSP_E_EXECUTOR: i32 = -15;
 pub const HSP_E_DEGENERATE: i32 = -16;
+pub const HSP_E_STOPPED: i32 = -17;
 pub const HSP_RADII_BONDI: u32 = 0;
 pub const HSP_RADII_CHEM3D: u32 = 1;
 pub const HSP_RADIUS_FALLBACK: u32 = 1;
@@ -62,14 +65,14 @@ pub const HSP_SURFACE_CREASE: u32 = 3;
 pub const HSP_CORNER_BALL: u32 = 0;
 pub const HSP_CORNER_CUSP: u32 = 1;
 pub const HSP_CORNER_CREASE: u32 = 2;
+pub const HSP_SHELL_OUTER: u32 = 0;
+pub const HSP_SHELL_VOID: u32 = 1;
 pub const HSP_POINT_VERTEX: u32 = 0;
 pub const HSP_POINT_CIRCLE: u32 = 1;
 pub const HSP_POINT_POLE: u32 = 2;
 pub const HSP_EDGE_ARC: u32 = 0;
 pub const HSP_EDGE_CIRCLE: u32 = 1;
 pub const HSP_EDGE_CUT: u32 = 2;
-pub const HSP_SHELL_OUTER: u32 = 0;
-pub const HSP_SHELL_VOID: u32 = 1;
 pub const HSP_CELL_RUN: u32 = 0;
 pub const HSP_CELL_AT_BALL: u32 = 1;
 pub const HSP_CELL_APART: u32 = 2;
@@ -205,7 +208,8 @@ pub struct hsp_executor {
     pub struct_size: u32,
     pub workers: u32,
     pub context: *mut c_void,
-    pub run: Option<unsafe extern "C" fn(*mut c_void, u32, Option<hsp_task>, *mut c_void)>,
+    pub run: Option<unsafe extern "C" fn(*mut c_void, u32, Option<hsp_task>, *mut c_void) -> i32>,
+    pub proceed: Option<unsafe extern "C" fn(*mut c_void) -> i32>,
 }
 
 #[repr(C)]
@@ -249,6 +253,7 @@ pub struct hsp_packing {
     pub neighbour_bound: f64,
     pub max_overlaps: u32,
     pub flags: u32,
+    pub reserved: [u64; 2],
 }
 
 #[repr(C)]
@@ -326,6 +331,7 @@ pub struct hsp_boundary_counts {
     pub voids: u32,
     pub tied_vertices: u32,
     pub euler: i64,
+    pub reserved: [u64; 2],
 }
 
 #[repr(C)]
@@ -401,6 +407,7 @@ pub struct hsp_ball {
 pub struct hsp_totals {
     pub area: f64,
     pub volume: f64,
+    pub reserved: [u64; 2],
 }
 
 #[repr(C)]
@@ -431,6 +438,7 @@ pub struct hsp_energy {
     pub area: f64,
     pub volume: f64,
     pub d_probe: f64,
+    pub reserved: [u64; 2],
 }
 
 #[repr(C)]
@@ -590,6 +598,14 @@ pub struct hsp_contacts_limits {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_contacts_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_contact {
     pub area: f64,
     pub rim: f64,
@@ -616,8 +632,9 @@ pub struct hsp_complex {
     pub singular: [u32; 4],
     pub regular: [u32; 4],
     pub interior: [u32; 4],
-    pub euler: i32,
+    pub euler: i64,
     pub betti: [u32; 3],
+    pub reserved: [u32; 5],
 }
 
 #[repr(C)]
@@ -663,8 +680,7 @@ pub struct hsp_periodic_counts {
     pub shells: u32,
     pub components: u32,
     pub contacts: u32,
-    pub euler: i32,
-    pub reserved: u32,
+    pub euler: i64,
 }
 
 #[repr(C)]
@@ -898,10 +914,11 @@ pub struct hsp_surface_corner {
 pub struct hsp_surface_shell {
     pub area: f64,
     pub volume: f64,
-    pub euler: i32,
+    pub euler: i64,
     pub genus: u32,
     pub patches: u32,
     pub chosen: u32,
+    pub reserved: u32,
 }
 
 #[repr(C)]
@@ -913,6 +930,14 @@ pub struct hsp_mesh_limits {
     pub vertices: u32,
     pub triangles: u32,
     pub points: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_mesh_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
 }
 
 #[repr(C)]
@@ -937,6 +962,14 @@ pub struct hsp_topology_limits {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_topology_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_topology_counts {
     pub vertices: u32,
     pub edges: u32,
@@ -946,6 +979,48 @@ pub struct hsp_topology_counts {
     pub components: u32,
     pub regions: u32,
     pub start_face: u32,
+    pub reserved: [u32; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_shell {
+    pub area: f64,
+    pub volume: f64,
+    pub point: [f64; 3],
+    pub euler: i64,
+    pub genus: u32,
+    pub kind: u32,
+    pub component: u32,
+    pub region: u32,
+    pub faces: u32,
+    pub simple_faces: u32,
+    pub edges: u32,
+    pub vertices: u32,
+    pub start_face: u32,
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_component {
+    pub balls: u32,
+    pub top_ball: u32,
+    pub outer_shell: u32,
+    pub shells: u32,
+    pub region: u32,
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_region {
+    pub area: f64,
+    pub volume: f64,
+    pub enclosing_shell: u32,
+    pub components: u32,
+    pub shells: u32,
+    pub reserved: u32,
 }
 
 #[repr(C)]
@@ -980,46 +1055,6 @@ pub struct hsp_simple_face {
     pub edges: u32,
     pub q: u32,
     pub shell: u32,
-    pub reserved: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct hsp_shell {
-    pub area: f64,
-    pub volume: f64,
-    pub point: [f64; 3],
-    pub euler: i32,
-    pub genus: u32,
-    pub kind: u32,
-    pub component: u32,
-    pub region: u32,
-    pub faces: u32,
-    pub simple_faces: u32,
-    pub edges: u32,
-    pub vertices: u32,
-    pub start_face: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct hsp_component {
-    pub balls: u32,
-    pub top_ball: u32,
-    pub outer_shell: u32,
-    pub shells: u32,
-    pub region: u32,
-    pub reserved: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct hsp_region {
-    pub area: f64,
-    pub volume: f64,
-    pub enclosing_shell: u32,
-    pub components: u32,
-    pub shells: u32,
     pub reserved: u32,
 }
 
@@ -1565,12 +1600,14 @@ extern "C" {
     pub fn hsp_abi() -> u32;
     pub fn hsp_provisional() -> u32;
     pub fn hsp_numerics() -> u32;
+    pub fn hsp_provisional_numerics() -> u32;
     pub fn hsp_status_text(status: i32) -> *const c_char;
     pub fn hsp_element_radius(set: u32, atomic_number: u32, radius: *mut f64, flags: *mut u32) -> i32;
     pub fn hsp_element_number(symbol: *const c_char, atomic_number: *mut u32) -> i32;
     pub fn hsp_element_symbol(atomic_number: u32) -> *const c_char;
     pub fn hsp_residue_radius(set: u32, residue: *const c_char, atom: *const c_char, radius: *mut f64) -> i32;
     pub fn hsp_residue_get_atoms(set: u32, out: *mut hsp_residue_atom, capacity: u32, needed: *mut u32) -> i32;
+    pub fn hsp_model_max_balls() -> u32;
     pub fn hsp_model_bytes(balls: u32, bytes: *mut usize) -> i32;
     pub fn hsp_model_init(memory: *mut c_void, bytes: usize, balls: u32, model: *mut *mut hsp_model) -> i32;
     pub fn hsp_model_options_init(options: *mut hsp_model_options, struct_size: u32) -> i32;
@@ -1777,8 +1814,8 @@ extern "C" {
         probe: f64,
         memory: *mut c_void,
         bytes: *mut usize,
-        area: *mut f64,
         totals: *mut hsp_totals,
+        area: *mut f64,
     ) -> i32;
     pub fn hsp_boundary_measure(
         boundary: *const hsp_boundary,
@@ -1914,6 +1951,12 @@ extern "C" {
         boundary: *const hsp_boundary,
         limits: *mut hsp_contacts_limits,
     ) -> i32;
+    pub fn hsp_contacts_compute_with(
+        contacts: *mut hsp_contacts,
+        boundary: *const hsp_boundary,
+        request: *const hsp_contacts_request,
+        limits: *mut hsp_contacts_limits,
+    ) -> i32;
     pub fn hsp_contacts_get_pairs(
         contacts: *const hsp_contacts,
         out: *mut hsp_contact,
@@ -1950,7 +1993,7 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
-    pub fn hsp_contacts_check(contacts: *const hsp_contacts, invariant: *mut u32, id: *mut u32) -> i32;
+    pub fn hsp_contacts_check(contacts: *mut hsp_contacts, invariant: *mut u32, id: *mut u32) -> i32;
     pub fn hsp_periodic_limits_init(limits: *mut hsp_periodic_limits, struct_size: u32, balls: u32) -> i32;
     pub fn hsp_periodic_bytes(limits: *const hsp_periodic_limits, bytes: *mut usize) -> i32;
     pub fn hsp_periodic_init(
@@ -1964,8 +2007,8 @@ extern "C" {
         n: u32,
         xyz: *const f64,
         radius: *const f64,
-        options: *const hsp_model_options,
         r#box: *const f64,
+        options: *const hsp_model_options,
         limits: *mut hsp_periodic_limits,
         first_bad: *mut u32,
     ) -> i32;
@@ -2061,7 +2104,7 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
-    pub fn hsp_periodic_check(periodic: *const hsp_periodic, invariant: *mut u32, id: *mut u32) -> i32;
+    pub fn hsp_periodic_check(periodic: *mut hsp_periodic, invariant: *mut u32, id: *mut u32) -> i32;
     pub fn hsp_periodic_get_vertices(
         periodic: *const hsp_periodic,
         out: *mut hsp_periodic_vertex,
@@ -2171,7 +2214,7 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
-    pub fn hsp_surface_check(surface: *const hsp_surface, invariant: *mut u32, id: *mut u32) -> i32;
+    pub fn hsp_surface_check(surface: *mut hsp_surface, invariant: *mut u32, id: *mut u32) -> i32;
     pub fn hsp_mesh_limits_init(
         limits: *mut hsp_mesh_limits,
         struct_size: u32,
@@ -2201,6 +2244,20 @@ extern "C" {
         mesh: *mut hsp_mesh,
         surface: *const hsp_surface,
         edge_length: f64,
+        limits: *mut hsp_mesh_limits,
+    ) -> i32;
+    pub fn hsp_mesh_compute_with(
+        mesh: *mut hsp_mesh,
+        boundary: *const hsp_boundary,
+        edge_length: f64,
+        request: *const hsp_mesh_request,
+        limits: *mut hsp_mesh_limits,
+    ) -> i32;
+    pub fn hsp_mesh_compute_surface_with(
+        mesh: *mut hsp_mesh,
+        surface: *const hsp_surface,
+        edge_length: f64,
+        request: *const hsp_mesh_request,
         limits: *mut hsp_mesh_limits,
     ) -> i32;
     pub fn hsp_mesh_get_counts(mesh: *const hsp_mesh, counts: *mut hsp_mesh_counts) -> i32;
@@ -2248,7 +2305,46 @@ extern "C" {
         boundary: *const hsp_boundary,
         limits: *mut hsp_topology_limits,
     ) -> i32;
+    pub fn hsp_topology_compute_with(
+        topology: *mut hsp_topology,
+        boundary: *const hsp_boundary,
+        request: *const hsp_topology_request,
+        limits: *mut hsp_topology_limits,
+    ) -> i32;
     pub fn hsp_topology_get_counts(topology: *const hsp_topology, counts: *mut hsp_topology_counts) -> i32;
+    pub fn hsp_topology_get_shells(
+        topology: *const hsp_topology,
+        out: *mut hsp_shell,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_topology_get_components(
+        topology: *const hsp_topology,
+        out: *mut hsp_component,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_topology_get_regions(
+        topology: *const hsp_topology,
+        out: *mut hsp_region,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_topology_get_region_shells(
+        topology: *const hsp_topology,
+        region: u32,
+        shells: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_topology_get_region_balls(
+        topology: *const hsp_topology,
+        region: u32,
+        balls: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_topology_locate(topology: *const hsp_topology, xyz: *const f64, region: *mut u32) -> i32;
     pub fn hsp_topology_onext(topology: *const hsp_topology, q: u32) -> u32;
     pub fn hsp_topology_lnext(topology: *const hsp_topology, q: u32) -> u32;
     pub fn hsp_topology_origin(topology: *const hsp_topology, q: u32) -> u32;
@@ -2278,46 +2374,13 @@ extern "C" {
         count: u32,
         out: *mut hsp_simple_face,
     ) -> i32;
-    pub fn hsp_topology_get_shells(
-        topology: *mut hsp_topology,
-        out: *mut hsp_shell,
-        capacity: u32,
-        needed: *mut u32,
-    ) -> i32;
-    pub fn hsp_topology_get_components(
-        topology: *const hsp_topology,
-        out: *mut hsp_component,
-        capacity: u32,
-        needed: *mut u32,
-    ) -> i32;
-    pub fn hsp_topology_get_regions(
-        topology: *mut hsp_topology,
-        out: *mut hsp_region,
-        capacity: u32,
-        needed: *mut u32,
-    ) -> i32;
-    pub fn hsp_topology_get_region_shells(
-        topology: *const hsp_topology,
-        region: u32,
-        shells: *mut u32,
-        capacity: u32,
-        needed: *mut u32,
-    ) -> i32;
-    pub fn hsp_topology_get_region_balls(
-        topology: *mut hsp_topology,
-        region: u32,
-        balls: *mut u32,
-        capacity: u32,
-        needed: *mut u32,
-    ) -> i32;
     pub fn hsp_topology_get_traversal(
-        topology: *mut hsp_topology,
+        topology: *const hsp_topology,
         shell: u32,
         faces: *mut u32,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
-    pub fn hsp_topology_locate(topology: *const hsp_topology, xyz: *const f64, region: *mut u32) -> i32;
     pub fn hsp_topology_check(topology: *mut hsp_topology, invariant: *mut u32, id: *mut u32) -> i32;
     pub fn hsp_cells_limits_init(limits: *mut hsp_cells_limits, struct_size: u32, balls: u32) -> i32;
     pub fn hsp_cells_bytes(limits: *const hsp_cells_limits, bytes: *mut usize) -> i32;
@@ -2638,6 +2701,8 @@ extern "C" {
     pub fn hsp_sticks_get_point(sticks: *const hsp_sticks, edge: u32, t: f64, point: *mut hsp_map_point) -> i32;
     pub fn hsp_sticks_get_pole(sticks: *const hsp_sticks, face: u32, pole: *mut hsp_map_pole) -> i32;
     pub fn hsp_sticks_check(sticks: *mut hsp_sticks, invariant: *mut u32, id: *mut u32) -> i32;
+    pub fn hsp_picture_ink_width(full_width: f64, gap: f64, width: *mut f64) -> i32;
+    pub fn hsp_picture_fog_share(nearest: f64, farthest: f64, mean_radius: f64, depth: f64, share: *mut f64) -> i32;
     pub fn hsp_picture_options_init(options: *mut hsp_picture_options, struct_size: u32) -> i32;
     pub fn hsp_palette_colour(palette: u32, atomic_number: u32, chain: u32) -> u32;
     pub fn hsp_picture_write(

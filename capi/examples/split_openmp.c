@@ -2,10 +2,11 @@
  *   split_openmp FILE.xyzr [THREADS]       x y z r on each line */
 #include "split_work.h"
 
-static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
+static int32_t run(void *context, uint32_t tasks, hsp_task *task, void *data) {
   (void)context;
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < (int)tasks; ++k) task(data, (uint32_t)k);
+  return 0;
 }
 
 int main(int count, char **arguments) {
@@ -14,6 +15,6 @@ int main(int count, char **arguments) {
     fprintf(stderr, "usage: split_openmp FILE.xyzr [THREADS]\n");
     return 2;
   }
-  const hsp_executor executor = {sizeof executor, (uint32_t)threads, NULL, run};
+  const hsp_executor executor = {sizeof executor, (uint32_t)threads, NULL, run, NULL};
   return compare_with_one(arguments[1], &executor);
 }

@@ -22,7 +22,7 @@ static int take_part(void *argument) {
 }
 
 /* context: how many threads, the calling one among them. */
-static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
+static int32_t run(void *context, uint32_t tasks, hsp_task *task, void *data) {
   const unsigned long *threads = context;
   struct loop loop = {tasks, task, data, 0};
   thrd_t thread[MOST_THREADS];
@@ -30,6 +30,7 @@ static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
   while (started + 1 < *threads && thrd_create(&thread[started], take_part, &loop) == thrd_success) ++started;
   take_part(&loop);
   while (started > 0) thrd_join(thread[--started], NULL);
+  return 0;
 }
 
 int main(int count, char **arguments) {
@@ -38,6 +39,6 @@ int main(int count, char **arguments) {
     fprintf(stderr, "usage: split_threads FILE.xyzr [THREADS]\n");
     return 2;
   }
-  const hsp_executor executor = {sizeof executor, (uint32_t)threads, &threads, run};
+  const hsp_executor executor = {sizeof executor, (uint32_t)threads, &threads, run, NULL};
   return compare_with_one(arguments[1], &executor);
 }

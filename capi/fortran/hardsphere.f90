@@ -45,11 +45,13 @@ module hardsphere
   ! Version of this header: 10000 * major + 100 * minor + patch.
   integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 300_c_int32_t
   ! The binary interface that stable headers describe; the shared library's file name ends with it.
-  integer(c_int32_t), parameter :: HSP_ABI_NUMBER = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_ABI_NUMBER = 2_c_int32_t
   ! The binary interface that provisional headers describe.
-  integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMBER = 1_c_int32_t
-  ! The bits of the results that the library of this header gives.
+  integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMBER = 2_c_int32_t
+  ! The bits of the results that stable functions of the library of this header give.
   integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 3_c_int32_t
+  ! The bits of the results that its provisional functions give.
+  integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMERICS_NUMBER = 3_c_int32_t
 
   ! ---- status.h: the statuses that functions return ------------------------------------------------------------------
 
@@ -71,17 +73,18 @@ module hardsphere
   ! a bad struct_size, or more asked for than this version of the library knows
   integer(c_int32_t), parameter :: HSP_E_VERSION = -9_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NOT_FINITE = -10_c_int32_t  ! a value is NaN or infinite
-  integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t  ! a radius, the probe or the step is negative
+  integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t  ! a radius, the probe or another length is negative
   ! a value lies beyond the lattice or its range, or is no rotation or direction
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
   ! balls and sticks that cannot be painted; which ones is reported
   integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
   ! a degenerate set of balls, whose smooth surface does not close
   integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
-  ! the caller's executor did not call every task exactly once
+  ! the caller's executor failed, or did not call every task exactly once
   integer(c_int32_t), parameter :: HSP_E_EXECUTOR = -15_c_int32_t
   ! ties or near ties of the input that could not be resolved
   integer(c_int32_t), parameter :: HSP_E_DEGENERATE = -16_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_STOPPED = -17_c_int32_t  ! the caller's executor said not to go on
 
   ! ---- element.h: elements by symbol, and their radii ----------------------------------------------------------------
 
@@ -108,7 +111,9 @@ module hardsphere
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 
   integer(c_int32_t), parameter :: HSP_NONE = -1_c_int32_t  ! The id that no ball has.
-  integer(c_int32_t), parameter :: HSP_MAX_BALLS = 268435455_c_int32_t  ! The largest number of balls in one model.
+  ! The largest number of balls in one model, and the largest limit, of the library of this header. It may grow with a
+  ! minor version: hsp_model_max_balls says that of the library that was linked.
+  integer(c_int32_t), parameter :: HSP_MAX_BALLS = 268435455_c_int32_t
   ! a ball has radius 0 (probe included): k has no value
   integer(c_int32_t), parameter :: HSP_PACKING_ZERO_RADIUS = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_PACKING_COINCIDENT = 2_c_int32_t  ! two centres coincide: rho is 0
@@ -176,7 +181,12 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_CORNER_CUSP = 1_c_int32_t  ! where saddle patches meet their axis
   integer(c_int32_t), parameter :: HSP_CORNER_CREASE = 2_c_int32_t  ! of three concave patches
 
-  ! ---- topology.h: the boundary as quad-edges with simple faces, shells, regions, point location (Step 3) ------------
+  ! ---- regions.h: cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3) ----------
+
+  integer(c_int32_t), parameter :: HSP_SHELL_OUTER = 0_c_int32_t  ! bounds its component from outside
+  integer(c_int32_t), parameter :: HSP_SHELL_VOID = 1_c_int32_t  ! bounds a void inside its component
+
+  ! ---- topology.h: the boundary as quad-edges with simple faces (Step 3) ---------------------------------------------
 
   integer(c_int32_t), parameter :: HSP_POINT_VERTEX = 0_c_int32_t  ! a vertex of the boundary; its id is the same
   ! an added point of an arc or circle of ball[0] < ball[1]
@@ -186,8 +196,6 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_EDGE_CIRCLE = 1_c_int32_t  ! a piece of a free circle
   ! a piece of a great circle that cuts a face; both sides lie on one ball
   integer(c_int32_t), parameter :: HSP_EDGE_CUT = 2_c_int32_t
-  integer(c_int32_t), parameter :: HSP_SHELL_OUTER = 0_c_int32_t  ! bounds its component from outside
-  integer(c_int32_t), parameter :: HSP_SHELL_VOID = 1_c_int32_t  ! bounds a void inside its component
 
   ! ---- cells.h: free space as simple cells, their neighbours, point location (Section 2) -----------------------------
 
@@ -285,15 +293,20 @@ module hardsphere
   ! ---- executor.h: threads of the caller's own -----------------------------------------------------------------------
 
   type, bind(C) :: hsp_executor
-    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_executor)
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_executor)
     integer(c_int32_t) :: workers                                        ! how many threads there are for the tasks
-    type(c_ptr) :: context                                               ! or NULL: handed to run
-    ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads, and returns when all
-    ! have returned. Their results must be visible to the caller's thread then, as after a join. tasks may be larger
-    ! than workers, HSP_MAX_WORKERS at most. Not NULL with more than one worker. The loop runs in the caller's
-    ! floating-point environment, and tasks in the library's, whatever that of their thread is (FLOATING POINT in
-    ! hardsphere.h).
+    type(c_ptr) :: context                                               ! or NULL: handed to run and proceed
+    ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads with 16 KiB of stack or
+    ! more, and returns 0 when all have returned, or anything else if it could not call them all. Their results must be
+    ! visible to the caller's thread then, as after a join. tasks may be larger than workers, HSP_MAX_WORKERS at most.
+    ! Not NULL with more than one worker. The loop runs in the caller's floating-point environment, and tasks in the
+    ! library's, whatever that of their thread is (FLOATING POINT in hardsphere.h).
     type(c_funptr) :: run
+    ! NULL, or says whether to go on: 0 does, anything else stops. Also asked with workers 0 or 1. It is asked between
+    ! balls and stages of the work, by the caller's thread and by those of tasks, several at a time, with a copy of the
+    ! caller's floating-point environment; not by a library that is compiled for size. It must not call functions with
+    ! the handles of the function that asks.
+    type(c_funptr) :: proceed
   end type
 
   ! ---- residue.h: radii by the names of residues and atoms -----------------------------------------------------------
@@ -311,7 +324,7 @@ module hardsphere
     integer(c_int32_t) :: reserved                    ! 0
     ! length, >= 0: added to every radius, for the solvent-accessible surface; default 0
     real(c_double) :: probe
-    ! length, > 0: the lattice step; 0 means the smallest power of ten with r_max/step < 2^30
+    ! length, > 0: the lattice step; 0: the power of ten that hsp_model_set says
     real(c_double) :: step
     ! length, > 0: r_max less the probe, for balls of which none may be larger on the lattice; 0: that of the balls
     real(c_double) :: largest_radius
@@ -340,6 +353,7 @@ module hardsphere
     real(c_double) :: neighbour_bound
     integer(c_int32_t) :: max_overlaps  ! the largest of those numbers
     integer(c_int32_t) :: flags         ! HSP_PACKING_*; 0 means that Theorem 2.1 holds with this k and rho
+    integer(c_int64_t) :: reserved(2)   ! 0
   end type
 
   ! ---- query.h: which balls contain a point, meet a ball, or meet each other (Section 3) -----------------------------
@@ -410,6 +424,7 @@ module hardsphere
     integer(c_int32_t) :: voids            ! bounded components of the complement of the union
     integer(c_int32_t) :: tied_vertices    ! vertices with HSP_VERTEX_TIED
     integer(c_int64_t) :: euler            ! Euler characteristic of the boundary, summed over its shells
+    integer(c_int64_t) :: reserved(2)      ! 0
   end type
 
   type, bind(C) :: hsp_vertex
@@ -470,8 +485,9 @@ module hardsphere
   ! ---- measure.h: areas and volumes ----------------------------------------------------------------------------------
 
   type, bind(C) :: hsp_totals
-    real(c_double) :: area    ! of the boundary, walls of voids included, length^2
-    real(c_double) :: volume  ! of the union, voids not included, length^3
+    real(c_double) :: area             ! of the boundary, walls of voids included, length^2
+    real(c_double) :: volume           ! of the union, voids not included, length^3
+    integer(c_int64_t) :: reserved(2)  ! 0
   end type
 
   type, bind(C) :: hsp_measure_request
@@ -497,10 +513,11 @@ module hardsphere
   ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
 
   type, bind(C) :: hsp_energy
-    real(c_double) :: value    ! E = tension * sum_i sigma_i A_i + pressure * V
-    real(c_double) :: area     ! sum_i sigma_i A_i
-    real(c_double) :: volume   ! V; NaN for a boundary of selected balls
-    real(c_double) :: d_probe  ! dE/d(probe) = sum of all dE/dr_i
+    real(c_double) :: value            ! E = tension * sum_i sigma_i A_i + pressure * V
+    real(c_double) :: area             ! sum_i sigma_i A_i
+    real(c_double) :: volume           ! V; NaN for a boundary of selected balls
+    real(c_double) :: d_probe          ! dE/d(probe) = sum of all dE/dr_i
+    integer(c_int64_t) :: reserved(2)  ! 0
   end type
 
   type, bind(C) :: hsp_gradient_request
@@ -649,6 +666,13 @@ module hardsphere
     integer(c_int32_t) :: tetrahedra                  ! the same of tetrahedra
   end type
 
+  type, bind(C) :: hsp_contacts_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_contacts_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_contact
     real(c_double) :: area             ! length^2
     real(c_double) :: rim              ! length of the part of its border that is on the surface of the union
@@ -671,8 +695,9 @@ module hardsphere
     integer(c_int32_t) :: singular(4)  ! simplices of HSP_SIMPLEX_SINGULAR: balls, edges, triangles, tetrahedra
     integer(c_int32_t) :: regular(4)   ! of HSP_SIMPLEX_REGULAR
     integer(c_int32_t) :: interior(4)  ! of HSP_SIMPLEX_INTERIOR
-    integer(c_int32_t) :: euler        ! balls - edges + triangles - tetrahedra
+    integer(c_int64_t) :: euler        ! balls - edges + triangles - tetrahedra
     integer(c_int32_t) :: betti(3)     ! of the union: components, independent tunnels, voids
+    integer(c_int32_t) :: reserved(5)  ! 0
   end type
 
   type, bind(C) :: hsp_simplex
@@ -715,8 +740,7 @@ module hardsphere
     integer(c_int32_t) :: shells      ! connected components of the boundary; which is outside which has no meaning
     integer(c_int32_t) :: components  ! connected components of the union
     integer(c_int32_t) :: contacts    ! pairs of balls, or of a ball and an image, in contact
-    integer(c_int32_t) :: euler       ! V - E + sum over faces of (2 - loops): twice that of the union
-    integer(c_int32_t) :: reserved    ! 0
+    integer(c_int64_t) :: euler       ! V - E + sum over faces of (2 - loops): twice that of the union
   end type
 
   type, bind(C) :: hsp_periodic_totals
@@ -930,12 +954,13 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_surface_shell
-    real(c_double) :: area         ! length^2
-    real(c_double) :: volume       ! of what it encloses, length^3; negative if that is outside of the solid
-    integer(c_int32_t) :: euler    ! Euler characteristic
-    integer(c_int32_t) :: genus    ! 1 - euler/2: number of handles
-    integer(c_int32_t) :: patches  ! how many it consists of
-    integer(c_int32_t) :: chosen   ! 1; of the rest that hsp_surface_compute_shells left out, 0
+    real(c_double) :: area          ! length^2
+    real(c_double) :: volume        ! of what it encloses, length^3; negative if that is outside of the solid
+    integer(c_int64_t) :: euler     ! Euler characteristic
+    integer(c_int32_t) :: genus     ! 1 - euler/2: number of handles
+    integer(c_int32_t) :: patches   ! how many it consists of
+    integer(c_int32_t) :: chosen    ! 1; of the rest that hsp_surface_compute_shells left out, 0
+    integer(c_int32_t) :: reserved  ! 0
   end type
 
   ! ---- mesh.h: boundary or smooth surface as triangles ---------------------------------------------------------------
@@ -950,6 +975,13 @@ module hardsphere
     integer(c_int32_t) :: points                      ! most points of any one sphere while it is triangulated
   end type
 
+  type, bind(C) :: hsp_mesh_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_mesh_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_mesh_counts
     integer(c_int32_t) :: vertices   ! of the triangles
     integer(c_int32_t) :: triangles  ! of the mesh
@@ -957,7 +989,7 @@ module hardsphere
     integer(c_int32_t) :: refined    ! of these, those that got more points than their length demands
   end type
 
-  ! ---- topology.h: the boundary as quad-edges with simple faces, shells, regions, point location (Step 3) ------------
+  ! ---- regions.h: cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3) ----------
 
   type, bind(C) :: hsp_topology_limits
     integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_topology_limits)
@@ -967,6 +999,13 @@ module hardsphere
     integer(c_int32_t) :: cut_arcs                    ! cut arcs that cut faces with several loops
     ! shells; 0: as many as the edges allow, two for each. Fewer take less memory
     integer(c_int32_t) :: shells
+  end type
+
+  type, bind(C) :: hsp_topology_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_topology_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_topology_counts
@@ -979,7 +1018,47 @@ module hardsphere
     integer(c_int32_t) :: regions       ! of the complement: 1 + voids
     ! the simple face that holds the highest point of all; HSP_NONE if there are no balls
     integer(c_int32_t) :: start_face
+    integer(c_int32_t) :: reserved(4)   ! 0
   end type
+
+  type, bind(C) :: hsp_shell
+    real(c_double) :: area              ! length^2
+    real(c_double) :: volume            ! of the space it encloses, whatever lies in it, length^3
+    real(c_double) :: point(3)          ! a point of it, length
+    integer(c_int64_t) :: euler         ! Euler characteristic: vertices - edges + simple faces
+    integer(c_int32_t) :: genus         ! 1 - euler/2: number of handles
+    integer(c_int32_t) :: kind          ! HSP_SHELL_*
+    integer(c_int32_t) :: component     ! of the union, as in hsp_ball
+    integer(c_int32_t) :: region        ! of the complement, on its other side
+    integer(c_int32_t) :: faces         ! maximal faces
+    integer(c_int32_t) :: simple_faces  ! and what they are cut into
+    integer(c_int32_t) :: edges         ! edges of its simple faces
+    integer(c_int32_t) :: vertices      ! vertices of these edges
+    ! simple face where its scan starts: of an outer shell the one with its highest point, of a void the first one on
+    ! its ball of lowest rank (x, y, z, radius)
+    integer(c_int32_t) :: start_face
+    integer(c_int32_t) :: reserved      ! 0
+  end type
+
+  type, bind(C) :: hsp_component
+    integer(c_int32_t) :: balls        ! how many it consists of
+    integer(c_int32_t) :: top_ball     ! the ball with its highest point
+    integer(c_int32_t) :: outer_shell  ! the one shell of kind HSP_SHELL_OUTER
+    integer(c_int32_t) :: shells       ! outer shell and voids
+    integer(c_int32_t) :: region       ! the region it lies in: 0 or a void of another component
+    integer(c_int32_t) :: reserved     ! 0
+  end type
+
+  type, bind(C) :: hsp_region
+    real(c_double) :: area                 ! of all its shells, length^2
+    real(c_double) :: volume               ! of the region itself, what lies in it left out, length^3; of region 0: 0
+    integer(c_int32_t) :: enclosing_shell  ! the shell of kind HSP_SHELL_VOID around it; HSP_NONE for region 0
+    integer(c_int32_t) :: components       ! components of the union that lie in it
+    integer(c_int32_t) :: shells           ! shells that bound it
+    integer(c_int32_t) :: reserved         ! 0
+  end type
+
+  ! ---- topology.h: the boundary as quad-edges with simple faces (Step 3) ---------------------------------------------
 
   type, bind(C) :: hsp_topology_vertex
     real(c_double) :: xyz(3)        ! position, length
@@ -1009,42 +1088,6 @@ module hardsphere
     integer(c_int32_t) :: q         ! the quarter-edge, even, of one of them, with this face on its left
     integer(c_int32_t) :: shell     ! the shell it belongs to
     integer(c_int32_t) :: reserved  ! 0
-  end type
-
-  type, bind(C) :: hsp_shell
-    real(c_double) :: area              ! length^2
-    real(c_double) :: volume            ! of the space it encloses, whatever lies in it, length^3
-    real(c_double) :: point(3)          ! a point of it, length
-    integer(c_int32_t) :: euler         ! Euler characteristic: vertices - edges + simple faces
-    integer(c_int32_t) :: genus         ! 1 - euler/2: number of handles
-    integer(c_int32_t) :: kind          ! HSP_SHELL_*
-    integer(c_int32_t) :: component     ! of the union, as in hsp_ball
-    integer(c_int32_t) :: region        ! of the complement, on its other side
-    integer(c_int32_t) :: faces         ! maximal faces
-    integer(c_int32_t) :: simple_faces  ! and what they are cut into
-    integer(c_int32_t) :: edges         ! edges of its simple faces
-    integer(c_int32_t) :: vertices      ! vertices of these edges
-    ! simple face where its scan starts: of an outer shell the one with its highest point, of a void the first one on
-    ! its ball of lowest rank (x, y, z, radius)
-    integer(c_int32_t) :: start_face
-  end type
-
-  type, bind(C) :: hsp_component
-    integer(c_int32_t) :: balls        ! how many it consists of
-    integer(c_int32_t) :: top_ball     ! the ball with its highest point
-    integer(c_int32_t) :: outer_shell  ! the one shell of kind HSP_SHELL_OUTER
-    integer(c_int32_t) :: shells       ! outer shell and voids
-    integer(c_int32_t) :: region       ! the region it lies in: 0 or a void of another component
-    integer(c_int32_t) :: reserved     ! 0
-  end type
-
-  type, bind(C) :: hsp_region
-    real(c_double) :: area                 ! of all its shells, length^2
-    real(c_double) :: volume               ! of the region itself, what lies in it left out, length^3; of region 0: 0
-    integer(c_int32_t) :: enclosing_shell  ! the shell of kind HSP_SHELL_VOID around it; HSP_NONE for region 0
-    integer(c_int32_t) :: components       ! components of the union that lie in it
-    integer(c_int32_t) :: shells           ! shells that bound it
-    integer(c_int32_t) :: reserved         ! 0
   end type
 
   ! ---- cells.h: free space as simple cells, their neighbours, point location (Section 2) -----------------------------
@@ -1621,6 +1664,11 @@ module hardsphere
       integer(c_int32_t) :: found
     end function
 
+    function hsp_provisional_numerics() result(found) bind(C, name="hsp_provisional_numerics")
+      import :: c_int32_t
+      integer(c_int32_t) :: found
+    end function
+
     ! ---- status.h: the statuses that functions return ----------------------------------------------------------------
 
     ! A pointer to C characters; hsp_status_message below returns the same as a Fortran string.
@@ -1675,6 +1723,11 @@ module hardsphere
     end function
 
     ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) ---------------
+
+    function hsp_model_max_balls() result(found) bind(C, name="hsp_model_max_balls")
+      import :: c_int32_t
+      integer(c_int32_t) :: found
+    end function
 
     function hsp_model_bytes(balls, bytes) result(status) bind(C, name="hsp_model_bytes")
       import :: c_int32_t, c_size_t
@@ -2078,7 +2131,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_areas(n, xyz, radius, probe, memory, bytes, area, totals) result(status) bind(C, name="hsp_areas")
+    function hsp_areas(n, xyz, radius, probe, memory, bytes, totals, area) result(status) bind(C, name="hsp_areas")
       import :: c_double, c_int32_t, c_ptr, c_size_t, hsp_totals
       integer(c_int32_t), value :: n
       real(c_double), intent(in), optional :: xyz(3, *)  ! 3, n
@@ -2086,8 +2139,8 @@ module hardsphere
       real(c_double), value :: probe
       type(c_ptr), value :: memory
       integer(c_size_t), intent(inout) :: bytes
-      real(c_double), intent(inout), optional :: area(*)  ! n
       type(hsp_totals), intent(inout), optional :: totals
+      real(c_double), intent(inout), optional :: area(*)  ! n
       integer(c_int32_t) :: status
     end function
 
@@ -2352,6 +2405,16 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_contacts_compute_with(contacts, boundary, request, limits) result(status) &
+      bind(C, name="hsp_contacts_compute_with")
+      import :: c_int32_t, c_ptr, hsp_contacts_limits, hsp_contacts_request
+      type(c_ptr), value :: contacts
+      type(c_ptr), value :: boundary
+      type(hsp_contacts_request), intent(in), optional :: request
+      type(hsp_contacts_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_contacts_get_pairs(contacts, out, capacity, needed) result(status) &
       bind(C, name="hsp_contacts_get_pairs")
       import :: c_int32_t, c_ptr, hsp_contact
@@ -2449,15 +2512,15 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_periodic_compute(periodic, n, xyz, radius, options, box, limits, first_bad) result(status) &
+    function hsp_periodic_compute(periodic, n, xyz, radius, box, options, limits, first_bad) result(status) &
       bind(C, name="hsp_periodic_compute")
       import :: c_double, c_int32_t, c_ptr, hsp_model_options, hsp_periodic_limits
       type(c_ptr), value :: periodic
       integer(c_int32_t), value :: n
       real(c_double), intent(in), optional :: xyz(3, *)  ! 3, n
       real(c_double), intent(in), optional :: radius(*)  ! n
-      type(hsp_model_options), intent(in), optional :: options
       real(c_double), intent(in) :: box(9)
+      type(hsp_model_options), intent(in), optional :: options
       type(hsp_periodic_limits), intent(inout), optional :: limits
       integer(c_int32_t), intent(inout), optional :: first_bad
       integer(c_int32_t) :: status
@@ -2909,6 +2972,28 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_mesh_compute_with(mesh, boundary, edge_length, request, limits) result(status) &
+      bind(C, name="hsp_mesh_compute_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits, hsp_mesh_request
+      type(c_ptr), value :: mesh
+      type(c_ptr), value :: boundary
+      real(c_double), value :: edge_length
+      type(hsp_mesh_request), intent(in), optional :: request
+      type(hsp_mesh_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_compute_surface_with(mesh, surface, edge_length, request, limits) result(status) &
+      bind(C, name="hsp_mesh_compute_surface_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits, hsp_mesh_request
+      type(c_ptr), value :: mesh
+      type(c_ptr), value :: surface
+      real(c_double), value :: edge_length
+      type(hsp_mesh_request), intent(in), optional :: request
+      type(hsp_mesh_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_mesh_get_counts(mesh, counts) result(status) bind(C, name="hsp_mesh_get_counts")
       import :: c_int32_t, c_ptr, hsp_mesh_counts
       type(c_ptr), value :: mesh
@@ -2963,7 +3048,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- topology.h: the boundary as quad-edges with simple faces, shells, regions, point location (Step 3) ----------
+    ! ---- regions.h: cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3) --------
 
     function hsp_topology_limits_init(limits, struct_size, boundary) result(status) &
       bind(C, name="hsp_topology_limits_init")
@@ -2998,12 +3083,84 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_topology_compute_with(topology, boundary, request, limits) result(status) &
+      bind(C, name="hsp_topology_compute_with")
+      import :: c_int32_t, c_ptr, hsp_topology_limits, hsp_topology_request
+      type(c_ptr), value :: topology
+      type(c_ptr), value :: boundary
+      type(hsp_topology_request), intent(in), optional :: request
+      type(hsp_topology_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_topology_get_counts(topology, counts) result(status) bind(C, name="hsp_topology_get_counts")
       import :: c_int32_t, c_ptr, hsp_topology_counts
       type(c_ptr), value :: topology
       type(hsp_topology_counts), intent(inout) :: counts
       integer(c_int32_t) :: status
     end function
+
+    function hsp_topology_get_shells(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_shells")
+      import :: c_int32_t, c_ptr, hsp_shell
+      type(c_ptr), value :: topology
+      type(hsp_shell), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_components(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_components")
+      import :: c_int32_t, c_ptr, hsp_component
+      type(c_ptr), value :: topology
+      type(hsp_component), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_regions(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_regions")
+      import :: c_int32_t, c_ptr, hsp_region
+      type(c_ptr), value :: topology
+      type(hsp_region), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_region_shells(topology, region, shells, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_region_shells")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), intent(inout), optional :: shells(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_region_balls(topology, region, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_region_balls")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_locate(topology, xyz, region) result(status) bind(C, name="hsp_topology_locate")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      real(c_double), intent(in) :: xyz(3)
+      integer(c_int32_t), intent(inout) :: region
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- topology.h: the boundary as quad-edges with simple faces (Step 3) -------------------------------------------
 
     function hsp_topology_onext(topology, q) result(found) bind(C, name="hsp_topology_onext")
       import :: c_int32_t, c_ptr
@@ -3073,58 +3230,6 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_get_shells(topology, out, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_shells")
-      import :: c_int32_t, c_ptr, hsp_shell
-      type(c_ptr), value :: topology
-      type(hsp_shell), intent(inout), optional :: out(*)  ! needed
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_get_components(topology, out, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_components")
-      import :: c_int32_t, c_ptr, hsp_component
-      type(c_ptr), value :: topology
-      type(hsp_component), intent(inout), optional :: out(*)  ! needed
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_get_regions(topology, out, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_regions")
-      import :: c_int32_t, c_ptr, hsp_region
-      type(c_ptr), value :: topology
-      type(hsp_region), intent(inout), optional :: out(*)  ! needed
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_get_region_shells(topology, region, shells, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_region_shells")
-      import :: c_int32_t, c_ptr
-      type(c_ptr), value :: topology
-      integer(c_int32_t), value :: region
-      integer(c_int32_t), intent(inout), optional :: shells(*)  ! needed
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_get_region_balls(topology, region, balls, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_region_balls")
-      import :: c_int32_t, c_ptr
-      type(c_ptr), value :: topology
-      integer(c_int32_t), value :: region
-      integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
     function hsp_topology_get_traversal(topology, shell, faces, capacity, needed) result(status) &
       bind(C, name="hsp_topology_get_traversal")
       import :: c_int32_t, c_ptr
@@ -3133,14 +3238,6 @@ module hardsphere
       integer(c_int32_t), intent(inout), optional :: faces(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_locate(topology, xyz, region) result(status) bind(C, name="hsp_topology_locate")
-      import :: c_double, c_int32_t, c_ptr
-      type(c_ptr), value :: topology
-      real(c_double), intent(in) :: xyz(3)
-      integer(c_int32_t), intent(inout) :: region
       integer(c_int32_t) :: status
     end function
 
@@ -4081,6 +4178,25 @@ module hardsphere
 
     ! ---- picture.h: a view, a map, or balls and sticks as SVG, EPS or PDF --------------------------------------------
 
+    function hsp_picture_ink_width(full_width, gap, width) result(status) bind(C, name="hsp_picture_ink_width")
+      import :: c_double, c_int32_t
+      real(c_double), value :: full_width
+      real(c_double), value :: gap
+      real(c_double), intent(inout) :: width
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_picture_fog_share(nearest, farthest, mean_radius, depth, share) result(status) &
+      bind(C, name="hsp_picture_fog_share")
+      import :: c_double, c_int32_t
+      real(c_double), value :: nearest
+      real(c_double), value :: farthest
+      real(c_double), value :: mean_radius
+      real(c_double), value :: depth
+      real(c_double), intent(inout) :: share
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_picture_options_init(options, struct_size) result(status) bind(C, name="hsp_picture_options_init")
       import :: c_int32_t, hsp_picture_options
       type(hsp_picture_options), intent(inout) :: options
@@ -4566,7 +4682,7 @@ contains
   pure function hsp_model_bytes_bound(balls) result(bytes)
     integer(c_int32_t), intent(in) :: balls
     integer(c_size_t) :: bytes
-    bytes = 1536_c_size_t + 128_c_size_t*int(balls, c_size_t)
+    bytes = 1536_c_size_t + 192_c_size_t*int(balls, c_size_t)
   end function
 
   ! ---- pose.h: a molecule against a moved one: hits, pairs, gaps (Sections 3 and 6) ----------------------------------
@@ -4592,8 +4708,8 @@ contains
   pure function hsp_worker_bytes_bound(balls, neighbours, vertices, circles) result(bytes)
     integer(c_int32_t), intent(in) :: balls, neighbours, vertices, circles
     integer(c_size_t) :: bytes
-    bytes = 13312_c_size_t + 16_c_size_t*int(balls, c_size_t) + 416_c_size_t*int(neighbours, c_size_t) &
-      + 16_c_size_t*int(vertices, c_size_t) + 16_c_size_t*int(circles, c_size_t)
+    bytes = 18432_c_size_t + 24_c_size_t*int(balls, c_size_t) + 560_c_size_t*int(neighbours, c_size_t) &
+      + 24_c_size_t*int(vertices, c_size_t) + 24_c_size_t*int(circles, c_size_t)
   end function
 
   ! ---- measure.h: areas and volumes ----------------------------------------------------------------------------------
@@ -4602,7 +4718,7 @@ contains
   pure function hsp_areas_bytes_bound(balls) result(bytes)
     integer(c_int32_t), intent(in) :: balls
     integer(c_size_t) :: bytes
-    bytes = 18432_c_size_t + 1888_c_size_t*int(balls, c_size_t)
+    bytes = 18432_c_size_t + 1952_c_size_t*int(balls, c_size_t)
   end function
 
   ! ---- moving.h: all of that while a few balls move at a time --------------------------------------------------------
@@ -4620,9 +4736,9 @@ contains
   pure function hsp_contacts_bytes_bound(balls, neighbours, contacts, triangles, tetrahedra) result(bytes)
     integer(c_int32_t), intent(in) :: balls, neighbours, contacts, triangles, tetrahedra
     integer(c_size_t) :: bytes
-    bytes = 4096_c_size_t + 28_c_size_t*int(balls, c_size_t) + 208_c_size_t*int(neighbours, c_size_t) &
-      + 60_c_size_t*int(contacts, c_size_t) + 16_c_size_t*int(triangles, c_size_t) &
-      + 16_c_size_t*int(tetrahedra, c_size_t)
+    bytes = 5632_c_size_t + 40_c_size_t*int(balls, c_size_t) + 288_c_size_t*int(neighbours, c_size_t) &
+      + 80_c_size_t*int(contacts, c_size_t) + 24_c_size_t*int(triangles, c_size_t) &
+      + 24_c_size_t*int(tetrahedra, c_size_t)
   end function
 
   ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain -----------
@@ -4657,7 +4773,7 @@ contains
       + 64_c_size_t*int(vertices, c_size_t) + 32_c_size_t*int(triangles, c_size_t) + 384_c_size_t*int(points, c_size_t)
   end function
 
-  ! ---- topology.h: the boundary as quad-edges with simple faces, shells, regions, point location (Step 3) ------------
+  ! ---- regions.h: cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3) ----------
 
   !> HSP_TOPOLOGY_BYTES of the header, for the size of an allocation.
   pure function hsp_topology_bytes_bound(balls, neighbours, edges, cut_arcs) result(bytes)

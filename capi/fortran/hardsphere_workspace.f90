@@ -31,7 +31,7 @@ module hardsphere_workspace
   type :: hsp_workspace
     type(c_ptr) :: model = c_null_ptr ! hardsphere/model.h
     type(c_ptr) :: boundary = c_null_ptr ! hardsphere/boundary.h
-    type(c_ptr) :: topology = c_null_ptr ! hardsphere/topology.h
+    type(c_ptr) :: topology = c_null_ptr ! hardsphere/regions.h
     type(c_ptr) :: view = c_null_ptr ! hardsphere/view.h
     type(c_ptr) :: surface = c_null_ptr ! hardsphere/surface.h
     type(c_ptr) :: mesh = c_null_ptr ! hardsphere/mesh.h
@@ -46,7 +46,7 @@ module hardsphere_workspace
     integer(c_int32_t), private :: most_balls = 0
     type(memory_block), private :: memory(14)
     type(hsp_boundary_limits), private :: boundary_limits ! hardsphere/boundary.h
-    type(hsp_topology_limits), private :: topology_limits ! hardsphere/topology.h
+    type(hsp_topology_limits), private :: topology_limits ! hardsphere/regions.h
     type(hsp_view_limits), private :: view_limits ! hardsphere/view.h
     type(hsp_surface_limits), private :: surface_limits ! hardsphere/surface.h
     type(hsp_mesh_limits), private :: mesh_limits ! hardsphere/mesh.h
@@ -94,7 +94,7 @@ module hardsphere_workspace
   private :: compute_periodic, compute_periodic_with ! hardsphere/periodic.h
   private :: drop_of_model ! hardsphere/model.h
   private :: drop_of_boundary, make_boundary, ready_boundary, grow_boundary ! hardsphere/boundary.h
-  private :: make_topology, ready_topology, grow_topology ! hardsphere/topology.h
+  private :: make_topology, ready_topology, grow_topology ! hardsphere/regions.h
   private :: make_view, ready_view, grow_view ! hardsphere/view.h
   private :: make_surface, ready_surface, grow_surface ! hardsphere/surface.h
   private :: make_mesh ! hardsphere/mesh.h
@@ -504,20 +504,20 @@ contains
 
   ! Computes the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
   ! used.
-  function compute_periodic(self, n, xyz, radius, options, box, first_bad) result(status)
+  function compute_periodic(self, n, xyz, radius, box, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), value :: n
     real(c_double), intent(in), optional :: xyz(3, *)
     real(c_double), intent(in), optional :: radius(*)
-    type(hsp_model_options), intent(in), optional :: options
     real(c_double), intent(in) :: box(9)
+    type(hsp_model_options), intent(in), optional :: options
     integer(c_int32_t), intent(inout), optional :: first_bad
     type(hsp_periodic_limits) :: limits
     integer(c_int32_t) :: status
     status = ready_periodic(self, n)
     limits = self%periodic_limits
     do while (status == HSP_OK)
-      status = hsp_periodic_compute(self%periodic, n, xyz, radius, options, box, limits, first_bad)
+      status = hsp_periodic_compute(self%periodic, n, xyz, radius, box, options, limits, first_bad)
       if (status /= HSP_E_CAPACITY) return
       status = grow_periodic(self, limits)
     end do
@@ -552,7 +552,7 @@ contains
     ! Where a build leaves out all others, this line keeps both names in use.
     if (.not. c_associated(self%model)) ignored = HSP_OK
     if (c_associated(self%boundary)) ignored = hsp_boundary_compute(self%boundary, model=c_null_ptr) ! hardsphere/boundary.h
-    if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/topology.h
+    if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/regions.h
     if (c_associated(self%view)) ignored = hsp_view_compute(self%view, model=c_null_ptr, boundary=c_null_ptr) ! hardsphere/view.h
     if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr) ! hardsphere/surface.h
     if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge_length=0.0_c_double) ! hardsphere/mesh.h
@@ -571,7 +571,7 @@ contains
     integer(c_int32_t) :: ignored
     ! Where a build leaves out all others, this line keeps both names in use.
     if (.not. c_associated(self%model)) ignored = HSP_OK
-    if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/topology.h
+    if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/regions.h
     if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr) ! hardsphere/surface.h
     if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge_length=0.0_c_double) ! hardsphere/mesh.h
     if (c_associated(self%contacts)) ignored = hsp_contacts_compute(self%contacts, boundary=c_null_ptr) ! hardsphere/contacts.h
@@ -621,7 +621,7 @@ contains
     status = make_boundary(self)
   end function
 
-  ! ---- topology.h
+  ! ---- regions.h
   function make_topology(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status

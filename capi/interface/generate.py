@@ -21,7 +21,7 @@ except ModuleNotFoundError as missing:
     sys.exit(77)
 
 from read.components import restricted
-from write.abi import abi_constants, abi_functions, abi_since, abi_structs
+from write.abi import abi_constants, abi_functions, abi_since, abi_structs, padded_structs
 from write.cdef import cdef
 from write.exactness import exactness_page
 from write.foreign import julia_declarations, rust_declarations
@@ -71,7 +71,7 @@ def main(options):
     interface = read_interface(ROOT / "include")
     if options[:1] == ["--fortran"]:
         return write_fortran(interface, options[1], options[2:])
-    questions = interface.open_questions()
+    questions = interface.open_questions() + padded_structs(interface)
     for question in questions:
         print(f"open: {question}")
     if questions:

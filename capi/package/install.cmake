@@ -57,12 +57,21 @@ endif()
 
 if(HSP_TOOL)
   install(TARGETS hardsphere_tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT hardsphere_runtime)
-  install(FILES ${PROJECT_SOURCE_DIR}/capi/program/app/hardsphere.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
-    COMPONENT hardsphere_runtime)
-  install(FILES ${PROJECT_SOURCE_DIR}/capi/program/app/hardsphere.bash RENAME hardsphere
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT hardsphere_runtime)
-  install(FILES ${PROJECT_SOURCE_DIR}/capi/program/app/hardsphere.zsh RENAME _hardsphere
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT hardsphere_runtime)
+  # The program writes its manual page and what makes shells complete its options, where it can run.
+  find_program(HSP_BASH bash)
+  if(HSP_BASH AND NOT CMAKE_CROSSCOMPILING)
+    set(written ${CMAKE_CURRENT_BINARY_DIR}/hardsphere)
+    install(CODE "
+      execute_process(COMMAND \"$<TARGET_FILE:hardsphere_tool>\" completion bash OUTPUT_FILE \"${written}.bash\")
+      execute_process(COMMAND \"$<TARGET_FILE:hardsphere_tool>\" completion zsh OUTPUT_FILE \"${written}.zsh\")
+      execute_process(COMMAND \"${HSP_BASH}\" \"${PROJECT_SOURCE_DIR}/capi/program/app/man_page.sh\"
+        \"$<TARGET_FILE:hardsphere_tool>\" OUTPUT_FILE \"${written}.1\")" COMPONENT hardsphere_runtime)
+    install(FILES ${written}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT hardsphere_runtime)
+    install(FILES ${written}.bash RENAME hardsphere
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT hardsphere_runtime)
+    install(FILES ${written}.zsh RENAME _hardsphere
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT hardsphere_runtime)
+  endif()
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT hardsphere_documentation)
 

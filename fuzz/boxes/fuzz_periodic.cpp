@@ -77,8 +77,8 @@ struct Result {
 int32_t compute(hsp_periodic *handle, const Crystal &crystal, hsp_periodic_limits *limits) {
   uint32_t first_bad = 7;
   const int32_t status =
-      hsp_periodic_compute(handle, crystal.n(), crystal.balls.xyz.data(), crystal.balls.radius.data(), &crystal.options,
-                           crystal.box.data(), limits, &first_bad);
+      hsp_periodic_compute(handle, crystal.n(), crystal.balls.xyz.data(), crystal.balls.radius.data(),
+                           crystal.box.data(), &crystal.options, limits, &first_bad);
   FUZZ_REQUIRE(first_bad == HSP_NONE, "a ball that is refused");
   return status;
 }

@@ -57,8 +57,8 @@ struct Pores {
     FUZZ_REQUIRE(hsp_model_options_init(&lattice, sizeof lattice) == HSP_OK, "options");
     lattice.step = 1e-6;  // of few steps every set of four is tried
     periodic.compute([&](hsp_periodic *handle, hsp_periodic_limits *asked) {
-      return hsp_periodic_compute(handle, crystal.n(), crystal.balls.xyz.data(), crystal.balls.radius.data(), &lattice,
-                                  crystal.box.data(), asked, nullptr);
+      return hsp_periodic_compute(handle, crystal.n(), crystal.balls.xyz.data(), crystal.balls.radius.data(),
+                                  crystal.box.data(), &lattice, asked, nullptr);
     });
     hsp_pores_limits first{};
     FUZZ_REQUIRE(hsp_pores_limits_init(&first, sizeof first, crystal.n()) == HSP_OK, "limits of pores");

@@ -152,7 +152,9 @@ class Session {
     FUZZ_REQUIRE(hsp_version() == HSP_VERSION_NUMBER, "version");
     FUZZ_REQUIRE(hsp_abi() == HSP_ABI_NUMBER, "ABI number");
     FUZZ_REQUIRE(hsp_provisional() == HSP_PROVISIONAL_NUMBER, "provisional number");
-    FUZZ_REQUIRE(hsp_numerics() == HSP_NUMERICS_NUMBER, "numerics version");
+    FUZZ_REQUIRE(hsp_numerics() == HSP_NUMERICS_NUMBER, "numerics number");
+    FUZZ_REQUIRE(hsp_provisional_numerics() == HSP_PROVISIONAL_NUMERICS_NUMBER, "provisional numerics number");
+    FUZZ_REQUIRE(hsp_model_max_balls() == HSP_MAX_BALLS, "most balls");
     const int32_t status = -static_cast<int32_t>(bytes_.below(20));
     FUZZ_REQUIRE(hsp_status_text(status) != nullptr && hsp_status_text(status)[0] != 0, "status text");
     element_radius();

@@ -47,7 +47,7 @@ typedef struct hsp_boundary_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 8 balls; set the limits by hand then */
-HSP_API int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_boundary_init needs.
  *  - Property 1: at most HSP_BOUNDARY_BYTES of the first four limits, and HSP_WORKER_BYTES of them for each worker but
@@ -58,7 +58,7 @@ HSP_API int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t s
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or workers than HSP_MAX_WORKERS, or the size does not
  *                          fit a size_t */
-HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_BOUNDARY_BYTES(balls, neighbours, vertices, circles)                      \
@@ -66,8 +66,8 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
    (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
 /** Bytes that every worker but the first adds to it at most. */
 #define HSP_WORKER_BYTES(balls, neighbours, vertices, circles)                         \
-  ((size_t)13312 + (size_t)16 * (size_t)(balls) + (size_t)416 * (size_t)(neighbours) + \
-   (size_t)16 * (size_t)(vertices) + (size_t)16 * (size_t)(circles))
+  ((size_t)18432 + (size_t)24 * (size_t)(balls) + (size_t)560 * (size_t)(neighbours) + \
+   (size_t)24 * (size_t)(vertices) + (size_t)24 * (size_t)(circles))
 
 /** Make an empty boundary in caller memory of any alignment; sets *boundary.
  *  @retval HSP_E_ARGUMENT  a null pointer
@@ -75,8 +75,8 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
  *  @retval HSP_E_MEMORY    bytes is less than hsp_boundary_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or workers than HSP_MAX_WORKERS, or the size does not
  *                          fit a size_t */
-HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits,
-                                  hsp_boundary **boundary);
+HSP_API int32_t HSP_CALL hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits,
+                                           hsp_boundary **boundary);
 
 /** Compute the boundary of the union of the model's balls. The model must outlive the boundary, which can be read
  *  while the model holds the same balls (RESULTS in hardsphere.h). On failure the boundary holds no results.
@@ -90,7 +90,8 @@ HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small
  *  @retval HSP_E_STATE     hsp_model_set has failed */
-HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits);
+HSP_API int32_t HSP_CALL hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model,
+                                              hsp_boundary_limits *limits);
 
 /** How a boundary is computed. Zero means default in every field but the first. */
 typedef struct hsp_boundary_request {
@@ -122,9 +123,10 @@ typedef struct hsp_boundary_request {
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
  *  @retval HSP_E_CAPACITY  a limit is too small, as for hsp_boundary_compute, or that of workers
  *  @retval HSP_E_STATE     hsp_model_set has failed
- *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once */
-HSP_API int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model,
-                                          const hsp_boundary_request *request, hsp_boundary_limits *limits);
+ *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model,
+                                                   const hsp_boundary_request *request, hsp_boundary_limits *limits);
 
 /* ---- what there is ---------------------------------------------------------------------------------------------- */
 
@@ -143,6 +145,7 @@ typedef struct hsp_boundary_counts {
   uint32_t voids;           /**< bounded components of the complement of the union */
   uint32_t tied_vertices;   /**< vertices with HSP_VERTEX_TIED */
   int64_t euler;            /**< Euler characteristic of the boundary, summed over its shells */
+  uint64_t reserved[2];     /**< 0 */
 } hsp_boundary_counts;
 
 /** How many of everything the boundary has.
@@ -152,7 +155,7 @@ typedef struct hsp_boundary_counts {
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts);
+HSP_API int32_t HSP_CALL hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts);
 
 /** The symbolic perturbation decided about this vertex: a further sphere goes through it (of a ball that lies inside no
  * other), or two of its circles only touch there. */
@@ -173,8 +176,8 @@ typedef struct hsp_vertex {
  *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity,
-                                          uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity,
+                                                   uint32_t *needed);
 
 /** An arc runs counter-clockwise about its axis, from vertex[0] to vertex[1]. Seen from outside the balls, face[1] lies
  *  on its left and face[0] on its right. Frozen. */
@@ -192,7 +195,8 @@ typedef struct hsp_arc {
  *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity,
+                                               uint32_t *needed);
 
 /** A whole circle that is free. Counter-clockwise about the axis, face[1] lies on its left and face[0] on its right, as
  *  at arcs. Frozen. */
@@ -208,8 +212,8 @@ typedef struct hsp_circle {
  *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity,
-                                         uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity,
+                                                  uint32_t *needed);
 
 /** A face of the boundary. Frozen. */
 typedef struct hsp_face {
@@ -223,8 +227,8 @@ typedef struct hsp_face {
  *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity,
+                                                uint32_t *needed);
 
 /** A boundary loop of a face: a closed chain of arcs, or a whole circle. Seen from outside the ball, it keeps its face
  *  on its left. Frozen. */
@@ -240,8 +244,8 @@ typedef struct hsp_loop {
  *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity,
+                                                uint32_t *needed);
 
 /** An arc as a part of a loop. Frozen. */
 typedef struct hsp_loop_arc {
@@ -258,8 +262,8 @@ typedef struct hsp_loop_arc {
  *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity,
-                                           uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity,
+                                                    uint32_t *needed);
 
 #define HSP_BALL_CONTAINED UINT32_C(1) /**< the ball lies inside one other ball */
 
@@ -275,8 +279,8 @@ typedef struct hsp_ball {
  *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity,
+                                                uint32_t *needed);
 
 /* ---- self-check ------------------------------------------------------------------------------------------------ */
 
@@ -302,7 +306,7 @@ HSP_API int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *o
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_CHECK     one is violated: please report it */
-HSP_API int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t *id);
+HSP_API int32_t HSP_CALL hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
 }

@@ -13,7 +13,7 @@
  *                  balls, which reaches to infinity
  *   neighbours     two cells with a piece of a facet or of a side of cubes in common, from where to where a point can
  *                  move through free space
- *   region         what neighbours make up: a connected component of free space, a region of topology.h
+ *   region         what neighbours make up: a connected component of free space, a region of regions.h
  *                  in another order. Region 0 is the outside
  *
  * All of this is decided in integers, as the boundary is; balls that touch count as meeting, so that nothing passes
@@ -54,7 +54,7 @@ typedef struct hsp_cells_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
-HSP_API int32_t hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_cells_init needs.
  *  - Property 1: at most HSP_CELLS_BYTES of the limits.
@@ -63,7 +63,7 @@ HSP_API int32_t hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_CELLS_BYTES(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, cube_corners) \
@@ -76,7 +76,7 @@ HSP_API int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes);
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_cells_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells);
+HSP_API int32_t HSP_CALL hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells);
 
 /** Cut the free space of a model into cells. The model must outlive them; they can be read while it holds the same
  *  balls (RESULTS in hardsphere.h). On failure they hold no results. limits: see LIMITS in hardsphere.h; at most six
@@ -89,7 +89,7 @@ HSP_API int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limit
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
-HSP_API int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits);
+HSP_API int32_t HSP_CALL hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits);
 
 /** How many of everything. Frozen. */
 typedef struct hsp_cells_counts {
@@ -106,7 +106,7 @@ typedef struct hsp_cells_counts {
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts);
+HSP_API int32_t HSP_CALL hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts);
 
 #define HSP_CELL_RUN UINT32_C(0)     /**< cubes that no ball meets */
 #define HSP_CELL_AT_BALL UINT32_C(1) /**< a free part of the power cell of a ball that meets that power cell */
@@ -129,7 +129,8 @@ typedef struct hsp_free_cell {
  *  @retval HSP_E_ARGUMENT  cells is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these cells are there */
-HSP_API int32_t hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint32_t count, hsp_free_cell *out);
+HSP_API int32_t HSP_CALL hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint32_t count,
+                                             hsp_free_cell *out);
 
 /** The neighbours of a cell, ascending.
  *  - Property 1: a cell is a neighbour of each of its neighbours, and in the same region.
@@ -138,8 +139,8 @@ HSP_API int32_t hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such cell */
-HSP_API int32_t hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity,
-                                         uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours,
+                                                  uint32_t capacity, uint32_t *needed);
 
 /** Two cells that are neighbours, the lower number first. Frozen. */
 typedef struct hsp_cell_pair {
@@ -151,7 +152,8 @@ typedef struct hsp_cell_pair {
  *  @retval HSP_E_ARGUMENT  cells is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these pairs are there */
-HSP_API int32_t hsp_cells_get_pairs(const hsp_cells *cells, uint32_t first, uint32_t count, hsp_cell_pair *out);
+HSP_API int32_t HSP_CALL hsp_cells_get_pairs(const hsp_cells *cells, uint32_t first, uint32_t count,
+                                             hsp_cell_pair *out);
 
 /** Where the point xyz [3] lies: *cell becomes its cell, or HSP_NONE if it lies in a ball. Exact; the point is rounded
  *  to the lattice.
@@ -160,7 +162,7 @@ HSP_API int32_t hsp_cells_get_pairs(const hsp_cells *cells, uint32_t first, uint
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
  *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps */
-HSP_API int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *cell);
+HSP_API int32_t HSP_CALL hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *cell);
 
 /** Check the invariants of computed cells. If all hold, *invariant becomes 0 and *id HSP_NONE. Else *invariant becomes
  *  the number of the first that is violated, and *id that of the cell or, for 4, of the cube concerned:
@@ -177,7 +179,8 @@ HSP_API int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint
  *  @retval HSP_E_ARGUMENT  cells, invariant or id is NULL; a topology of another model
  *  @retval HSP_E_STATE     nothing computed, in the topology either, or the model has changed since
  *  @retval HSP_E_CHECK     one is violated: please report it */
-HSP_API int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t *invariant, uint32_t *id);
+HSP_API int32_t HSP_CALL hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t *invariant,
+                                         uint32_t *id);
 
 /** Into how many vertices, edges and faces spheres cut each other; what balls cover counts as well. A circle of two
  *  spheres that crosses no other is one edge, and a sphere that meets no other is one face. Frozen. */
@@ -198,8 +201,9 @@ typedef struct hsp_arrangement {
  *  @retval HSP_E_CAPACITY  words is less than *words_needed; nothing else is written
  *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_RANGE     a ball meets 2^31 others or more */
-HSP_API int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,
-                                      uint32_t *scratch, uint32_t words, uint32_t *words_needed);
+HSP_API int32_t HSP_CALL hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals,
+                                               hsp_arrangement *of_ball, uint32_t *scratch, uint32_t words,
+                                               uint32_t *words_needed);
 
 #ifdef __cplusplus
 }

@@ -11,11 +11,13 @@
  *             simplices are the dual complex (Edelsbrunner 1995), which has the holes of the union
  * All of it is decided exactly, as if ties were broken by infinitesimally inflated balls (hardsphere/boundary.h): balls
  * that touch have a contact of area 0. Where three spheres share a circle the area of the disk in it counts for two of
- * the three balls; shares and all sums are continuous there too. */
+ * the three balls, as each is inflated by an infinitely small amount of its own, which is largest for the one that
+ * comes first by (x, y, z, radius, index); shares and all sums are continuous there too. */
 #ifndef HARDSPHERE_CONTACTS_H
 #define HARDSPHERE_CONTACTS_H
 
 #include "boundary.h"
+#include "executor.h"
 #include "measure.h"
 
 #include <stddef.h>
@@ -44,8 +46,8 @@ typedef struct hsp_contacts_limits {
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then */
-HSP_API int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size,
-                                         const hsp_boundary *boundary);
+HSP_API int32_t HSP_CALL hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size,
+                                                  const hsp_boundary *boundary);
 
 /** Bytes that hsp_contacts_init needs.
  *  - Property 1: at most HSP_CONTACTS_BYTES of the limits.
@@ -54,20 +56,20 @@ HSP_API int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t s
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_CONTACTS_BYTES(balls, neighbours, contacts, triangles, tetrahedra)        \
-  ((size_t)4096 + (size_t)28 * (size_t)(balls) + (size_t)208 * (size_t)(neighbours) + \
-   (size_t)60 * (size_t)(contacts) + (size_t)16 * (size_t)(triangles) + (size_t)16 * (size_t)(tetrahedra))
+  ((size_t)5632 + (size_t)40 * (size_t)(balls) + (size_t)288 * (size_t)(neighbours) + \
+   (size_t)80 * (size_t)(contacts) + (size_t)24 * (size_t)(triangles) + (size_t)24 * (size_t)(tetrahedra))
 
 /** Make empty contacts in caller memory of any alignment; sets *contacts.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_contacts_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits,
-                                  hsp_contacts **contacts);
+HSP_API int32_t HSP_CALL hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits,
+                                           hsp_contacts **contacts);
 
 /** Compute contacts, shares and dual complex of the balls of a computed boundary. Boundary and model must outlive the
  *  contacts, which can be read while these hold the same (RESULTS in hardsphere.h). On failure they hold no results.
@@ -80,7 +82,25 @@ HSP_API int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
-HSP_API int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits);
+HSP_API int32_t HSP_CALL hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary,
+                                              hsp_contacts_limits *limits);
+
+/** How contacts are computed. Zero means default in every field but the first. */
+typedef struct hsp_contacts_request {
+  uint32_t struct_size;         /**< sizeof(hsp_contacts_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_contacts_request;
+
+/** The same as hsp_contacts_compute, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL; an executor with several workers and
+ *                          without run
+ *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  as hsp_contacts_compute
+ *  @retval HSP_E_STATE     as hsp_contacts_compute
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary,
+                                                   const hsp_contacts_request *request, hsp_contacts_limits *limits);
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
@@ -105,8 +125,8 @@ typedef struct hsp_contact {
  *  @retval HSP_E_ARGUMENT  contacts is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity,
+                                                uint32_t *needed);
 
 /** The contacts of one ball, ascending in the other one.
  *  - Property 1: the records are those of hsp_contacts_get_pairs, bit for bit.
@@ -115,8 +135,8 @@ HSP_API int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
  *  @retval HSP_E_ID        no such ball */
-HSP_API int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
-                                     uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out,
+                                              uint32_t capacity, uint32_t *needed);
 
 /** Volume of the share and area of all contacts of each ball; share_volume [n] and contact_area [n] may each be NULL
  *  and else hold capacity >= n entries. totals, if not NULL, become the area of all contacts, each once, and the volume
@@ -127,8 +147,8 @@ HSP_API int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball
  *  @retval HSP_E_ARGUMENT  contacts is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume,
-                                     double *contact_area, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume,
+                                              double *contact_area, uint32_t capacity, uint32_t *needed);
 
 /** The contact of two groups of balls. Frozen. */
 typedef struct hsp_group_contact {
@@ -146,8 +166,8 @@ typedef struct hsp_group_contact {
  *  @retval HSP_E_ARGUMENT  contacts or group is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out,
-                                   uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out,
+                                            uint32_t capacity, uint32_t *needed);
 
 /* ---- the dual complex -------------------------------------------------------------------------------------------- */
 
@@ -160,8 +180,9 @@ typedef struct hsp_complex {
   uint32_t singular[4]; /**< simplices of HSP_SIMPLEX_SINGULAR: balls, edges, triangles, tetrahedra */
   uint32_t regular[4];  /**< of HSP_SIMPLEX_REGULAR */
   uint32_t interior[4]; /**< of HSP_SIMPLEX_INTERIOR */
-  int32_t euler;        /**< balls - edges + triangles - tetrahedra */
+  int64_t euler;        /**< balls - edges + triangles - tetrahedra */
   uint32_t betti[3];    /**< of the union: components, independent tunnels, voids */
+  uint32_t reserved[5]; /**< 0 */
 } hsp_complex;
 
 /** The simplices of the dual complex by dimension and kind.
@@ -173,7 +194,7 @@ typedef struct hsp_complex {
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *counts);
+HSP_API int32_t HSP_CALL hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *counts);
 
 /** A triangle or tetrahedron of the dual complex. Frozen. */
 typedef struct hsp_simplex {
@@ -188,8 +209,8 @@ typedef struct hsp_simplex {
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since; or those of this dimension were only
  *                          counted, as hsp_contacts_limits said, and there are some */
-HSP_API int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out,
-                                           uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out,
+                                                    uint32_t capacity, uint32_t *needed);
 
 /* ---- self-check -------------------------------------------------------------------------------------------------- */
 
@@ -204,7 +225,7 @@ HSP_API int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
  *  @retval HSP_E_CHECK     an invariant is violated: please report it */
-HSP_API int32_t hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id);
+HSP_API int32_t HSP_CALL hsp_contacts_check(hsp_contacts *contacts, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
 }

@@ -39,8 +39,8 @@ typedef struct hsp_curvatures {
  *  @retval HSP_E_ARGUMENT  boundary is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean,
-                                       int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean,
+                                                int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
 
 /** The question: a morphometric energy, of a union or of one in a periodic box (periodic.h). Zero means default in
  *  every field but the first. */
@@ -90,14 +90,16 @@ typedef struct hsp_morphometry_outputs {
  *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
  *
  *  Cost: O(n + vertices + circles).
- *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; an executor with workers and without run
+ *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION     bad struct_size, an unknown part or reserved is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
-HSP_API int32_t hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request,
-                                             hsp_morphometry_outputs *outputs);
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_boundary_get_morphometry(const hsp_boundary *boundary,
+                                                      const hsp_morphometry_request *request,
+                                                      hsp_morphometry_outputs *outputs);
 
 #ifdef __cplusplus
 }

@@ -35,18 +35,18 @@ extern "C" {
  *  On failure nothing is written.
  *  @retval HSP_E_ARGUMENT  radius is NULL; unknown set
  *  @retval HSP_E_ID        no element has this number */
-HSP_API int32_t hsp_element_radius(uint32_t set, uint32_t atomic_number, double *radius, uint32_t *flags);
+HSP_API int32_t HSP_CALL hsp_element_radius(uint32_t set, uint32_t atomic_number, double *radius, uint32_t *flags);
 
 /** The atomic number of an element by its symbol, a NUL-terminated text: one or two letters in upper or lower case,
  *  with blanks before and behind where a file has them. "Fe", "FE", " fe" and "fe " are iron, 26, "CA" is calcium, and
  *  "D" is hydrogen. An atom's name is no symbol: that of an alpha carbon is "CA", too. On failure nothing is written.
  *  @retval HSP_E_ARGUMENT  symbol or atomic_number is NULL
  *  @retval HSP_E_ID        no element has this symbol */
-HSP_API int32_t hsp_element_number(const char *symbol, uint32_t *atomic_number);
+HSP_API int32_t HSP_CALL hsp_element_number(const char *symbol, uint32_t *atomic_number);
 
 /** The symbol of an element as chemists write it, "H" or "Ca"; never NULL, "" for numbers that no element has.
  *  - Property 1: hsp_element_number finds the number again. */
-HSP_API const char *hsp_element_symbol(uint32_t atomic_number);
+HSP_API const char *HSP_CALL hsp_element_symbol(uint32_t atomic_number);
 
 #ifdef __cplusplus
 }

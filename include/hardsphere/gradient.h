@@ -11,7 +11,9 @@
  * inside it either way. Where balls are equal A_i jumps and V has a kink: the ball of lowest index has the derivatives
  * that it would have alone, the others have 0, and all are flagged. Where three spheres share a free circle derivatives
  * are one-sided too: those of the side that the symbolic perturbation takes, without a flag. Radii include the probe.
- * The lattice's rounding is not differentiated. */
+ * The lattice's rounding is not differentiated: difference quotients are those of these derivatives for steps of some
+ * 1e5 lattice steps or more, 1e-3 for radii between 1.08 and 10.7, whose lattice has the step 1e-8. By default checkers
+ * take smaller ones, in their units: PLUMED's --debug-forces 1.5e-8, ASE 1e-6, JAX 1e-4. Give them larger ones. */
 #ifndef HARDSPHERE_GRADIENT_H
 #define HARDSPHERE_GRADIENT_H
 
@@ -33,10 +35,11 @@ extern "C" {
 
 /** An energy of areas and volume, and its parts. Frozen. */
 typedef struct hsp_energy {
-  double value;   /**< E = tension * sum_i sigma_i A_i + pressure * V */
-  double area;    /**< sum_i sigma_i A_i */
-  double volume;  /**< V; NaN for a boundary of selected balls */
-  double d_probe; /**< dE/d(probe) = sum of all dE/dr_i */
+  double value;         /**< E = tension * sum_i sigma_i A_i + pressure * V */
+  double area;          /**< sum_i sigma_i A_i */
+  double volume;        /**< V; NaN for a boundary of selected balls */
+  double d_probe;       /**< dE/d(probe) = sum of all dE/dr_i */
+  uint64_t reserved[2]; /**< 0 */
 } hsp_energy;
 
 /** The question: E = tension * sum_i sigma_i A_i + pressure * V, of a union, one in a periodic box (periodic.h), or a
@@ -53,7 +56,7 @@ typedef struct hsp_gradient_request {
 /** Fill a request with defaults.
  *  @retval HSP_E_ARGUMENT  request is NULL
  *  @retval HSP_E_VERSION   struct_size is bad */
-HSP_API int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct_size);
+HSP_API int32_t HSP_CALL hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct_size);
 
 /** The results that are wanted, and where they go. */
 typedef struct hsp_gradient_outputs {
@@ -80,14 +83,16 @@ typedef struct hsp_gradient_outputs {
  *
  *  Source: M. L. Connolly 1983, T. J. Richmond 1984 for the area; dV/dc_i is the vector area of ball i's faces.
  *  Cost: O(n + vertices + circles).
- *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with workers and without run
+ *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with several workers and
+ *                            without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since; of selected balls, and pressure is not 0
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
-HSP_API int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
-                                          hsp_gradient_outputs *outputs);
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
+                                                   hsp_gradient_outputs *outputs);
 
 /** The question of the two parts of a gradient. Zero means default in every field but the first. */
 typedef struct hsp_derivatives_request {
@@ -116,15 +121,18 @@ typedef struct hsp_derivatives_outputs {
  *    rounding; with tension 1 and pressure 0, or 0 and 1, and finite numbers, bit for bit.
  *
  *  Cost: O(n + vertices + circles).
- *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with workers and without run
+ *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with several workers and
+ *                            without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since; of selected balls, and an array of the
  *                            volume is given
  *  @retval HSP_E_NOT_FINITE  a sigma is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
-HSP_API int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request,
-                                             hsp_derivatives_outputs *outputs);
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_boundary_get_derivatives(const hsp_boundary *boundary,
+                                                      const hsp_derivatives_request *request,
+                                                      hsp_derivatives_outputs *outputs);
 
 /** One entry of a ball's row of the area's Jacobian. Frozen. */
 typedef struct hsp_area_derivative {
@@ -145,8 +153,8 @@ typedef struct hsp_area_derivative {
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        no such ball */
-HSP_API int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
-                                          hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
+                                                   hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
 
 /** The whole Jacobian of the areas as compressed rows: those of ball i are entries first[i] to first[i + 1] - 1, with
  *  ball [needed] the columns j, ascending, d_centre [needed][3] sigma_i dA_i/dc_j and d_radius [needed], which may be
@@ -160,15 +168,17 @@ HSP_API int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t
  *  Cost: O(n + vertices + circles), times the logarithm of the arcs on a ball.
  *  @retval HSP_OK            all rows are there; or there is no entry, also with capacity 0
  *  @retval HSP_E_ARGUMENT    boundary or first is NULL; ball or d_centre is NULL with a capacity above 0; unknown
- *                            tangency; an executor with workers and without run
+ *                            tangency; an executor with several workers and without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    capacity is smaller than the number of entries: first and *needed are set, nothing else
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  a sigma is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
-HSP_API int32_t hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request,
-                                           uint32_t *first, uint32_t *ball, double *d_centre, double *d_radius,
-                                           uint32_t capacity, uint32_t *needed);
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_boundary_get_area_rows(const hsp_boundary *boundary,
+                                                    const hsp_derivatives_request *request, uint32_t *first,
+                                                    uint32_t *ball, double *d_centre, double *d_radius,
+                                                    uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus
 }

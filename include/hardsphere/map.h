@@ -51,7 +51,7 @@ typedef struct hsp_map_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then */
-HSP_API int32_t hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_map_init needs.
  *  - Property 1: at most HSP_MAP_BYTES of the three limits.
@@ -60,7 +60,7 @@ HSP_API int32_t hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_MAP_BYTES(balls, neighbours, edges) \
@@ -71,12 +71,12 @@ HSP_API int32_t hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes);
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_map_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, hsp_map **map);
+HSP_API int32_t HSP_CALL hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, hsp_map **map);
 
 /** Find what is seen from one direction; any number of times, from any directions. options: where to look from, as for
  *  hsp_view_compute, NULL for the defaults; pieces and flags have to be good there and have no effect here. The model
  *  must outlive the map, which can be read while the model holds the same balls (RESULTS in hardsphere.h). On failure
- *  it holds no results. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever more than three.
+ *  it holds no results. limits: see LIMITS in hardsphere.h; at most twelve retries.
  *  - Property 1: the order of the balls has no effect but on the numbers of balls.
  *  - Property 2: hsp_map_check finds nothing.
  *
@@ -88,8 +88,8 @@ HSP_API int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *l
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite
  *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times */
-HSP_API int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options,
-                                hsp_map_limits *limits);
+HSP_API int32_t HSP_CALL hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options,
+                                         hsp_map_limits *limits);
 
 /** Counts, box and frame of a map. Frozen. */
 typedef struct hsp_map_info {
@@ -112,7 +112,7 @@ typedef struct hsp_map_info {
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_map_get_info(const hsp_map *map, hsp_map_info *info);
+HSP_API int32_t HSP_CALL hsp_map_get_info(const hsp_map *map, hsp_map_info *info);
 
 /* ---- steps ------------------------------------------------------------------------------------------------------- */
 
@@ -122,20 +122,20 @@ HSP_API int32_t hsp_map_get_info(const hsp_map *map, hsp_map_info *info);
 /** The next directed edge around the face on the left of h, from where h ends; h itself if it is a whole curve. Like
  *  the next four functions HSP_NONE if there is no such directed edge or no results.
  *  - Property 1: left(next(h)) = left(h), origin(next(h)) = origin(twin(h)). */
-HSP_API uint32_t hsp_map_next(const hsp_map *map, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_map_next(const hsp_map *map, uint32_t h);
 
 /** The previous one, the inverse of next. */
-HSP_API uint32_t hsp_map_previous(const hsp_map *map, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_map_previous(const hsp_map *map, uint32_t h);
 
 /** A directed edge of the next loop around the face on the left of h; of the first loop after the last. So all loops of
  *  a face are reached from `h` of its hsp_map_face. */
-HSP_API uint32_t hsp_map_next_loop(const hsp_map *map, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_map_next_loop(const hsp_map *map, uint32_t h);
 
 /** The vertex where h starts. */
-HSP_API uint32_t hsp_map_origin(const hsp_map *map, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_map_origin(const hsp_map *map, uint32_t h);
 
 /** The face on the left of h. */
-HSP_API uint32_t hsp_map_left(const hsp_map *map, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_map_left(const hsp_map *map, uint32_t h);
 
 /* ---- records ----------------------------------------------------------------------------------------------------- */
 
@@ -183,7 +183,7 @@ typedef struct hsp_map_face {
  *  @retval HSP_E_ARGUMENT  map is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these vertices are there */
-HSP_API int32_t hsp_map_get_vertices(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_vertex *out);
+HSP_API int32_t HSP_CALL hsp_map_get_vertices(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_vertex *out);
 
 /** The edges first .. first + count - 1, exactly count records, of hsp_map_info.edges in all; out may be NULL with
  *  count 0.
@@ -192,7 +192,7 @@ HSP_API int32_t hsp_map_get_vertices(const hsp_map *map, uint32_t first, uint32_
  *  @retval HSP_E_ARGUMENT  map is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these edges are there */
-HSP_API int32_t hsp_map_get_edges(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_edge *out);
+HSP_API int32_t HSP_CALL hsp_map_get_edges(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_edge *out);
 
 /** The faces first .. first + count - 1, exactly count records, of hsp_map_info.faces in all; out may be NULL with
  *  count 0.
@@ -201,13 +201,13 @@ HSP_API int32_t hsp_map_get_edges(const hsp_map *map, uint32_t first, uint32_t c
  *  @retval HSP_E_ARGUMENT  map is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these faces are there */
-HSP_API int32_t hsp_map_get_faces(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_face *out);
+HSP_API int32_t HSP_CALL hsp_map_get_faces(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_face *out);
 
 /** How much of each ball is seen: areas in the view plane, length^2, in the caller's order; 0 of what is hidden.
  *  @retval HSP_E_ARGUMENT  map is NULL; area is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of balls
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, uint32_t *needed);
 
 /** The visible outline of a ball: a directed edge of every loop around what is seen of it. Follow each with
  *  hsp_map_next until it is back; what is seen is on the left.
@@ -217,8 +217,8 @@ HSP_API int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t cap
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        no such ball */
-HSP_API int32_t hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity,
-                                    uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity,
+                                             uint32_t *needed);
 
 /* ---- questions --------------------------------------------------------------------------------------------------- */
 
@@ -235,7 +235,7 @@ typedef struct hsp_map_sight {
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  x or y is NaN or infinite */
-HSP_API int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight);
+HSP_API int32_t HSP_CALL hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight);
 
 /** A point of an edge. Frozen. */
 typedef struct hsp_map_point {
@@ -250,7 +250,7 @@ typedef struct hsp_map_point {
  *  @retval HSP_E_ID          no such edge
  *  @retval HSP_E_NOT_FINITE  t is NaN or infinite
  *  @retval HSP_E_RANGE       t is beyond the edge */
-HSP_API int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point);
+HSP_API int32_t HSP_CALL hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point);
 
 /** The point of a face that is farthest from its edges, where a label has most room. Frozen. */
 typedef struct hsp_map_pole {
@@ -267,7 +267,7 @@ typedef struct hsp_map_pole {
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        no such face, or the unbounded one */
-HSP_API int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole);
+HSP_API int32_t HSP_CALL hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole);
 
 /* ---- self-check -------------------------------------------------------------------------------------------------- */
 
@@ -289,7 +289,7 @@ HSP_API int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_CHECK     an invariant is violated: please report it */
-HSP_API int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id);
+HSP_API int32_t HSP_CALL hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
 }

@@ -18,8 +18,9 @@ extern "C" {
 
 /** Area and volume of the union. Frozen. */
 typedef struct hsp_totals {
-  double area;   /**< of the boundary, walls of voids included, length^2 */
-  double volume; /**< of the union, voids not included, length^3 */
+  double area;          /**< of the boundary, walls of voids included, length^2 */
+  double volume;        /**< of the union, voids not included, length^3 */
+  uint64_t reserved[2]; /**< 0 */
 } hsp_totals;
 
 /** Bytes of memory that suffice hsp_areas for most molecules of n balls: a model, and a boundary with the limits of
@@ -28,16 +29,16 @@ typedef struct hsp_totals {
  *
  *  @retval HSP_E_ARGUMENT  bytes is NULL
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 8 balls, or the size does not fit a size_t */
-HSP_API int32_t hsp_areas_bytes(uint32_t n, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_areas_bytes(uint32_t n, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays; for some hundred balls at most, as it
  *  is more for large sets than need be. */
-#define HSP_AREAS_BYTES(balls) ((size_t)18432 + (size_t)1888 * (size_t)(balls))
+#define HSP_AREAS_BYTES(balls) ((size_t)18432 + (size_t)1952 * (size_t)(balls))
 
 /** Area of each of n balls that a probe can reach, and area and volume of all, in one call: of centres xyz [n][3] and
  *  radius [n] + probe. memory has *bytes bytes of any alignment, in which a model and a boundary are made; nothing of
  *  it is needed afterwards. If it does not suffice *bytes becomes what does, or more than before: then to be called
- *  again with so many, four times at most. memory may be NULL with *bytes 0. area [n] and totals may each be NULL.
+ *  again with so many, four times at most. memory may be NULL with *bytes 0. totals and area [n] may each be NULL.
  *  - Property 1: area and totals are those of hsp_boundary_measure, bit for bit.
  *
  *  Cost: that of hsp_model_set, hsp_boundary_compute and hsp_boundary_measure; where hsp_areas_bytes does not suffice,
@@ -48,8 +49,8 @@ HSP_API int32_t hsp_areas_bytes(uint32_t n, size_t *bytes);
  *  @retval HSP_E_NEGATIVE    a radius or the probe is negative
  *  @retval HSP_E_RANGE       a coordinate or radius lies beyond the lattice, or all lengths are below 1.05e-16; more
  *                            balls than hsp_areas_bytes allows */
-HSP_API int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory,
-                          size_t *bytes, double *area, hsp_totals *totals);
+HSP_API int32_t HSP_CALL hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory,
+                                   size_t *bytes, hsp_totals *totals, double *area);
 
 /** Area and volume of the union, and each ball's terms of both, or those of some balls while the others only block.
  *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. Other balls count 0, and the rest is
@@ -62,13 +63,15 @@ HSP_API int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, d
  *  Totals are summed over the balls in the caller's order by a fixed binary tree.
  *  - Property 1: area[i] and volume_term[i] do not depend on the order of the balls, bit for bit.
  *
- *  Accuracy: about 1e-14 of the total for molecules.
+ *  Accuracy: about 1e-14 of the total for molecules. In general an area has an error of a few 1e-16 of r^2 for each of
+ *  its arcs and circles, a volume term that times r, and some 1e-16 of area[i] times the distance from o; a total of n
+ *  terms adds up theirs, and log2(n) 1e-16 of the sum of their magnitudes.
  *  Cost: O(n + what the selected balls' faces have of arcs and circles).
  *  @retval HSP_E_ARGUMENT  boundary is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals,
-                                     double *area, double *volume_term, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals,
+                                              double *area, double *volume_term, uint32_t capacity, uint32_t *needed);
 
 /** The question. Zero means default in every field but the first. */
 typedef struct hsp_measure_request {
@@ -99,9 +102,10 @@ typedef struct hsp_measure_outputs {
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but outputs->needed is written
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since; of selected balls, and volume_term is
  *                          given
- *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once; the arrays may have been written */
-HSP_API int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
-                                          hsp_measure_outputs *outputs);
+ *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED   the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
+                                                   hsp_measure_outputs *outputs);
 
 /** Area, and term of the volume, of each face: area [faces] and volume_term [faces], each may be NULL, face ids as in
  *  hsp_boundary_get_faces. A face's volume term is that of the divergence theorem about its ball's origin o (see
@@ -113,8 +117,8 @@ HSP_API int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hs
  *  @retval HSP_E_CAPACITY  an array is given and capacity is less than the number of faces; nothing but *needed is
  *                          written
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term,
-                                           uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term,
+                                                    uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus
 }

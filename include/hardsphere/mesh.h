@@ -22,6 +22,7 @@
 #ifndef HARDSPHERE_MESH_H
 #define HARDSPHERE_MESH_H
 
+#include "executor.h"
 #include "surface.h"
 
 #include <stddef.h>
@@ -50,8 +51,8 @@ typedef struct hsp_mesh_limits {
  *  @retval HSP_E_NOT_FINITE  edge_length is NaN or infinite
  *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_STATE       the boundary holds no results, or its model has changed since */
-HSP_API int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary,
-                                     double edge_length);
+HSP_API int32_t HSP_CALL hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size,
+                                              const hsp_boundary *boundary, double edge_length);
 
 /** The same for a computed smooth surface.
  *  @retval HSP_E_ARGUMENT      limits or surface is NULL; edge_length is not above 0
@@ -60,8 +61,8 @@ HSP_API int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_si
  *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
  *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts */
-HSP_API int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
-                                             double edge_length);
+HSP_API int32_t HSP_CALL hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size,
+                                                      const hsp_surface *surface, double edge_length);
 
 /** Bytes that hsp_mesh_init needs.
  *  - Property 1: at most HSP_MESH_BYTES of the five limits.
@@ -70,7 +71,7 @@ HSP_API int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t s
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_MESH_BYTES(balls, curves, vertices, triangles, points)                                                 \
@@ -82,13 +83,13 @@ HSP_API int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes);
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_mesh_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits, hsp_mesh **mesh);
+HSP_API int32_t HSP_CALL hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits, hsp_mesh **mesh);
 
 /** Triangles for a computed boundary, with edges of about the given length: the van der Waals surface, or with a probe
  *  the solvent-accessible one. Triangles are at most that large, up to rounding, and smaller where the surface has
  *  shorter arcs or curves that are close to each other. Boundary and model must outlive the mesh,
  *  which can be read while these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see
- *  LIMITS in hardsphere.h; at most twenty retries, hardly ever any.
+ *  LIMITS in hardsphere.h; at most twenty retries.
  *  - Property 1: the triangles are closed surfaces as described above, and the number of vertices less half that of
  *    triangles is the Euler characteristic of hsp_boundary_get_counts, or the status says that there are none.
  *  - Property 2: the same model, boundary and edge_length yield the same bytes on every machine.
@@ -105,8 +106,8 @@ HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits 
  *                            tells which is on which side: more than two of them, or with different points. Among
  *                            thousands of degenerate sets of radii of one size there is none; of sets with radii of
  *                            1 to 3 on one of 10^6 some 8 of 100 are so */
-HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length,
-                                 hsp_mesh_limits *limits);
+HSP_API int32_t HSP_CALL hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length,
+                                          hsp_mesh_limits *limits);
 
 /** Triangles for a computed smooth surface, with edges of about the given length. Everything else is as for a
  *  boundary, which must outlive the mesh with its model; the surface need not. Without a probe the smooth surface is
@@ -123,8 +124,42 @@ HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, d
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
  *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts
  *  @retval HSP_E_DEGENERATE    as for a boundary; of sets of a few points 1e-7 off a lattice up to 17 of 100 */
-HSP_API int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
-                                         hsp_mesh_limits *limits);
+HSP_API int32_t HSP_CALL hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
+                                                  hsp_mesh_limits *limits);
+
+/** How triangles are computed. Zero means default in every field but the first. */
+typedef struct hsp_mesh_request {
+  uint32_t struct_size;         /**< sizeof(hsp_mesh_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_mesh_request;
+
+/** The same as hsp_mesh_compute, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT    mesh or boundary is NULL; edge_length is not above 0; an executor with several workers and
+ *                            without run
+ *  @retval HSP_E_VERSION     bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY    as hsp_mesh_compute
+ *  @retval HSP_E_STATE       as hsp_mesh_compute
+ *  @retval HSP_E_NOT_FINITE  edge_length is NaN or infinite
+ *  @retval HSP_E_RANGE       as hsp_mesh_compute
+ *  @retval HSP_E_DEGENERATE  as hsp_mesh_compute
+ *  @retval HSP_E_STOPPED     the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length,
+                                               const hsp_mesh_request *request, hsp_mesh_limits *limits);
+
+/** The same as hsp_mesh_compute_surface, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT      mesh or surface is NULL; edge_length is not above 0; an executor with several workers
+ *                              and without run
+ *  @retval HSP_E_VERSION       bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY      as hsp_mesh_compute_surface
+ *  @retval HSP_E_STATE         as hsp_mesh_compute_surface
+ *  @retval HSP_E_NOT_FINITE    edge_length is NaN or infinite
+ *  @retval HSP_E_RANGE         as hsp_mesh_compute_surface
+ *  @retval HSP_E_OPEN_SURFACE  as hsp_mesh_compute_surface
+ *  @retval HSP_E_DEGENERATE    as hsp_mesh_compute_surface
+ *  @retval HSP_E_STOPPED       the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
+                                                       const hsp_mesh_request *request, hsp_mesh_limits *limits);
 
 /** How many of everything. Frozen. */
 typedef struct hsp_mesh_counts {
@@ -137,7 +172,7 @@ typedef struct hsp_mesh_counts {
 /** How many vertices and triangles there are.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts);
+HSP_API int32_t HSP_CALL hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts);
 
 /** The vertices, which also serve as points all over the surface (but see hsp_mesh_get_weights for what they are not
  *  fit for): positions, normals, areas and balls. Each of xyz [vertices][3], normals [vertices][3], areas [vertices]
@@ -150,8 +185,8 @@ HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *count
  *  @retval HSP_E_ARGUMENT  mesh is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity is too small; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas,
-                                      uint32_t *balls, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas,
+                                               uint32_t *balls, uint32_t capacity, uint32_t *needed);
 
 /** Weights of the vertices for sums over the surface, such as the mean of something at its points: areas as above, but
  *  those of a patch's triangles are scaled so that they sum to its exact area. area [patches] has these: of
@@ -168,8 +203,8 @@ HSP_API int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double 
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
  *  @retval HSP_E_ID          a patch with triangles is none of those of area
  *  @retval HSP_E_NOT_FINITE  an area is NaN or infinite */
-HSP_API int32_t hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights,
-                                     uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches,
+                                              double *weights, uint32_t capacity, uint32_t *needed);
 
 /** The triangles: the numbers of their vertices, and what each belongs to. Each of
  *  corners [triangles][3], kinds [triangles], patches [triangles] and balls [triangles] may be NULL, else capacity >=
@@ -180,13 +215,14 @@ HSP_API int32_t hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, u
  *  @retval HSP_E_ARGUMENT  mesh is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity is too small; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches,
-                                       uint32_t *balls, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds,
+                                                uint32_t *patches, uint32_t *balls, uint32_t capacity,
+                                                uint32_t *needed);
 
 /** The triangles of one patch: *first .. *first + *count - 1; *count becomes 0 if it has none.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_mesh_get_patch(const hsp_mesh *mesh, uint32_t patch, uint32_t *first, uint32_t *count);
+HSP_API int32_t HSP_CALL hsp_mesh_get_patch(const hsp_mesh *mesh, uint32_t patch, uint32_t *first, uint32_t *count);
 
 #ifdef __cplusplus
 }

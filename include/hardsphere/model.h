@@ -23,8 +23,12 @@ extern "C" {
 /** The id that no ball has. */
 #define HSP_NONE UINT32_C(0xFFFFFFFF)
 
-/** The largest number of balls in one model. */
+/** The largest number of balls in one model, and the largest limit, of the library of this header. It may grow with a
+ *  minor version: hsp_model_max_balls says that of the library that was linked. */
 #define HSP_MAX_BALLS UINT32_C(0x0FFFFFFF)
+
+/** HSP_MAX_BALLS of the library that was linked. */
+HSP_API uint32_t HSP_CALL hsp_model_max_balls(void);
 
 /** A set of balls on its lattice. */
 typedef struct hsp_model hsp_model;
@@ -34,23 +38,23 @@ typedef struct hsp_model hsp_model;
  *
  *  @retval HSP_E_ARGUMENT  bytes is NULL
  *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_model_bytes(uint32_t balls, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_model_bytes(uint32_t balls, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
-#define HSP_MODEL_BYTES(balls) ((size_t)1536 + (size_t)128 * (size_t)(balls))
+#define HSP_MODEL_BYTES(balls) ((size_t)1536 + (size_t)192 * (size_t)(balls))
 
 /** Make an empty model (0 balls) for at most `balls` balls in caller memory of any alignment; sets *model.
  *  @retval HSP_E_ARGUMENT  memory or model is NULL
  *  @retval HSP_E_MEMORY    bytes is less than hsp_model_bytes says; nothing is written
  *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **model);
+HSP_API int32_t HSP_CALL hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **model);
 
 /** How hsp_model_set reads the balls. Zero means default in every field but the first. */
 typedef struct hsp_model_options {
   uint32_t struct_size; /**< sizeof(hsp_model_options); hsp_model_options_init sets it */
   uint32_t reserved;    /**< 0 */
   double probe;         /**< length, >= 0: added to every radius, for the solvent-accessible surface; default 0 */
-  double step;          /**< length, > 0: the lattice step; 0 means the smallest power of ten with r_max/step < 2^30 */
+  double step;          /**< length, > 0: the lattice step; 0: the power of ten that hsp_model_set says */
   /** length, > 0: r_max less the probe, for balls of which none may be larger on the lattice; 0: that of the balls */
   double largest_radius;
 } hsp_model_options;
@@ -58,7 +62,7 @@ typedef struct hsp_model_options {
 /** Fill options with defaults.
  *  @retval HSP_E_ARGUMENT  options is NULL
  *  @retval HSP_E_VERSION   struct_size is bad */
-HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size);
+HSP_API int32_t HSP_CALL hsp_model_options_init(hsp_model_options *options, uint32_t struct_size);
 
 /** Take n balls: round them to the lattice, hash them into cubes. May be called any number of times (frames of a
  *  trajectory); results of other contents cannot be read then (RESULTS in hardsphere.h).
@@ -94,8 +98,8 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *  @retval HSP_E_NEGATIVE    a radius or an option is negative
  *  @retval HSP_E_RANGE       a coordinate, a radius or an option lies beyond the lattice, or a radius beyond
  *                            options.largest_radius; no step is given, and all lengths are below 1.05e-16 */
-HSP_API int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
-                              const hsp_model_options *options, uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
+                                       const hsp_model_options *options, uint32_t *first_bad);
 
 /** A description of the model. Frozen. */
 typedef struct hsp_model_info {
@@ -115,7 +119,7 @@ typedef struct hsp_model_info {
 /** Describe the model. Without balls the step is the one that hsp_model_set was given, else 1e-8. One large radius
  *  makes a coarse lattice for all: look at largest_rounding, some 1e-9 for molecules, where radii differ a lot.
  *  @retval HSP_E_ARGUMENT  a null pointer */
-HSP_API int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
+HSP_API int32_t HSP_CALL hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 
 /** The balls as rounded to the lattice, in the caller's order: xyz [n][3] and radius [n], probe included. Either may be
  *  NULL; *needed becomes n.
@@ -126,8 +130,8 @@ HSP_API int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info)
  *  @retval HSP_E_ARGUMENT  model is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE     hsp_model_set has failed */
-HSP_API int32_t hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity,
-                                    uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity,
+                                             uint32_t *needed);
 
 #define HSP_PACKING_ZERO_RADIUS UINT32_C(1) /**< a ball has radius 0 (probe included): k has no value */
 #define HSP_PACKING_COINCIDENT UINT32_C(2)  /**< two centres coincide: rho is 0 */
@@ -141,6 +145,7 @@ typedef struct hsp_packing {
   double neighbour_bound; /**< 216 (k/rho)^3 of Theorem 2.1: no ball meets more others; 0 where it says nothing */
   uint32_t max_overlaps;  /**< the largest of those numbers */
   uint32_t flags;         /**< HSP_PACKING_*; 0 means that Theorem 2.1 holds with this k and rho */
+  uint64_t reserved[2];   /**< 0 */
 } hsp_packing;
 
 /** The figures of Section 2, and by flags whether the set meets the conditions of Theorem 2.1 at all. A set that does
@@ -150,7 +155,7 @@ typedef struct hsp_packing {
  *  Cost: O(n) for sets with bounded figures; O(n c) at worst, with all centres in a few cubes.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     hsp_model_set has failed */
-HSP_API int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures);
+HSP_API int32_t HSP_CALL hsp_model_get_packing(hsp_model *model, hsp_packing *figures);
 
 #ifdef __cplusplus
 }

@@ -55,7 +55,7 @@ typedef struct hsp_moving_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than HSP_MAX_BALLS balls */
-HSP_API int32_t hsp_moving_limits_init(hsp_moving_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_moving_limits_init(hsp_moving_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_moving_init needs.
  *  - Property 1: at most HSP_MOVING_BYTES of the limits.
@@ -64,7 +64,7 @@ HSP_API int32_t hsp_moving_limits_init(hsp_moving_limits *limits, uint32_t struc
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_MOVING_BYTES(balls, neighbours) \
@@ -75,7 +75,8 @@ HSP_API int32_t hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes)
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_moving_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *limits, hsp_moving **moving);
+HSP_API int32_t HSP_CALL hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *limits,
+                                         hsp_moving **moving);
 
 /** Take the balls of a model, and the energy that is to be known: sigma [n], NULL for all ones, tension, pressure and
  *  tangency are those of hsp_gradient_request. Computes everything; nothing is kept of the model and of sigma. May be
@@ -90,8 +91,9 @@ HSP_API int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_lim
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
-HSP_API int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension,
-                               double pressure, uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension,
+                                        double pressure, uint32_t tangency, hsp_moving_limits *limits,
+                                        uint32_t *first_bad);
 
 /** Move some balls: ball [count] to the centres xyz [count][3], with the radii radius [count], the probe not included.
  *  xyz may be NULL, and all centres stay; radius may be NULL, and all radii stay. Coordinates and radii are rounded as
@@ -113,15 +115,15 @@ HSP_API int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const
  *  @retval HSP_E_NOT_FINITE  a coordinate or a radius is NaN or infinite
  *  @retval HSP_E_NEGATIVE    a radius is negative
  *  @retval HSP_E_RANGE       a ball would leave the lattice, or be larger than the largest radius */
-HSP_API int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
-                                const double *radius, hsp_moving_limits *limits, uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
+                                         const double *radius, hsp_moving_limits *limits, uint32_t *first_bad);
 
 /** Take the last move back: all numbers are as before it, bit for bit. Only one move can be taken back.
  *  Cost: copies what the move changed, and adds up totals: far less than the move.
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_STATE     no move since hsp_moving_set; it was taken back already, or another one has failed with
  *                          HSP_E_CAPACITY since */
-HSP_API int32_t hsp_moving_undo(hsp_moving *moving);
+HSP_API int32_t HSP_CALL hsp_moving_undo(hsp_moving *moving);
 
 /** Lattice and counts. Frozen. */
 typedef struct hsp_moving_info {
@@ -144,7 +146,7 @@ typedef struct hsp_moving_info {
 /** Count, and tell the lattice.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
-HSP_API int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info);
+HSP_API int32_t HSP_CALL hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info);
 
 /** Area and volume of the union, and each ball's terms of both, always of all balls: arguments as of
  *  hsp_boundary_measure.
@@ -152,8 +154,8 @@ HSP_API int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *i
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
-HSP_API int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term,
-                                   uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area,
+                                            double *volume_term, uint32_t capacity, uint32_t *needed);
 
 /** The energy that hsp_moving_set was given, and its derivatives as of hsp_boundary_get_gradient: d_centre [n][3],
  *  d_radius [n] and flags [n] may each be NULL and else hold capacity >= n entries. energy and needed may be NULL.
@@ -161,8 +163,8 @@ HSP_API int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals,
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
-HSP_API int32_t hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius,
-                                    uint32_t *flags, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre,
+                                             double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed);
 
 /** All that is known of a ball. Frozen. */
 typedef struct hsp_moving_ball {
@@ -182,8 +184,8 @@ typedef struct hsp_moving_ball {
  *  @retval HSP_E_ARGUMENT  moving is NULL; ball or out is NULL with count > 0
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed
  *  @retval HSP_E_ID        no such ball; nothing is written */
-HSP_API int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball,
-                                     hsp_moving_ball *out);
+HSP_API int32_t HSP_CALL hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball,
+                                              hsp_moving_ball *out);
 
 /** The balls of which anything may have changed by the last move, or by taking it back, ascending: those that moved,
  *  those that they met or meet, and those whose terms of the volume are about another origin now. None after
@@ -191,7 +193,8 @@ HSP_API int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, c
  *  @retval HSP_E_ARGUMENT  moving is NULL; balls is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
-HSP_API int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *balls, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_moving_get_changed(const hsp_moving *moving, uint32_t *balls, uint32_t capacity,
+                                                uint32_t *needed);
 
 /** Put the balls as they are into a model, as hsp_model_set would with the same lattice and largest radius: for a
  *  boundary with ids, shells and topology, for queries and views. Results of other contents of the model cannot be read
@@ -200,7 +203,7 @@ HSP_API int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *balls
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  the model has room for fewer balls
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
-HSP_API int32_t hsp_moving_get_model(const hsp_moving *moving, hsp_model *model);
+HSP_API int32_t HSP_CALL hsp_moving_get_model(const hsp_moving *moving, hsp_model *model);
 
 #ifdef __cplusplus
 }

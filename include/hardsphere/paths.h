@@ -51,7 +51,7 @@ typedef struct hsp_paths_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
-HSP_API int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_paths_init needs.
  *  - Property 1: at most HSP_PATHS_BYTES of the limits.
@@ -60,7 +60,7 @@ HSP_API int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PATHS_BYTES(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, cube_corners,  \
@@ -75,7 +75,7 @@ HSP_API int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_paths_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths);
+HSP_API int32_t HSP_CALL hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths);
 
 /** Cut the free space of a model into cells, so that paths can be found. The model must outlive them; they
  *  can be read while it holds the same balls (RESULTS in hardsphere.h). On failure they hold no results.
@@ -87,7 +87,7 @@ HSP_API int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limit
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
-HSP_API int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits);
+HSP_API int32_t HSP_CALL hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits);
 
 #define HSP_PATH_CONNECTED UINT32_C(0) /**< there is a path */
 #define HSP_PATH_APART UINT32_C(1)     /**< the ends lie in two regions of free space */
@@ -118,14 +118,15 @@ typedef struct hsp_path {
  *  @retval HSP_E_CHECK       cells contradict each other, which cannot happen: please report it
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps */
-HSP_API int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
-                               hsp_paths_limits *limits);
+HSP_API int32_t HSP_CALL hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
+                                        hsp_paths_limits *limits);
 
 /** The points [needed][3] of the last path, from its start to its end; none if there was none.
  *  @retval HSP_E_ARGUMENT  paths is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of points
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity,
+                                              uint32_t *needed);
 
 /** A search for the widest probe between two points. */
 typedef struct hsp_gate hsp_gate;
@@ -149,7 +150,7 @@ typedef struct hsp_gate_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
-HSP_API int32_t hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_gate_init needs.
  *  - Property 1: at most HSP_GATE_BYTES of the limits.
@@ -158,7 +159,7 @@ HSP_API int32_t hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_si
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_GATE_BYTES(balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls,            \
@@ -173,7 +174,7 @@ HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_gate_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate);
+HSP_API int32_t HSP_CALL hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate);
 
 /** Find the widest probe between two points, from [3] and to [3], or to the outside if `to` is NULL. The points are
  *  rounded to the lattice. The model must outlive the gate, which can be read while the model holds the same balls
@@ -191,8 +192,8 @@ HSP_API int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits 
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or a probe passes with which the largest ball has
  *                            2^30 lattice steps or more: set the model with a larger step */
-HSP_API int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
-                                 hsp_gate_limits *limits);
+HSP_API int32_t HSP_CALL hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
+                                          hsp_gate_limits *limits);
 
 /** The widest probe. Frozen. */
 typedef struct hsp_widest_probe {
@@ -209,7 +210,7 @@ typedef struct hsp_widest_probe {
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest);
+HSP_API int32_t HSP_CALL hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest);
 
 #ifdef __cplusplus
 }

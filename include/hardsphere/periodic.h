@@ -53,7 +53,7 @@ typedef struct hsp_periodic_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 36 balls; set the limits by hand then */
-HSP_API int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_periodic_init needs.
  *  - Property 1: at most HSP_PERIODIC_BYTES of the limits but the last, and for each worker but the first
@@ -64,7 +64,7 @@ HSP_API int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t s
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or workers than
  *                          HSP_MAX_WORKERS, or the size does not fit a size_t */
-HSP_API int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PERIODIC_BYTES(balls, images, neighbours, vertices, circles, contacts)                          \
@@ -78,8 +78,8 @@ HSP_API int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *by
  *  @retval HSP_E_MEMORY    bytes is less than hsp_periodic_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or workers than
  *                          HSP_MAX_WORKERS, or the size does not fit a size_t */
-HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits,
-                                  hsp_periodic **periodic);
+HSP_API int32_t HSP_CALL hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits,
+                                           hsp_periodic **periodic);
 
 /** Take n balls and a box, and compute boundary, contacts and components. Balls and options are those of hsp_model_set:
  *  xyz and radius may be NULL only if n is 0; options and limits may be NULL. box [9] holds the three vectors; nothing
@@ -102,9 +102,9 @@ HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic
  *  @retval HSP_E_RANGE       as hsp_model_set; or a_x, b_y or c_z is not above 0 on the lattice, a component is beyond
  *                            2^44 steps, b or c needs more than 64 of the vectors before it to be reduced; a ball is
  *                            more than 2^17 boxes away; one of the three lengths is below 2/55 of the largest radius */
-HSP_API int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
-                                     const hsp_model_options *options, const double *box, hsp_periodic_limits *limits,
-                                     uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz,
+                                              const double *radius, const double *box, const hsp_model_options *options,
+                                              hsp_periodic_limits *limits, uint32_t *first_bad);
 
 /** How a box is computed. Zero means default in every field but the first. */
 typedef struct hsp_periodic_request {
@@ -133,10 +133,12 @@ typedef struct hsp_periodic_request {
  *  @retval HSP_E_NOT_FINITE  as hsp_periodic_compute
  *  @retval HSP_E_NEGATIVE    as hsp_periodic_compute
  *  @retval HSP_E_RANGE       as hsp_periodic_compute
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once */
-HSP_API int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
-                                          const double *box, const hsp_periodic_request *request,
-                                          hsp_periodic_limits *limits, uint32_t *first_bad);
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once
+ *  @retval HSP_E_STOPPED     the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz,
+                                                   const double *radius, const double *box,
+                                                   const hsp_periodic_request *request, hsp_periodic_limits *limits,
+                                                   uint32_t *first_bad);
 
 /** The number of each kind in the box, each once, whatever faces it lies across. Frozen. */
 typedef struct hsp_periodic_counts {
@@ -150,14 +152,13 @@ typedef struct hsp_periodic_counts {
   uint32_t shells;     /**< connected components of the boundary; which is outside which has no meaning */
   uint32_t components; /**< connected components of the union */
   uint32_t contacts;   /**< pairs of balls, or of a ball and an image, in contact */
-  int32_t euler;       /**< V - E + sum over faces of (2 - loops): twice that of the union */
-  uint32_t reserved;   /**< 0 */
+  int64_t euler;       /**< V - E + sum over faces of (2 - loops): twice that of the union */
 } hsp_periodic_counts;
 
 /** Count.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_counts *counts);
+HSP_API int32_t HSP_CALL hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_counts *counts);
 
 /** Area and volume of the union in the box. Frozen. */
 typedef struct hsp_periodic_totals {
@@ -175,8 +176,8 @@ typedef struct hsp_periodic_totals {
  *  @retval HSP_E_ARGUMENT  periodic is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed; share_volume is given and areas alone were */
-HSP_API int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
-                                     double *share_volume, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
+                                              double *share_volume, uint32_t capacity, uint32_t *needed);
 
 /** Integrated curvatures of the boundary in the box, in all and by ball: as hsp_boundary_curvature. Parts across the
  *  faces of the box count as if they were inside: edges are shared by their two balls, vertices by their three.
@@ -186,8 +187,8 @@ HSP_API int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_
  *  @retval HSP_E_ARGUMENT  periodic is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
-                                       int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
+                                                int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
 
 /** The results that are wanted of a morphometric energy in a box, and where they go. */
 typedef struct hsp_periodic_morphometry_outputs {
@@ -211,14 +212,16 @@ typedef struct hsp_periodic_morphometry_outputs {
  *  - Property 3: d_strain is symmetric up to rounding, where no ball has a flag.
  *
  *  Cost: O(n + vertices + circles + contacts).
- *  @retval HSP_E_ARGUMENT    periodic or outputs is NULL; an executor with workers and without run
+ *  @retval HSP_E_ARGUMENT    periodic or outputs is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION     bad struct_size, an unknown part or reserved is not 0
  *  @retval HSP_E_CAPACITY    an array for balls is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed
  *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
-HSP_API int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request,
-                                             hsp_periodic_morphometry_outputs *outputs);
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_periodic_get_morphometry(const hsp_periodic *periodic,
+                                                      const hsp_morphometry_request *request,
+                                                      hsp_periodic_morphometry_outputs *outputs);
 
 /** A contact of a ball and an image. Frozen. */
 typedef struct hsp_periodic_contact {
@@ -239,8 +242,8 @@ typedef struct hsp_periodic_contact {
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
-                                          uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out,
+                                                   uint32_t capacity, uint32_t *needed);
 
 /** Sums over the contacts between groups of balls, as hsp_contacts_group; images belong to the groups of their balls.
  *  So what a group has in contact with its own images is left out, and what two groups have across several faces is one
@@ -248,8 +251,8 @@ HSP_API int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_peri
  *  @retval HSP_E_ARGUMENT  periodic or group is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
-                                            uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group,
+                                                     hsp_group_contact *out, uint32_t capacity, uint32_t *needed);
 
 /** A connected component of the union, and where it leads. Frozen. */
 typedef struct hsp_winding {
@@ -268,15 +271,15 @@ typedef struct hsp_winding {
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity,
-                                          uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity,
+                                                   uint32_t *needed);
 
 /** The component of each ball: component [n].
  *  @retval HSP_E_ARGUMENT  periodic is NULL; component is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity,
-                                            uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component,
+                                                     uint32_t capacity, uint32_t *needed);
 
 /** The results that are wanted, and where they go. */
 typedef struct hsp_periodic_gradient_outputs {
@@ -303,14 +306,16 @@ typedef struct hsp_periodic_gradient_outputs {
  *    volume.
  *
  *  Cost: O(n + vertices + circles + contacts).
- *  @retval HSP_E_ARGUMENT    periodic or outputs is NULL; unknown tangency; an executor with workers and without run
+ *  @retval HSP_E_ARGUMENT    periodic or outputs is NULL; unknown tangency; an executor with several workers and
+ *                            without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array for balls is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed; areas alone were, and pressure is not 0
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
-HSP_API int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
-                                          hsp_periodic_gradient_outputs *outputs);
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
+                                                   hsp_periodic_gradient_outputs *outputs);
 
 /** A ball, or an image of it. Frozen. */
 typedef struct hsp_image {
@@ -326,8 +331,8 @@ typedef struct hsp_image {
  *  @retval HSP_E_STATE       nothing computed
  *  @retval HSP_E_NOT_FINITE  a coordinate is NaN or infinite
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or more than 2^17 boxes away */
-HSP_API int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out,
-                                         uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out,
+                                                  uint32_t capacity, uint32_t *needed);
 
 /** The balls and images that meet the ball with centre xyz [3] and the given radius, wherever it is, ascending in balls
  *  and shifts. It may be larger than the box. Touching counts.
@@ -342,8 +347,8 @@ HSP_API int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const dou
  *  @retval HSP_E_NEGATIVE    the radius is negative
  *  @retval HSP_E_RANGE       as hsp_periodic_query_point; or the radius is above 64 times the shortest of a_x, b_y and
  *                            c_z, or there are more than 2^32 - 1 hits */
-HSP_API int32_t hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out,
-                                        uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius,
+                                                 hsp_image *out, uint32_t capacity, uint32_t *needed);
 
 /** The balls and images that meet ball `ball` where it was given, ascending in balls and shifts; itself is none of
  *  them, but its images may be.
@@ -353,8 +358,8 @@ HSP_API int32_t hsp_periodic_query_ball(const hsp_periodic *periodic, const doub
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed
  *  @retval HSP_E_ID        no such ball */
-HSP_API int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out,
-                                              uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out,
+                                                       uint32_t capacity, uint32_t *needed);
 
 /** All pairs of balls and images that meet, as rows of one array: those that meet ball i where it was given are
  *  out[first[i]] to out[first[i + 1] - 1], ascending in balls and shifts. flags is 0 or HSP_PAIRS_ONCE. first [n + 1]
@@ -374,8 +379,8 @@ HSP_API int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint
  *  @retval HSP_E_CAPACITY  more pairs than capacity: first and *needed are set, and nothing is written to out
  *  @retval HSP_E_STATE     nothing computed
  *  @retval HSP_E_RANGE     more than 2^32 - 1 entries; first becomes 0 everywhere */
-HSP_API int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out,
-                                         uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first,
+                                                  hsp_image *out, uint32_t capacity, uint32_t *needed);
 
 /** Check the results against laws that hold for every set of balls in a box: two ways to compute that have little in
  *  common. *invariant becomes 0 or the number of the first that is violated, *id the ball concerned, or HSP_NONE.
@@ -387,7 +392,7 @@ HSP_API int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t 
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed
  *  @retval HSP_E_CHECK     an invariant is violated: please report it */
-HSP_API int32_t hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id);
+HSP_API int32_t HSP_CALL hsp_periodic_check(hsp_periodic *periodic, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
 }

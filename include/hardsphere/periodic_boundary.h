@@ -47,8 +47,8 @@ typedef struct hsp_periodic_vertex {
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity,
-                                          uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out,
+                                                   uint32_t capacity, uint32_t *needed);
 
 /** An arc runs counter-clockwise about its axis, from vertex[0] to vertex[1]. Seen from outside the balls, face[1] lies
  *  on its left and face[0] on its right. Frozen. */
@@ -68,8 +68,8 @@ typedef struct hsp_periodic_arc {
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity,
-                                      uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity,
+                                               uint32_t *needed);
 
 /** A whole circle that is free. Counter-clockwise about the axis, face[1] lies on its left and face[0] on its right, as
  *  at arcs. Frozen. */
@@ -87,8 +87,8 @@ typedef struct hsp_periodic_circle {
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity,
-                                         uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out,
+                                                  uint32_t capacity, uint32_t *needed);
 
 /** A face of the boundary. Frozen. */
 typedef struct hsp_periodic_face {
@@ -103,8 +103,8 @@ typedef struct hsp_periodic_face {
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity,
+                                                uint32_t *needed);
 
 /** A boundary loop of a face: a closed chain of arcs, or a whole circle. Seen from outside the ball, it keeps its face
  *  on its left. Frozen. */
@@ -122,8 +122,8 @@ typedef struct hsp_periodic_loop {
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity,
+                                                uint32_t *needed);
 
 /** An arc as a part of a loop, where the face of the loop is listed. Frozen. */
 typedef struct hsp_periodic_loop_arc {
@@ -142,16 +142,16 @@ typedef struct hsp_periodic_loop_arc {
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity,
-                                           uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out,
+                                                    uint32_t capacity, uint32_t *needed);
 
 /** Each ball as the boundary has it, as hsp_boundary_get_balls: one record per ball, in the caller's order. A ball
  *  may be inside an image of another one; component is that of hsp_periodic_get_components.
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
-HSP_API int32_t hsp_periodic_get_balls(const hsp_periodic *periodic, hsp_ball *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_periodic_get_balls(const hsp_periodic *periodic, hsp_ball *out, uint32_t capacity,
+                                                uint32_t *needed);
 
 #ifdef __cplusplus
 }

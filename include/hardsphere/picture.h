@@ -39,7 +39,7 @@ extern "C" {
 #endif
 
 /** Takes `count` bytes; returns 0 to go on and anything else to stop. */
-typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
+typedef int32_t(HSP_CALL *hsp_sink)(void *context, const char *bytes, size_t count);
 
 #define HSP_FORMAT_SVG UINT32_C(0) /**< Scalable Vector Graphics 1.1 */
 #define HSP_FORMAT_EPS UINT32_C(1) /**< Encapsulated PostScript, language level 3 */
@@ -121,13 +121,39 @@ typedef struct hsp_picture_options {
 #define HSP_INK_GROUP UINT32_C(1)  /**< before a ball of another group: at least width min(1, 2 g) */
 #define HSP_INK_DEPTH UINT32_C(2)  /**< before a ball of the same group */
 
+/** The width of a contour before a gap, as pictures have it (HSP_INK_DEPTH), for contours that are drawn elsewhere:
+ *  full_width where the gap is three mean radii or more, its share (gap / 3)^(5/8) below.
+ *  @param      gap    in mean radii
+ *  @param[out] width  in the unit of full_width
+ *
+ *  Cost: O(1).
+ *  @retval HSP_E_ARGUMENT    width is NULL
+ *  @retval HSP_E_NOT_FINITE  a number is NaN or infinite
+ *  @retval HSP_E_RANGE       a number is negative */
+HSP_API int32_t hsp_picture_ink_width(double full_width, double gap, double *width);
+
+/** How much of the fog lies over a ball, as pictures have it, for colours that are shown elsewhere: 0 at the nearest
+ *  centre and 1 at the farthest one, or at five mean radii behind the nearest one, if that is farther; in between
+ *  f^(5/4) of the way f. The background's share in a colour is that times options.fog.
+ *  @param      nearest      the largest depth of a centre, which grows towards the viewer
+ *  @param      farthest     the least one
+ *  @param      mean_radius  of the balls
+ *  @param      depth        of the ball's centre
+ *  @param[out] share        from 0 to 1
+ *
+ *  Cost: O(1).
+ *  @retval HSP_E_ARGUMENT    share is NULL
+ *  @retval HSP_E_NOT_FINITE  a number is NaN or infinite
+ *  @retval HSP_E_RANGE       mean_radius is negative */
+HSP_API int32_t hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share);
+
 /** Bytes of memory that compression takes. */
 #define HSP_PICTURE_MEMORY UINT32_C(71680)
 
 /** Fill options with defaults.
  *  @retval HSP_E_ARGUMENT  options is NULL
  *  @retval HSP_E_VERSION   struct_size is bad */
-HSP_API int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
+HSP_API int32_t HSP_CALL hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
 
 #define HSP_PALETTE_SOFT UINT32_C(0)  /**< muted colours by element */
 #define HSP_PALETTE_JMOL UINT32_C(1)  /**< Jmol's colours by element */
@@ -135,7 +161,7 @@ HSP_API int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t 
 
 /** A palette's colour, 0xRRGGBB, for an atomic number (0 or above 109: unknown) and a chain number 0, 1, ..: tints
  *  repeat after 12 chains. Palettes by element ignore the chain. An unknown palette counts as HSP_PALETTE_SOFT. */
-HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain);
+HSP_API uint32_t HSP_CALL hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain);
 
 /** Write a picture of a computed view.
  *  colour [n] holds 0xRRGGBB for each ball of the model, NULL: all 0xD2CDC3. options may be NULL (defaults). title and
@@ -159,9 +185,9 @@ HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, ui
  *  @retval HSP_E_RANGE       width or height is negative or beyond 1e6, margin or fog beyond its range, outline or
  *                            ink_width beyond 1e6, scale negative; a ball reaches farther than 1e7 px from the middle
  *                            of a fixed frame */
-HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options,
-                                  const char *title, const char *description, hsp_sink sink, void *context,
-                                  uint64_t *bytes);
+HSP_API int32_t HSP_CALL hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options,
+                                           const char *title, const char *description, hsp_sink sink, void *context,
+                                           uint64_t *bytes);
 
 /** Write a picture of what is seen, from a computed map: for each ball that is seen one path around all of its faces,
  *  farthest ball first. Paths share their borders and nothing else; holes are clockwise loops, by either fill rule. All
@@ -190,9 +216,9 @@ HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const 
  *  @retval HSP_E_RANGE       width or height is negative or beyond 1e6, margin or fog beyond its range, outline or
  *                            ink_width beyond 1e6, scale negative; a ball reaches farther than 1e7 px from the middle
  *                            of a fixed frame */
-HSP_API int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options,
-                                      const char *title, const char *description, hsp_sink sink, void *context,
-                                      uint64_t *bytes);
+HSP_API int32_t HSP_CALL hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options,
+                                               const char *title, const char *description, hsp_sink sink, void *context,
+                                               uint64_t *bytes);
 
 /** Write a picture of computed balls and sticks. All arguments are those of hsp_picture_write, and all options apply. A
  *  half of a stick has the colour and the fog of its ball, and its data-ball. In styles with light only balls are
@@ -212,9 +238,10 @@ HSP_API int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, cons
  *  @retval HSP_E_RANGE       width or height is negative or beyond 1e6, margin or fog beyond its range, outline or
  *                            ink_width beyond 1e6, scale negative; a ball reaches farther than 1e7 px from the middle
  *                            of a fixed frame */
-HSP_API int32_t hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options,
-                                         const char *title, const char *description, hsp_sink sink, void *context,
-                                         uint64_t *bytes);
+HSP_API int32_t HSP_CALL hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour,
+                                                  const hsp_picture_options *options, const char *title,
+                                                  const char *description, hsp_sink sink, void *context,
+                                                  uint64_t *bytes);
 
 #ifdef __cplusplus
 }

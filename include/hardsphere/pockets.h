@@ -47,30 +47,31 @@ typedef struct hsp_pore_pocket {
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  narrow or wide is a NaN or an infinity
  *  @retval HSP_E_RANGE       narrow is below the floor, or one of them above 2^51 lattice steps */
-HSP_API int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets);
+HSP_API int32_t HSP_CALL hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets);
 
 /** The pockets first .. first + count - 1 of the last hsp_pores_find_pockets, exactly count records, that with the
  *  widest maximum first; out may be NULL with count 0.
  *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these pockets are there */
-HSP_API int32_t hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_pocket *out);
+HSP_API int32_t HSP_CALL hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t count,
+                                               hsp_pore_pocket *out);
 
 /** The maxima of a pocket, the widest first.
  *  @retval HSP_E_ARGUMENT  pores is NULL; maxima is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such pocket */
-HSP_API int32_t hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima,
-                                            uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima,
+                                                     uint32_t capacity, uint32_t *needed);
 
 /** The mouths of a pocket, the widest first: numbers of gates.
  *  @retval HSP_E_ARGUMENT  pores is NULL; gates is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such pocket */
-HSP_API int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
-                                            uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates,
+                                                     uint32_t capacity, uint32_t *needed);
 
 /** The balls that line a pocket, in ascending order: nearest ones of its maxima, of the gates between them and of its
  *  mouths.
@@ -78,8 +79,8 @@ HSP_API int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t poc
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such pocket */
-HSP_API int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
-                                           uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls,
+                                                    uint32_t capacity, uint32_t *needed);
 
 /** The balls as rounded to the lattice, grown by the narrow probe of the last hsp_pores_find_pockets, and then a plug
  *  for each mouth: xyz [needed][3] and radius [needed], of which either may be NULL. Balls have their numbers; plugs
@@ -97,8 +98,8 @@ HSP_API int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pock
  *  @retval HSP_E_ARGUMENT  pores is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity is smaller than *needed; nothing but that is written
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity,
-                                            uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius,
+                                                     uint32_t capacity, uint32_t *needed);
 
 /** How much of free space a probe gets to from the outside, or in a box for ever, and how much it does not. Frozen. */
 typedef struct hsp_pore_access {
@@ -134,8 +135,8 @@ typedef struct hsp_pore_access {
  *                          shell and up to 25 points of each of its balls of more than 64 steps, or a way up is lost
  *                          between balls that are more than 2^35 steps apart, so that it is not certain where it leads
  *  @retval HSP_E_CHECK     a way up ends nowhere, which cannot happen: please report it */
-HSP_API int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
-                                       uint32_t *regions);
+HSP_API int32_t HSP_CALL hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
+                                                uint32_t *regions);
 
 /** A region of free space. Frozen. */
 typedef struct hsp_pore_region {
@@ -157,7 +158,8 @@ typedef struct hsp_pore_region {
  *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these regions are there */
-HSP_API int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out);
+HSP_API int32_t HSP_CALL hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count,
+                                               hsp_pore_region *out);
 
 /** The size of a pocket, cut off at its mouths by plugs. Frozen. */
 typedef struct hsp_pore_pocket_size {
@@ -206,8 +208,8 @@ typedef struct hsp_pore_pocket_size {
  *  @retval HSP_E_STATE     nothing computed, or a model, box or boundary has changed since
  *  @retval HSP_E_RANGE     as of hsp_pores_find_regions; or maxima lie beyond the lattice of `plugged`
  *  @retval HSP_E_CHECK     a way up ends nowhere, which cannot happen: please report it */
-HSP_API int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
-                                          hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+                                                   hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus
 }

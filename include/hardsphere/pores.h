@@ -53,7 +53,7 @@ typedef struct hsp_pores_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 8 balls; set the limits by hand then */
-HSP_API int32_t hsp_pores_limits_init(hsp_pores_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_pores_limits_init(hsp_pores_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_pores_init needs.
  *  - Property 1: at most HSP_PORES_BYTES of the limits.
@@ -62,7 +62,7 @@ HSP_API int32_t hsp_pores_limits_init(hsp_pores_limits *limits, uint32_t struct_
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
@@ -75,7 +75,7 @@ HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_pores_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_pores_init(void *memory, size_t bytes, const hsp_pores_limits *limits, hsp_pores **pores);
+HSP_API int32_t HSP_CALL hsp_pores_init(void *memory, size_t bytes, const hsp_pores_limits *limits, hsp_pores **pores);
 
 /** Which part of free space is computed. */
 typedef struct hsp_pores_options {
@@ -88,7 +88,7 @@ typedef struct hsp_pores_options {
 /** Default options.
  *  @retval HSP_E_ARGUMENT  options is NULL
  *  @retval HSP_E_VERSION   struct_size is bad */
-HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size);
+HSP_API int32_t HSP_CALL hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size);
 
 /** Find all maxima and gates of a model above the floor, and the tree of their classes; options may be NULL. The model
  *  must outlive them; they can be read while it holds the same balls (RESULTS in hardsphere.h). On failure they hold no
@@ -108,8 +108,8 @@ HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t stru
  *  @retval HSP_E_RANGE       a way up between balls leads to probes of 2^50 lattice steps: set the model with a larger
  *                            step, ten times hsp_model_info.step or more
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
-HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
-                                  hsp_pores_limits *limits);
+HSP_API int32_t HSP_CALL hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
+                                           hsp_pores_limits *limits);
 
 /** The same of the balls in a periodic box, which must outlive the pores; they can be read until it computes other
  *  balls or another box. Limits for the model's balls suffice for boxes that are much larger than their pores; else
@@ -128,8 +128,8 @@ HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, cons
  *  @retval HSP_E_RANGE       the box is more than a hundred times longer than wide, or a way leads farther than 511
  *                            boxes
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
-HSP_API int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic,
-                                           const hsp_pores_options *options, hsp_pores_limits *limits);
+HSP_API int32_t HSP_CALL hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic,
+                                                    const hsp_pores_options *options, hsp_pores_limits *limits);
 
 /** How many of everything. Frozen. */
 typedef struct hsp_pores_counts {
@@ -144,7 +144,7 @@ typedef struct hsp_pores_counts {
 /** How many maxima, gates and cavities there are.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_pores_get_counts(const hsp_pores *pores, hsp_pores_counts *counts);
+HSP_API int32_t HSP_CALL hsp_pores_get_counts(const hsp_pores *pores, hsp_pores_counts *counts);
 
 #define HSP_PORE_OUTSIDE UINT32_C(0xFFFFFFFE) /**< the outside, where the number of a maximum may stand */
 
@@ -166,7 +166,8 @@ typedef struct hsp_pore_maximum {
  *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these maxima are there */
-HSP_API int32_t hsp_pores_get_maxima(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_maximum *out);
+HSP_API int32_t HSP_CALL hsp_pores_get_maxima(const hsp_pores *pores, uint32_t first, uint32_t count,
+                                              hsp_pore_maximum *out);
 
 /** A gate. Frozen. */
 typedef struct hsp_pore_gate {
@@ -183,7 +184,8 @@ typedef struct hsp_pore_gate {
  *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these gates are there */
-HSP_API int32_t hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate *out);
+HSP_API int32_t HSP_CALL hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint32_t count,
+                                             hsp_pore_gate *out);
 
 /** How the sides of a gate lie in a periodic box, and what opens there. Shifts are multiples of the vectors of the box;
  *  without a box all is 0. Frozen. */
@@ -198,8 +200,8 @@ typedef struct hsp_pore_gate_shifts {
  *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these gates are there */
-HSP_API int32_t hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count,
-                                          hsp_pore_gate_shifts *out);
+HSP_API int32_t HSP_CALL hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count,
+                                                   hsp_pore_gate_shifts *out);
 
 /** All balls that are nearest at a maximum, in ascending order; in a box once for each image that is.
  *  - Property 1: exact: all of these touch the largest probe, and no others.
@@ -208,32 +210,32 @@ HSP_API int32_t hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such maximum */
-HSP_API int32_t hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls,
-                                            uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls,
+                                                     uint32_t capacity, uint32_t *needed);
 
 /** All balls that are nearest at a gate, in ascending order; in a box once for each image that is.
  *  @retval HSP_E_ARGUMENT  pores is NULL; balls is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such gate */
-HSP_API int32_t hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity,
-                                         uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls,
+                                                  uint32_t capacity, uint32_t *needed);
 
 /** All images of balls that are nearest at a maximum, ascending in balls and shifts; without a box shifts are 0.
  *  @retval HSP_E_ARGUMENT  pores is NULL; images is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such maximum */
-HSP_API int32_t hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images,
-                                             uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images,
+                                                      uint32_t capacity, uint32_t *needed);
 
 /** All images of balls that are nearest at a gate, ascending in balls and shifts; without a box shifts are 0.
  *  @retval HSP_E_ARGUMENT  pores is NULL; images is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such gate */
-HSP_API int32_t hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images, uint32_t capacity,
-                                          uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images,
+                                                   uint32_t capacity, uint32_t *needed);
 
 /** How wide a probe gets through a periodic box for ever. Without a box no probe does. Frozen. */
 typedef struct hsp_pore_percolation {
@@ -256,7 +258,7 @@ typedef struct hsp_pore_percolation {
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_pores_get_percolation(const hsp_pores *pores, hsp_pore_percolation *percolation);
+HSP_API int32_t HSP_CALL hsp_pores_get_percolation(const hsp_pores *pores, hsp_pore_percolation *percolation);
 
 /** A part of free space for one probe, and where it leads. Frozen. */
 typedef struct hsp_pore_channel {
@@ -280,8 +282,8 @@ typedef struct hsp_pore_channel {
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  radius is a NaN or an infinity
  *  @retval HSP_E_RANGE       radius is below the floor, or above 2^51 lattice steps */
-HSP_API int32_t hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out,
+                                                uint32_t capacity, uint32_t *needed);
 
 /** The part of free space that a maximum is in for a probe: *member becomes the oldest maximum of that part, or
  *  HSP_PORE_OUTSIDE; HSP_NONE if the probe does not fit at the maximum. `maximum` may be HSP_PORE_OUTSIDE. Two maxima
@@ -293,7 +295,7 @@ HSP_API int32_t hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore
  *  @retval HSP_E_ID          there is no such maximum
  *  @retval HSP_E_NOT_FINITE  radius is a NaN or an infinity
  *  @retval HSP_E_RANGE       radius is below the floor, or above 2^51 lattice steps */
-HSP_API int32_t hsp_pores_class_at(const hsp_pores *pores, uint32_t maximum, double radius, uint32_t *member);
+HSP_API int32_t HSP_CALL hsp_pores_class_at(const hsp_pores *pores, uint32_t maximum, double radius, uint32_t *member);
 
 /** The gate where the classes of two maxima meet, either of which may be HSP_PORE_OUTSIDE: *gate becomes the tightest
  *  gate of the widest path between them, of which narrower probes get from one to the other. HSP_NONE if they do not
@@ -303,7 +305,8 @@ HSP_API int32_t hsp_pores_class_at(const hsp_pores *pores, uint32_t maximum, dou
  *  @retval HSP_E_ARGUMENT  pores or gate is NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such maximum */
-HSP_API int32_t hsp_pores_gate_between(const hsp_pores *pores, uint32_t maximum, uint32_t other, uint32_t *gate);
+HSP_API int32_t HSP_CALL hsp_pores_gate_between(const hsp_pores *pores, uint32_t maximum, uint32_t other,
+                                                uint32_t *gate);
 
 /** Where a point is. Frozen. */
 typedef struct hsp_pore_place {
@@ -325,7 +328,7 @@ typedef struct hsp_pore_place {
  *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps, or more than 2^17 boxes away; or a way up is lost
  *                            between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
-HSP_API int32_t hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_place *place);
+HSP_API int32_t HSP_CALL hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_place *place);
 
 /** Which copies a place is beside, in a periodic box; without one, and where there is neither ball nor maximum, all is
  *  0. Frozen. */
@@ -344,8 +347,8 @@ typedef struct hsp_pore_place_shifts {
  *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps, or more than 2^17 boxes away; or a way up is lost
  *                            between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
-HSP_API int32_t hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place,
-                                             hsp_pore_place_shifts *shifts);
+HSP_API int32_t HSP_CALL hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place,
+                                                      hsp_pore_place_shifts *shifts);
 
 /** The widest probe between two points. Frozen. */
 typedef struct hsp_pore_passage {
@@ -373,8 +376,8 @@ typedef struct hsp_pore_passage {
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away; or a way up is lost
  *                            between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
-HSP_API int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to,
-                                 hsp_pore_passage *passage);
+HSP_API int32_t HSP_CALL hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to,
+                                          hsp_pore_passage *passage);
 
 /** A tunnel. Frozen. */
 typedef struct hsp_tunnel {
@@ -420,8 +423,9 @@ typedef struct hsp_tunnel {
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away, or the tunnel leads
  *                            so far; or a way up is lost between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
-HSP_API int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
-                                      uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
+HSP_API int32_t HSP_CALL hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to,
+                                               const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel,
+                                               hsp_pores_limits *limits);
 
 /** The same with the tunnel of the least cost, which weighs how wide a way is against how long. Between the maxima of
  *  its ends, a straight line from a maximum to a gate beside it, or back, costs its length over the product of the
@@ -446,9 +450,9 @@ HSP_API int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, cons
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away, or the tunnel leads
  *                            so far; or a way up is lost between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
-HSP_API int32_t hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to,
-                                               const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel,
-                                               hsp_pores_limits *limits);
+HSP_API int32_t HSP_CALL hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to,
+                                                        const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel,
+                                                        hsp_pores_limits *limits);
 
 /** The cost of a tunnel, and where it leads. Frozen. */
 typedef struct hsp_tunnel_route {
@@ -462,7 +466,7 @@ typedef struct hsp_tunnel_route {
 /** The cost of the last tunnel and its vector: *route becomes the record, all 0 if there was none.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *route);
+HSP_API int32_t HSP_CALL hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *route);
 
 /** A point of a tunnel. Frozen. */
 typedef struct hsp_tunnel_point {
@@ -485,8 +489,8 @@ typedef struct hsp_tunnel_point {
  *  @retval HSP_E_ARGUMENT  pores is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity,
-                                            uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points,
+                                                     uint32_t capacity, uint32_t *needed);
 
 /** Which copies a point of a tunnel is beside, in a periodic box; without one all is 0. Frozen. */
 typedef struct hsp_tunnel_point_shifts {
@@ -498,8 +502,8 @@ typedef struct hsp_tunnel_point_shifts {
  *  @retval HSP_E_ARGUMENT  pores is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points,
-                                                  uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points,
+                                                           uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus
 }

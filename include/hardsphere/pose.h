@@ -40,7 +40,7 @@ typedef struct hsp_body hsp_body;
  *
  *  @retval HSP_E_ARGUMENT  bytes is NULL
  *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_body_bytes(uint32_t balls, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_body_bytes(uint32_t balls, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_BODY_BYTES(balls) ((size_t)2048 + (size_t)112 * (size_t)(balls))
@@ -49,7 +49,7 @@ HSP_API int32_t hsp_body_bytes(uint32_t balls, size_t *bytes);
  *  @retval HSP_E_ARGUMENT  memory or body is NULL
  *  @retval HSP_E_MEMORY    bytes is less than hsp_body_bytes says; nothing is written
  *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **body);
+HSP_API int32_t HSP_CALL hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **body);
 
 /** Take the balls of a model. May be called any number of times. On failure the body holds nothing, and questions to it
  *  are HSP_E_STATE, until balls are taken again.
@@ -59,7 +59,7 @@ HSP_API int32_t hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_bo
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  the body has room for fewer balls
  *  @retval HSP_E_STATE     hsp_model_set has failed */
-HSP_API int32_t hsp_body_set(hsp_body *body, const hsp_model *model);
+HSP_API int32_t HSP_CALL hsp_body_set(hsp_body *body, const hsp_model *model);
 
 /** Where a body is: x goes to R x + t. Frozen. */
 typedef struct hsp_pose {
@@ -73,7 +73,7 @@ typedef struct hsp_pose {
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_NOT_FINITE  a number is NaN or infinite
  *  @retval HSP_E_RANGE       the matrix is no rotation: not orthonormal, or a reflection */
-HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hsp_pose *pose);
+HSP_API int32_t HSP_CALL hsp_pose_from_matrix(const double *matrix, const double *translation, hsp_pose *pose);
 
 /** Whether any ball of the posed body meets one of the body at rest, for each pose [poses]: hit [poses] becomes 1 or
  *  0. first_bad may be NULL, else it becomes the first pose that is refused, or HSP_NONE; nothing else is written then.
@@ -85,8 +85,8 @@ HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *transla
  *  @retval HSP_E_NOT_FINITE  a number of a pose is NaN or infinite
  *  @retval HSP_E_RANGE       a quaternion has length 0, or its largest component is not within 2^-300 and 2^300; a
  *                            pose moves balls by more than 2^50 steps, or may move one farther than 2^51 steps */
-HSP_API int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
-                              uint32_t *hit, uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
+                                       const hsp_pose *pose, uint32_t *hit, uint32_t *first_bad);
 
 /** The same answers, sooner for the frames of a motion, of which each is near the one before. About a free pose this
  *  also finds how far apart the bodies are, up to `margin`, a length; until a ball can have come that far, poses are
@@ -99,8 +99,8 @@ HSP_API int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits, or the margin is NaN or infinite
  *  @retval HSP_E_RANGE       as for hsp_body_hits, or the margin is negative */
-HSP_API int32_t hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
-                                    double margin, uint32_t *hit, uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
+                                             const hsp_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad);
 
 /** The pair of balls that are nearest. Frozen. */
 typedef struct hsp_body_gap {
@@ -115,8 +115,8 @@ typedef struct hsp_body_gap {
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits */
-HSP_API int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
-                              hsp_body_gap *gap, uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
+                                       const hsp_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
 
 /** How much two bodies overlap. Frozen. */
 typedef struct hsp_body_overlap {
@@ -131,8 +131,8 @@ typedef struct hsp_body_overlap {
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits */
-HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
-                                  hsp_body_overlap *overlap, uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
+                                           const hsp_pose *pose, hsp_body_overlap *overlap, uint32_t *first_bad);
 
 /** All pairs of balls that meet in one pose: pair [needed][2], the ball at rest first, ascending.
  *  @retval HSP_E_ARGUMENT    fixed, posed or pose is NULL; pair is NULL with a capacity above 0; lattices of different
@@ -141,8 +141,8 @@ HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, 
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits, or more than 2^32 - 2 pairs */
-HSP_API int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair,
-                               uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose,
+                                        uint32_t *pair, uint32_t capacity, uint32_t *needed);
 
 /** Where a body is, without any rounding: x goes to R x + t with a rotation R of fractions, (the integer matrix of the
  *  quaternion) / (the square of its length), and a lattice point t. Frozen. */
@@ -162,8 +162,8 @@ typedef struct hsp_rational_pose {
  *  @retval HSP_E_NOT_FINITE  a number of a translation is NaN or infinite
  *  @retval HSP_E_RANGE       a quaternion is 0; a pose moves balls by more than 2^50 steps, or may move one farther
  *                            than 2^51 steps */
-HSP_API int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
-                                       const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
+                                                const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
 
 /** As hsp_body_hits_along, for each rational pose [poses]: the answers of hsp_body_rational_hits.
  *  - Property 1: the margin has no effect on hit.
@@ -172,17 +172,17 @@ HSP_API int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *po
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits, or the margin is NaN or infinite
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or the margin is negative */
-HSP_API int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
-                                             const hsp_rational_pose *pose, double margin, uint32_t *hit,
-                                             uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
+                                                      const hsp_rational_pose *pose, double margin, uint32_t *hit,
+                                                      uint32_t *first_bad);
 
 /** As hsp_body_gaps, for each rational pose [poses]: of the ideal balls.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits */
-HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
-                                       const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
+HSP_API int32_t HSP_CALL hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
+                                                const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
 
 /** As hsp_body_pairs, for a rational pose.
  *  @retval HSP_E_ARGUMENT    fixed, posed or pose is NULL; pair is NULL with a capacity above 0; lattices of different
@@ -191,8 +191,9 @@ HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *po
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or more than 2^32 - 2 pairs */
-HSP_API int32_t hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose,
-                                        uint32_t *pair, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed,
+                                                 const hsp_rational_pose *pose, uint32_t *pair, uint32_t capacity,
+                                                 uint32_t *needed);
 
 #ifdef __cplusplus
 }

@@ -27,8 +27,8 @@ extern "C" {
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a coordinate is NaN or infinite
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps */
-HSP_API int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity,
-                                uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity,
+                                         uint32_t *needed);
 
 /** The balls that meet the ball with centre xyz [3] and the given radius.
  *
@@ -41,8 +41,8 @@ HSP_API int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint3
  *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
  *  @retval HSP_E_NEGATIVE    the radius is negative
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the radius beyond 2^51 */
-HSP_API int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids,
-                               uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids,
+                                        uint32_t capacity, uint32_t *needed);
 
 /** Whether any ball meets the ball with centre xyz [3] and the given radius: *meets becomes 1 or 0. Stops at the first
  *  hit.
@@ -53,7 +53,7 @@ HSP_API int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double
  *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
  *  @retval HSP_E_NEGATIVE    the radius is negative
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the radius beyond 2^51 */
-HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, uint32_t *meets);
+HSP_API int32_t HSP_CALL hsp_query_meets(const hsp_model *model, const double *xyz, double radius, uint32_t *meets);
 
 /** The other balls that meet ball `ball` of the model.
  *  - Property 1: j is listed for i exactly if i is listed for j.
@@ -64,8 +64,8 @@ HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, doubl
  *  @retval HSP_E_CAPACITY  more neighbours than capacity: *needed is their number, and nothing is written to ids
  *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_ID        the model has no ball `ball` */
-HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
-                                     uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
+                                              uint32_t *needed);
 
 /** Each pair of balls i < j is listed once, as j in the row of i. Without this flag it is in the rows of both. */
 #define HSP_PAIRS_ONCE UINT32_C(1)
@@ -87,8 +87,8 @@ HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint
  *  @retval HSP_E_CAPACITY  more ids than capacity: first and *needed are set, and nothing is written to ids
  *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_RANGE     more than 2^32 - 1 ids; first becomes 0 everywhere */
-HSP_API int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids,
-                                uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids,
+                                         uint32_t capacity, uint32_t *needed);
 
 /** Where a ray first meets a ball. Frozen. */
 typedef struct hsp_ray_hit {
@@ -115,7 +115,8 @@ typedef struct hsp_ray_hit {
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a coordinate or a component is NaN or infinite
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the direction is 0 0 0 */
-HSP_API int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit);
+HSP_API int32_t HSP_CALL hsp_query_ray(const hsp_model *model, const double *origin, const double *direction,
+                                       hsp_ray_hit *hit);
 
 #ifdef __cplusplus
 }

@@ -35,7 +35,7 @@ extern "C" {
  *  Cost: O(1), some hundred comparisons of names.
  *  @retval HSP_E_ARGUMENT  residue, atom or radius is NULL; a set without residues
  *  @retval HSP_E_ID        the set has no such residue, or no such atom in it */
-HSP_API int32_t hsp_residue_radius(uint32_t set, const char *residue, const char *atom, double *radius);
+HSP_API int32_t HSP_CALL hsp_residue_radius(uint32_t set, const char *residue, const char *atom, double *radius);
 
 /** An atom of a set. Frozen. */
 typedef struct hsp_residue_atom {
@@ -49,7 +49,8 @@ typedef struct hsp_residue_atom {
  *
  *  @retval HSP_E_ARGUMENT  out is NULL with a capacity above 0; a set without residues
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed */
-HSP_API int32_t hsp_residue_get_atoms(uint32_t set, hsp_residue_atom *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_residue_get_atoms(uint32_t set, hsp_residue_atom *out, uint32_t capacity,
+                                               uint32_t *needed);
 
 #ifdef __cplusplus
 }

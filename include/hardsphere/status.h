@@ -29,16 +29,17 @@ extern "C" {
 #define HSP_E_HANDLE (-8)        /**< no live handle of this kind: overwritten, moved, or of another kind */
 #define HSP_E_VERSION (-9)       /**< a bad struct_size, or more asked for than this version of the library knows */
 #define HSP_E_NOT_FINITE (-10)   /**< a value is NaN or infinite */
-#define HSP_E_NEGATIVE (-11)     /**< a radius, the probe or the step is negative */
+#define HSP_E_NEGATIVE (-11)     /**< a radius, the probe or another length is negative */
 #define HSP_E_RANGE (-12)        /**< a value lies beyond the lattice or its range, or is no rotation or direction */
 #define HSP_E_CONFLICT (-13)     /**< balls and sticks that cannot be painted; which ones is reported */
 #define HSP_E_OPEN_SURFACE (-14) /**< a degenerate set of balls, whose smooth surface does not close */
-#define HSP_E_EXECUTOR (-15)     /**< the caller's executor did not call every task exactly once */
+#define HSP_E_EXECUTOR (-15)     /**< the caller's executor failed, or did not call every task exactly once */
 #define HSP_E_DEGENERATE (-16)   /**< ties or near ties of the input that could not be resolved */
+#define HSP_E_STOPPED (-17)      /**< the caller's executor said not to go on */
 
 /** The meaning of a status as above, for messages; never NULL, "unknown status" for numbers not listed above.
  *  Cost: O(1). */
-HSP_API const char *hsp_status_text(int32_t status);
+HSP_API const char *HSP_CALL hsp_status_text(int32_t status);
 
 #ifdef __cplusplus
 }

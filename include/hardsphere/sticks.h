@@ -53,7 +53,7 @@ typedef struct hsp_sticks_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 64 balls; set the limits by hand then */
-HSP_API int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_sticks_init needs.
  *  - Property 1: at most HSP_STICKS_BYTES of the four limits.
@@ -62,7 +62,7 @@ HSP_API int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struc
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_STICKS_BYTES(balls, sticks, pairs, edges)                                                              \
@@ -74,7 +74,8 @@ HSP_API int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes)
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_sticks_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limits *limits, hsp_sticks **sticks);
+HSP_API int32_t HSP_CALL hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limits *limits,
+                                         hsp_sticks **sticks);
 
 /** A stick that is not cut in two: all of it belongs to ball[0]. For halves of the same colour, which else have a line
  *  between them. */
@@ -122,8 +123,8 @@ typedef struct hsp_sticks_conflict {
  *  if count is 0. radius: of all sticks that are no bonds of several strands. The model must outlive the handle, which
  *  can be read while the model holds the same balls (RESULTS in hardsphere.h). conflict may be NULL; it is written on
  *  HSP_OK and HSP_E_CONFLICT: on HSP_OK it tells whether there is an order to paint, or why none. Which one of several
- *  conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever
- *  more than three. On failure the handle holds no results.
+ *  conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most twelve retries. On
+ *  failure the handle holds no results.
  *
  *  Cost: O(m log m) for m balls and halves of sticks, and for each those that share a vertical line of the view plane
  *  with it; without an order also for each those that may cover a part of it, sorted.
@@ -137,9 +138,9 @@ typedef struct hsp_sticks_conflict {
  *  @retval HSP_E_RANGE       radius is 0
  *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
  *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times */
-HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
-                                   const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
-                                   hsp_sticks_limits *limits);
+HSP_API int32_t HSP_CALL hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
+                                            const hsp_stick *stick, uint32_t count, double radius,
+                                            hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
 
 /** The same with a map in any case: also where there is an order to paint, which the conflict then tells. Pictures show
  *  what is seen of each, side by side.
@@ -156,9 +157,10 @@ HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, c
  *  @retval HSP_E_RANGE       radius is 0
  *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
  *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times */
-HSP_API int32_t hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
-                                       const hsp_stick *stick, uint32_t count, double radius,
-                                       hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
+HSP_API int32_t HSP_CALL hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model,
+                                                const hsp_view_options *options, const hsp_stick *stick, uint32_t count,
+                                                double radius, hsp_sticks_conflict *conflict,
+                                                hsp_sticks_limits *limits);
 
 /** Counts, box and frame of a picture. Frozen. */
 typedef struct hsp_sticks_info {
@@ -177,7 +179,7 @@ typedef struct hsp_sticks_info {
 /** Describe what is painted.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info);
+HSP_API int32_t HSP_CALL hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info);
 
 /* ---- the map ----------------------------------------------------------------------------------------------------- */
 
@@ -199,13 +201,14 @@ HSP_API int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *i
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since */
-HSP_API int32_t hsp_sticks_get_map_info(const hsp_sticks *sticks, hsp_map_info *info);
+HSP_API int32_t HSP_CALL hsp_sticks_get_map_info(const hsp_sticks *sticks, hsp_map_info *info);
 
 /** The vertices first .. first + count - 1 of the map, exactly count records; out may be NULL with count 0.
  *  @retval HSP_E_ARGUMENT  sticks is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
  *  @retval HSP_E_ID        not all of these vertices are there */
-HSP_API int32_t hsp_sticks_get_vertices(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_vertex *out);
+HSP_API int32_t HSP_CALL hsp_sticks_get_vertices(const hsp_sticks *sticks, uint32_t first, uint32_t count,
+                                                 hsp_map_vertex *out);
 
 /** The edges first .. first + count - 1 of the map, exactly count records; out may be NULL with count 0.
  *  - Property 1: edges end at their vertices up to rounding.
@@ -213,7 +216,8 @@ HSP_API int32_t hsp_sticks_get_vertices(const hsp_sticks *sticks, uint32_t first
  *  @retval HSP_E_ARGUMENT  sticks is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
  *  @retval HSP_E_ID        not all of these edges are there */
-HSP_API int32_t hsp_sticks_get_edges(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_edge *out);
+HSP_API int32_t HSP_CALL hsp_sticks_get_edges(const hsp_sticks *sticks, uint32_t first, uint32_t count,
+                                              hsp_map_edge *out);
 
 /** The faces first .. first + count - 1 of the map, exactly count records; out may be NULL with count 0.
  *  - Property 1: the areas of all faces with a ball or half of a stick sum to hsp_map_info.area, up to rounding.
@@ -221,14 +225,16 @@ HSP_API int32_t hsp_sticks_get_edges(const hsp_sticks *sticks, uint32_t first, u
  *  @retval HSP_E_ARGUMENT  sticks is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
  *  @retval HSP_E_ID        not all of these faces are there */
-HSP_API int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_face *out);
+HSP_API int32_t HSP_CALL hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, uint32_t count,
+                                              hsp_map_face *out);
 
 /** How much of each ball and then of each half of a stick is seen, by their numbers in the map: areas in the view
  *  plane, length^2; 0 of what is hidden and of the second half of a whole stick.
  *  @retval HSP_E_ARGUMENT  sticks is NULL; area is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of balls and twice that of sticks
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since */
-HSP_API int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t capacity,
+                                              uint32_t *needed);
 
 /** The ball or half of a stick that is seen at (x, y), in view coordinates, its depth and the face:
  *  *sight becomes that record.
@@ -237,7 +243,7 @@ HSP_API int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uin
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_STATE       nothing computed, or an order to paint and no map, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  x or y is NaN or infinite */
-HSP_API int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp_map_sight *sight);
+HSP_API int32_t HSP_CALL hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp_map_sight *sight);
 
 /** The visible outline of a ball or half of a stick, by its number in the map: a directed edge of every loop around
  *  what is seen of it. `next` of the edges goes around each, with what is seen on the left. Directed edge h runs along
@@ -248,8 +254,8 @@ HSP_API int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hs
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
  *  @retval HSP_E_ID        no such ball or half of a stick */
-HSP_API int32_t hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity,
+                                                uint32_t *needed);
 
 /** The point of an edge at parameter t, from `from` to `to` of its hsp_map_edge, and the gaps beside it, as
  *  hsp_map_get_point has them.
@@ -258,7 +264,7 @@ HSP_API int32_t hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, 
  *  @retval HSP_E_ID          no such edge
  *  @retval HSP_E_NOT_FINITE  t is NaN or infinite
  *  @retval HSP_E_RANGE       t is beyond the edge */
-HSP_API int32_t hsp_sticks_get_point(const hsp_sticks *sticks, uint32_t edge, double t, hsp_map_point *point);
+HSP_API int32_t HSP_CALL hsp_sticks_get_point(const hsp_sticks *sticks, uint32_t edge, double t, hsp_map_point *point);
 
 /** The pole of inaccessibility of a face, where a label has most room, as hsp_map_get_pole has it.
  *
@@ -266,14 +272,14 @@ HSP_API int32_t hsp_sticks_get_point(const hsp_sticks *sticks, uint32_t edge, do
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
  *  @retval HSP_E_ID        no such face, or the unbounded one */
-HSP_API int32_t hsp_sticks_get_pole(const hsp_sticks *sticks, uint32_t face, hsp_map_pole *pole);
+HSP_API int32_t HSP_CALL hsp_sticks_get_pole(const hsp_sticks *sticks, uint32_t face, hsp_map_pole *pole);
 
 /** Check the invariants of the map, those of hsp_map_check. sticks may not be used by others meanwhile. Cost: O(size of
  *  the map).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
  *  @retval HSP_E_CHECK     an invariant is violated: please report it */
-HSP_API int32_t hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_t *id);
+HSP_API int32_t HSP_CALL hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
 }

@@ -106,7 +106,8 @@ typedef struct hsp_surface_limits {
  *  @retval HSP_E_ARGUMENT  limits or boundary is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
-HSP_API int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size, const hsp_boundary *boundary);
+HSP_API int32_t HSP_CALL hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size,
+                                                 const hsp_boundary *boundary);
 
 /** Bytes that hsp_surface_init needs. With limits that just suffice 148 per ball for haemoglobin of 4384 atoms and a
  *  probe of 1.4; with those of hsp_surface_limits_init 178.
@@ -116,7 +117,7 @@ HSP_API int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t str
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_SURFACE_BYTES(vertices, faces, neighbours, pieces, arcs, cusped_circles)                    \
@@ -129,7 +130,8 @@ HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *byte
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_surface_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits, hsp_surface **surface);
+HSP_API int32_t HSP_CALL hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits,
+                                          hsp_surface **surface);
 
 /** Compute the surface over a computed boundary. Boundary and model must outlive the surface, which can be read while
  *  these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h;
@@ -143,7 +145,8 @@ HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_l
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
  *  @retval HSP_E_DEGENERATE  no decision about a concave patch is consistent */
-HSP_API int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits);
+HSP_API int32_t HSP_CALL hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary,
+                                             hsp_surface_limits *limits);
 
 /** The same for a chosen part of the boundary: shells [count] of it, numbered as in hsp_face.shell, in any order. With
  *  the shells of one region of the complement (hsp_topology_get_region_shells) the probe stays in that region. With
@@ -161,8 +164,8 @@ HSP_API int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *bo
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
  *  @retval HSP_E_ID        the boundary has not all of these shells
  *  @retval HSP_E_DEGENERATE  no decision about a concave patch is consistent */
-HSP_API int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
-                                           uint32_t count, hsp_surface_limits *limits);
+HSP_API int32_t HSP_CALL hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary,
+                                                    const uint32_t *shells, uint32_t count, hsp_surface_limits *limits);
 
 /** How many of everything. Frozen. */
 typedef struct hsp_surface_counts {
@@ -181,7 +184,7 @@ typedef struct hsp_surface_counts {
  *  convex ones are empty, and none is cut.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts);
+HSP_API int32_t HSP_CALL hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts);
 
 /** Areas by kind of patch, and volume, of the whole or of what belongs to one ball. Frozen. */
 typedef struct hsp_surface_totals {
@@ -210,8 +213,8 @@ typedef struct hsp_surface_totals {
  *  @retval HSP_E_CAPACITY      balls is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  two balls touch in a point that others pass: OPEN JOINTS above */
-HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
-                                    uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals,
+                                             hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed);
 
 /** The ball has a vertex of more than three spheres, or of three that its probe just fits between; or another ball is
  *  equal to it; or its sphere passes through a vertex or a whole circle that other balls have. Or its probe at a vertex
@@ -248,9 +251,10 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
  *  @retval HSP_E_OPEN_SURFACE  as for hsp_surface_measure
- *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
-HSP_API int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
-                                         hsp_gradient_outputs *outputs);
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
+                                                  hsp_gradient_outputs *outputs);
 
 /* ---- patches, edges, corners ------------------------------------------------------------------------------------- */
 
@@ -270,7 +274,7 @@ typedef struct hsp_surface_part_counts {
  *  @retval HSP_E_ARGUMENT      a null pointer
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
-HSP_API int32_t hsp_surface_get_part_counts(const hsp_surface *surface, hsp_surface_part_counts *counts);
+HSP_API int32_t HSP_CALL hsp_surface_get_part_counts(const hsp_surface *surface, hsp_surface_part_counts *counts);
 
 /** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
 #define HSP_SURFACE_TWIN(h) ((h) == HSP_NONE ? HSP_NONE : ((h) ^ UINT32_C(1)))
@@ -278,20 +282,20 @@ HSP_API int32_t hsp_surface_get_part_counts(const hsp_surface *surface, hsp_surf
 /** The next directed edge around the patch on the left of h, from where h ends; h itself if it is a whole circle. Like
  *  the next four functions HSP_NONE if there is no such directed edge, no results, or joints are open.
  *  - Property 1: left(next(h)) = left(h), origin(next(h)) = origin(twin(h)). */
-HSP_API uint32_t hsp_surface_next(const hsp_surface *surface, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_surface_next(const hsp_surface *surface, uint32_t h);
 
 /** The previous one, the inverse of next. */
-HSP_API uint32_t hsp_surface_previous(const hsp_surface *surface, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_surface_previous(const hsp_surface *surface, uint32_t h);
 
 /** A directed edge of the next loop around the patch on the left of h; of the first loop after the last. So all loops
  *  of a patch are reached from `h` of its hsp_surface_patch. */
-HSP_API uint32_t hsp_surface_next_loop(const hsp_surface *surface, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_surface_next_loop(const hsp_surface *surface, uint32_t h);
 
 /** The corner where h starts; HSP_NONE also if it is a whole circle. */
-HSP_API uint32_t hsp_surface_origin(const hsp_surface *surface, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_surface_origin(const hsp_surface *surface, uint32_t h);
 
 /** The patch on the left of h. */
-HSP_API uint32_t hsp_surface_left(const hsp_surface *surface, uint32_t h);
+HSP_API uint32_t HSP_CALL hsp_surface_left(const hsp_surface *surface, uint32_t h);
 
 #define HSP_PATCH_CONVEX UINT32_C(0)        /**< of a face */
 #define HSP_PATCH_SADDLE UINT32_C(1)        /**< of an arc */
@@ -348,12 +352,13 @@ typedef struct hsp_surface_corner {
 
 /** A shell: a connected component of the surface. Frozen. */
 typedef struct hsp_surface_shell {
-  double area;      /**< length^2 */
-  double volume;    /**< of what it encloses, length^3; negative if that is outside of the solid */
-  int32_t euler;    /**< Euler characteristic */
-  uint32_t genus;   /**< 1 - euler/2: number of handles */
-  uint32_t patches; /**< how many it consists of */
-  uint32_t chosen;  /**< 1; of the rest that hsp_surface_compute_shells left out, 0 */
+  double area;       /**< length^2 */
+  double volume;     /**< of what it encloses, length^3; negative if that is outside of the solid */
+  int64_t euler;     /**< Euler characteristic */
+  uint32_t genus;    /**< 1 - euler/2: number of handles */
+  uint32_t patches;  /**< how many it consists of */
+  uint32_t chosen;   /**< 1; of the rest that hsp_surface_compute_shells left out, 0 */
+  uint32_t reserved; /**< 0 */
 } hsp_surface_shell;
 
 /** The patches first .. first + count - 1, exactly count records, of hsp_surface_part_counts.patches in all; out may be
@@ -364,8 +369,8 @@ typedef struct hsp_surface_shell {
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
  *  @retval HSP_E_ID            not all of these patches are there */
-HSP_API int32_t hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count,
-                                        hsp_surface_patch *out);
+HSP_API int32_t HSP_CALL hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count,
+                                                 hsp_surface_patch *out);
 
 /** The edges first .. first + count - 1, exactly count records, of hsp_surface_part_counts.edges in all; out may be
  *  NULL with count 0.
@@ -373,8 +378,8 @@ HSP_API int32_t hsp_surface_get_patches(const hsp_surface *surface, uint32_t fir
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
  *  @retval HSP_E_ID            not all of these edges are there */
-HSP_API int32_t hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count,
-                                      hsp_surface_edge *out);
+HSP_API int32_t HSP_CALL hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count,
+                                               hsp_surface_edge *out);
 
 /** The corners first .. first + count - 1, exactly count records, of hsp_surface_part_counts.corners in all; out may be
  *  NULL with count 0.
@@ -382,8 +387,8 @@ HSP_API int32_t hsp_surface_get_edges(const hsp_surface *surface, uint32_t first
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
  *  @retval HSP_E_ID            not all of these corners are there */
-HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count,
-                                        hsp_surface_corner *out);
+HSP_API int32_t HSP_CALL hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count,
+                                                 hsp_surface_corner *out);
 
 /** The shells: hsp_surface_part_counts.shells records.
  *  - Property 1: areas and volumes of the chosen ones sum to those of hsp_surface_measure, up to rounding.
@@ -393,8 +398,8 @@ HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t fir
  *  @retval HSP_E_CAPACITY      capacity is smaller than *needed
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
-HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
+                                                uint32_t *needed);
 
 /* ---- self-check -------------------------------------------------------------------------------------------------- */
 
@@ -418,7 +423,7 @@ HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_s
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  the first is violated
  *  @retval HSP_E_CHECK         another is violated: please report it */
-HSP_API int32_t hsp_surface_check(const hsp_surface *surface, uint32_t *invariant, uint32_t *id);
+HSP_API int32_t HSP_CALL hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
 }

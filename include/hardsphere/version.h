@@ -4,19 +4,23 @@
  *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
- * Four numbers, each as a macro of the header and as a function of the library that was linked:
+ * Five numbers, each as a macro of the header and as a function of the library that was linked:
  *   version      what there is. A larger one has all that a smaller one of the same ABI number has.
  *   ABI          how a compiled program and the library fit together, as far as headers are stable (TIERS in
  *                hardsphere.h). It is raised when a function, constant or struct of these that was released changes or
  *                goes, and stays when something is added.
  *   provisional  the same of all other headers.
- *   numerics     which bits come out. Two libraries of one numerics version give the same bits for the same calls, on
- *                every machine; it is raised with the first release in which a last bit of any result may differ.
+ *   numerics     which bits come out of what stable headers declare. Two libraries of one numerics number give the same
+ *                bits for the same calls, on every machine; it is raised with the first release in which a last bit of
+ *                any of these results may differ. Structure, which is ids, order, counts and flags, changes from 1.0 on
+ *                with the major version alone, unless it was wrong.
+ *   provisional numerics  the same of what all other headers declare.
  * A program may run with a library if
  *   hsp_abi() == HSP_ABI_NUMBER && hsp_version() >= HSP_VERSION_NUMBER
  * and, if it uses anything of a provisional header, hsp_provisional() == HSP_PROVISIONAL_NUMBER. With
- * hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with. capi/abi/README.md says what
- * may change with which number. Cost: O(1). */
+ * hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with; those of provisional headers
+ * with hsp_provisional_numerics() == HSP_PROVISIONAL_NUMERICS_NUMBER. capi/abi/README.md says what may change with
+ * which number. Cost: O(1). */
 #ifndef HARDSPHERE_VERSION_H
 #define HARDSPHERE_VERSION_H
 
@@ -37,25 +41,31 @@ extern "C" {
 #define HSP_VERSION_NUMBER (10000 * HSP_VERSION_MAJOR + 100 * HSP_VERSION_MINOR + HSP_VERSION_PATCH)
 
 /** The binary interface that stable headers describe; the shared library's file name ends with it. */
-#define HSP_ABI_NUMBER 1
+#define HSP_ABI_NUMBER 2
 
 /** The binary interface that provisional headers describe. */
-#define HSP_PROVISIONAL_NUMBER 1
+#define HSP_PROVISIONAL_NUMBER 2
 
-/** The bits of the results that the library of this header gives. */
+/** The bits of the results that stable functions of the library of this header give. */
 #define HSP_NUMERICS_NUMBER 3
 
+/** The bits of the results that its provisional functions give. */
+#define HSP_PROVISIONAL_NUMERICS_NUMBER 3
+
 /** HSP_VERSION_NUMBER of the library that was linked. */
-HSP_API uint32_t hsp_version(void);
+HSP_API uint32_t HSP_CALL hsp_version(void);
 
 /** HSP_ABI_NUMBER of the library that was linked. */
-HSP_API uint32_t hsp_abi(void);
+HSP_API uint32_t HSP_CALL hsp_abi(void);
 
 /** HSP_PROVISIONAL_NUMBER of the library that was linked. */
-HSP_API uint32_t hsp_provisional(void);
+HSP_API uint32_t HSP_CALL hsp_provisional(void);
 
 /** HSP_NUMERICS_NUMBER of the library that was linked. */
-HSP_API uint32_t hsp_numerics(void);
+HSP_API uint32_t HSP_CALL hsp_numerics(void);
+
+/** HSP_PROVISIONAL_NUMERICS_NUMBER of the library that was linked. */
+HSP_API uint32_t HSP_CALL hsp_provisional_numerics(void);
 
 #ifdef __cplusplus
 }

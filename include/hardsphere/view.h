@@ -48,7 +48,7 @@ typedef struct hsp_view_limits {
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then */
-HSP_API int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls);
+HSP_API int32_t HSP_CALL hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_view_init needs.
  *  - Property 1: at most HSP_VIEW_BYTES of the three limits.
@@ -57,7 +57,7 @@ HSP_API int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_si
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes);
+HSP_API int32_t HSP_CALL hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_VIEW_BYTES(balls, neighbours, arcs) \
@@ -68,7 +68,7 @@ HSP_API int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes);
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_view_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
-HSP_API int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits, hsp_view **view);
+HSP_API int32_t HSP_CALL hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits, hsp_view **view);
 
 #define HSP_PIECES_OUTSIDE_FARTHER UINT32_C(0) /**< front hemispheres outside farther balls; needs no boundary */
 #define HSP_PIECES_OUTSIDE_ALL UINT32_C(1)     /**< front hemispheres outside all balls; cut from a computed boundary */
@@ -91,7 +91,7 @@ typedef struct hsp_view_options {
 /** Fill options with defaults.
  *  @retval HSP_E_ARGUMENT  options is NULL
  *  @retval HSP_E_VERSION   struct_size is bad */
-HSP_API int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size);
+HSP_API int32_t HSP_CALL hsp_view_options_init(hsp_view_options *options, uint32_t struct_size);
 
 /** Set towards and up so that the balls appear turned: by x degrees about the x axis (right), then by y degrees about
  *  the y axis (up), then by z degrees about the z axis (towards the viewer), each counter-clockwise seen from the
@@ -100,7 +100,7 @@ HSP_API int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct
  *  @retval HSP_E_VERSION     its struct_size is bad
  *  @retval HSP_E_NOT_FINITE  an angle is NaN or infinite
  *  @retval HSP_E_RANGE       an angle is beyond 1e6 */
-HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z);
+HSP_API int32_t HSP_CALL hsp_view_options_turn(hsp_view_options *options, double x, double y, double z);
 
 /** Cut and sort the pieces for one direction; any number of times, from any directions. boundary: one computed from the
  *  same model, so that a new direction costs only the cut and the sort; it may be NULL for G-pieces, which then
@@ -119,8 +119,8 @@ HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, doubl
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       the boundary holds no results, or the model has changed since; hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite */
-HSP_API int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
-                                 const hsp_view_options *options, hsp_view_limits *limits);
+HSP_API int32_t HSP_CALL hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
+                                          const hsp_view_options *options, hsp_view_limits *limits);
 
 /** Counts, box and frame of a view. Frozen. */
 typedef struct hsp_view_info {
@@ -141,7 +141,7 @@ typedef struct hsp_view_info {
 /** Describe the view.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info);
+HSP_API int32_t HSP_CALL hsp_view_get_info(const hsp_view *view, hsp_view_info *info);
 
 /** A piece: the painted part of one ball. Frozen. */
 typedef struct hsp_view_piece {
@@ -160,7 +160,8 @@ typedef struct hsp_view_piece {
  *  @retval HSP_E_ARGUMENT  view is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity,
+                                             uint32_t *needed);
 
 /** A closed boundary of a piece. Frozen. */
 typedef struct hsp_view_loop {
@@ -174,7 +175,8 @@ typedef struct hsp_view_loop {
  *  @retval HSP_E_ARGUMENT  view is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t capacity,
+                                            uint32_t *needed);
 
 /** An arc of a circle or ellipse in the view plane: the points
  *      centre + semi_axis[0] cos(t) (cos rotation, sin rotation) + semi_axis[1] sin(t) (-sin rotation, cos rotation)
@@ -198,7 +200,8 @@ typedef struct hsp_view_arc {
  *  @retval HSP_E_ARGUMENT  view is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t HSP_CALL hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capacity,
+                                           uint32_t *needed);
 
 #ifdef __cplusplus
 }

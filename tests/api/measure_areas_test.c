@@ -35,12 +35,12 @@ static int grown(const ball_set *set, double probe, const areas *expected) {
   size_t bytes = 0, before;
   int calls = 1;
   memset(&found, 0, sizeof found);
-  CHECK_EQUAL(hsp_areas(set->n, set->xyz, set->radius, probe, NULL, &bytes, found.area, &found.totals), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_areas(set->n, set->xyz, set->radius, probe, NULL, &bytes, &found.totals, found.area), HSP_E_CAPACITY);
   for (; calls < MOST_CALLS; ++calls) {
     guarded_memory memory = guarded_take(bytes, 13, GUARDED_RANDOM);
     int32_t status;
     before = bytes;
-    status = hsp_areas(set->n, set->xyz, set->radius, probe, memory.block, &bytes, found.area, &found.totals);
+    status = hsp_areas(set->n, set->xyz, set->radius, probe, memory.block, &bytes, &found.totals, found.area);
     CHECK(guarded_clean(&memory));
     guarded_give_back(&memory);
     if (status == HSP_OK) break;
@@ -63,7 +63,7 @@ static void every_way(const ball_set *set, hsp_workspace *work, int most_calls) 
     expected_of(set, probes[k], &expected);
     CHECK(grown(set, probes[k], &expected) <= most_calls);
     memset(&found, 0, sizeof found);
-    CHECK_EQUAL(hsp_workspace_areas(work, set->n, set->xyz, set->radius, probes[k], found.area, &found.totals), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_areas(work, set->n, set->xyz, set->radius, probes[k], &found.totals, found.area), HSP_OK);
     CHECK_BYTES(&found, &expected, sizeof found);
     CHECK(work->boundary != NULL);
 
@@ -72,14 +72,14 @@ static void every_way(const ball_set *set, hsp_workspace *work, int most_calls) 
     less = bytes - 1;
     memory = guarded_take(bytes, 0, GUARDED_RANDOM);
     memset(&found, 0, sizeof found);
-    CHECK_EQUAL(hsp_areas(set->n, set->xyz, set->radius, probes[k], memory.block, &less, found.area, &found.totals),
+    CHECK_EQUAL(hsp_areas(set->n, set->xyz, set->radius, probes[k], memory.block, &less, &found.totals, found.area),
                 HSP_E_CAPACITY);
     CHECK_EQUAL(less, bytes);
     CHECK(found.totals.area == 0 && found.area[0] == 0);
     if (most_calls == 1) {
-      CHECK_EQUAL(hsp_areas(set->n, set->xyz, set->radius, probes[k], memory.block, &bytes, NULL, &found.totals),
+      CHECK_EQUAL(hsp_areas(set->n, set->xyz, set->radius, probes[k], memory.block, &bytes, &found.totals, NULL),
                   HSP_OK);
-      CHECK_EQUAL(hsp_areas(set->n, set->xyz, set->radius, probes[k], memory.block, &bytes, found.area, NULL), HSP_OK);
+      CHECK_EQUAL(hsp_areas(set->n, set->xyz, set->radius, probes[k], memory.block, &bytes, NULL, found.area), HSP_OK);
       CHECK_BYTES(&found, &expected, sizeof found);
       CHECK_EQUAL(hsp_areas(set->n, set->xyz, set->radius, probes[k], memory.block, &bytes, NULL, NULL), HSP_OK);
     }
@@ -92,22 +92,22 @@ static void refused(void) {
   static unsigned char memory[HSP_AREAS_BYTES(THREE_BALLS)];
   static const double bad[3 * THREE_BALLS] = {0, 0, 0, 1, NAN, 0, 0, 0, 0}, negative[THREE_BALLS] = {1, -1, 1};
   const double *const xyz = three_balls_xyz, *const radius = three_balls_radius;
-  hsp_totals totals = {-7, -7};
+  hsp_totals totals = {-7, -7, {0, 0}};
   size_t bytes = sizeof memory;
   check_scene("refused");
-  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, 0, NULL, &bytes, NULL, &totals), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, 0, memory, NULL, NULL, &totals), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_areas(THREE_BALLS, NULL, radius, 0, memory, &bytes, NULL, &totals), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, NULL, 0, memory, &bytes, NULL, &totals), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_areas(THREE_BALLS, bad, radius, 0, memory, &bytes, NULL, &totals), HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, INFINITY, memory, &bytes, NULL, &totals), HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, -1, memory, &bytes, NULL, &totals), HSP_E_NEGATIVE);
-  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, negative, 0, memory, &bytes, NULL, &totals), HSP_E_NEGATIVE);
-  CHECK_EQUAL(hsp_areas(HSP_MAX_BALLS / 8, xyz, radius, 0, memory, &bytes, NULL, &totals), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, 0, NULL, &bytes, &totals, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, 0, memory, NULL, &totals, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, NULL, radius, 0, memory, &bytes, &totals, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, NULL, 0, memory, &bytes, &totals, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, bad, radius, 0, memory, &bytes, &totals, NULL), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, INFINITY, memory, &bytes, &totals, NULL), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, -1, memory, &bytes, &totals, NULL), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, negative, 0, memory, &bytes, &totals, NULL), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_areas(HSP_MAX_BALLS / 8, xyz, radius, 0, memory, &bytes, &totals, NULL), HSP_E_RANGE);
   CHECK_EQUAL(hsp_areas_bytes(HSP_MAX_BALLS / 8, &bytes), HSP_E_RANGE);
   CHECK_EQUAL(hsp_areas_bytes(THREE_BALLS, NULL), HSP_E_ARGUMENT);
   CHECK(totals.area == -7 && totals.volume == -7 && bytes == sizeof memory);
-  CHECK_EQUAL(hsp_areas(0, NULL, NULL, 0, memory, &bytes, NULL, &totals), HSP_OK);
+  CHECK_EQUAL(hsp_areas(0, NULL, NULL, 0, memory, &bytes, &totals, NULL), HSP_OK);
   CHECK(totals.area == 0 && totals.volume == 0);
 }
 

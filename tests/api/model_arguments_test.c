@@ -55,6 +55,7 @@ static void bytes_and_init(void) {
   FILL(bytes);
   FILL(made);
   FILL(small);
+  CHECK_EQUAL(hsp_model_max_balls(), HSP_MAX_BALLS);
   CHECK_EQUAL(hsp_model_bytes(HSP_MAX_BALLS + 1, &bytes), HSP_E_RANGE);
   CHECK_UNTOUCHED(bytes);
   CHECK_EQUAL(hsp_model_bytes(HSP_NONE, &bytes), HSP_E_RANGE);

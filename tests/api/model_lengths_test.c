@@ -28,7 +28,7 @@ static hsp_model_options options_of(double probe, double step, double largest_ra
 static double area_of(uint32_t n) {
   hsp_boundary_limits limits;
   hsp_boundary *boundary;
-  hsp_totals totals = {-1, -1};
+  hsp_totals totals = {-1, -1, {0, 0}};
   CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, n), HSP_OK);
   CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
@@ -50,14 +50,14 @@ static void units(void) {
       const hsp_model_options given = options_of(0, 1e-8 * unit, 0), largest = options_of(0, 0, r * unit);
       hsp_model_options probed;
       size_t bytes = sizeof boundary_memory;
-      hsp_totals totals = {-1, -1};
+      hsp_totals totals = {-1, -1, {0, 0}};
       uint32_t bad = 77;
       if (k == 30 || k == -16) continue; /* near either end */
       check_scene("unit %g", unit);
       if (!CHECK_EQUAL(hsp_model_set(model, 2, xyz, radius, NULL, &bad), expected)) continue;
       CHECK_EQUAL(bad, k > 30 ? 0 : HSP_NONE);
       CHECK_EQUAL(hsp_model_set(model, 2, xyz, radius, &largest, NULL), expected);
-      CHECK_EQUAL(hsp_areas(2, xyz, radius, 0, boundary_memory, &bytes, NULL, &totals), expected);
+      CHECK_EQUAL(hsp_areas(2, xyz, radius, 0, boundary_memory, &bytes, &totals, NULL), expected);
       if (expected == HSP_OK) CHECK_NEAR(totals.area / unit / unit, area, 3e-6 * area);
       /* The probe alone is that small, too; and with a step of the caller's nothing is too small. */
       probed = options_of(r * unit, 0, 0);
@@ -143,7 +143,7 @@ static void points_in_a_box(void) {
   check_scene("points in a box");
   CHECK_EQUAL(hsp_periodic_limits_init(&limits, (uint32_t)sizeof limits, 2), HSP_OK);
   CHECK_EQUAL(hsp_periodic_init(box_memory, sizeof box_memory, &limits, &periodic), HSP_OK);
-  CHECK_EQUAL(hsp_periodic_compute(periodic, 2, xyz, zero, NULL, box, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_periodic_compute(periodic, 2, xyz, zero, box, NULL, NULL, NULL), HSP_OK);
 }
 #endif
 

@@ -6,7 +6,7 @@
 #include "check.h"
 
 #if HSP_VERSION_NUMBER < 200 || HSP_VERSION_NUMBER >= 1000000 || HSP_ABI_NUMBER < 1 || HSP_PROVISIONAL_NUMBER < 1 || \
-    HSP_NUMERICS_NUMBER < 1
+    HSP_NUMERICS_NUMBER < 1 || HSP_PROVISIONAL_NUMERICS_NUMBER < 1
 #error "the preprocessor cannot compare versions"
 #endif
 
@@ -22,5 +22,6 @@ int main(void) {
   CHECK_EQUAL(hsp_abi(), HSP_ABI_NUMBER);
   CHECK_EQUAL(hsp_provisional(), HSP_PROVISIONAL_NUMBER);
   CHECK_EQUAL(hsp_numerics(), HSP_NUMERICS_NUMBER);
+  CHECK_EQUAL(hsp_provisional_numerics(), HSP_PROVISIONAL_NUMERICS_NUMBER);
   return check_report();
 }

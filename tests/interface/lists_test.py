@@ -81,6 +81,20 @@ HSP_X_BYTES(n,m) ((size_t)(n) + (size_t)(m))
             "hsp_places.struct_size 0 uint32_t 1", "hsp_places.n 4 uint32_t 1", "hsp_places.x 8 hsp_x* 1",
             "hsp_places.name 16/12 char* 1", "hsp_places.bytes 24/16 size_t 1", "hsp_places.a 32/20 double 1"])
 
+    def test_padding(self):
+        def padded(fields):
+            interface = interface_of(f"{DECLARED}typedef struct hsp_p {{ {fields} }} hsp_p;")
+            return abi.padded_structs(interface)
+
+        self.assertEqual(padded("uint32_t a; uint32_t b; const double *x; const double *y; double z; hsp_row row;"), [])
+        self.assertEqual(padded("double a; uint32_t b;"), ["hsp_p: padding at its end"])
+        self.assertEqual(padded("uint32_t a; double b; uint32_t c;"), ["hsp_p: padding before b"])
+        # With pointers of 8 bytes alone, and of 4.
+        self.assertEqual(padded("const double *x; uint32_t a;"), ["hsp_p: padding at its end"])
+        self.assertEqual(padded("uint32_t a; uint32_t b; const double *x; double y;"), ["hsp_p: padding before y",
+                                                                                               "hsp_p: padding at its end"])
+        self.assertEqual(padded("hsp_row row; uint32_t b;"), ["hsp_p: padding at its end"])
+
     def test_since_when(self):
         title = "# The version since which each function is declared as it is, and its tier\n"
         # The declaration of hsp_b is another one than in the record.

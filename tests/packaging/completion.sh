@@ -1,17 +1,12 @@
 #!/usr/bin/env bash
-# Completion in shells: the scripts that are installed are those that the program writes, and bash finds commands,
-# options and the words behind them by its own.
-#   completion.sh SOURCE-FOLDER PROGRAM
+# Completion in shells: by the script that the program writes bash finds commands, options and the words behind them.
+#   completion.sh PROGRAM
 set -euo pipefail
-app=$1/capi/program/app program=$2
-for shell in bash zsh; do
-  script=$app/hardsphere.$shell
-  diff -u --label "$script" --label "what hardsphere completion $shell writes" "$script" <("$program" completion $shell)
-done
-if command -v zsh >/dev/null; then zsh -n "$app/hardsphere.zsh"; fi
+bash_script=$("$1" completion bash) zsh_script=$("$1" completion zsh)
+if command -v zsh >/dev/null; then zsh -n <<<"$zsh_script"; fi
 
 # shellcheck disable=SC1091
-source "$app/hardsphere.bash"
+source /dev/stdin <<<"$bash_script"
 failed=0
 # The command line so far, its last word being completed; then what is to be offered.
 expect() {
@@ -38,6 +33,6 @@ expect "hardsphere measure x.p" "" # names of files: bash's own
 # Texts go on behind the point of a file's name, and end at a full stop.
 for text in '*--pdb-out=[write the .pdb file again with the free area of each atom in columns 61-66]:FILE:_files' \
   '*--profile=[also a chart of the tunnels]:OUT.svg:_files' '*--cells[also volume, free area and contact area of every'; do
-  grep -qF -- "'$text" "$app/hardsphere.zsh" || { echo "hardsphere.zsh has no '$text'" && failed=1; }
+  grep -qF -- "'$text" <<<"$zsh_script" || { echo "hardsphere.zsh has no '$text'" && failed=1; }
 done
 exit $failed

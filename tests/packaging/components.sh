@@ -94,7 +94,7 @@ while IFS=: read -r chosen components; do
   if [ -n "$program" ]; then
     status=0
     "$prefix/bin/hardsphere" draw "$source/bench/molecules/caffeine.pdb" -o "$work/none.svg" 2>"$work/log" || status=$?
-    [ $status -eq 2 ] && grep -q 'draw needs the component sight' "$work/log" || { cat "$work/log" && fail "draw: status $status"; }
+    [ $status -eq 2 ] && grep -q 'draw needs the part that draws' "$work/log" || { cat "$work/log" && fail "draw: status $status"; }
   fi
   if [ "$name" = none ] && [ -n "$fortran" ]; then
     read -ra flags <<<"$(pkg-config --cflags --libs hardsphere_fortran hardsphere)"
@@ -108,6 +108,6 @@ boxes:curvature boxes
 smooth:smooth
 space:curvature boxes space
 sight:sight
-residues;motion;boxes:residues curvature motion boxes
+residues;motion;boxes;smooth:residues curvature motion boxes smooth
 CHOICES
 rm -rf "$work"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every picture in README.md and the guide is what one command line there writes, byte for byte; and what the command lines of
-# tests/program/pictures/digests.txt write has the size and the digest there. One of these stands beside the list as a
-# whole, for program_draw_colours.
+# tests/program/pictures/digests.txt write has the size and the digest there: pictures before a dark page, and large ones. One
+# of these stands beside the list as a whole, for program_draw_colours.
 #   gallery.sh SOURCE-FOLDER WORK-FOLDER PROGRAM [--write]
 # --write: write pictures and digests anew, where they are meant to change.
 set -euo pipefail
@@ -27,7 +27,7 @@ pages=("$source/README.md" "$source"/capi/guide/*.md)
 } | awk '!seen[$0]++' >"$work/lines"
 grep -ohE "$pictures/[^)\" ]*" "${pages[@]}" | sort -u >"$work/shown"
 [ "$(wc -l <"$work/shown")" -ge 9 ] || { cat "$work/shown" && echo "are all the pictures that were found" && exit 1; }
-grep -oE -- '-o [^ ]+$' "$digests" | cut -d ' ' -f 2 >"$work/digested"
+grep -oE -- '(-o|--map) [^ ]+$' "$digests" | cut -d ' ' -f 2 >"$work/digested"
 
 failed=0
 # draw NAME: into $work/run, by `line`, the one command line that writes it.

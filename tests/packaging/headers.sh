@@ -35,12 +35,17 @@ for older in 11 14 17; do
     complain "hardsphere.hpp does not say in one error that it needs C++20: C++$older"
 done
 
+# Every declaration has the two marks of export.h, every callback the second one.
+unmarked=$(grep -hE '^[a-z].* \*?hsp_[a-z_]+\(|\(\*[a-z_]+\)\(|^HSP_API' "$include"/hardsphere/*.h |
+  grep -vE '^HSP_API (const char \*|u?int32_t )HSP_CALL hsp_|^typedef [a-z0-9_]+ HSP_CALL hsp_|\(HSP_CALL \*' || true)
+[ -z "$unmarked" ] || complain "without HSP_API or HSP_CALL: $unmarked"
+
 # A function's comment is the last one that ends before it. Awk reads whole comments and whole declarations.
 functions=$(cat "$include"/hardsphere/*.h | awk '
   /^\/\*\*/ { comment = ""; inside = 1 }
   inside { comment = comment "\n" $0; if (/\*\//) inside = 0; next }
   /^HSP_API int32_t / {
-    name = $3; sub(/\(.*/, "", name)
+    name = $4; sub(/\(.*/, "", name)
     print name
     if (comment !~ /@retval HSP_/) print "lists no status: " name
     if (comment ~ /[Ss]tatuses as|HSP_E_[A-Z_]+(, HSP_E_[A-Z_]+)* as /) print "refers to another: " name

@@ -15,9 +15,9 @@ declare -A stands_on=([lanes]="" [core]="lanes" [exact]="core" [model]="exact" [
   [boundary]="sphere" [measure]="boundary" [topology]="measure" [contacts]="measure" [curvature]="measure" [moving]="measure" [periodic]="contacts curvature" [numbers]="exact" [tangents]="numbers model" [pores]="periodic tangents" [pockets]="pores paths" [surface]="measure" [mesh]="surface"
   [view]="boundary" [picture]="view" [maps]="picture"
   [capi]="pockets poses topology moving periodic mesh maps")
-# The program's folders, from the command line down to the files that are read.
-folders="read write draw commands app"
-stands_on+=([read]="" [write]="read" [draw]="write" [commands]="draw" [app]="commands")
+# The program's folders, from the command line down to the files that are read. Drawing knows tables, which do not know it.
+folders="read write commands draw app"
+stands_on+=([read]="" [write]="read" [commands]="write" [draw]="commands" [app]="draw")
 failed=0
 
 complain() {

@@ -1,9 +1,17 @@
 #!/usr/bin/env bash
-# The manual page says what the program says, and is a page that can be formatted.
-#   man_page.sh MAN_PAGE.SH PAGE PROGRAM
+# The manual page has a section for each command that the program has, with its options, and can be formatted.
+#   man_page.sh MAN_PAGE.SH PROGRAM
 set -euo pipefail
-diff -u --label "$2" --label "what $1 writes" "$2" <(bash "$1" "$3")
+page=$(bash "$1" "$2")
+commands=$("$2" --help | sed -n 's/^  hardsphere \([a-z]*\) .*FILE.*/\1/p')
+[ "$(wc -w <<<"$commands")" -ge 16 ] || { echo "few commands: $commands" && exit 1; }
+for command in $commands; do
+  grep -qx ".SH HARDSPHERE ${command^^}" <<<"$page" || { echo "the page has no $command" && exit 1; }
+  for option in $("$2" "$command" --help | grep -oE '^  --[a-z-]+'); do
+    grep -qF -- "${option//-/\\-}" <<<"$page" || { echo "the page has no $option of $command" && exit 1; }
+  done
+done
 if command -v groff >/dev/null; then
-  warnings=$(groff -man -Tutf8 -ww -rLL=130n "$2" 2>&1 >/dev/null)
+  warnings=$(groff -man -Tutf8 -ww -rLL=130n <<<"$page" 2>&1 >/dev/null)
   [ -z "$warnings" ] || { echo "$warnings" && exit 1; }
 fi

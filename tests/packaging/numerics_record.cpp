@@ -1,8 +1,10 @@
 // Prints a hash of every kind of result for some sets of balls: what capi/abi/numerics.txt keeps.
 //   numerics_record
+// A row begins with the tier of its header, stable or provisional.
 // The records are hashed as the bytes that they are, so that the numbers are those of machines that are little-endian.
 #include <hardsphere.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -45,6 +47,14 @@ void print_one(const std::string &set, const char *what, const Record &record) {
   print(set, what, std::vector<Record>{record});
 }
 
+// The same without the spare bytes at its end, which are no results.
+template <class Record>
+void print_used(const std::string &set, const char *what, const Record &record) {
+  Hash hash;
+  hash.add(&record, offsetof(Record, reserved));
+  std::printf("%s %s 1 %016llx\n", set.c_str(), what, static_cast<unsigned long long>(hash.value()));
+}
+
 void print_model(const std::string &set, const hsp_model *model, uint32_t n) {
   hsp_model_info info;
   expect_ok(hsp_model_get_info(model, &info), "hsp_model_get_info");
@@ -70,12 +80,43 @@ void print_all(const std::string &set, const char *what, Handle *handle,
             what));
 }
 
+// Shells as they are hashed: with Euler characteristics of 32 bits, and nothing that is spare.
+struct ShellNumbers {
+  double area, volume, point[3];
+  int32_t euler;
+  uint32_t genus, kind, component, region, faces, simple_faces, edges, vertices, start_face;
+};
+
+void print_shells(const std::string &set, const hsp_topology *topology) {
+  const auto shells =
+      all_records<hsp_shell>([&](hsp_shell *out, uint32_t capacity,
+                                 uint32_t *needed) { return hsp_topology_get_shells(topology, out, capacity, needed); },
+                             "hsp_topology_get_shells");
+  std::vector<ShellNumbers> numbers;
+  for (const hsp_shell &s : shells) {
+    numbers.push_back({s.area,
+                       s.volume,
+                       {s.point[0], s.point[1], s.point[2]},
+                       static_cast<int32_t>(s.euler),
+                       s.genus,
+                       s.kind,
+                       s.component,
+                       s.region,
+                       s.faces,
+                       s.simple_faces,
+                       s.edges,
+                       s.vertices,
+                       s.start_face});
+  }
+  print(set, "shells", numbers);
+}
+
 void print_measures(const std::string &set, const hsp_boundary *boundary, uint32_t n) {
   hsp_totals totals;
   std::vector<double> area(n), volume(n);
   expect_ok(hsp_boundary_measure(boundary, nullptr, &totals, area.data(), volume.data(), n, nullptr),
             "hsp_boundary_measure");
-  print_one(set, "totals", totals);
+  print_used(set, "totals", totals);
   print(set, "areas", area);
   print(set, "volumes", volume);
 
@@ -101,7 +142,7 @@ void print_measures(const std::string &set, const hsp_boundary *boundary, uint32
   outputs.d_centre = centre.data();
   outputs.d_radius = radius.data();
   expect_ok(hsp_boundary_get_gradient(boundary, &request, &outputs), "hsp_boundary_get_gradient");
-  print_one(set, "energy", energy);
+  print_used(set, "energy", energy);
   print(set, "gradient_centres", centre);
   print(set, "gradient_radii", radius);
 
@@ -225,7 +266,8 @@ void print_sticks(const std::string &set, const support::BallList &balls) {
 }
 
 void print_set(const std::string &name, const support::BallList &balls, double probe) {
-  const std::string set = name + (probe > 0.0 ? " probe" : " bare");
+  const std::string set = "stable " + name + (probe > 0.0 ? " probe" : " bare");
+  const std::string provisional_set = "provisional " + name + (probe > 0.0 ? " probe" : " bare");
   const auto n = static_cast<uint32_t>(balls.size());
   hsp_model_options options;
   expect_ok(hsp_model_options_init(&options, sizeof options), "hsp_model_options_init");
@@ -242,7 +284,7 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   const hsp_boundary *boundary = owner.get();
   hsp_boundary_counts counts;
   expect_ok(hsp_boundary_get_counts(boundary, &counts), "hsp_boundary_get_counts");
-  print_one(set, "counts", counts);
+  print_used(set, "counts", counts);
   print_all(set, "vertices", boundary, hsp_boundary_get_vertices);
   print_all(set, "arcs", boundary, hsp_boundary_get_arcs);
   print_all(set, "circles", boundary, hsp_boundary_get_circles);
@@ -258,8 +300,8 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   hsp_surface_totals surface_totals;
   std::vector<hsp_surface_totals> shares(n);
   expect_ok(hsp_surface_measure(surface.get(), &surface_totals, shares.data(), n, nullptr), "hsp_surface_measure");
-  print_one(set, "surface", surface_totals);
-  print(set, "surface_shares", shares);
+  print_one(provisional_set, "surface", surface_totals);
+  print(provisional_set, "surface_shares", shares);
   hsp_gradient_request request{};
   request.struct_size = sizeof request;
   request.tangency = HSP_TANGENT_OVERLAP;
@@ -274,19 +316,19 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   outputs.d_centre = centre.data();
   outputs.d_radius = radius.data();
   expect_ok(hsp_surface_get_gradient(surface.get(), &request, &outputs), "hsp_surface_get_gradient");
-  print_one(set, "surface_energy", energy);
-  print(set, "surface_gradient_centres", centre);
-  print(set, "surface_gradient_radii", radius);
+  print_used(provisional_set, "surface_energy", energy);
+  print(provisional_set, "surface_gradient_centres", centre);
+  print(provisional_set, "surface_gradient_radii", radius);
 
   support::OwnedTopology topology;
   topology.take(support::topology_limits_for(boundary));
   topology.compute([&](hsp_topology *handle, hsp_topology_limits *limits) {
     return hsp_topology_compute(handle, boundary, limits);
   });
-  print_all(set, "shells", topology.get(), hsp_topology_get_shells);
-  print_all(set, "cells", topology.get(), hsp_topology_get_regions);
-  print_views(set, model.get(), boundary, n);
-  print_maps(set, model.get(), n);
+  print_shells(set, topology.get());
+  print_all(set, "cells", static_cast<const hsp_topology *>(topology.get()), hsp_topology_get_regions);
+  print_views(provisional_set, model.get(), boundary, n);
+  print_maps(provisional_set, model.get(), n);
 }
 
 // Balls on whole coordinates, so that many spheres go through one point and many touch: the perturbation decides.
@@ -312,7 +354,7 @@ int main() {
         const std::string name = std::string(molecule).substr(0, std::string(molecule).find('.'));
         const support::BallList balls = support::with_radii(atoms, support::Radii::metals_as_sulfur);
         print_set(name, balls, probe);
-        if (probe == 0.0) print_sticks(name, balls);
+        if (probe == 0.0) print_sticks("provisional " + name, balls);
       }
       print_set("lattice", lattice_balls(), probe > 0.0 ? 0.5 : 0.0);
     }

@@ -11,7 +11,7 @@ static uint32_t flags[BALL_SET_MOST];
 static uint8_t selected[BALL_SET_MOST];
 
 static void print_parts(const computed *c) {
-  hsp_totals totals = {0.0, 0.0};
+  hsp_totals totals = {0};
   uint32_t i;
   for (i = 0; i < c->n; ++i) selected[i] = i % 3 == 0;
   print_status("selected", hsp_boundary_measure(c->boundary, selected, &totals, area, volume, c->n, NULL));

@@ -66,7 +66,7 @@ static void print_periodic_results(const periodic_result *p) {
   const hsp_periodic_counts *n = &p->counts;
   hsp_morphometric_energy energy;
   uint32_t i;
-  printf(" %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRId32, n->images,
+  printf(" %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRId64, n->images,
          n->vertices, n->circles, n->loops, n->faces, n->shells, n->components, n->euler);
   print_doubles(&p->totals.area, 1);
   print_doubles(&p->totals.volume, 1);

@@ -41,7 +41,7 @@ static void print_shells(const topology_result *t) {
   uint32_t i;
   for (i = 0; i < t->counts.shells; ++i) {
     const hsp_shell *shell = &t->shells[i];
-    printf("shell %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRId32 " %" PRIu32 " %" PRIu32, shell->kind, shell->component,
+    printf("shell %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRId64 " %" PRIu32 " %" PRIu32, shell->kind, shell->component,
            shell->region, shell->euler, shell->genus, shell->start_face);
     print_doubles(&shell->area, 1);
     print_doubles(&shell->volume, 1);

@@ -4,6 +4,9 @@
 //   ...                   what it prints on stdout
 //   ! ...                 what it prints on stderr
 //   ? N                   its exit status; 0 if the line is missing
+//   $ hardsphere ARGS  ? N  MESSAGE
+//                         a call that is refused, in one line: N is its exit status, it prints nothing on stdout and
+//                         "hardsphere: MESSAGE" on stderr
 // Blank lines before the next "$" or "#" do not count.
 #include <gtest/gtest.h>
 
@@ -60,8 +63,13 @@ std::vector<Call> read_transcript(const std::filesystem::path &path) {
     if (line.rfind("#", 0) == 0) continue;
     if (line.rfind(prompt, 0) == 0) {
       Call call;
-      call.command = line.substr(2);
-      call.arguments = split_arguments(line.substr(prompt.size()));
+      const size_t end = line.find("  ? ");
+      call.command = line.substr(2, end == std::string::npos ? end : end - 2);
+      call.arguments = split_arguments(call.command.substr(prompt.size() - 2));
+      if (end != std::string::npos) {
+        call.status = line.at(end + 4) - '0';
+        call.err = "hardsphere: " + line.substr(end + 7) + "\n";
+      }
       call.where = path.stem().string() + "_" + std::to_string(calls.size() + 1);
       calls.push_back(call);
     } else if (calls.empty()) {
@@ -132,6 +140,34 @@ TEST(TranscriptRules, EveryBadInputIsRefusedSomewhere) {
     });
     EXPECT_TRUE(refused) << name;
   }
+}
+
+// Help is asked for in five ways. packaging_man_page holds its text, which the manual page has from here.
+TEST(Help, IsTheSameHoweverItIsAskedFor) {
+  const auto printed = [](const std::vector<std::string> &arguments) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments.front();
+    EXPECT_EQ(outcome.err, "") << arguments.front();
+    return outcome.out;
+  };
+  const std::string all = printed({"--help"}), begin = "  hardsphere ";
+  EXPECT_EQ(printed({"-h"}), all);
+  EXPECT_EQ(printed({"help"}), all);
+  int commands = 0;
+  std::istringstream lines(all);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind(begin, 0) != 0 || line.find(" FILE ") == std::string::npos) continue;
+    const std::string command = line.substr(begin.size(), line.find(' ', begin.size()) - begin.size());
+    ++commands;
+    const std::string help = printed({command, "--help"});
+    EXPECT_EQ(help.rfind("hardsphere " + command + " FILE ", 0), 0U) << help;
+    EXPECT_NE(help.find("\nExample: hardsphere " + command + " "), std::string::npos) << help;
+    EXPECT_EQ(printed({command, "-h"}), help);
+    EXPECT_EQ(printed({command, "good/nothing.pdb", "--help"}), help);
+    EXPECT_EQ(printed({"help", command}), help);
+    EXPECT_EQ(printed({"--help", command}), help);
+  }
+  EXPECT_GE(commands, 15);
 }
 
 }  // namespace

@@ -55,6 +55,11 @@ class Declarations(unittest.TestCase):
             if not name.endswith(("_bytes", "_init", "_init_surface")):
                 self.assertIn(f'return call("{name}"', text)
 
+    def test_what_is_printed_of_balls(self):
+        balls = hardsphere.Balls([[0, 0, 0], [1, 0, 0]], [1, 1], probe=1.4)
+        self.assertEqual(repr(balls), "Balls(2 balls, probe 1.4)")
+        self.assertEqual(repr(hardsphere.Box([[0, 0, 0]], [1], [4, 4, 4])), "Box(1 balls, probe 0)")
+
 
 class Program(unittest.TestCase):
     """To the last bit: the program prints all digits of a number."""

@@ -23,7 +23,7 @@ static int32_t compute(struct box *box, const struct balls *balls, double probe)
   const int32_t status = hsp_model_options_init(&options, sizeof options);
   options.probe = probe;
   if (status != HSP_OK) return status;
-  return hsp_workspace_periodic(&box->work, balls->count, balls->xyz, balls->radius, &options, box->vector, NULL);
+  return hsp_workspace_periodic(&box->work, balls->count, balls->xyz, balls->radius, box->vector, &options, NULL);
 }
 
 /* Adds waters at the points of a grid that are in no ball of the box: the molecule's, larger by a water's radius. */

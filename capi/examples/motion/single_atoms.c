@@ -43,7 +43,7 @@ static double spring_energy(const double *at, const double *place) {
 }
 
 static int32_t energy_of(const struct walk *walk, double *value) {
-  hsp_energy energy = {0.0, 0.0, 0.0, 0.0};
+  hsp_energy energy = {0};
   const int32_t status = hsp_moving_gradient(walk->moving, &energy, NULL, NULL, NULL, 0, NULL);
   *value = energy.value;
   return status;
@@ -68,7 +68,7 @@ static int32_t try_move(struct walk *walk, double *surface) {
 
 /* The energy of a model of the atoms as they are: computed once for all, by the same lattice and largest radius. */
 static int32_t compare(hsp_workspace *work, const struct walk *walk, double surface) {
-  hsp_energy energy = {0.0, 0.0, 0.0, 0.0};
+  hsp_energy energy = {0};
   hsp_boundary_counts counts;
   int32_t status = hsp_moving_get_model(walk->moving, work->model);
   if (status == HSP_OK) status = hsp_workspace_boundary(work);

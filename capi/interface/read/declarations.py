@@ -34,7 +34,8 @@ def read_declarations(include):
 
 
 def preprocessed(include, *options):
-    command = ["cc", "-E", "-nostdinc", f"-I{STUBS}", f"-I{include}", "-DHSP_API=", "-D__attribute__(text)=", *options, f"{include}/hardsphere.h"]
+    command = ["cc", "-E", "-nostdinc", f"-I{STUBS}", f"-I{include}", "-DHSP_API=", "-DHSP_CALL=",
+               "-D__attribute__(text)=", *options, f"{include}/hardsphere.h"]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 

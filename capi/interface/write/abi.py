@@ -7,7 +7,7 @@ from read.interface import SCALARS
 RECORD = Path(__file__).resolve().parents[3] / "capi" / "abi"
 POINTER = (8, 4)  # bytes on targets of 64 and 32 bits
 # Numbers that change with every release by themselves are no part of the record.
-OF_RELEASES = re.compile(r".*_VERSION_|HSP_(ABI|PROVISIONAL|NUMERICS)_NUMBER")
+OF_RELEASES = re.compile(r".*_VERSION_|HSP_(ABI|PROVISIONAL|NUMERICS|PROVISIONAL_NUMERICS)_NUMBER")
 
 
 NUMBERS = {"stable": ("HSP_ABI_NUMBER", "ABI number"), "provisional": ("HSP_PROVISIONAL_NUMBER", "provisional number")}
@@ -67,6 +67,25 @@ def abi_structs(interface):
     more = ": size, then offset of each field, its type, and how many; a/b: of 8 and 4 bytes a pointer"
     return by_tier(interface, "Structs", lambda tier: [rows[name] for name in sorted(rows)
                                                        if interface.tiers[interface.structs[name].header] == tier], more)
+
+
+def padded_structs(interface):
+    """Structs with padding between or behind fields, on targets with pointers of 8 bytes or of 4 where each scalar lies
+    at multiples of its size."""
+    sizes = {name: (size, size) for name, size in SCALARS.items()} | {"size_t": POINTER}
+    aligned, padded = dict(sizes), []
+    for struct in interface.structs_inside_first():
+        places, most = (0, 0), (1, 1)
+        for field in struct.fields:
+            size, step = (POINTER, POINTER) if field.stars else (sizes[field.base], aligned[field.base])
+            if any(place % to for place, to in zip(places, step)):
+                padded.append(f"{struct.name}: padding before {field.name}")
+            places = tuple(place + field.count * bytes for place, bytes in zip(places, size))
+            most = tuple(map(max, most, step))
+        if any(place % to for place, to in zip(places, most)):
+            padded.append(f"{struct.name}: padding at its end")
+        sizes[struct.name], aligned[struct.name] = places, most
+    return padded
 
 
 def abi_since(interface):

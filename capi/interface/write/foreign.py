@@ -16,7 +16,8 @@ GENERATED = "Generated from the headers by capi/interface/generate.sh."
 
 def rust_declarations(interface):
     rows = [f"// The C interface of hardsphere, for Rust. {GENERATED}",
-            "#![allow(non_camel_case_types)]", "use std::os::raw::{c_char, c_void};", ""]
+            "// To link it: rustc program.rs -L PREFIX/lib -l static=hardsphere -l m, of an installed archive; C++'s library is not needed.",
+            "#![allow(dead_code, non_camel_case_types)]", "use std::os::raw::{c_char, c_void};", ""]
     for constant in interface.constants.values():
         kind = "i32" if constant.value < 0 or constant.name == "HSP_OK" else "u32"
         rows.append(f"pub const {constant.name}: {kind} = {constant.value};")

@@ -1,5 +1,5 @@
 """Functions of a request and outputs in Fortran: the same name with the fields as named optional arguments."""
-from .fortran import declaration, kind_of, remarked, wrapped
+from .fortran_rows import declaration, kind_of, remarked, wrapped
 
 
 def takes_outputs(function):

@@ -1,7 +1,7 @@
 """The Fortran module of workspaces: what is the same for every handle, into workspace_template.f90."""
 from pathlib import Path
 
-from .fortran import declaration, wrapped
+from .fortran_rows import declaration, wrapped
 from .template import filled
 from .workspace import dependents, first_limits_from, handles_of, header_of, passed_on
 

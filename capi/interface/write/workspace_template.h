@@ -3,7 +3,7 @@
  * hardsphere with memory that grows: for C and C++ programs that may call malloc. Nothing of this is in the library.
  *
  *   hsp_workspace work = {0};                                   (in C++: hsp_workspace work = {};)
- *   int32_t status = hsp_workspace_areas(&work, n, xyz, radius, 1.4, area, &totals);
+ *   int32_t status = hsp_workspace_areas(&work, n, xyz, radius, 1.4, &totals, area);
  *   ...
  *   status = hsp_workspace_set(&work, n, xyz, radius, NULL, NULL);
  *   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
@@ -88,7 +88,7 @@ static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
 /** Area of each of n balls that a probe can reach, and area and volume of all, in one call; arguments and statuses as
  *  hsp_areas. Model and boundary are there afterwards. */
 static inline int32_t hsp_workspace_areas(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
-                                          double probe, double *area, hsp_totals *totals) {
+                                          double probe, hsp_totals *totals, double *area) {
   hsp_model_options options;
   int32_t status = hsp_model_options_init(&options, sizeof options);
   options.probe = probe;

@@ -66,10 +66,7 @@ static bool take_argument(struct reading *reading, const char *argument) {
   const enum command command = reading->request->command;
   const char *value = NULL;
   const struct option *option = option_find(command, argument, &value);
-  if (option != NULL && option->component != NULL && !component_is_built(option->component)) {
-    return failure_in_usage(reading->failure, "%s %s needs the component %s, which this build leaves out",
-                            command_table[command].name, option->name, option->component);
-  }
+  if (option != NULL && !part_is_there(option->part, command, option->name, reading->failure)) return false;
   if (option != NULL) return option->take(reading, option, value);
   char shown[EXCERPT_BYTES], suggestion[SUGGESTION_BYTES];
   return failure_in_usage(reading->failure, "unknown option '%s';%s see hardsphere %s --help",
@@ -96,28 +93,27 @@ static bool check(struct reading *reading) {
     return failure_in_usage(reading->failure, "no file is given; see hardsphere %s --help",
                             command_table[request->command].name);
   }
-  if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
+  if (request->command == COMMAND_QUERY && request->query.kind == QUERY_NONE) {
     return failure_in_usage(reading->failure,
                             "query needs --point X Y Z or --ball X Y Z R; see hardsphere query --help");
   }
-  if (request->command == COMMAND_PICK && !request->at.given) {
+  if (request->command == COMMAND_PICK && !request->pick.at.given) {
     return failure_in_usage(reading->failure, "pick needs --at X Y; see hardsphere pick --help");
   }
-  if (request->command == COMMAND_PATH && !(request->from.point.given && request->to.point.given)) {
+  if (request->command == COMMAND_PATH && !(request->path.from.point.given && request->path.to.point.given)) {
     return failure_in_usage(reading->failure, "path needs --from X Y Z and --to X Y Z; see hardsphere path --help");
   }
-  if (request->command == COMMAND_GATE && !request->from.point.given) {
+  if (request->command == COMMAND_GATE && !request->gate.from.point.given) {
     return failure_in_usage(reading->failure, "gate needs --from X Y Z or --from void:K; see hardsphere gate --help");
   }
-  if (request->command == COMMAND_GATE && reading->probe_seen && request->from.of_void == 0 &&
-      request->to.of_void == 0) {
+  if (request->command == COMMAND_GATE && reading->probe_seen && request->gate.from.of_void == 0 &&
+      request->gate.to.of_void == 0) {
     return failure_in_usage(reading->failure, "gate finds the probe: --probe is for --from void:K alone");
   }
   if (request->model_given && request->models > 0) {
     return failure_in_usage(reading->failure,
                             "--model is one of them, --models merged all: either the one or the other");
   }
-  if (!viewing_check(&request->viewing, reading->failure)) return false;
   if (!request_check_several(request, reading->failure) || !find_format(reading)) return false;
   if (file_format_has(request->format, FILE_RADII) && (reading->radii_seen || reading->radius_seen)) {
     return failure_in_usage(reading->failure, "%s has no use here: %s files bring their own radii",
@@ -131,39 +127,56 @@ static bool check(struct reading *reading) {
   return apply_overrides(reading) && load_table(reading);
 }
 
-bool request_parse(struct request *request, enum command command, int file, int count, char **arguments,
-                   struct failure *failure) {
-  memset(request, 0, sizeof *request);
-  request->command = command;
-  request->choice = (struct file_choice)FILE_CHOICE_FIRST;
-  request->frames = (struct frame_range)FRAME_RANGE_ALL;
-  request->selection = (struct selection)SELECTION_EVERYTHING;
-  request->highlight = (struct selection)SELECTION_EVERYTHING;
-  request->part = (struct selection)SELECTION_EVERYTHING;
-  request->set = &radii_bondi;
-  request->surface = -1;
-  request->pockets = -1.0;
-  request->meshing = (struct meshing)MESHING_DEFAULT;
-  request->drawing = (struct drawing)DRAWING_DEFAULT;
-  request->names = malloc(((size_t)count + 1) * sizeof *request->names);
-  if (request->names == NULL) return failure_of_memory(failure);
-  struct reading reading = {.request = request, .rest = arguments, .left = count, .failure = failure};
+/* Reads all arguments; the file of the request is the one of that number. */
+static bool read_arguments(struct reading *reading, int file) {
+  struct request *const request = reading->request;
   bool options_end = false;
   bool standard_seen = false;
   const char *argument;
-  while ((argument = option_next(&reading)) != NULL) {
+  while ((argument = option_next(reading)) != NULL) {
     if (!options_end && strcmp(argument, "--") == 0) {
       options_end = true;
     } else if (!options_end && argument[0] == '-' && argument[1] != '\0') {
-      if (!take_argument(&reading, argument)) return false;
+      if (!take_argument(reading, argument)) return false;
     } else {
       if (input_is_standard(argument)) {
-        if (standard_seen) return failure_in_usage(failure, "standard input is one file, not two");
+        if (standard_seen) return failure_in_usage(reading->failure, "standard input is one file, not two");
         standard_seen = true;
       }
       if (request->files == file) request->file = argument;
       request->names[request->files++] = argument;
     }
   }
-  return check(&reading);
+  return true;
+}
+
+/* As if nothing were said. */
+static bool begin(struct reading *reading, struct request *request, enum command command, int count, char **arguments,
+                  struct failure *failure) {
+  *reading = (struct reading){.request = request, .rest = arguments, .left = count, .failure = failure};
+  memset(request, 0, sizeof *request);
+  request->command = command;
+  request->choice = (struct file_choice)FILE_CHOICE_FIRST;
+  request->frames = (struct frame_range)FRAME_RANGE_ALL;
+  request->selection = (struct selection)SELECTION_EVERYTHING;
+  request->measure.part = (struct selection)SELECTION_EVERYTHING;
+  request->set = &radii_bondi;
+  request->measure.surface = -1;
+  request->pores.pockets = -1.0;
+  request->meshing = (struct meshing)MESHING_DEFAULT;
+  request->drawing = (struct drawing)DRAWING_DEFAULT;
+  request->names = malloc(((size_t)count + 1) * sizeof *request->names);
+  return request->names != NULL || failure_of_memory(failure);
+}
+
+bool request_parse(struct request *request, enum command command, int file, int count, char **arguments,
+                   struct failure *failure) {
+  struct reading reading;
+  return begin(&reading, request, command, count, arguments, failure) && read_arguments(&reading, file) &&
+         check(&reading);
+}
+
+bool request_read(struct request *request, enum command command, int count, char **arguments, struct failure *failure) {
+  struct reading reading;
+  return begin(&reading, request, command, count, arguments, failure) && read_arguments(&reading, 0);
 }

@@ -1,6 +1,5 @@
 /* The command line. */
-#ifndef HARDSPHERE_TOOL_ARGUMENTS_H
-#define HARDSPHERE_TOOL_ARGUMENTS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -12,4 +11,5 @@
 bool request_parse(struct request *request, enum command command, int file, int count, char **arguments,
                    struct failure *failure);
 
-#endif
+/* The same of options alone, without a look at whether they go together. */
+bool request_read(struct request *request, enum command command, int count, char **arguments, struct failure *failure);

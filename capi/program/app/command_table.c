@@ -2,7 +2,13 @@
 
 #include <string.h>
 
-/* Commands that need a component of the library, and nothing if the build leaves that out. */
+#include "commands/pictures.h"
+#include "draw/contact_map.h"
+#include "draw/mesh_drawing.h"
+#include "draw/pores_charts.h"
+
+/* Functions that need a component of the library or the part of the program that draws, and nothing if the build leaves
+ * that out. */
 #if !HSP_HAS_SMOOTH
 #define SMOOTH(function) NULL
 #else
@@ -13,11 +19,18 @@
 #else
 #define SPACE(function) function
 #endif
-#if !HSP_HAS_SIGHT
-#define SIGHT(function) NULL
+#if !HSP_TOOL_DRAW
+#define DRAW(function) NULL
 #else
-#define SIGHT(function) function
+#define DRAW(function) function
 #endif
+
+const struct pictures pictures = {
+    .contacts = DRAW(contact_map_write),
+    .mesh = DRAW(SMOOTH(mesh_draw)),
+    .tunnels = DRAW(SPACE(pores_write_profile)),
+    .classes = DRAW(SPACE(pores_write_tree)),
+};
 
 const struct command_row command_table[COMMANDS] = {
     [COMMAND_MODEL] =
@@ -33,9 +46,9 @@ const struct command_row command_table[COMMANDS] = {
              "k, the largest radius over the smallest; rho, the least distance of two centres over the larger of their "
              "radii;\n"
              "the largest and the mean number of others that a ball overlaps. By Theorem 2.1 they bound the work.\n",
-         .closing = "Example: hardsphere model 1crn.pdb --radii chem3d\n"
-                    "JSON: n, k, rho, max_overlaps, mean_overlaps; k and rho are null where they have no value.\n"
-                    "\n"},
+         .closing = "Example: hardsphere model 1crn.pdb --radii chem3d\n",
+         .json = "JSON: <>; k and rho are null where they have no value.",
+         .describe = describe_model},
     [COMMAND_BOUNDARY] = {.name = "boundary",
                           .arguments = "FILE [options]",
                           .summary = "the boundary of the union: vertices, arcs, faces, voids",
@@ -45,13 +58,10 @@ const struct command_row command_table[COMMANDS] = {
                                   "Counts what the boundary of the union of the balls consists of, exactly, ties and "
                                   "all. The shells, the connected\n"
                                   "pieces of the boundary, are listed if there are several.\n",
-                          .closing = "Example: hardsphere boundary 1crn.pdb --probe 1.4 --shells\n"
-                                     "JSON: n, vertices, arcs, circles, faces, exposed_balls, shells, components, "
-                                     "voids, euler, and with --shells\n"
-                                     "shell_list: [{kind, component, cell, faces, euler, genus, area, volume}, ...]; "
-                                     "kind is \"outer\" or \"void\", volume\n"
-                                     "is that of the space enclosed, whatever lies in it.\n"
-                                     "\n"},
+                          .closing = "Example: hardsphere boundary 1crn.pdb --probe 1.4 --shells\n",
+                          .json = "JSON: <>, and with --shells <--shells>; kind is \"outer\" or \"void\", volume is "
+                                  "that of the space enclosed, whatever lies in it.",
+                          .describe = describe_boundary},
     [COMMAND_MEASURE] =
         {.name = "measure",
          .arguments = "FILE [options]",
@@ -64,28 +74,17 @@ const struct command_row command_table[COMMANDS] = {
                  "the van der Waals surface, with --probe the solvent-accessible surface. Coordinates and radii are "
                  "rounded first:\n"
                  "to 1e-8 where the largest radius, probe included, is from 1.1 to 10.7.\n",
-         .closing =
-             "Example: hardsphere measure 4hhb.pdb --no-water --probe 1.4 --by residue --relative\n"
-             "JSON: n, area, volume; with --curvature mean_curvature, gauss_curvature; with --weights weighted_area; "
-             "with\n"
-             "--polar polar_area, apolar_area, other_area; with\n"
-             "--surface ses surface: \"ses\", with --outer outer: true, convex_area, saddle_area, concave_area; with\n"
-             "--interface interface: {groups: [{atoms, alone, together}, ...], together, buried}; with --per-ball or "
-             "--gradient\n"
-             "balls: [{ball, atom, element, chain, residue, number, insertion, xyz, radius, area, with --weights "
-             "weight, and\n"
-             "with --gradient area_gradient: [x, y, z], volume_gradient, area_dr, volume_dr, and with both "
-             "weighted_gradient,\n"
-             "weighted_dr}, ...] in the order of the file and as far as it names them; with --by residues: [{chain, "
-             "name,\n"
-             "number, insertion, atoms, area, relative}, ...], chains: [{chain, atoms, area}, ...] or groups: [{name, "
-             "atoms, area},\n"
-             "...]; with --of measured, how many atoms, and no volume; with --trajectory first frame, time (in ps, or "
-             "as .xyz\n"
-             "says) and step, null where the file does not tell, and no input; with --mean n, frames, means: "
-             "[{quantity, mean,\n"
-             "deviation, least, most}, ...], and in lists area is the mean, with deviation behind it.\n"
-             "\n"},
+         .closing = "Example: hardsphere measure 4hhb.pdb --no-water --probe 1.4 --by residue --relative\n",
+         .json =
+             "JSON: <>; with --curvature <--curvature>; with --weights <--weights w>; with --polar <--polar>; with "
+             "--surface ses <--surface ses>, where surface is \"ses\", and with --outer outer: true; with --interface "
+             "<--interface A,B>: {groups: [{atoms, alone, together}, ...], together, buried}; with --per-ball or "
+             "--gradient <--gradient --weights w=balls> in the order of the file and as far as it names them, weight "
+             "with --weights, derivatives with --gradient, those of weighted areas with both; with --by <--by residue "
+             "--relative>, <--by chain> or <--by group>; with --of <--of water>, how many atoms, and no volume; with "
+             "--trajectory first frame, time (in ps, or as .xyz says) and step, null where the file does not tell, and "
+             "no input; with --mean n, <--mean..means>, and in lists area is the mean, with deviation behind it.",
+         .describe = describe_measure},
     [COMMAND_VOIDS] = {.name = "voids",
                        .arguments = "FILE [options]",
                        .summary = "the cavities in the union and the balls around them",
@@ -99,19 +98,14 @@ const struct command_row command_table[COMMANDS] = {
                                "inside. With --probe they are the places where the centre of a probe fits without a "
                                "way out; clearance is what\n"
                                "a probe may grow by there.\n",
-                       .closing = "Example: hardsphere voids 1crn.pdb --probe 1.4 --min-volume 0.1\n"
-                                  "JSON: n, voids: [{cell, area, volume, components, balls: [...], middle: [x, y, z], "
-                                  "point: [x, y, z], clearance,\n"
-                                  "clearance_bound}, ...], smaller; cell is its number in the library, components how "
-                                  "many pieces of the union lie in\n"
-                                  "it, balls their indices in the order of the file, counted from 0, ascending, middle "
-                                  "the mean of their centres,\n"
-                                  "which may lie in a ball; point lies in the void, by integers, null if it is "
-                                  "narrower than the lattice, and no point\n"
-                                  "of the void has more clearance than clearance_bound, up to rounding; smaller is how "
-                                  "many voids --min-volume leaves\n"
-                                  "out.\n"
-                                  "\n"},
+                       .closing = "Example: hardsphere voids 1crn.pdb --probe 1.4 --min-volume 0.1\n",
+                       .json =
+                           "JSON: <>; cell is its number in the library, components how many pieces of the union lie "
+                           "in it, balls their indices in the order of the file, counted from 0, ascending, middle the "
+                           "mean of their centres, which may lie in a ball; point lies in the void, by integers, null "
+                           "if it is narrower than the lattice, and no point of the void has more clearance than "
+                           "clearance_bound, up to rounding; smaller is how many voids --min-volume leaves out.",
+                       .describe = describe_voids},
     [COMMAND_CONTACTS] =
         {.name = "contacts",
          .arguments = "FILE [options]",
@@ -124,15 +118,11 @@ const struct command_row command_table[COMMANDS] = {
                  "power, distance^2 - radius^2. Two balls are in contact where their shares meet, in a plane piece; "
                  "its edge is the\n"
                  "length of its border on the surface. The shares sum to the volume of the union.\n",
-         .closing = "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n"
-                    "JSON: n, contacts, area, pairs: [{balls: [i, j], area, edge, distance}, ...], with --by pairs: "
-                    "[{residues:\n"
-                    "[\"A:THR:1\", \"A:THR:2\"], area, edge, atom_pairs}, ...] or chains: [\"A\", \"B\"]; with --cells "
-                    "cells: [{volume, area,\n"
-                    "contact}, ...] in the order of the file; without --by or with --cells balls: [{ball, atom, "
-                    "element, chain,\n"
-                    "residue, number, insertion, xyz, radius}, ...] as far as the file says them.\n"
-                    "\n"},
+         .closing = "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n",
+         .json =
+             "JSON: <..pairs>, with --by <--by residue=pairs> or chains: [\"A\", \"B\"]; with --cells <--cells=cells> "
+             "in the order of the file; without --by or with --cells <> as far as the file says them.",
+         .describe = describe_contacts},
     [COMMAND_COMPLEX] =
         {.name = "complex",
          .arguments = "FILE [options]",
@@ -146,16 +136,15 @@ const struct command_row command_table[COMMANDS] = {
              "have a common point. It has the holes of the union. A simplex is interior if it shows nothing on the "
              "boundary;\n"
              "else it is singular if it is part of no larger one, triangles if both sides show, and regular if not.\n",
-         .closing = "Example: hardsphere complex 1crn.pdb\n"
-                    "JSON: n, simplices: {singular: [balls, edges, triangles, tetrahedra], regular: [...], interior: "
-                    "[...]}, euler,\n"
-                    "betti: [components, tunnels, voids].\n"
-                    "\n"},
+         .closing = "Example: hardsphere complex 1crn.pdb\n",
+         .json = "JSON: <..simplices>: {singular: [balls, edges, triangles, tetrahedra], regular: [...], interior: "
+                 "[...]}, <..betti>: [components, tunnels, voids].",
+         .describe = describe_complex},
     [COMMAND_CELLS] =
         {.name = "cells",
          .arguments = "FILE [options]",
          .summary = "free space as simple cells: how many, neighbours, connected regions",
-         .component = "space",
+         .part = "space",
          .run = SPACE(command_cells),
          .text = "hardsphere cells FILE [options]\n"
                  "\n"
@@ -166,14 +155,13 @@ const struct command_row command_table[COMMANDS] = {
                  "There are O(n) of them, with O(n) pairs of neighbours. With --probe they are the places where the "
                  "centre of a\n"
                  "probe may be, and a region is where it can go.\n",
-         .closing =
-             "Example: hardsphere cells 1crn.pdb --probe 1.4\n"
-             "JSON: n, cubes, cells, free_cells, adjacencies, regions; cells counts those of all cubes, free or not.\n"
-             "\n"},
+         .closing = "Example: hardsphere cells 1crn.pdb --probe 1.4\n",
+         .json = "JSON: <>; cells counts those of all cubes, free or not.",
+         .describe = SPACE(describe_cells)},
     [COMMAND_PATH] = {.name = "path",
                       .arguments = "FILE [options]",
                       .summary = "how a probe gets from one point to another",
-                      .component = "space",
+                      .part = "space",
                       .run = SPACE(command_path),
                       .text = "hardsphere path FILE --from X Y Z --to X Y Z [options]\n"
                               "\n"
@@ -182,37 +170,34 @@ const struct command_row command_table[COMMANDS] = {
                               "decided in integers, and so is whether any segment of the polyline meets a ball: then "
                               "it is not certified. It is\n"
                               "a short way, but need not be the shortest.\n",
-                      .closing = "Example: hardsphere path 1crn.pdb --from 0,0,0 --to 20,20,20 --probe 1.4\n"
-                                 "JSON: n, connected, covered, certified, length, clearance, points: [[x, y, z], ...]; "
-                                 "covered tells whether an end\n"
-                                 "lies in a ball, clearance is the least distance of the way from the balls grown by "
-                                 "the probe; length and clearance\n"
-                                 "are null where there is no way, clearance also without balls.\n"
-                                 "\n"},
-    [COMMAND_GATE] = {.name = "gate",
-                      .arguments = "FILE [options]",
-                      .summary = "the widest probe that gets to a point or to the outside, and what stops it",
-                      .component = "space",
-                      .run = SPACE(command_gate),
-                      .text = "hardsphere gate FILE --from X Y Z|void:K [--to X Y Z|void:K] [options]\n"
-                              "\n"
-                              "Finds the largest radius of a probe that gets from one point to another between the "
-                              "balls, or without --to to the\n"
-                              "outside. What stops a wider one are the three balls of the narrowest passage on the "
-                              "best way, or one ball if the\n"
-                              "probe has less room where it begins or ends.\n",
-                      .closing = "Example: hardsphere gate 1crn.pdb --probe 1.4 --from void:1\n"
-                                 "JSON: n, passes, widest_probe, gate: [i, j, k], from: [x, y, z], to; passes is false "
-                                 "where not even a point gets\n"
-                                 "through, then widest_probe is null, as it is without balls; gate holds the indices "
-                                 "of the balls in the order of the\n"
-                                 "file, counted from 0, ascending; to is null where it is the outside.\n"
-                                 "\n"},
+                      .closing = "Example: hardsphere path 1crn.pdb --from 0,0,0 --to 20,20,20 --probe 1.4\n",
+                      .json = "JSON: <>: [[x, y, z], ...]; covered tells whether an end lies in a ball, clearance is "
+                              "the least distance of the way from the balls grown by the probe; length and clearance "
+                              "are null where there is no way, clearance also without balls.",
+                      .describe = SPACE(describe_path)},
+    [COMMAND_GATE] =
+        {.name = "gate",
+         .arguments = "FILE [options]",
+         .summary = "the widest probe that gets to a point or to the outside, and what stops it",
+         .part = "space",
+         .run = SPACE(command_gate),
+         .text = "hardsphere gate FILE --from X Y Z|void:K [--to X Y Z|void:K] [options]\n"
+                 "\n"
+                 "Finds the largest radius of a probe that gets from one point to another between the "
+                 "balls, or without --to to the\n"
+                 "outside. What stops a wider one are the three balls of the narrowest passage on the "
+                 "best way, or one ball if the\n"
+                 "probe has less room where it begins or ends.\n",
+         .closing = "Example: hardsphere gate 1crn.pdb --probe 1.4 --from void:1\n",
+         .json = "JSON: <..gate>: [i, j, k], <..from>: [x, y, z], <>; passes is false where not even a point gets "
+                 "through, then widest_probe is null, as it is without balls; gate holds the indices of the balls in "
+                 "the order of the file, counted from 0, ascending; to is null where it is the outside.",
+         .describe = SPACE(describe_gate)},
     [COMMAND_PORES] =
         {.name = "pores",
          .arguments = "FILE [options]",
          .summary = "pores for every probe at once: cavities, gates, pockets, tunnels",
-         .component = "space",
+         .part = "space",
          .run = SPACE(command_pores),
          .check = SPACE(check_pores),
          .text = "hardsphere pores FILE [--gates] [--regions] [--pockets W] [--tunnels-from X Y Z|atom:N] [options]\n"
@@ -224,56 +209,36 @@ const struct command_row command_table[COMMANDS] = {
                  "wider maximum: its parent. A probe as wide as a gate does not pass it. Pockets and tunnels are read "
                  "from these.\n"
                  "It is of the molecule alone or, with --box, of a crystal.\n",
-         .closing =
-             "Example: hardsphere pores 1crn.pdb --probe 1.4 --pockets 3\n"
-             "JSON: n, largest_cavity_diameter, null where nothing is enclosed, maxima, gates, merges, cavities, "
-             "maximum_list:\n"
-             "[{maximum, xyz, radius, death, gate, parent, balls}, ...], gate_list: [{gate, xyz, radius, end, "
-             "other_end, merges,\n"
-             "balls}, ...], with --pockets pockets, pocket_list: [{pocket, xyz, radius, mouth_radius, maximum, gate, "
-             "maxima, volume,\n"
-             "area, closed, mouths, balls}, ...], where volume and area are null if closed is 0, with --tunnels-from "
-             "from, to,\n"
-             "from_radius, tunnels, tunnel_list: [{tunnel, radius, length, cost, gate, gates, points}, ...], "
-             "tunnel_points: [{tunnel,\n"
-             "length, xyz, radius, gate, maximum, balls}, ...]; maxima and gates by their numbers, counted from 0, or "
-             "\"outside\" or\n"
-             "\"none\"; mouths are gates; balls are indices in the order of the file, counted from 0, of all balls "
-             "that are nearest, of\n"
-             "points of tunnels up to four, or that line a pocket.\n"
-             "With --box box, box_turned, symmetry, pore_limiting_diameter: [a, b, c] for one, two and three "
-             "directions, null where\n"
-             "no probe gets through, included_cavity_diameter: [a, b, c] of the channels that do, "
-             "pore_limiting_diameter_along: [a,\n"
-             "b, c] the three vectors, channel_list: [{radius, maximum, maxima, directions, copies, rows}, ...] for "
-             "--probe; gates\n"
-             "have end_shift and other_end_shift, by which the maxima are to be moved, and directions, in which their "
-             "class goes on;\n"
-             "tunnels have shift, the vectors from the point that was named to the copy of it where they end.\n"
-             "With --regions accessible_area, accessible_volume, null without a box, blocked_area, blocked_volume, "
-             "accessible_regions,\n"
-             "blocked_regions, region_list: [{region, xyz, radius, access, area, volume, directions, maxima, "
-             "shells, along}, ...];\n"
-             "xyz, radius and volume are null outside.\n"
-             "\n"},
+         .closing = "Example: hardsphere pores 1crn.pdb --probe 1.4 --pockets 3\n",
+         .json = "JSON: <..largest_cavity_diameter>, null where nothing is enclosed, <>, with --pockets <--pockets 9>, "
+                 "where volume and area are null if closed is 0, with --tunnels-from <--tunnels-from 0,0,0>; maxima "
+                 "and gates by their numbers, counted from 0, or \"outside\" or \"none\"; mouths are gates; balls are "
+                 "indices in the order of the file, counted from 0, of all balls that are nearest, of points of "
+                 "tunnels up to four, or that line a pocket.\nWith --box box, box_turned, symmetry, <--box "
+                 "9,9,9=pore_limiting_diameter>: [a, b, c] for one, two and three directions, null where no probe gets "
+                 "through, <--box 9,9,9=included_cavity_diameter>: [a, b, c] of the channels that do, <--box "
+                 "9,9,9=pore_limiting_diameter_along>: [a, b, c] the three vectors, <--box 9,9,9=channel_list>: "
+                 "[{radius, maximum, maxima, directions, copies, rows}, ...] for --probe; gates have end_shift and "
+                 "other_end_shift, by which the maxima are to be moved, and directions, in which their class goes on; "
+                 "tunnels have shift, the vectors from the point that was named to the copy of it where they "
+                 "end.\nWith --regions <--regions..accessible_volume>, null without a box, <--regions>; xyz, radius "
+                 "and volume are null outside.",
+         .describe = SPACE(describe_pores)},
     [COMMAND_CLASH] =
         {.name = "clash",
          .arguments = "FILE FILE",
          .summary = "a molecule against another one, turned and moved: what meets, and the gap",
-         .component = "sight",
-         .run_two = SIGHT(command_clash),
+         .run_two = command_clash,
          .text = "hardsphere clash FILE FILE [options]\n"
                  "\n"
                  "Tells which balls of the first molecule meet balls of the second one, which is turned and then "
                  "moved. Balls that\n"
                  "touch meet. The gap is the least distance between two balls; it is negative where balls overlap.\n",
-         .closing = "Example: hardsphere clash 1crn.pdb caffeine.pdb --rotate 0,90,0 --translate 12,0,3.5\n"
-                    "JSON: hit, pairs: [[first, second], ...], gap, nearest: [first, second], overlap_volume, "
-                    "nearest_balls: [{ball, ...},\n"
-                    "{ball, ...}] with what these are called, fixed: {n, input} and moving: {n, input}; balls by their "
-                    "indices in the\n"
-                    "order of their files, counted from 0.\n"
-                    "\n"},
+         .closing = "Example: hardsphere clash 1crn.pdb caffeine.pdb --rotate 0,90,0 --translate 12,0,3.5\n",
+         .json = "JSON: <..pairs>: [[first, second], ...], <..nearest>: [first, second], <..nearest_balls>: [{ball, "
+                 "...}, {ball, ...}] with what these are called, <..fixed>: {n, input} and <>: {n, input}; balls by "
+                 "their indices in the order of their files, counted from 0.",
+         .describe = describe_clash},
     [COMMAND_QUERY] = {.name = "query",
                        .arguments = "FILE [options]",
                        .summary = "which balls contain a point or meet a ball",
@@ -284,15 +249,15 @@ const struct command_row command_table[COMMANDS] = {
                                "Lists the balls that contain the point, or that meet the ball. Balls are closed: "
                                "touching counts. Here as in every\n"
                                "option numbers may stand between blanks or commas: X Y Z or X,Y,Z.\n",
-                       .closing =
-                           "Example: hardsphere query 1crn.pdb --ball 10,10,10,1.4\n"
-                           "JSON: hits, the indices of the balls in the order of the file, counted from 0, ascending.\n"
-                           "\n"},
+                       .closing = "Example: hardsphere query 1crn.pdb --ball 10,10,10,1.4\n",
+                       .json =
+                           "JSON: <>, the indices of the balls in the order of the file, counted from 0, ascending.",
+                       .describe = describe_query},
     [COMMAND_MESH] =
         {.name = "mesh",
          .arguments = "FILE -o OUT",
          .summary = "the surface as triangles: .ply, .obj, .stl, .vert, or a picture: .svg",
-         .component = "smooth",
+         .part = "smooth",
          .run = SMOOTH(command_mesh),
          .check = SMOOTH(check_mesh),
          .text = "hardsphere mesh FILE -o OUT [options]\n"
@@ -302,24 +267,19 @@ const struct command_row command_table[COMMANDS] = {
                  "outside. OUT is .ply, .obj, .stl, .vert, or a picture, .svg. With --probe it is the "
                  "solvent-accessible surface, or\n"
                  "the smooth one.\n",
-         .closing =
-             ".ply has normals, areas and atoms of vertices, a third of the triangles around each, and the kind of "
-             "patch, the\n"
-             "patch and the atom of triangles, atoms and patches counted from 0; .obj has normals; .stl is binary. "
-             "NAME.vert comes\n"
-             "with NAME.face, as MSMS writes them, counted from 1.\n"
-             "Kinds are 0 convex, 1 saddle, 2 concave, 3 saddle all around; in .face 3 convex, 1 saddle, 2 concave.\n"
-             "Example: hardsphere mesh 1crn.pdb --probe 1.4 --surface ses -o 1crn.ply\n"
-             "JSON: n, vertices, triangles, edge, triangle_area, bytes, and with --pockets pockets and "
-             "coloured_pockets;\n"
-             "triangle_area approaches the area of measure.\n"
-             "\n"},
+         .closing = ".ply has normals, areas and atoms of vertices, a third of the triangles around each, and the kind "
+                    "of patch, the\npatch and the atom of triangles, atoms and patches counted from 0; .obj has "
+                    "normals; .stl is binary. NAME.vert comes\nwith NAME.face, as MSMS writes them, counted from "
+                    "1.\nKinds are 0 convex, 1 saddle, 2 concave, 3 saddle all around; in .face 3 convex, 1 saddle, 2 "
+                    "concave.\nExample: hardsphere mesh 1crn.pdb --probe 1.4 --surface ses -o 1crn.ply\n",
+         .json = "JSON: <>, and with --pockets <--pockets 9>; triangle_area approaches the area of measure.",
+         .describe = SMOOTH(describe_mesh)},
     [COMMAND_MAP] =
         {.name = "map",
          .arguments = "FILE [options]",
          .summary = "what is seen from a direction: faces, edges, the visible area of each ball",
-         .component = "sight",
-         .run = SIGHT(command_map),
+         .part = DRAWING,
+         .run = DRAW(command_map),
          .text = "hardsphere map FILE [options]\n"
                  "\n"
                  "Counts what is seen from a direction: faces, each of which shows one ball or the background, the "
@@ -327,48 +287,43 @@ const struct command_row command_table[COMMANDS] = {
                  "them, and vertices, where edges end. Areas are those in the view plane. Where balls stand exactly "
                  "behind each\n"
                  "other all are moved a little, and the table says by how much.\n",
-         .closing =
-             "Example: hardsphere map 1crn.pdb --view 1,0,0 --per-ball\n"
-             "JSON: n, vertices, edges, faces, visible_balls, visible_area, moved, balls: [{ball, visible_area}, ...], "
-             "those\n"
-             "that are seen, by their indices in the order of the file, counted from 0; faces counts the background.\n"
-             "\n"},
+         .closing = "Example: hardsphere map 1crn.pdb --view 1,0,0 --per-ball\n",
+         .json = "JSON: <>, those that are seen, by their indices in the order of the file, counted from 0; faces "
+                 "counts the background.",
+         .describe = DRAW(describe_map)},
     [COMMAND_PICK] =
         {.name = "pick",
          .arguments = "FILE --at X,Y",
          .summary = "the ball that is seen at a point",
-         .component = "sight",
-         .run = SIGHT(command_pick),
+         .part = DRAWING,
+         .run = DRAW(command_pick),
          .text = "hardsphere pick FILE --at X,Y [options]\n"
                  "\n"
                  "Names the ball that is seen at a point of the view plane, and how near its surface is there. X is to "
                  "the right, Y\n"
                  "upwards, and depth grows towards the viewer; origin and unit are those of the file.\n",
-         .closing =
-             "Example: hardsphere pick 1crn.pdb --at 10,12 --view 0,0,1\n"
-             "JSON: ball, its index in the order of the file, counted from 0, and depth; null where there is none.\n"
-             "\n"},
-    [COMMAND_DRAW] = {.name = "draw",
-                      .arguments = "FILE -o OUT",
-                      .summary = "a picture with hidden parts removed: .svg, .eps or .pdf",
-                      .component = "sight",
-                      .run = SIGHT(command_draw),
-                      .check = SIGHT(check_draw),
-                      .text = "hardsphere draw FILE -o OUT [options]\n"
-                              "\n"
-                              "Draws the balls with hidden parts removed, as true arcs: OUT is .svg, .eps or .pdf.\n",
-                      .closing = "The same input gives the same bytes.\n"
-                                 "Example: hardsphere draw 4hhb.pdb -o haemoglobin.svg\n"
-                                 "JSON: n, pieces, arcs, bytes, with --spin pictures, style, palette, width, height, "
-                                 "occlusion; pieces is how many\n"
-                                 "balls are painted, arcs how many parts of circles and ellipses bound them (between "
-                                 "visible ones each counts once),\n"
-                                 "bytes the size of OUT, all three of all pictures together; width and height are in "
-                                 "the given unit, occlusion is 0\n"
-                                 "where balls are not darkened. With --as ball-and-stick pieces are balls, sticks and "
-                                 "halves of sticks, and sticks\n"
-                                 "is how many bonds there are.\n"
-                                 "\n"},
+         .closing = "Example: hardsphere pick 1crn.pdb --at 10,12 --view 0,0,1\n",
+         .json =
+             "JSON: <..ball>, its index in the order of the file, counted from 0, and <>; null where there is none.",
+         .describe = DRAW(describe_pick)},
+    [COMMAND_DRAW] =
+        {.name = "draw",
+         .arguments = "FILE -o OUT",
+         .summary = "a picture with hidden parts removed: .svg, .eps or .pdf",
+         .part = DRAWING,
+         .run = DRAW(command_draw),
+         .check = DRAW(check_draw),
+         .text = "hardsphere draw FILE -o OUT [options]\n"
+                 "\n"
+                 "Draws the balls with hidden parts removed, as true arcs: OUT is .svg, .eps or .pdf.\n",
+         .closing = "The same input gives the same bytes.\nExample: hardsphere draw 4hhb.pdb -o haemoglobin.svg\n",
+         .json = "JSON: <..bytes>, with --spin <--spin 2>, <>; pieces is how many balls are painted, arcs how many "
+                 "parts of circles and ellipses bound them (between visible ones each counts once), bytes the size of "
+                 "OUT, all three of all pictures together; width and height are in the given unit, occlusion is 0 "
+                 "where balls are not darkened. With --as ball-and-stick pieces are balls, sticks and halves of "
+                 "sticks, and <--as ball-and-stick> is how many bonds there are. With colours that stand for numbers "
+                 "<--colour bfactor> has the least and the greatest.",
+         .describe = DRAW(describe_draw)},
 };
 
 bool command_find(const char *name, enum command *command) {
@@ -380,15 +335,22 @@ bool command_find(const char *name, enum command *command) {
   return false;
 }
 
-bool component_is_built(const char *component) {
+static bool is_built(const char *part) {
 #if !HSP_HAS_SMOOTH
-  if (strcmp(component, "smooth") == 0) return false;
+  if (strcmp(part, "smooth") == 0) return false;
 #endif
 #if !HSP_HAS_SPACE
-  if (strcmp(component, "space") == 0) return false;
+  if (strcmp(part, "space") == 0) return false;
 #endif
-#if !HSP_HAS_SIGHT
-  if (strcmp(component, "sight") == 0) return false;
+#if !HSP_TOOL_DRAW
+  if (strcmp(part, DRAWING) == 0) return false;
 #endif
-  return component[0] != '\0';
+  return part[0] != '\0';
+}
+
+bool part_is_there(const char *part, enum command command, const char *option, struct failure *failure) {
+  if (part == NULL || is_built(part)) return true;
+  return failure_in_usage(failure, "%s%s%s needs the %s%s, which this build leaves out", command_table[command].name,
+                          option == NULL ? "" : " ", option == NULL ? "" : option,
+                          strcmp(part, DRAWING) == 0 ? "" : "component ", part);
 }

@@ -1,6 +1,5 @@
 /* Scripts that make a shell complete commands, options and the words behind them. */
-#ifndef HARDSPHERE_TOOL_COMPLETION_H
-#define HARDSPHERE_TOOL_COMPLETION_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -8,5 +7,3 @@
 
 /* The script for "bash" or "zsh"; false: it is of another shell. */
 bool completion_of_shell(const char *shell, struct text_buffer *out);
-
-#endif

@@ -41,7 +41,7 @@ static bool prepare(const struct request *request, struct molecule *molecule, st
 
 static unsigned keeping_of(const struct request *request) {
   return (request->trajectory != NULL || request->index.count > 0 ? KEEP_PLACES : KEEP_NO_MORE) |
-         (request->command == COMMAND_DRAW || request->polar ? KEEP_EXTRAS : KEEP_NO_MORE);
+         (request->command == COMMAND_DRAW || request->measure.polar ? KEEP_EXTRAS : KEEP_NO_MORE);
 }
 
 /* Read the file of a request and do what it asks for, by so many threads. */
@@ -50,16 +50,16 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
   command_function *const command = command_table[request->command].run;
   struct molecule molecule;
   struct geometry geometry = {.work = {0}};
-  const bool again = request->pdb_out != NULL && input_is_standard(request->file);
+  const bool again = request->measure.pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
   bool done =
       read_molecule(request->file, request->format, &request->choice, keeping_of(request), &molecule, failure) &&
-      prepare(request, &molecule, notes, failure) && (!request->polar || polarity_find(&molecule, failure));
+      prepare(request, &molecule, notes, failure) && (!request->measure.polar || polarity_find(&molecule, failure));
   if (done && request->trajectory != NULL) {
     const struct frame_work work = {.command = command};
     double *const rounding = &notes->largest_rounding;
-    done = request->mean ? measure_mean(request, &molecule, out, rounding, failure)
-                         : command_frames(request, &molecule, &work, rounding, failure);
+    done = request->measure.mean ? measure_mean(request, &molecule, out, rounding, failure)
+                                 : command_frames(request, &molecule, &work, rounding, failure);
   } else {
     geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
     done = done && unit_cell_fill(request, &molecule, failure);
@@ -186,10 +186,7 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
     return true;
   }
   const struct command_row *row = &command_table[command];
-  if (row->component != NULL && !component_is_built(row->component)) {
-    return failure_in_usage(failure, "%s needs the component %s, which this build leaves out", row->name,
-                            row->component);
-  }
+  if (!part_is_there(row->part, command, NULL, failure)) return false;
   if (row->run_two != NULL) return run_two(command, count - 1, arguments + 1, out, failure);
   struct request request;
   bool done = request_parse(&request, command, 0, count - 1, arguments + 1, failure);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Writes the manual page from what the program says about itself:
-#   bash capi/program/app/man_page.sh PROGRAM > capi/program/app/hardsphere.1
-# Installed as it stands in the repository; the test packaging_man_page compares the two.
+#   bash capi/program/app/man_page.sh PROGRAM > hardsphere.1
+# So it is installed.
 set -euo pipefail
 program=$1
 export LC_ALL=C

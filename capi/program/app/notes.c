@@ -87,8 +87,8 @@ void notes_look_among_all(struct notes *notes, const struct request *request, co
 }
 
 void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule) {
-  selection_list_unmatched(&request->highlight, molecule, &notes->unmatched);
-  selection_list_unmatched(&request->part, molecule, &notes->unmatched);
+  selection_list_unmatched(&request->drawing.highlight, molecule, &notes->unmatched);
+  selection_list_unmatched(&request->measure.part, molecule, &notes->unmatched);
 }
 
 static void print(const struct request *request, const struct failure *note) {
@@ -98,7 +98,7 @@ static void print(const struct request *request, const struct failure *note) {
 }
 
 void notes_look_at_result(struct notes *notes, const struct request *request, const struct molecule *molecule) {
-  const bool rows = request->csv || (request->trajectory != NULL && !request->json && !request->mean);
+  const bool rows = request->csv || (request->trajectory != NULL && !request->json && !request->measure.mean);
   notes->waters = rows ? input_report_waters(molecule) : 0;
   notes->dummies = molecule->left_out.virtual_sites;
 }

@@ -1,6 +1,5 @@
 /* Notes that a user should read of a run that went well and shows it nowhere else: lines on stderr. */
-#ifndef HARDSPHERE_TOOL_NOTES_H
-#define HARDSPHERE_TOOL_NOTES_H
+#pragma once
 
 #include "commands/request.h"
 #include "read/molecule.h"
@@ -43,5 +42,3 @@ void notes_look_at_result(struct notes *notes, const struct request *request, co
 void notes_print(const struct notes *notes, const struct request *request);
 
 void notes_free(struct notes *notes);
-
-#endif

@@ -214,6 +214,18 @@ bool take_vector(struct reading *reading, const struct option *option, const cha
   return vector->given;
 }
 
+bool take_angles(struct reading *reading, const struct option *option, const char *value) {
+  const struct given_vector *const vector = target_of(reading, option);
+  if (!take_vector(reading, option, value)) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (vector->xyz[axis] > 1e6 || vector->xyz[axis] < -1e6) {
+      return failure_in_usage(reading->failure, "%s: angles must be between -1000000 and 1000000 degrees",
+                              option->name);
+    }
+  }
+  return true;
+}
+
 bool take_direction(struct reading *reading, const struct option *option, const char *value) {
   const struct given_vector *const vector = target_of(reading, option);
   if (!take_vector(reading, option, value)) return false;

@@ -1,6 +1,5 @@
 /* The options: one table, option_table.c, from which the parser, the help and the completion of shells come. */
-#ifndef HARDSPHERE_TOOL_OPTION_H
-#define HARDSPHERE_TOOL_OPTION_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -28,13 +27,13 @@ typedef bool take_option(struct reading *reading, const struct option *option, c
 
 struct option {
   const char *name;
-  const char *argument;  /* as the help writes it; NULL: a flag */
-  take_option *take;     /* NULL: the row is but one more text about the option */
-  unsigned commands;     /* that take it: a bit for each, or EVERY_COMMAND */
-  size_t target;         /* its place in struct request */
-  const char *words;     /* that may stand behind it, with '|' between them */
-  const char *what;      /* is needed behind it, "a length" */
-  const char *component; /* of the library, that it needs; NULL: none */
+  const char *argument; /* as the help writes it; NULL: a flag */
+  take_option *take;    /* NULL: the row is but one more text about the option */
+  unsigned commands;    /* that take it: a bit for each, or EVERY_COMMAND */
+  size_t target;        /* its place in struct request */
+  const char *words;    /* that may stand behind it, with '|' between them */
+  const char *what;     /* is needed behind it, "a length" */
+  const char *part;     /* that it needs, as in command_table.h; NULL: none */
   const char *help; /* lines; NULL: those of the next row are of both; "": the command's own text tells all about it */
   int first;        /* the number of the first word */
   double most;      /* the largest number that is allowed */
@@ -63,6 +62,7 @@ take_option take_text;
 take_option take_path;      /* the name of a file */
 take_option take_vector;    /* three numbers */
 take_option take_direction; /* three numbers that are not all 0 */
+take_option take_angles;    /* three numbers that one may turn by */
 take_option take_colour;    /* RRGGBB, or `none` if that is among the words */
 
 /* ---- and those with values of their own ---- */
@@ -92,5 +92,3 @@ bool option_numbers(struct reading *reading, const struct option *option, const 
 
 /* RRGGBB, with # or without it, or a name as in style sheets; negative: it is none. */
 int option_rgb(const char *text);
-
-#endif

@@ -1,5 +1,6 @@
 #include <stddef.h>
 
+#include "app/command_table.h"
 #include "app/option.h"
 
 #define IN(member) offsetof(struct request, member)
@@ -64,26 +65,29 @@ const struct option *option_at(size_t i) {
        .help = "let N threads work on files, on frames of a trajectory or on a large molecule; default one\n"
                "for each processor. The output is the same for any number"},
 
-      {"--shells", NULL, take_flag, OF(BOUNDARY), .target = IN(shells), .help = "list them in any case, in JSON too"},
+      {"--shells", NULL, take_flag, OF(BOUNDARY), .target = IN(boundary.shells),
+       .help = "list them in any case, in JSON too"},
       {"--csv", NULL, take_flag, OF(BOUNDARY), .target = IN(csv),
        .help = "print the counts, or with --shells the list, as comma-separated values and nothing else"},
 
-      {"--surface", "ses", take_choice, OF(MEASURE), .target = IN(surface), .words = "sas|ses", .component = "smooth",
+      {"--surface", "ses", take_choice, OF(MEASURE), .target = IN(measure.surface), .words = "sas|ses",
+       .part = "smooth",
        .help = "measure the solvent-excluded surface instead, the smooth one that the probe leaves where\n"
                "it rolls over the atoms. An atom's share of it are its convex patches, its side of saddles\n"
                "and a third of concave patches. Not with --relative, --interface; with --weights but\n"
                "not their gradient"},
-      {"--outer", NULL, take_flag, OF(MEASURE), .target = IN(outer),
+      {"--outer", NULL, take_flag, OF(MEASURE), .target = IN(measure.outer),
        .help = "of that surface what a probe reaches from outside: as if voids were filled"},
-      {"--per-ball", NULL, take_flag, OF(MEASURE), .target = IN(per_ball), .help = "also the free area of every ball"},
-      {"--gradient", NULL, take_flag, OF(MEASURE), .target = IN(gradient),
+      {"--per-ball", NULL, take_flag, OF(MEASURE), .target = IN(measure.per_ball),
+       .help = "also the free area of every ball"},
+      {"--gradient", NULL, take_flag, OF(MEASURE), .target = IN(measure.gradient),
        .help = "also the derivatives of area and volume by every centre and radius"},
-      {"--curvature", NULL, take_flag, OF(MEASURE), .target = IN(curvature),
+      {"--curvature", NULL, take_flag, OF(MEASURE), .target = IN(measure.curvature),
        .help = "also the integrated mean and Gaussian curvature of the boundary"},
-      {"--weights", "FILE", take_path, OF(MEASURE), .target = IN(weights),
+      {"--weights", "FILE", take_path, OF(MEASURE), .target = IN(measure.weights),
        .help = "also the sum of weight x free area; one number per ball, each on its own line, #\n"
                "comments"},
-      {"--polar", NULL, take_flag, OF(MEASURE), .target = IN(polar),
+      {"--polar", NULL, take_flag, OF(MEASURE), .target = IN(measure.polar),
        .help = "also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others;\n"
                "hydrogens count with the atom that they are bound to, by the file's bonds or by distance"},
       {"--by", "residue|chain|group", take_choice, OF(MEASURE), .target = IN(by), .words = "residue|chain|group",
@@ -92,18 +96,19 @@ const struct option *option_at(size_t i) {
                "--index. A residue is a run of atoms with the same chain, name, number and insertion code,\n"
                "and without a number ends where an atom's name comes again; a chain is all atoms with its\n"
                "name, or in .pdb files without chains with their segment, or else up to a TER"},
-      {"--of", "S", take_atoms, OF(MEASURE), .target = IN(part), .what = "atoms, for instance chain:A,B or residue:HOH",
+      {"--of", "S", take_atoms, OF(MEASURE), .target = IN(measure.part),
+       .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "measure only the atoms that S names, as for --only; all others that are read block. Of\n"
                "these the free area is found, and no volume; with --gradient its derivatives by all\n"
                "atoms, of which those that block have neither area nor weight. Several are a union"},
-      {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(relative),
+      {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(measure.relative),
        .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
                "name can have in a chain"},
       {"--interface", "A,B", take_interface, OF(MEASURE), .what = "two groups of chains: A,B or A+B,C",
        .help = "also what chain A and chain B bury between them; groups of chains are A+B,C"},
       {"--csv", NULL, take_flag, OF(MEASURE), .target = IN(csv),
        .help = "print the balls, or with --by the sums, as comma-separated values and nothing else"},
-      {"--pdb-out", "FILE", take_path, OF(MEASURE), .target = IN(pdb_out),
+      {"--pdb-out", "FILE", take_path, OF(MEASURE), .target = IN(measure.pdb_out),
        .help = "write the .pdb file again with the free area of each atom in columns 61-66. Decimals\n"
                "that do not fit are left off; atoms that are not read are left out"},
       {"--trajectory", "RUN", take_path, OF(MEASURE), .target = IN(trajectory),
@@ -119,28 +124,28 @@ const struct option *option_at(size_t i) {
        .help = "only the frames from time T, or up to it, as the trajectory has times"},
       {"--interval", "DT", take_time, OF(MEASURE), .target = IN(frames.interval), .what = "a time", .positive = true,
        .help = "of these the first one, and from its time on the first one in each interval of DT"},
-      {"--mean", NULL, take_flag, OF(MEASURE), .target = IN(mean),
+      {"--mean", NULL, take_flag, OF(MEASURE), .target = IN(measure.mean),
        .help = "with --trajectory: in place of a row for each frame the mean of all, with the standard\n"
                "deviation, the least and the most; with --per-ball or --csv also of every ball, with --by\n"
                "of every residue, chain or group"},
 
-      {"--min-volume", "V", take_length, OF(VOIDS), .target = IN(min_volume), .what = "a volume",
+      {"--min-volume", "V", take_length, OF(VOIDS), .target = IN(voids.min_volume), .what = "a volume",
        .help = "only those of volume V or more"},
-      {"--balls", NULL, take_flag, OF(VOIDS), .target = IN(void_balls), .help = "also the balls around each"},
+      {"--balls", NULL, take_flag, OF(VOIDS), .target = IN(voids.balls), .help = "also the balls around each"},
       {"--csv", NULL, take_flag, OF(VOIDS), .target = IN(csv),
        .help = "print the list as comma-separated values and nothing else"},
 
       {"--by", "residue|chain", take_choice, OF(CONTACTS), .target = IN(by), .words = "residue|chain", .first = 1,
        .help = "sums over the contacts between residues or chains, instead of those between balls"},
-      {"--cells", NULL, take_flag, OF(CONTACTS), .target = IN(cells),
+      {"--cells", NULL, take_flag, OF(CONTACTS), .target = IN(contacts.cells),
        .help = "also volume, free area and contact area of every ball's share"},
-      {"--least", "A", take_length, OF(CONTACTS), .target = IN(least), .what = "an area",
+      {"--least", "A", take_length, OF(CONTACTS), .target = IN(contacts.least), .what = "an area",
        .help = "list only contacts, or sums, of area A or more"},
       {"--csv", NULL, take_flag, OF(CONTACTS), .target = IN(csv),
        .help = "print the list as comma-separated values and nothing else"},
-      {"--map", "OUT.svg", take_path, OF(CONTACTS), .target = IN(map),
+      {"--map", "OUT.svg", take_path, OF(CONTACTS), .target = IN(contacts.map), .part = DRAWING,
        .help = "also a picture of the list: a square for each pair, darker the larger its area"},
-      {"--dark", NULL, take_flag, OF(CONTACTS), .target = IN(dark),
+      {"--dark", NULL, take_flag, OF(CONTACTS), .target = IN(contacts.dark),
        .help = "that picture before a dark page, with lighter squares for larger areas"},
       {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
       {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S"},
@@ -149,62 +154,62 @@ const struct option *option_at(size_t i) {
       {"--interval", "DT", take_time, OF(CONTACTS), .target = IN(frames.interval), .what = "a time", .positive = true,
        .help = "for every frame a row of numbers, or with --json a line with the list: see measure"},
 
-      {"--from", "X Y Z", take_place, OF(PATH), .target = IN(from), .help = ""},
-      {"--to", "X Y Z", take_place, OF(PATH), .target = IN(to), .help = ""},
+      {"--from", "X Y Z", take_place, OF(PATH), .target = IN(path.from), .help = ""},
+      {"--to", "X Y Z", take_place, OF(PATH), .target = IN(path.to), .help = ""},
 
-      {"--from", "void:K", take_place, OF(GATE), .target = IN(from),
+      {"--from", "void:K", take_place, OF(GATE), .target = IN(gate.from),
        .help = "begin where the void K of hardsphere voids has most room, with the same --probe P,\n"
                "which finds the voids and has no other use here; --to void:K likewise"},
-      {"--to", "X Y Z|void:K", take_place, OF(GATE), .target = IN(to), .help = ""},
+      {"--to", "X Y Z|void:K", take_place, OF(GATE), .target = IN(gate.to), .help = ""},
 
       {"--probe", "P", take_probe, OF(PORES), .target = IN(probe), .what = "a length",
        .help = "only what is wider than a probe of radius P; radii are not grown by it,\n"
                "but for --regions. Default 0"},
-      {"--least", "D", take_length, OF(PORES), .target = IN(persistence), .what = "a length",
+      {"--least", "D", take_length, OF(PORES), .target = IN(pores.persistence), .what = "a length",
        .help = "list only maxima whose class lives for D or more, radius less death, and pockets that\n"
                "are as much wider than their widest mouth; regions are all listed"},
-      {"--gates", NULL, take_flag, OF(PORES), .target = IN(gates), .help = "list gates instead"},
-      {"--regions", NULL, take_flag, OF(PORES), .target = IN(regions),
+      {"--gates", NULL, take_flag, OF(PORES), .target = IN(pores.gates), .help = "list gates instead"},
+      {"--regions", NULL, take_flag, OF(PORES), .target = IN(pores.regions),
        .help = "area and volume of free space that a probe of radius P gets to from outside, or with --box\n"
                "for ever, of what is blocked, and of each region; the volume is that of its centre"},
-      {"--pockets", "W", take_number, OF(PORES), .target = IN(pockets), .what = "a length", .most = 1e6,
+      {"--pockets", "W", take_number, OF(PORES), .target = IN(pores.pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
                "outside, or with --box from where it goes on for ever. Volume and area are those of places\n"
                "of the centre of P, cut off by balls that fill the mouths; - where these do not close it"},
-      {"--balls", NULL, take_flag, OF(PORES), .target = IN(void_balls),
+      {"--balls", NULL, take_flag, OF(PORES), .target = IN(pores.balls),
        .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
-      {"--tunnels-from", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(tunnels_from),
+      {"--tunnels-from", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(pores.tunnels_from),
        .help = "list tunnels from a point to the outside, the widest first, with the radius along each.\n"
                "With --box to another copy of the point, which lies so many vectors away: for ever.\n"
                "maximum:N is one of those that are listed, atom:N the widest at the atom N of the file,\n"
                "counted from 0. X Y Z lie among the atoms as FILE has them, also if its box is turned"},
-      {"--tunnels-to", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(tunnels_to),
+      {"--tunnels-to", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(pores.tunnels_to),
        .help = "instead to this point, or with --box to that copy of it which is best"},
-      {"--cheapest", NULL, take_flag, OF(PORES), .target = IN(cheapest),
+      {"--cheapest", NULL, take_flag, OF(PORES), .target = IN(pores.cheapest),
        .help = "tunnels of the least cost first, the integral of 1/radius^2 along straight lines through\n"
                "maxima and gates: short ones rather than wide ones"},
       {"--tunnels", "N", take_tunnels, OF(PORES), .what = "how many tunnels",
        .help = "so many, each without the bottlenecks of those before it; default 3"},
-      {"--points", "OUT", take_path, OF(PORES), .target = IN(points), .what = "a file",
+      {"--points", "OUT", take_path, OF(PORES), .target = IN(pores.points), .what = "a file",
        .help = "also a .pdb or .cif file for viewers with what is listed: a point each, with its radius in\n"
                "the column of temperature factors, of pockets their maxima and mouths, of tunnels the way;\n"
                "of a box that is turned where it was before, as in FILE"},
-      {"--tunnels-out", "OUT.cif", take_path, OF(PORES), .target = IN(tunnels_out), .what = "a file",
+      {"--tunnels-out", "OUT.cif", take_path, OF(PORES), .target = IN(pores.tunnels_out), .what = "a file",
        .help = "also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them: radius along the length,\n"
                "layers and the residues that line them, with the atoms of the molecule, as in FILE"},
-      {"--profile", "OUT.svg", take_path, OF(PORES), .target = IN(profile), .what = "a file",
+      {"--profile", "OUT.svg", take_path, OF(PORES), .target = IN(pores.profile), .part = DRAWING, .what = "a file",
        .help = "also a chart of the tunnels: the radius along the length, with a ring at the bottleneck"},
-      {"--tree", "OUT.svg", take_path, OF(PORES), .target = IN(tree), .what = "a file",
+      {"--tree", "OUT.svg", take_path, OF(PORES), .target = IN(pores.tree), .part = DRAWING, .what = "a file",
        .help = "also a chart of the classes: a line from birth to death for each, down to that which it\n"
                "merges into; with --pockets in the colours of the six widest pockets"},
       {"--csv", NULL, take_flag, OF(PORES), .target = IN(csv),
        .help = "print maxima, gates, regions, pockets or points of tunnels as comma-separated values and\n"
                "nothing else"},
 
-      {"--rotate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(viewing.rotate),
+      {"--rotate", "X,Y,Z", take_angles, OF(CLASH), .target = IN(clash.rotate), .part = DRAWING,
        .help = "turn the second one by X, then Y, then Z degrees about axes through the mean of its\n"
                "centres"},
-      {"--translate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(translate), .help = "then move it"},
+      {"--translate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(clash.translate), .help = "then move it"},
 
       {"--point", "X Y Z", take_query, OF(QUERY), .help = ""},
       {"--ball", "X Y Z R", take_query, OF(QUERY), .help = ""},
@@ -222,29 +227,29 @@ const struct option *option_at(size_t i) {
        .words = "ply|obj|stl|vert|svg", .help = "what OUT is; default by its extension, and ply if it is -"},
       {"--view", "X,Y,Z", take_view, OF(MESH), .target = IN(viewing)},
       {"--up", "X,Y,Z", take_direction, OF(MESH), .target = IN(viewing.up)},
-      {"--rotate", "X,Y,Z", take_vector, OF(MESH), .target = IN(viewing.rotate),
+      {"--rotate", "X,Y,Z", take_angles, OF(MESH), .target = IN(viewing.rotate),
        .help = "from where .svg shows them, as for draw"},
       {"--cut", NULL, take_flag, OF(MESH), .target = IN(meshing.cut),
        .help = "in .svg leave out what lies before the middle of the largest void, or else of all: the\n"
                "inside is seen, and voids as teal bodies"},
 
-      {"--dark", NULL, take_flag, OF(MESH), .target = IN(dark), .help = "in .svg before a dark page"},
+      {"--dark", NULL, take_flag, OF(MESH), .target = IN(meshing.dark), .help = "in .svg before a dark page"},
 
-      {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6,
-       .component = "space",
+      {"--pockets", "W", take_number, OF(MESH), .target = IN(meshing.pockets), .what = "a length", .most = 1e6,
+       .part = "space",
        .help = "in .svg show pockets instead, as pores has them: where the probe fits, and one of radius W\n"
                "does not get to from outside. The widest six have colours; --cut goes through the first"},
-      {"--least", "D", take_length, OF(MESH), .target = IN(persistence), .what = "a length", .component = "space",
+      {"--least", "D", take_length, OF(MESH), .target = IN(meshing.persistence), .what = "a length", .part = "space",
        .help = "only pockets that are wider than their widest mouth by D"},
 
       {"--at", "X,Y", take_at, OF(PICK), .help = "the point"},
 
       {"--view", "X,Y,Z", take_view, OF(MAP) | OF(PICK), .target = IN(viewing)},
       {"--up", "X,Y,Z", take_direction, OF(MAP) | OF(PICK), .target = IN(viewing.up)},
-      {"--rotate", "X,Y,Z", take_vector, OF(MAP) | OF(PICK), .target = IN(viewing.rotate),
+      {"--rotate", "X,Y,Z", take_angles, OF(MAP) | OF(PICK), .target = IN(viewing.rotate),
        .help = "from where to look: as for draw, by principal axes if nothing is said"},
 
-      {"--per-ball", NULL, take_flag, OF(MAP), .target = IN(per_ball), .help = "list the balls that are seen"},
+      {"--per-ball", NULL, take_flag, OF(MAP), .target = IN(map.per_ball), .help = "list the balls that are seen"},
 
       {"-o", "OUT", take_text, OF(DRAW), .target = IN(drawing.out), .what = "a file"},
       {"--output", "OUT", take_text, OF(DRAW), .target = IN(drawing.out), .what = "a file",
@@ -259,7 +264,7 @@ const struct option *option_at(size_t i) {
       {"--up", "X,Y,Z", take_direction, OF(DRAW), .target = IN(drawing.viewing.up),
        .help = "the direction that appears upwards; default that of auto, with --view X,Y,Z 0,1,0, or\n"
                "0,0,1 if the view is along that"},
-      {"--rotate", "X,Y,Z", take_vector, OF(DRAW), .target = IN(drawing.viewing.rotate),
+      {"--rotate", "X,Y,Z", take_angles, OF(DRAW), .target = IN(drawing.viewing.rotate),
        .help = "then turn the balls by X, then Y, then Z degrees about the axes to the right, upwards\n"
                "and towards the viewer, counter-clockwise seen from their ends"},
       {"--spin", "N", take_spin, OF(DRAW), .what = "how many pictures",
@@ -290,7 +295,7 @@ const struct option *option_at(size_t i) {
                "for --palette. Numbers go from blue to red, and darken nothing without --occlusion"},
       {"--range", "LOW,HIGH", take_range, OF(DRAW),
        .help = "which numbers are blue and red; default the least and the greatest"},
-      {"--highlight", "S", take_atoms, OF(DRAW), .target = IN(highlight),
+      {"--highlight", "S", take_atoms, OF(DRAW), .target = IN(drawing.highlight),
        .what = "atoms, for instance chain:A or residue:57,102",
        .help = "mute the colours of all atoms but those that S names, as for --only; may be given several\n"
                "times"},

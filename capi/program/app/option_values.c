@@ -121,8 +121,8 @@ bool take_threads(struct reading *reading, const struct option *option, const ch
 
 bool take_interface(struct reading *reading, const struct option *option, const char *value) {
   if (!option_value(reading, option, &value)) return false;
-  if (reading->request->interface != NULL) return option_given_twice(reading, option);
-  reading->request->interface = value;
+  if (reading->request->measure.interface != NULL) return option_given_twice(reading, option);
+  reading->request->measure.interface = value;
   return interface_parse(value, reading->failure);
 }
 
@@ -247,7 +247,7 @@ bool take_place(struct reading *reading, const struct option *option, const char
 enum { MOST_TUNNELS = 1000 };
 
 bool take_tunnels(struct reading *reading, const struct option *option, const char *value) {
-  uint32_t *const tunnels = &reading->request->tunnels;
+  uint32_t *const tunnels = &reading->request->pores.tunnels;
   uint64_t count = 0;
   if (!option_value(reading, option, &value)) return false;
   if (*tunnels > 0) return option_given_twice(reading, option);
@@ -261,19 +261,19 @@ bool take_tunnels(struct reading *reading, const struct option *option, const ch
 bool take_query(struct reading *reading, const struct option *option, const char *value) {
   struct request *request = reading->request;
   const bool point = strcmp(option->name, "--point") == 0;
-  if (request->query != QUERY_NONE) {
+  if (request->query.kind != QUERY_NONE) {
     return failure_in_usage(reading->failure, "one query at a time: either --point X Y Z or --ball X Y Z R");
   }
-  request->query = point ? QUERY_POINT : QUERY_BALL;
+  request->query.kind = point ? QUERY_POINT : QUERY_BALL;
   double numbers[4] = {0};
   if (!option_numbers(reading, option, value, point ? "XYZ" : "XYZR", numbers)) return false;
-  memcpy(request->position, numbers, sizeof request->position);
-  request->query_radius = numbers[3];
+  memcpy(request->query.position, numbers, sizeof request->query.position);
+  request->query.radius = numbers[3];
   return numbers[3] >= 0.0 || failure_in_usage(reading->failure, "--ball: R must not be negative");
 }
 
 bool take_at(struct reading *reading, const struct option *option, const char *value) {
-  struct given_vector *at = &reading->request->at;
+  struct given_vector *at = &reading->request->pick.at;
   if (at->given) return option_given_twice(reading, option);
   at->given = true;
   return option_numbers(reading, option, value, "XY", at->xyz);

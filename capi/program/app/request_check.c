@@ -14,7 +14,7 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   const char *path = request->trajectory;
   if (path == NULL) {
     const char *const lone = request->frames_given               ? "--frames"
-                             : request->mean                     ? "--mean"
+                             : request->measure.mean             ? "--mean"
                              : request->frames.begin > -HUGE_VAL ? "--begin"
                              : request->frames.end < HUGE_VAL    ? "--end"
                              : request->frames.interval > 0.0    ? "--interval"
@@ -22,24 +22,25 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
     return lone == NULL || failure_in_usage(failure, "%s needs --trajectory", lone);
   }
   if (request->files > 1) return failure_in_usage(failure, "--trajectory takes one file at a time");
-  if (request->pdb_out != NULL) return failure_in_usage(failure, "--pdb-out is not for a --trajectory");
-  if (request->map != NULL) return failure_in_usage(failure, "--map is not for a --trajectory");
+  if (request->measure.pdb_out != NULL) return failure_in_usage(failure, "--pdb-out is not for a --trajectory");
+  if (request->contacts.map != NULL) return failure_in_usage(failure, "--map is not for a --trajectory");
   if (request->csv && request->json) return true; /* refused with the options of measure */
-  if (request->mean && (request->gradient || request->interface != NULL)) {
+  if (request->measure.mean && (request->measure.gradient || request->measure.interface != NULL)) {
     return failure_in_usage(failure, "%s has no mean: not with --mean",
-                            request->gradient ? "--gradient" : "--interface");
+                            request->measure.gradient ? "--gradient" : "--interface");
   }
-  const char *longer = request->per_ball              ? "--per-ball"
-                       : request->gradient            ? "--gradient"
+  const char *longer = request->measure.per_ball      ? "--per-ball"
+                       : request->measure.gradient    ? "--gradient"
                        : request->by != GROUPING_NONE ? "--by"
-                       : request->cells               ? "--cells"
+                       : request->contacts.cells      ? "--cells"
                                                       : NULL;
-  if (longer != NULL && !request->json && !request->mean) {
+  if (longer != NULL && !request->json && !request->measure.mean) {
     return failure_in_usage(failure, "%s has no place in the one row of a frame: it needs --json", longer);
   }
-  if (!request->mean) request->csv = false; /* it is the table of frames anyway */
+  if (!request->measure.mean) request->csv = false; /* it is the table of frames anyway */
   if (!input_is_standard(path)) return true;
-  if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
+  if (input_is_standard(request->file) ||
+      (request->measure.weights != NULL && input_is_standard(request->measure.weights))) {
     return failure_in_usage(failure, "standard input is one file, not two");
   }
   if (file_format_has(request->format, FILE_FRAMES)) return true;
@@ -53,14 +54,14 @@ static bool check_measure(const struct request *request, struct failure *failure
   if (request->csv && request->json) {
     return failure_in_usage(failure, "one form of output at a time: either --csv or --json");
   }
-  if (request->csv && (request->cells || request->void_balls)) {
+  if (request->csv && (request->contacts.cells || request->voids.balls || request->pores.balls)) {
     return failure_in_usage(failure, "--csv prints one table: %s has no place in it",
-                            request->cells ? "--cells" : "--balls");
+                            request->contacts.cells ? "--cells" : "--balls");
   }
   if (request->csv && request->command == COMMAND_BOUNDARY && request->box.source != BOX_NONE) {
     return failure_in_usage(failure, "--csv is not for the boundary in a --box");
   }
-  if (request->csv && request->by != GROUPING_NONE && (request->per_ball || request->gradient)) {
+  if (request->csv && request->by != GROUPING_NONE && (request->measure.per_ball || request->measure.gradient)) {
     return failure_in_usage(failure, "--csv prints one table: either of balls or --by %s",
                             request->by == GROUPING_RESIDUE ? "residue"
                             : request->by == GROUPING_CHAIN ? "chain"
@@ -74,46 +75,46 @@ static bool check_measure(const struct request *request, struct failure *failure
     return failure_in_usage(failure, "--by has no use here: %s files have no residues",
                             file_format_list(list, ".", "and", FILE_RESIDUES, false));
   }
-  if (request->relative && request->by != GROUPING_RESIDUE) {
+  if (request->measure.relative && request->by != GROUPING_RESIDUE) {
     return failure_in_usage(failure, "--relative needs --by residue");
   }
-  if (request->relative && request->probe == 0.0) {
+  if (request->measure.relative && request->probe == 0.0) {
     return failure_in_usage(failure, "--relative compares solvent-accessible areas: it needs a probe, --probe 1.4");
   }
-  if (request->polar && !file_format_has(request->format, FILE_ELEMENTS)) {
+  if (request->measure.polar && !file_format_has(request->format, FILE_ELEMENTS)) {
     return failure_in_usage(failure, "--polar has no use here: the file names no elements");
   }
-  if (request->interface != NULL && !file_format_has(request->format, FILE_RESIDUES)) {
+  if (request->measure.interface != NULL && !file_format_has(request->format, FILE_RESIDUES)) {
     return failure_in_usage(failure, "--interface has no use here: the file names no chains");
   }
-  if (request->csv && (request->polar || request->interface != NULL)) {
+  if (request->csv && (request->measure.polar || request->measure.interface != NULL)) {
     return failure_in_usage(failure, "--csv prints one table, of balls or of groups: %s has no place in it",
-                            request->polar ? "--polar" : "--interface");
+                            request->measure.polar ? "--polar" : "--interface");
   }
-  if (request->surface >= 0 && request->probe == 0.0) {
+  if (request->measure.surface >= 0 && request->probe == 0.0) {
     return failure_in_usage(failure, "--surface needs a probe, --probe 1.4");
   }
-  if (request->outer && !request->excluded_surface) {
+  if (request->measure.outer && !request->excluded_surface) {
     return failure_in_usage(failure, "--outer is for the solvent-excluded surface: it needs --surface ses");
   }
-  if (request->excluded_surface && request->weights != NULL && request->gradient) {
+  if (request->excluded_surface && request->measure.weights != NULL && request->measure.gradient) {
     return failure_in_usage(failure,
                             "--gradient with --weights is of the solvent-accessible surface: not with --surface ses");
   }
-  if (request->excluded_surface && (request->relative || request->interface != NULL)) {
+  if (request->excluded_surface && (request->measure.relative || request->measure.interface != NULL)) {
     return failure_in_usage(failure, "%s is of the solvent-accessible surface: it has no use with --surface ses",
-                            request->relative ? "--relative" : "--interface");
+                            request->measure.relative ? "--relative" : "--interface");
   }
-  if (request->curvature && request->excluded_surface) {
+  if (request->measure.curvature && request->excluded_surface) {
     return failure_in_usage(failure,
                             "--curvature is of the solvent-accessible surface: it has no use with --surface ses");
   }
-  if (request->curvature && request->csv) {
+  if (request->measure.curvature && request->csv) {
     return failure_in_usage(failure,
                             "--csv prints one table, of balls or of groups: --curvature has no place "
                             "in it");
   }
-  if (request->pdb_out != NULL && !file_format_has(request->format, FILE_AREA_COLUMNS)) {
+  if (request->measure.pdb_out != NULL && !file_format_has(request->format, FILE_AREA_COLUMNS)) {
     return failure_in_usage(failure, "--pdb-out has no use here: it writes a .pdb file again");
   }
   return true;
@@ -122,21 +123,21 @@ static bool check_measure(const struct request *request, struct failure *failure
 /* Results of all atoms alone, which a part that others block has not. */
 static bool check_part(const struct request *request, struct failure *failure) {
   if (!request_wants_part(request)) return true;
-  const char *other = request->excluded_surface    ? "--surface ses"
-                      : request->interface != NULL ? "--interface"
-                      : request->pdb_out != NULL   ? "--pdb-out"
-                                                   : NULL;
+  const char *other = request->excluded_surface            ? "--surface ses"
+                      : request->measure.interface != NULL ? "--interface"
+                      : request->measure.pdb_out != NULL   ? "--pdb-out"
+                                                           : NULL;
   return other == NULL || failure_in_usage(failure, "%s is of all atoms: not with --of", other);
 }
 
 /* Checks for results of the outside, or not computed in a box. */
 static bool check_box(const struct request *request, struct failure *failure) {
   if (request->box.source == BOX_NONE) return true;
-  const char *other = request->excluded_surface    ? "--surface ses"
-                      : request->interface != NULL ? "--interface"
-                      : request->shells            ? "--shells"
-                      : request->pdb_out != NULL   ? "--pdb-out"
-                                                   : NULL;
+  const char *other = request->excluded_surface            ? "--surface ses"
+                      : request->measure.interface != NULL ? "--interface"
+                      : request->boundary.shells           ? "--shells"
+                      : request->measure.pdb_out != NULL   ? "--pdb-out"
+                                                           : NULL;
   return other == NULL || failure_in_usage(failure, "%s is not for a --box", other);
 }
 
@@ -163,9 +164,9 @@ static bool check_choice(struct request *request, struct failure *failure) {
   if (assembly != NULL && request->box.source != BOX_NONE) {
     return failure_in_usage(failure, "--assembly is not for a --box: both make copies");
   }
-  const char *const other = request->trajectory != NULL ? "--trajectory"
-                            : request->pdb_out != NULL  ? "--pdb-out"
-                                                        : NULL;
+  const char *const other = request->trajectory != NULL        ? "--trajectory"
+                            : request->measure.pdb_out != NULL ? "--pdb-out"
+                                                               : NULL;
   return other == NULL ||
          failure_in_usage(failure, "%s has the atoms of the file, each once: not with %s", other, copies);
 }
@@ -182,7 +183,7 @@ bool request_check_several(const struct request *request, struct failure *failur
   if (request_outputs(request, outputs) > 0) {
     return failure_in_usage(failure, "%s takes one file at a time", outputs[0].option);
   }
-  if (request->weights != NULL && input_is_standard(request->weights)) {
+  if (request->measure.weights != NULL && input_is_standard(request->measure.weights)) {
     return failure_in_usage(failure, "weights from standard input serve for one file");
   }
   return true;
@@ -218,7 +219,8 @@ static bool check_output(const struct request *request, const struct output_choi
 static bool check_files(const struct request *request, struct failure *failure) {
   struct output_choice outputs[MOST_OUTPUTS];
   const int count = request_outputs(request, outputs);
-  if (request->weights != NULL && input_is_standard(request->file) && input_is_standard(request->weights)) {
+  if (request->measure.weights != NULL && input_is_standard(request->file) &&
+      input_is_standard(request->measure.weights)) {
     return failure_in_usage(failure, "standard input is either the molecule or its weights");
   }
   for (int k = 0; k < count; ++k) {
@@ -233,10 +235,10 @@ static bool check_files(const struct request *request, struct failure *failure) 
 }
 
 bool request_check(struct request *request, struct failure *failure) {
-  request->excluded_surface = request->surface == 1;
+  request->excluded_surface = request->measure.surface == 1;
   if (!selection_suits(&request->selection, request->format, &request->index, failure)) return false;
-  if (!selection_suits(&request->part, request->format, &request->index, failure)) return false;
-  if (!selection_suits(&request->highlight, request->format, &request->index, failure)) return false;
+  if (!selection_suits(&request->measure.part, request->format, &request->index, failure)) return false;
+  if (!selection_suits(&request->drawing.highlight, request->format, &request->index, failure)) return false;
   if (!check_choice(request, failure)) return false;
   if (!check_trajectory(request, failure) || !check_measure(request, failure) || !check_part(request, failure) ||
       !check_box(request, failure)) {

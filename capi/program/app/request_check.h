@@ -1,6 +1,5 @@
 /* Which options go together, and with the files that are named. */
-#ifndef HARDSPHERE_TOOL_REQUEST_CHECK_H
-#define HARDSPHERE_TOOL_REQUEST_CHECK_H
+#pragma once
 
 #include "commands/request.h"
 
@@ -9,5 +8,3 @@ bool request_check_several(const struct request *request, struct failure *failur
 
 /* The same of all else, once the format of the file is known. Takes back or adds what follows from other options. */
 bool request_check(struct request *request, struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* One command on several files, by several threads: what each of them gives, one after the other. */
-#ifndef HARDSPHERE_TOOL_SEVERAL_FILES_H
-#define HARDSPHERE_TOOL_SEVERAL_FILES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -21,5 +20,3 @@ typedef bool file_function(const struct request *request, uint32_t threads, stru
  * one the failure has the exit status. */
 bool several_files_run(const struct request *first, int count, char **arguments, file_function *run,
                        struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* The word that a user may have meant: the known word that is nearest to an unknown one. */
-#ifndef HARDSPHERE_TOOL_SUGGESTION_H
-#define HARDSPHERE_TOOL_SUGGESTION_H
+#pragma once
 
 #include "commands/request.h"
 
@@ -12,5 +11,3 @@ const char *suggest_command(const char *unknown);
 /* The same of an option of a command, "--name" or "--name=value": " did you mean
  * --name?", or "" if there is none. */
 const char *suggest_option(enum command command, const char *unknown, char out[SUGGESTION_BYTES]);
-
-#endif

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "app/command_table.h"
+#include "app/help_keys.h"
 #include "app/option.h"
 #include "hardsphere.h"
 
@@ -46,15 +47,17 @@ static const char box_text[] = "In a periodic box, whose copies fill space, all 
 
 static const char box_closing[] =
     "A box whose first vector is not along x is turned, and the atoms with it.\n"
-    "Not with --shells, --surface ses, --interface and --pdb-out. JSON has box: [9], box_turned, with the box of FILE\n"
-    "symmetry: {space_group, operators, filled, special_positions, matrices}, of images that are left out and of "
-    "MTRIX\n"
-    "records whose copies are not made, box_volume,\n"
-    "free_volume, windings: [{balls, directions, copies, rows: [[i, j, k], ...]}, ...], in how many directions each\n"
-    "component goes on for ever and by which multiples of the box's vectors, strain_area: [9] and strain_volume: [9],\n"
-    "derivatives by eps_xx, eps_xy, ...; a contact has shift: [i, j, k], by which its second ball is to be moved; the\n"
-    "boundary has no exposed_balls and voids.\n"
-    "\n";
+    "Not with --shells, --surface ses, --interface and --pdb-out.\n";
+
+/* Of a boundary. */
+static const char box_json[] =
+    "JSON has <--box 9,9,9..box>: [9], <--box 9,9,9..box_turned>, with the box of FILE <--box 9,9,9..symmetry>: "
+    "{space_group, operators, filled, special_positions, matrices}, of images that are left out and of MTRIX records "
+    "whose copies are not made, <--box 9,9,9..windings>: [{balls, directions, copies, rows: [[i, j, k], ...]}, ...], "
+    "in how many directions each component goes on for ever and by which multiples of the box's vectors, "
+    "<--box 9,9,9..strain_area>: [9] and <--box 9,9,9..strain_volume>: [9], derivatives by eps_xx, eps_xy, ...; a "
+    "contact has shift: [i, j, k], by which its second ball is to be moved; the boundary has no exposed_balls and "
+    "voids.";
 
 /* The rows of a command, those that all have, or those of a periodic box. */
 enum section { OF_COMMAND, OF_ALL, OF_BOX };
@@ -128,11 +131,15 @@ void usage_of_command(struct text_buffer *out, enum command command) {
   char list[FORMAT_LIST_BYTES];
   text_buffer_add(out, "%s", row->text);
   add_options(out, OF_COMMAND, command);
-  text_buffer_add(out, "%s", row->closing);
+  text_buffer_add_text(out, row->closing);
+  if (row->describe != NULL) help_keys_fill(out, command, row->json);
+  text_buffer_add_text(out, "\n");
   if (option_find(command, "--box", &value) != NULL) {
     text_buffer_add(out, "%s", box_text);
     add_options(out, OF_BOX, command);
-    text_buffer_add(out, "%s", box_closing);
+    text_buffer_add_text(out, box_closing);
+    help_keys_fill(out, COMMAND_BOUNDARY, box_json);
+    text_buffer_add_text(out, "\n");
   }
   text_buffer_add(out, FOR_ALL_COMMANDS, file_format_list(list, ".", "or", FILE_ATOMS, true));
 }

@@ -1,6 +1,5 @@
 /* The program's texts about itself. */
-#ifndef HARDSPHERE_TOOL_USAGE_H
-#define HARDSPHERE_TOOL_USAGE_H
+#pragma once
 
 #include "commands/request.h"
 #include "read/text_buffer.h"
@@ -8,5 +7,3 @@
 void usage_of_program(struct text_buffer *out);
 void usage_of_command(struct text_buffer *out, enum command command);
 void usage_version(struct text_buffer *out);
-
-#endif

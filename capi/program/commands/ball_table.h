@@ -1,6 +1,5 @@
 /* Balls with their areas and derivatives. */
-#ifndef HARDSPHERE_TOOL_BALL_TABLE_H
-#define HARDSPHERE_TOOL_BALL_TABLE_H
+#pragma once
 
 #include "commands/measurement.h"
 #include "read/molecule.h"
@@ -21,5 +20,3 @@ struct ball_table {
 
 void ball_table_make(const struct molecule *molecule, const struct measurement *measurement, double probe,
                      struct ball_table *made);
-
-#endif

@@ -90,7 +90,7 @@ static void print(struct record *record, const void *of) {
 static void print_all(const struct request *request, const struct molecule *molecule, const struct counted *counted,
                       struct text_buffer *out) {
   const struct table shells = table_of_shells(molecule, counted);
-  if (request->csv && request->shells) {
+  if (request->csv && request->boundary.shells) {
     table_csv(&shells, out);
   } else {
     report(request, molecule, print, counted, out);
@@ -102,7 +102,7 @@ static bool count_in_box(const struct request *request, const struct molecule *m
   struct periodic_result result;
   const bool done = periodic_result_make(request, molecule, NULL, geometry, &result, failure);
   const hsp_periodic_counts *counts = &result.counts;
-  struct counted counted = {.box = &result, .listed = request->shells, .euler = counts->euler};
+  struct counted counted = {.box = &result, .listed = request->boundary.shells, .euler = counts->euler};
   counted.boundary.balls = counts->balls;
   counted.boundary.vertices = counts->vertices;
   counted.boundary.arcs = counts->arcs;
@@ -115,11 +115,19 @@ static bool count_in_box(const struct request *request, const struct molecule *m
   return done;
 }
 
+void describe_boundary(const struct request *request, struct record *record) {
+  static const struct symmetry symmetry;
+  static const struct periodic_result box = {.symmetry = &symmetry};
+  const struct counted none = {.listed = request->boundary.shells,
+                               .box = request->box.source != BOX_NONE ? &box : NULL};
+  print(record, &none);
+}
+
 bool command_boundary(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct text_buffer *out, struct failure *failure) {
   if (request->box.source != BOX_NONE) return count_in_box(request, molecule, geometry, out, failure);
   if (!geometry_compute_topology(geometry, failure)) return false;
-  struct counted counted = {.listed = request->shells};
+  struct counted counted = {.listed = request->boundary.shells};
   int32_t status = hsp_boundary_get_counts(geometry->work.boundary, &counted.boundary);
   if (status == HSP_OK) status = hsp_topology_get_counts(geometry->work.topology, &counted.topology);
   if (status != HSP_OK) return failure_in_library(failure, status);

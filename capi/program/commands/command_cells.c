@@ -14,6 +14,12 @@ static void print(struct record *record, const void *of) {
   record_count(record, "regions", "regions", found->regions, "connected pieces of free space, the outside among them");
 }
 
+void describe_cells(const struct request *request, struct record *record) {
+  static const hsp_cells_counts none;
+  (void)request;
+  print(record, &none);
+}
+
 bool command_cells(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
   if (!geometry_compute_cells(geometry, failure)) return false;

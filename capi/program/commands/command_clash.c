@@ -62,33 +62,42 @@ static bool make_bodies(struct clash *clash, struct failure *failure) {
   return true;
 }
 
-/* Turned about the mean of its centres as draw turns what it shows, then moved. */
-static int32_t pose_of(const struct molecule_request *moving, hsp_pose *pose) {
-  const struct molecule *const molecule = moving->molecule;
-  double mean[3] = {0.0, 0.0, 0.0}, translation[3];
+/* The rotation by three angles, as draw turns what it shows. */
+static int32_t rotation_of(const double angle[3], double matrix[9]) {
+  static const double none[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+  memcpy(matrix, none, sizeof none);
+#if HSP_HAS_SIGHT
   hsp_view_options options;
-  const double *const angle = moving->request->viewing.rotate.xyz; /* 0 if none are given */
   int32_t status = hsp_view_options_init(&options, (uint32_t)sizeof options);
   if (status == HSP_OK) status = hsp_view_options_turn(&options, angle[0], angle[1], angle[2]);
   if (status != HSP_OK) return status;
   /* The viewer's axes, seen from the balls, are the rows of the rotation. */
   const double *const u = options.up, *const t = options.towards;
-  const double matrix[9] = {u[1] * t[2] - u[2] * t[1],
-                            u[2] * t[0] - u[0] * t[2],
-                            u[0] * t[1] - u[1] * t[0],
-                            u[0],
-                            u[1],
-                            u[2],
-                            t[0],
-                            t[1],
-                            t[2]};
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3, last = (k + 2) % 3;
+    matrix[k] = u[next] * t[last] - u[last] * t[next];
+    matrix[3 + k] = u[k];
+    matrix[6 + k] = t[k];
+  }
+#else
+  (void)angle; /* the option is of the part that draws */
+#endif
+  return HSP_OK;
+}
+
+/* Turned about the mean of its centres, then moved. */
+static int32_t pose_of(const struct molecule_request *moving, hsp_pose *pose) {
+  const struct molecule *const molecule = moving->molecule;
+  double mean[3] = {0.0, 0.0, 0.0}, translation[3], matrix[9];
+  const int32_t status = rotation_of(moving->request->clash.rotate.xyz, matrix);
+  if (status != HSP_OK) return status;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     for (int axis = 0; axis < 3; ++axis) mean[axis] += molecule->xyz[3 * (size_t)i + (size_t)axis] / molecule->atoms;
   }
   for (int row = 0; row < 3; ++row) {
     const double *const m = matrix + 3 * row;
     translation[row] =
-        mean[row] + moving->request->translate.xyz[row] - (m[0] * mean[0] + m[1] * mean[1] + m[2] * mean[2]);
+        mean[row] + moving->request->clash.translate.xyz[row] - (m[0] * mean[0] + m[1] * mean[1] + m[2] * mean[2]);
   }
   return hsp_pose_from_matrix(matrix, translation, pose);
 }
@@ -137,37 +146,52 @@ static void print_nearest(const struct molecule_request *const both[2], const st
   text_buffer_add_text(out, "\n");
 }
 
+static void record_findings(struct record *record, const struct molecule_request *const both[2],
+                            const struct clash *clash) {
+  const uint32_t pairs = clash->overlap.pairs, nearest[2] = {clash->gap.fixed, clash->gap.posed};
+  record_whether(record, "hit", NULL, pairs > 0, "");
+  record_count(record, NULL, "pairs", pairs, "of balls that meet");
+  if (record_key(record, "pairs")) {
+    text_buffer_add_text(record->out, "[");
+    for (uint32_t k = 0; k < pairs; ++k) {
+      if (k > 0) text_buffer_add_text(record->out, ", ");
+      json_counts(record->out, clash->pair + 2 * (size_t)k, 2);
+    }
+    text_buffer_add_text(record->out, "]");
+  }
+  record_number(record, "gap", "least gap", clash->gap.gap, 6, "@, of the two balls below");
+  record_counts(record, "nearest", nearest, 2);
+  record_number(record, "overlap_volume", "overlap", clash->overlap.volume, 6, "@^3, summed pair by pair");
+  if (record_key(record, "nearest_balls")) {
+    for (int k = 0; k < 2; ++k) {
+      text_buffer_add_text(record->out, k == 0 ? "[{" : "}, {");
+      ball_label_json(both[k]->molecule, nearest[k], record->out);
+    }
+    text_buffer_add_text(record->out, "}]");
+  }
+  add_input(record, "fixed", both[0]);
+  add_input(record, "moving", both[1]);
+}
+
+void describe_clash(const struct request *request, struct record *record) {
+  static const struct clash none;
+  const struct molecule_request one = {request, record->molecule, NULL};
+  const struct molecule_request *const both[2] = {&one, &one};
+  record_findings(record, both, &none);
+}
+
 static void print(const struct molecule_request *const both[2], const struct clash *clash, struct text_buffer *out) {
   const bool json = both[0]->request->json;
-  const uint32_t pairs = clash->overlap.pairs, nearest[2] = {clash->gap.fixed, clash->gap.posed};
-  struct record record = {json ? AS_JSON : FOR_PERSONS, both[0]->molecule, NULL, VALUE_WIDTH, false, out};
+  struct record record = {
+      .form = json ? AS_JSON : FOR_PERSONS, .molecule = both[0]->molecule, .width = VALUE_WIDTH, .out = out};
   if (json) text_buffer_add_text(out, "{");
   for (int k = 0; k < 2 && !json; ++k) report_heading(out, both[k]->request, both[k]->molecule);
-  record_whether(&record, "hit", NULL, pairs > 0, "");
-  record_count(&record, NULL, "pairs", pairs, "of balls that meet");
-  if (record_key(&record, "pairs")) {
-    text_buffer_add_text(out, "[");
-    for (uint32_t k = 0; k < pairs; ++k) {
-      if (k > 0) text_buffer_add_text(out, ", ");
-      json_counts(out, clash->pair + 2 * (size_t)k, 2);
-    }
-    text_buffer_add_text(out, "]");
-  }
-  record_number(&record, "gap", "least gap", clash->gap.gap, 6, "@, of the two balls below");
-  record_counts(&record, "nearest", nearest, 2);
-  record_number(&record, "overlap_volume", "overlap", clash->overlap.volume, 6, "@^3, summed pair by pair");
-  if (!json) {
+  record_findings(&record, both, clash);
+  if (json) {
+    text_buffer_add_text(out, "}\n");
+  } else {
     print_nearest(both, clash, out);
-    return;
   }
-  text_buffer_add_text(out, ", \"nearest_balls\": [{");
-  ball_label_json(both[0]->molecule, nearest[0], out);
-  text_buffer_add_text(out, "}, {");
-  ball_label_json(both[1]->molecule, nearest[1], out);
-  text_buffer_add_text(out, "}]");
-  add_input(&record, "fixed", both[0]);
-  add_input(&record, "moving", both[1]);
-  text_buffer_add_text(out, "}\n");
 }
 
 bool command_clash(const struct molecule_request *fixed, const struct molecule_request *moving, struct text_buffer *out,

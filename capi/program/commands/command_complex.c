@@ -40,6 +40,12 @@ static void print(struct record *record, const void *of) {
   record_table(record, NULL, &simplices);
 }
 
+void describe_complex(const struct request *request, struct record *record) {
+  static const hsp_complex none;
+  (void)request;
+  print(record, &none);
+}
+
 bool command_complex(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                      struct text_buffer *out, struct failure *failure) {
   if (!geometry_compute_contacts(geometry, failure)) return false;

@@ -8,7 +8,7 @@
 #include "commands/commands.h"
 #include "commands/input_report.h"
 #include "commands/periodic_result.h"
-#include "draw/contact_map.h"
+#include "commands/pictures.h"
 #include "write/ball_label.h"
 #include "write/csv.h"
 #include "write/output_file.h"
@@ -157,6 +157,8 @@ static void lead_pair(const void *of, size_t row, enum form form, struct text_bu
   const struct molecule *molecule = listed->rows.molecule;
   const bool titles = row == TABLE_TITLES;
   const uint32_t *const ball = titles ? NULL : listed->found->contacts[row].ball;
+  if (form == AS_KEYS) text_buffer_add_text(out, "balls: [i, j]");
+  if (form == AS_KEYS) return;
   if (form == AS_JSON) text_buffer_add_text(out, "\"balls\": ");
   if (form == AS_JSON) json_counts(out, ball, 2);
   for (int side = 0; side < 2 && form != AS_JSON; ++side) {
@@ -176,7 +178,7 @@ static bool pair_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   cells[1].quantity = contact->rim;
   cells[2].quantity = contact->distance;
   cells[3].shift = listed->found->shift == NULL ? NULL : listed->found->shift + 3 * row;
-  return contact->area >= listed->request->least;
+  return contact->area >= listed->request->contacts.least;
 }
 
 /* The two residues or chains of a sum; in CSV as --by has them in measure. */
@@ -186,6 +188,10 @@ static void lead_between(const void *of, size_t row, enum form form, struct text
   const bool residues = listed->request->by == GROUPING_RESIDUE;
   static const char *const keys[] = {"chain", "residue", "number", "insertion"};
   char name[GROUP_NAME_BYTES];
+  if (form == AS_KEYS) {
+    text_buffer_add_text(out, residues ? "residues: [\"A:THR:1\", \"A:THR:2\"]" : "chains: [\"A\", \"B\"]");
+    return;
+  }
   if (form == AS_JSON) text_buffer_add(out, "\"%s\": [", residues ? "residues" : "chains");
   for (int side = 0; side < 2; ++side) {
     if (row == TABLE_TITLES) {
@@ -217,7 +223,7 @@ static bool between_row(const void *of, size_t row, union cell cells[MOST_COLUMN
   cells[0].quantity = sum->area;
   cells[1].quantity = sum->rim;
   cells[2].count = sum->contacts;
-  return sum->area >= listed->request->least;
+  return sum->area >= listed->request->contacts.least;
 }
 
 static bool cell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
@@ -275,10 +281,8 @@ static void print(struct record *record, const void *of) {
   record_number(record, json ? NULL : "volume", "volume", found->totals.volume, 10, "@^3, of all shares");
   if (box != NULL && !json) periodic_result_record(record, box);
   if (json || found->contact_count > 0) record_table(record, "pairs", &pairs);
-  if (request->cells) record_table(record, "cells", &cells);
-  if ((request->by == GROUPING_NONE || request->cells) && record_key(record, "balls")) {
-    ball_labels_json(record->molecule, record->out);
-  }
+  if (request->contacts.cells) record_table(record, "cells", &cells);
+  if (request->by == GROUPING_NONE || request->contacts.cells) ball_labels_record(record, "balls");
   if (box != NULL && json) periodic_result_record(record, box);
 }
 
@@ -289,14 +293,15 @@ static bool write_map(const struct request *request, const struct molecule *mole
   const uint32_t pairs = grouped ? found->between_count : found->contact_count;
   struct contact_square *squares = calloc((size_t)pairs + 1, sizeof *squares);
   if (squares == NULL) return failure_of_memory(failure);
-  struct contact_map map = {molecule, &found->groups, grouped ? found->groups.count : molecule->atoms, squares,
-                            0,        request->dark};
+  struct contact_map map = {molecule, &found->groups,        grouped ? found->groups.count : molecule->atoms, squares,
+                            0,        request->contacts.dark};
   for (uint32_t k = 0; k < pairs; ++k) {
     const uint32_t *const pair = grouped ? found->between[k].group : found->contacts[k].ball;
     const double area = grouped ? found->between[k].area : found->contacts[k].area;
-    if (area > 0.0 && area >= request->least) squares[map.count++] = (struct contact_square){pair[0], pair[1], area};
+    if (area > 0.0 && area >= request->contacts.least)
+      squares[map.count++] = (struct contact_square){pair[0], pair[1], area};
   }
-  const bool done = contact_map_write(&map, request->map, failure);
+  const bool done = pictures.contacts(&map, request->contacts.map, failure);
   free(squares);
   return done;
 }
@@ -312,14 +317,20 @@ static bool find_all(const struct request *request, const struct molecule *molec
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+void describe_contacts(const struct request *request, struct record *record) {
+  static const struct findings none;
+  const struct listed listed = {ball_rows_of(record->molecule, NULL), request, &none};
+  print(record, &listed);
+}
+
 bool command_contacts(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct text_buffer *out, struct failure *failure) {
   struct findings found;
   memset(&found, 0, sizeof found);
   bool done = find_all(request, molecule, geometry, &found, failure);
   if (done && request->by != GROUPING_NONE) done = find_groups(request, molecule, geometry, &found, failure);
-  if (done && request->cells) done = find_cells(molecule, geometry, &found, failure);
-  if (done && request->map != NULL) done = write_map(request, molecule, &found, failure);
+  if (done && request->contacts.cells) done = find_cells(molecule, geometry, &found, failure);
+  if (done && request->contacts.map != NULL) done = write_map(request, molecule, &found, failure);
   if (request_prints_file(request)) {
     findings_free(&found);
     return done;

@@ -1,6 +1,5 @@
 /* A command on the frames of a trajectory, one after the other. */
-#ifndef HARDSPHERE_TOOL_COMMAND_FRAMES_H
-#define HARDSPHERE_TOOL_COMMAND_FRAMES_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -26,5 +25,3 @@ struct frame_work {
  * as hsp_model_info has it. */
 bool command_frames(const struct request *request, const struct molecule *molecule, const struct frame_work *work,
                     double *largest_rounding, struct failure *failure);
-
-#endif

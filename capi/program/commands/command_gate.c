@@ -47,8 +47,8 @@ static void print(struct record *record, const void *of) {
   const hsp_widest_probe *const widest = &found->widest;
   const uint32_t count = gate_balls(widest);
   const bool passes = widest->passes != 0;
-  print_end(record, "from", &found->request->from, ends->from);
-  print_end(record, "to", &found->request->to, ends->to);
+  print_end(record, "from", &found->request->gate.from, ends->from);
+  print_end(record, "to", &found->request->gate.to, ends->to);
   record_atoms(record);
   record_whether(record, "passes", NULL, passes, "");
   if (!passes) record_text(record, NULL, "widest probe", "none", "not even a point passes");
@@ -67,7 +67,7 @@ static void print(struct record *record, const void *of) {
  * the molecule's own. */
 static bool find_ends(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct ends *ends, struct failure *failure) {
-  const struct place *const places[2] = {&request->from, &request->to};
+  const struct place *const places[2] = {&request->gate.from, &request->gate.to};
   double *const points[2] = {ends->from, ends->to};
   bool grown = false;
   for (int k = 0; k < 2; ++k) {
@@ -79,8 +79,13 @@ static bool find_ends(const struct request *request, const struct molecule *mole
       return false;
     }
   }
-  ends->inside = request->to.point.given;
+  ends->inside = request->gate.to.point.given;
   return !grown || request->probe == 0.0 || geometry_set_model(geometry, molecule, 0.0, 0.0, failure);
+}
+
+void describe_gate(const struct request *request, struct record *record) {
+  const struct found none = {.request = request};
+  print(record, &none);
 }
 
 bool command_gate(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

@@ -6,6 +6,7 @@
 #include "commands/group_table.h"
 #include "commands/input_report.h"
 #include "commands/interface.h"
+#include "commands/measure_mean.h"
 #include "commands/measurement.h"
 #include "write/pdb_output.h"
 
@@ -43,10 +44,11 @@ static void record_interface(struct record *record, const char *text, const stru
   };
   const bool json = record->form == AS_JSON;
   const struct table sides = {columns, 5, record->molecule->format, json ? 2 : 3, interface, side_row, NULL};
+  if (json && !record_key(record, "interface")) return;
   if (record->form == FOR_PERSONS) text_buffer_add(record->out, "\ninterface of the chains %s", text);
   record_line(record, ": areas in @^2, of each group alone and of both without anything else");
   struct record own = {.form = AS_JSON, .out = record->out}, *const to = json ? &own : record;
-  if (record_key(record, "interface")) text_buffer_add_text(record->out, "{");
+  if (json) text_buffer_add_text(record->out, "{");
   record_table(to, "groups", &sides);
   if (!json) record_number(record, "first_alone", NULL, interface->side[0].alone, 0, "");
   if (!json) record_number(record, "second_alone", NULL, interface->side[1].alone, 0, "");
@@ -60,7 +62,7 @@ static void record_subject(struct record *record, const struct request *request,
   if (of->box.periodic != NULL) periodic_result_record(record, &of->box);
   if (request->excluded_surface && record->form == AS_JSON) {
     record_text(record, "surface", NULL, "ses", "");
-    if (request->outer) record_whether(record, "outer", NULL, true, "");
+    if (request->measure.outer) record_whether(record, "outer", NULL, true, "");
   }
 }
 
@@ -93,13 +95,14 @@ static void print(struct record *record, const void *of) {
                      ? "their derivatives are one-sided at best: four spheres meet in a point, or balls are equal"
                      : "their derivatives are one-sided: as if touching balls overlapped");
   }
-  if (request->interface != NULL) record_interface(record, request->interface, &found->interface);
+  if (request->measure.interface != NULL) record_interface(record, request->measure.interface, &found->interface);
   if (request_wants_balls(request) && !line) {
     struct ball_table balls;
     ball_table_make(record->molecule, measurement, request->probe, &balls);
     record_table(record, "balls", &balls.table);
   }
-  if (request->by != GROUPING_NONE && !line) group_table_record(record, &found->groups, NULL, request->relative);
+  if (request->by != GROUPING_NONE && !line)
+    group_table_record(record, &found->groups, NULL, request->measure.relative);
 }
 
 static void print_all(const struct request *request, const struct molecule *molecule, const struct findings *found,
@@ -111,7 +114,27 @@ static void print_all(const struct request *request, const struct molecule *mole
     ball_table_make(molecule, &found->measurement, request->probe, &balls);
     table_csv(&balls.table, out);
   } else {
-    group_table_csv(molecule, &found->groups, NULL, request->relative, out);
+    group_table_csv(molecule, &found->groups, NULL, request->measure.relative, out);
+  }
+}
+
+void describe_measure(const struct request *request, struct record *record) {
+  static double some[1];
+  static const struct gradient derivatives = {some, some};
+  static uint8_t part[1];
+  struct request asked = *request;
+  struct findings none = {.request = &asked};
+  struct measurement *const of = &none.measurement;
+  asked.excluded_surface = request->measure.surface == 1;
+  if (request_wants_part(request)) of->part = part;
+  if (request->measure.weights != NULL) of->weights = some;
+  if (request->measure.gradient) of->of_area = of->of_volume = derivatives;
+  if (request->measure.gradient && of->weights != NULL) of->of_weighted_area = derivatives;
+  none.groups.grouping = request->by;
+  if (request->measure.mean) {
+    measure_mean_describe(request, record);
+  } else {
+    print(record, &none);
   }
 }
 
@@ -126,14 +149,14 @@ bool command_measure(const struct request *request, const struct molecule *molec
     done = atom_groups_make(molecule, request->by, &request->index, found.measurement.part, &found.groups, failure);
     if (done) atom_groups_sum(&found.groups, area);
   }
-  if (done && request->interface != NULL) {
-    done = interface_measure(request->interface, molecule, request->probe, geometry, &found.interface, failure);
+  if (done && request->measure.interface != NULL) {
+    done = interface_measure(request->measure.interface, molecule, request->probe, geometry, &found.interface, failure);
   }
   if (done && request_wants_balls(request)) progress_show(&geometry->progress, "making the table");
   if (done && !request_prints_file(request)) print_all(request, molecule, &found, out);
-  if (done && request->pdb_out != NULL) {
+  if (done && request->measure.pdb_out != NULL) {
     progress_show(&geometry->progress, "writing");
-    done = pdb_output_write(request->file, molecule, area, request->pdb_out, failure);
+    done = pdb_output_write(request->file, molecule, area, request->measure.pdb_out, failure);
   }
   atom_groups_free(&found.groups);
   measurement_free(&found.measurement);

@@ -56,6 +56,12 @@ static void print(struct record *record, const void *of) {
   print_verdict(record->molecule->atoms, figures, record->out);
 }
 
+void describe_model(const struct request *request, struct record *record) {
+  static const hsp_packing none;
+  (void)request;
+  print(record, &none);
+}
+
 bool command_model(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
   hsp_packing figures;

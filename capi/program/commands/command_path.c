@@ -40,12 +40,19 @@ static void print(struct record *record, const void *of) {
   record_table(record, NULL, &points);
 }
 
+void describe_path(const struct request *request, struct record *record) {
+  static const struct found none;
+  (void)request;
+  print(record, &none);
+}
+
 bool command_path(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure) {
   struct found found;
   uint32_t needed = 0;
   hsp_path *const path = &found.path;
-  if (!geometry_find_path(geometry, request->from.point.xyz, request->to.point.xyz, path, failure)) return false;
+  if (!geometry_find_path(geometry, request->path.from.point.xyz, request->path.to.point.xyz, path, failure))
+    return false;
   found.points = calloc(3 * (size_t)path->points + 1, sizeof *found.points);
   if (found.points == NULL) return failure_of_memory(failure);
   const int32_t status = hsp_paths_get_points(geometry->work.paths, found.points, path->points, &needed);

@@ -318,7 +318,7 @@ static void print_regions(struct record *record, const struct pores_found *found
 }
 
 static bool lists_balls(const struct record *record, const struct pores_found *found) {
-  return record->form == FOR_PERSONS && found->request->void_balls;
+  return record->form == FOR_PERSONS && found->request->pores.balls;
 }
 
 static void print(struct record *record, const void *of) {
@@ -326,8 +326,8 @@ static void print(struct record *record, const void *of) {
   const struct request *const request = found->request;
   const struct molecule *const molecule = record->molecule;
   const hsp_pores_counts *const counts = &found->counts;
-  const bool persons = record->form == FOR_PERSONS, pockets = request->pockets >= 0.0;
-  const bool tunnels = request->tunnels_from.point.given;
+  const bool persons = record->form == FOR_PERSONS, pockets = request->pores.pockets >= 0.0;
+  const bool tunnels = request->pores.tunnels_from.point.given;
   const struct table maxima = table_of_maxima(molecule, found), gates = table_of_gates(molecule, found);
   const struct table pocket_table = table_of_pockets(molecule, found);
   const struct table tunnel_table = table_of_tunnels(molecule, found), steps = table_of_steps(molecule, found);
@@ -347,15 +347,15 @@ static void print(struct record *record, const void *of) {
   if (!persons) {
     record_table(record, "maximum_list", &maxima);
     record_table(record, "gate_list", &gates);
-  } else if (request->regions) {
+  } else if (request->pores.regions) {
     /* The list of these follows. */
-  } else if (is_boxed(request) && !request->gates && !pockets && !tunnels) {
+  } else if (is_boxed(request) && !request->pores.gates && !pockets && !tunnels) {
     print_table(record, &channels, "  a channel: its widest probe, in @, and where it goes on for ever, by vectors");
-  } else if (!request->gates && !pockets && !tunnels) {
+  } else if (!request->pores.gates && !pockets && !tunnels) {
     print_table(record, &maxima, "  a class: the radius of the widest probe in it, and of that which merges it, in @");
   }
-  if (request->regions) print_regions(record, found);
-  if (persons && request->gates) print_table(record, &gates, "  narrower probes than radius, in @, pass");
+  if (request->pores.regions) print_regions(record, found);
+  if (persons && request->pores.gates) print_table(record, &gates, "  narrower probes than radius, in @, pass");
   if (pockets) {
     record_count(record, "pockets", "pockets", found->pocket_count, "where the probe fits that --pockets keeps out");
     if (!persons) record_table(record, "pocket_list", &pocket_table);
@@ -367,8 +367,8 @@ static void print(struct record *record, const void *of) {
     }
   }
   if (!tunnels) return;
-  if (persons && (request->gates || request->regions || pockets)) record_line(record, "");
-  const bool ends = request->tunnels_to.point.given;
+  if (persons && (request->pores.gates || request->pores.regions || pockets)) record_line(record, "");
+  const bool ends = request->pores.tunnels_to.point.given;
   record_numbers(record, "from", found->from, 3);
   record_numbers(record, "to", ends ? found->to : NULL, 3);
   record_number(record, "from_radius", "start", found->room, 8, "@, the radius of the largest probe there");
@@ -389,28 +389,37 @@ static void print(struct record *record, const void *of) {
 
 static struct table table_of(const struct molecule *molecule, const struct pores_found *found) {
   const struct request *const request = found->request;
-  return request->gates                      ? table_of_gates(molecule, found)
-         : request->regions                  ? table_of_regions(molecule, found)
-         : request->pockets >= 0.0           ? table_of_pockets(molecule, found)
-         : request->tunnels_from.point.given ? table_of_steps(molecule, found)
-                                             : table_of_maxima(molecule, found);
+  return request->pores.gates                      ? table_of_gates(molecule, found)
+         : request->pores.regions                  ? table_of_regions(molecule, found)
+         : request->pores.pockets >= 0.0           ? table_of_pockets(molecule, found)
+         : request->pores.tunnels_from.point.given ? table_of_steps(molecule, found)
+                                                   : table_of_maxima(molecule, found);
 }
 
 bool check_pores(struct request *request, struct failure *failure) {
-  const bool pockets = request->pockets >= 0.0, from = request->tunnels_from.point.given;
-  if (request->tunnels > 0 && !from) return failure_in_usage(failure, "--tunnels needs --tunnels-from");
-  if (request->tunnels_to.point.given && !from) return failure_in_usage(failure, "--tunnels-to needs --tunnels-from");
-  if (request->cheapest && !from) return failure_in_usage(failure, "--cheapest needs --tunnels-from");
-  if (pockets && request->pockets < request->probe) {
+  const bool pockets = request->pores.pockets >= 0.0, from = request->pores.tunnels_from.point.given;
+  if (request->pores.tunnels > 0 && !from) return failure_in_usage(failure, "--tunnels needs --tunnels-from");
+  if (request->pores.tunnels_to.point.given && !from)
+    return failure_in_usage(failure, "--tunnels-to needs --tunnels-from");
+  if (request->pores.cheapest && !from) return failure_in_usage(failure, "--cheapest needs --tunnels-from");
+  if (pockets && request->pores.pockets < request->probe) {
     return failure_in_usage(failure, "--pockets: W must not be less than --probe");
   }
-  if (request->tunnels_out != NULL && !from) return failure_in_usage(failure, "--tunnels-out needs --tunnels-from");
-  if (request->profile != NULL && !from) return failure_in_usage(failure, "--profile needs --tunnels-from");
-  if (request->void_balls && !pockets && !from) {
+  if (request->pores.tunnels_out != NULL && !from)
+    return failure_in_usage(failure, "--tunnels-out needs --tunnels-from");
+  if (request->pores.profile != NULL && !from) return failure_in_usage(failure, "--profile needs --tunnels-from");
+  if (request->pores.balls && !pockets && !from) {
     return failure_in_usage(failure, "--balls needs --pockets or --tunnels-from");
   }
-  if (!request->csv || (int)request->gates + (int)request->regions + (int)pockets + (int)from < 2) return true;
+  if (!request->csv || (int)request->pores.gates + (int)request->pores.regions + (int)pockets + (int)from < 2)
+    return true;
   return failure_in_usage(failure, "--csv prints one table: either --gates, --regions, --pockets or --tunnels-from");
+}
+
+void describe_pores(const struct request *request, struct record *record) {
+  static hsp_pore_gate_shifts some[1];
+  const struct pores_found none = {.request = request, .shifts = is_boxed(request) ? some : NULL};
+  print(record, &none);
 }
 
 bool command_pores(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

@@ -8,8 +8,8 @@
 
 static int32_t ask(const struct request *request, const hsp_model *model, uint32_t *ids, uint32_t capacity,
                    uint32_t *needed) {
-  if (request->query == QUERY_POINT) return hsp_query_point(model, request->position, ids, capacity, needed);
-  return hsp_query_ball(model, request->position, request->query_radius, ids, capacity, needed);
+  if (request->query.kind == QUERY_POINT) return hsp_query_point(model, request->query.position, ids, capacity, needed);
+  return hsp_query_ball(model, request->query.position, request->query.radius, ids, capacity, needed);
 }
 
 static double distance(const double *a, const double *b) {
@@ -30,7 +30,7 @@ static bool row_of(const void *of, size_t row, union cell cells[MOST_COLUMNS], c
   const struct found *const found = of;
   (void)text;
   cells[0].quantity =
-      distance(found->request->position, found->rows.molecule->xyz + 3 * (size_t)found->rows.balls[row]);
+      distance(found->request->query.position, found->rows.molecule->xyz + 3 * (size_t)found->rows.balls[row]);
   return true;
 }
 
@@ -38,17 +38,22 @@ static void print(struct record *record, const void *of) {
   static const struct column columns[] = {{NULL, NULL, "distance of centre", 18, COLUMN_PLAIN, 4}};
   const struct found *const found = of;
   const struct request *const request = found->request;
-  const double *const at = request->position;
-  const bool point = request->query == QUERY_POINT;
+  const double *const at = request->query.position;
+  const bool point = request->query.kind == QUERY_POINT;
   const struct table table = {columns, 1, request->format, found->count, found, row_of, ball_rows_lead};
   record_counts(record, "hits", found->rows.balls, found->count);
   if (record->form != FOR_PERSONS) return;
   text_buffer_add(record->out, "  %-16s at %.10g %.10g %.10g", point ? "query point" : "query ball", at[0], at[1],
                   at[2]);
-  if (!point) text_buffer_add(record->out, ", radius %.10g", request->query_radius);
+  if (!point) text_buffer_add(record->out, ", radius %.10g", request->query.radius);
   text_buffer_add(record->out, " %s\n", record->molecule->format->unit);
   record_count(record, NULL, "hits", found->count, point ? "balls that contain the point" : "balls that meet the ball");
   if (found->count > 0) record_table(record, NULL, &table);
+}
+
+void describe_query(const struct request *request, struct record *record) {
+  const struct found none = {.request = request};
+  print(record, &none);
 }
 
 bool command_query(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

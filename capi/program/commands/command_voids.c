@@ -68,17 +68,22 @@ static void print(struct record *record, const void *of) {
                 "clearance, in @");
     table_print(&table, record->out);
   }
-  for (uint32_t i = 0; record->form == FOR_PERSONS && found->request->void_balls && i < list->count; ++i) {
+  for (uint32_t i = 0; record->form == FOR_PERSONS && found->request->voids.balls && i < list->count; ++i) {
     text_buffer_add(record->out, "\nballs around void %" PRIu32 "\n", i + 1);
     ball_rows_print(record->molecule, list->voids[i].balls, list->voids[i].ball_count, record->out);
   }
+}
+
+void describe_voids(const struct request *request, struct record *record) {
+  const struct found none = {.request = request};
+  print(record, &none);
 }
 
 bool command_voids(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
   if (!geometry_compute_topology(geometry, failure)) return false;
   struct found found = {.request = request};
-  const bool done = void_list_make(geometry, molecule, request->probe, request->min_volume, &found.list, failure);
+  const bool done = void_list_make(geometry, molecule, request->probe, request->voids.min_volume, &found.list, failure);
   const struct table table = table_of(molecule, &found);
   if (done && request->csv) {
     table_csv(&table, out);

@@ -1,6 +1,5 @@
 /* The work of each command on a molecule: write its results into out, or say in failure why it cannot. */
-#ifndef HARDSPHERE_TOOL_COMMANDS_H
-#define HARDSPHERE_TOOL_COMMANDS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -9,6 +8,7 @@
 #include "read/geometry.h"
 #include "read/molecule.h"
 #include "read/text_buffer.h"
+#include "write/record.h"
 
 typedef bool command_function(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                               struct text_buffer *out, struct failure *failure);
@@ -35,4 +35,9 @@ typedef bool command_check(struct request *request, struct failure *failure);
 
 command_check check_pores, check_mesh, check_draw;
 
-#endif
+/* The keys of JSON that the command writes with these options, into a record that takes no more: what help lists. */
+typedef void command_describe(const struct request *request, struct record *record);
+
+command_describe describe_model, describe_boundary, describe_measure, describe_voids, describe_contacts,
+    describe_complex, describe_cells, describe_path, describe_gate, describe_pores, describe_clash, describe_query,
+    describe_mesh, describe_map, describe_pick, describe_draw;

@@ -1,7 +1,6 @@
 /* The solvent-excluded surface as `measure` has it: areas, volume, the share of each ball, derivatives. Without the
  * library's component smooth no_excluded_surface.c stands in its place. */
-#ifndef HARDSPHERE_TOOL_EXCLUDED_SURFACE_H
-#define HARDSPHERE_TOOL_EXCLUDED_SURFACE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -28,5 +27,3 @@ bool excluded_surface_measure(bool outer, uint32_t atoms, struct geometry *geome
 /* The derivatives of its area and volume; flags [atoms] tell which are one-sided. The status of the library. */
 int32_t excluded_surface_gradients(const struct geometry *geometry, uint32_t atoms, const struct gradient *of_area,
                                    const struct gradient *of_volume, uint32_t *flags);
-
-#endif

@@ -1,6 +1,5 @@
 /* Which frames of a trajectory are looked at: --frames, --begin, --end and --interval. */
-#ifndef HARDSPHERE_TOOL_FRAME_RANGE_H
-#define HARDSPHERE_TOOL_FRAME_RANGE_H
+#pragma once
 
 #include <math.h>
 #include <stdbool.h>
@@ -36,5 +35,3 @@ bool frame_range_has_times(const struct frame_range *range);
 
 /* Whether a frame of that time, the next one that frame_range_has, is taken. */
 bool frame_clock_takes(struct frame_clock *clock, const struct frame_range *range, double time);
-
-#endif

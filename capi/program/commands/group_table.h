@@ -1,8 +1,7 @@
 /* Residues, chains and groups of an index file with their areas; with `deviation` [groups], unless it is NULL, also the
  * standard deviation of each; with `relative` also as parts of the largest area that a residue of its name
  * can have. */
-#ifndef HARDSPHERE_TOOL_GROUP_TABLE_H
-#define HARDSPHERE_TOOL_GROUP_TABLE_H
+#pragma once
 
 #include "read/molecule.h"
 #include "read/residues.h"
@@ -15,5 +14,3 @@ void group_table_record(struct record *record, const struct atom_groups *groups,
 
 void group_table_csv(const struct molecule *molecule, const struct atom_groups *groups, const double *deviation,
                      bool relative, struct text_buffer *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* Atoms of a periodic box by place, so that images that fall on one that is there are found. */
-#ifndef HARDSPHERE_TOOL_IMAGE_TABLE_H
-#define HARDSPHERE_TOOL_IMAGE_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -37,5 +36,3 @@ bool image_table_has(const struct image_table *table, const double fraction[3], 
                      struct element_symbol element);
 
 void image_table_free(struct image_table *table);
-
-#endif

@@ -209,7 +209,7 @@ static void report_probe(struct text_buffer *out, const struct request *request)
   snprintf(value, sizeof value, "%.10g %s, %s", request->probe, request->format->unit,
            request->command == COMMAND_GATE    ? "added to every radius to find voids, and then no more"
            : request->command == COMMAND_PORES ? "the narrowest one of interest; radii are as they are"
-           : request->outer            ? "rolling over the atoms from outside: the outer solvent-excluded surface"
+           : request->measure.outer    ? "rolling over the atoms from outside: the outer solvent-excluded surface"
            : request->excluded_surface ? "rolling over the atoms: the solvent-excluded surface"
                                        : "added to every radius: the solvent-accessible surface");
   report_row(out, "probe", value, "");
@@ -294,16 +294,15 @@ static void record_frame(struct record *record, const struct frame_stamp *frame)
 void report(const struct request *request, const struct molecule *molecule,
             void print(struct record *record, const void *of), const void *of, struct text_buffer *out) {
   const bool frames = molecule->frame.number > 0, csv = !request->json && (frames || request->csv);
-  struct record record = {request->json ? AS_JSON
-                          : csv         ? AS_CSV_TITLES
-                                        : FOR_PERSONS,
-                          molecule,
-                          request->json ? "n"
-                          : frames      ? "atoms"
-                                        : "balls",
-                          VALUE_WIDTH,
-                          false,
-                          out};
+  struct record record = {.form = request->json ? AS_JSON
+                                  : csv         ? AS_CSV_TITLES
+                                                : FOR_PERSONS,
+                          .molecule = molecule,
+                          .atoms = request->json ? "n"
+                                   : frames      ? "atoms"
+                                                 : "balls",
+                          .width = VALUE_WIDTH,
+                          .out = out};
   if (request->json) text_buffer_add_text(out, "{");
   if (record.form == FOR_PERSONS) report_heading(out, request, molecule);
   if (csv && (!frames || molecule->frame.first)) {

@@ -1,6 +1,5 @@
 /* The report on a file: what was read, what was left out, and how the rest became balls. */
-#ifndef HARDSPHERE_TOOL_INPUT_REPORT_H
-#define HARDSPHERE_TOOL_INPUT_REPORT_H
+#pragma once
 
 #include "commands/request.h"
 #include "read/molecule.h"
@@ -20,5 +19,3 @@ void report(const struct request *request, const struct molecule *molecule,
 
 /* How many molecules of water are among the balls; 0 if there is nothing else. */
 uint64_t input_report_waters(const struct molecule *molecule);
-
-#endif

@@ -1,6 +1,5 @@
 /* The area that two groups of chains bury between them. */
-#ifndef HARDSPHERE_TOOL_INTERFACE_H
-#define HARDSPHERE_TOOL_INTERFACE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -29,5 +28,3 @@ struct interface {
  * for it, and hold both groups together at the end. */
 bool interface_measure(const char *text, const struct molecule *molecule, double probe, struct geometry *geometry,
                        struct interface *interface, struct failure *failure);
-
-#endif

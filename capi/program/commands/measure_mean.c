@@ -81,7 +81,7 @@ static struct table ball_table(const struct findings *found, struct ball_means *
                                           {"deviation", NULL, "deviation", 12, COLUMN_QUANTITY, 4}};
   *means = (struct ball_means){
       ball_rows_of(found->molecule, NULL), found->running.mean + found->running.count - found->molecule->atoms,
-      found->running.deviation + found->running.count - found->molecule->atoms, &found->request->part};
+      found->running.deviation + found->running.count - found->molecule->atoms, &found->request->measure.part};
   return (struct table){columns, 2, found->molecule->format, found->molecule->atoms, means, ball_row, ball_rows_lead};
 }
 
@@ -101,12 +101,19 @@ static void print(struct record *record, const void *of) {
   record_count(record, "frames", "frames", (int64_t)found->running.times, "");
   record_table(record, "means", &table);
   if (has_groups(request)) {
-    group_table_record(record, &found->groups, group_deviations(found), request->relative);
+    group_table_record(record, &found->groups, group_deviations(found), request->measure.relative);
   }
   if (!request_wants_balls(request)) return;
   struct ball_means means;
   const struct table balls = ball_table(found, &means);
   record_table(record, "balls", &balls);
+}
+
+void measure_mean_describe(const struct request *request, struct record *record) {
+  static double some[1];
+  struct findings none = {.request = request, .molecule = record->molecule, .running = {.deviation = some}};
+  none.groups.grouping = request->by;
+  print(record, &none);
 }
 
 /* Groups are the same in all frames. */
@@ -141,7 +148,7 @@ bool measure_mean(const struct request *request, const struct molecule *molecule
     if (!request->csv) {
       report(request, molecule, print, &found, out);
     } else if (has_groups(request)) {
-      group_table_csv(molecule, &found.groups, group_deviations(&found), request->relative, out);
+      group_table_csv(molecule, &found.groups, group_deviations(&found), request->measure.relative, out);
     } else {
       struct ball_means means;
       const struct table balls = ball_table(&found, &means);

@@ -119,7 +119,8 @@ static bool measure_areas(const struct request *request, const struct molecule *
   }
   if (request->excluded_surface) {
     struct excluded_surface *surface = &measurement->surface;
-    if (!excluded_surface_measure(request->outer, molecule->atoms, geometry, surface, measurement->area, failure)) {
+    if (!excluded_surface_measure(request->measure.outer, molecule->atoms, geometry, surface, measurement->area,
+                                  failure)) {
       return false;
     }
     measurement->totals.area = surface->area;
@@ -148,7 +149,7 @@ bool measurement_find_part(const struct request *request, const struct molecule 
   measurement->part_weights = allocate(molecule, 1, failure);
   if (measurement->part == NULL || measurement->part_weights == NULL) return failure_of_memory(failure);
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    measurement->part[i] = selection_takes(&request->part, molecule, i) ? 1 : 0;
+    measurement->part[i] = selection_takes(&request->measure.part, molecule, i) ? 1 : 0;
     measurement->part_weights[i] = measurement->part[i];
     measurement->part_atoms += measurement->part[i];
     if (measurement->weights != NULL) measurement->weights[i] *= measurement->part[i];
@@ -189,27 +190,27 @@ static bool measure_curvatures(const struct molecule *molecule, const struct geo
 bool measurement_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct measurement *measurement, struct failure *failure) {
   memset(measurement, 0, sizeof *measurement);
-  const bool weighted = request->weights != NULL;
-  if (weighted && !weights_read(request->weights, "weight", molecule->atoms, &measurement->weights, failure))
+  const bool weighted = request->measure.weights != NULL;
+  if (weighted && !weights_read(request->measure.weights, "weight", molecule->atoms, &measurement->weights, failure))
     return false;
   if (!measurement_find_part(request, molecule, measurement, failure)) return false;
   /* Edges curve between two balls, and derivatives are by the others, too. */
-  const uint8_t *const selected = request->curvature || request->gradient ? NULL : measurement->part;
+  const uint8_t *const selected = request->measure.curvature || request->measure.gradient ? NULL : measurement->part;
   if (request->box.source != BOX_NONE
           ? !periodic_result_make(request, molecule, measurement->part_weights, geometry, &measurement->box, failure)
           : !geometry_compute_boundary_of(geometry, selected, failure)) {
     return false;
   }
   if (!measure_areas(request, molecule, geometry, measurement, failure)) return false;
-  for (uint32_t i = 0; request->polar && i < molecule->atoms; ++i) {
+  for (uint32_t i = 0; request->measure.polar && i < molecule->atoms; ++i) {
     const struct atom_label *const label = &molecule->label[i];
     *(label->polar    ? &measurement->polar_area
       : label->apolar ? &measurement->apolar_area
                       : &measurement->other_area) += measurement->area[i];
   }
   if (weighted && !measure_weighted_area(request, molecule->atoms, geometry, measurement, failure)) return false;
-  if (request->curvature && !measure_curvatures(molecule, geometry, measurement, failure)) return false;
-  if (!request->gradient) return true;
+  if (request->measure.curvature && !measure_curvatures(molecule, geometry, measurement, failure)) return false;
+  if (!request->measure.gradient) return true;
   progress_show(&geometry->progress, "computing derivatives");
   return measure_gradients(molecule, geometry, request->excluded_surface, measurement, failure) &&
          (!weighted || measure_weighted_gradient(molecule, geometry, measurement, failure));
@@ -226,26 +227,26 @@ void measurement_quantities(const struct request *request, const struct measurem
   } rows[MOST_QUANTITIES] = {
       {true, {"area", "area", "@^2", measurement->totals.area}},
       {whole, {"volume", "volume", "@^3", measurement->totals.volume}},
-      {request->curvature,
+      {request->measure.curvature,
        {"mean_curvature", "mean curvature",
         whole ? "@, integrated over the boundary" : "@, integrated over what is measured",
         measurement->curvatures.mean}},
-      {request->curvature,
+      {request->measure.curvature,
        {"gauss_curvature", "gauss curvature",
         whole ? ", 2 pi times its Euler characteristic" : ", likewise; corners belong to three balls",
         measurement->curvatures.gauss}},
       {smooth, {"convex_area", "convex area", "@^2, where the probe touches one atom", surface->convex_area}},
       {smooth, {"saddle_area", "saddle area", "@^2, where it touches two", surface->saddle_area}},
       {smooth, {"concave_area", "concave area", "@^2, where it touches three", surface->concave_area}},
-      {request->weights != NULL,
+      {request->measure.weights != NULL,
        {"weighted_area", "weighted area",
         smooth ? ", the sum of weight x share of the area" : ", the sum of weight x free area",
         measurement->weighted_area}},
-      {request->polar,
+      {request->measure.polar,
        {"polar_area", "polar area", "@^2, of nitrogen, oxygen and their hydrogens", measurement->polar_area}},
-      {request->polar,
+      {request->measure.polar,
        {"apolar_area", "apolar area", "@^2, of carbon, sulfur, selenium and theirs", measurement->apolar_area}},
-      {request->polar, {"other_area", "other area", "@^2, of all others", measurement->other_area}},
+      {request->measure.polar, {"other_area", "other area", "@^2, of all others", measurement->other_area}},
   };
   quantities->count = quantities->totals = 0;
   for (size_t k = 0; k < MOST_QUANTITIES; ++k) {

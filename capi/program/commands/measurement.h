@@ -1,6 +1,5 @@
 /* The findings of `hardsphere measure` about a molecule: the numbers, before anybody prints them. */
-#ifndef HARDSPHERE_TOOL_MEASUREMENT_H
-#define HARDSPHERE_TOOL_MEASUREMENT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -61,5 +60,3 @@ void measurement_quantities(const struct request *request, const struct measurem
                             struct quantities *quantities);
 
 void measurement_free(struct measurement *measurement);
-
-#endif

@@ -1,7 +1,6 @@
 /* The periodic box of --box: as the user gives it, or as the file with the molecule or its frames has it, with copies
  * by symmetry or, by the name of the space group that has none, without. */
-#ifndef HARDSPHERE_TOOL_PERIODIC_BOX_H
-#define HARDSPHERE_TOOL_PERIODIC_BOX_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -12,5 +11,3 @@ struct box_choice {
   double vector[9];    /* of BOX_GIVEN */
   bool without_copies; /* of BOX_OF_FILE: no copies by symmetry are to fill it */
 };
-
-#endif

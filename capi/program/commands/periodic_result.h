@@ -1,6 +1,5 @@
 /* A molecule in a periodic box, and what every command says of it. */
-#ifndef HARDSPHERE_TOOL_PERIODIC_RESULT_H
-#define HARDSPHERE_TOOL_PERIODIC_RESULT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -40,5 +39,3 @@ void directions_json(struct text_buffer *out, uint32_t directions, uint32_t copi
 
 /* The box, what of it is free, components by their directions. In a row of a frame its volumes alone. */
 void periodic_result_record(struct record *record, const struct periodic_result *result);
-
-#endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/bonds.h"
+#include "read/bonds.h"
 #include "read/geometry.h"
 
 static bool is_one_of(struct element_symbol element, const char *const symbols[3]) {

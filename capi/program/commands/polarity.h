@@ -1,6 +1,5 @@
 /* Whether atoms are polar: nitrogen and oxygen are, carbon, sulfur and selenium are apolar, all others are neither. */
-#ifndef HARDSPHERE_TOOL_POLARITY_H
-#define HARDSPHERE_TOOL_POLARITY_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -10,5 +9,3 @@
 /* Note it of each atom. A hydrogen is what the atom is that it is bound to, by the bonds that the file states or by
  * distance; the nearest one of several counts, and without any it is neither. False: memory is short. */
 bool polarity_find(struct molecule *molecule, struct failure *failure);
-
-#endif

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "commands/pictures.h"
 #include "commands/pores_found.h"
 #include "commands/tunnel_exchange.h"
 #include "write/point_file.h"
@@ -39,7 +40,7 @@ static size_t add_pocket(const struct pores_found *found, uint32_t pocket, struc
 static bool write_points(const struct pores_found *found, const struct molecule *molecule, struct failure *failure) {
   const struct request *const request = found->request;
   const uint32_t maxima = found->counts.maxima, gates = found->counts.gates, pockets = found->pocket_count;
-  const bool others = request->gates || request->pockets >= 0.0 || request->tunnels_from.point.given;
+  const bool others = request->pores.gates || request->pores.pockets >= 0.0 || request->pores.tunnels_from.point.given;
   const size_t of_pockets = pockets == 0 ? 0 : found->of_pockets.first[pockets] + found->mouths.first[pockets];
   struct point *const points = calloc((size_t)maxima + gates + of_pockets + found->step_count + 1, sizeof *points);
   if (points == NULL) return failure_of_memory(failure);
@@ -49,7 +50,7 @@ static bool write_points(const struct pores_found *found, const struct molecule 
     points[count] = (struct point){.residue = at_maximum, .chain = 'M', .number = i};
     add_maximum(found, i, &points[count++]);
   }
-  for (uint32_t i = 0; i < gates && request->gates; ++i) {
+  for (uint32_t i = 0; i < gates && request->pores.gates; ++i) {
     points[count] = (struct point){.residue = at_gate, .chain = 'G', .number = i};
     add_gate(found, i, &points[count++]);
   }
@@ -72,15 +73,16 @@ static bool write_points(const struct pores_found *found, const struct molecule 
     memcpy(points[count++].xyz, at->xyz, sizeof at->xyz);
   }
   for (size_t i = 0; i < count; ++i) box_turn_back(&molecule->frame.box, points[i].xyz);
-  const bool done = point_file_write(points, count, request->points, failure);
+  const bool done = point_file_write(points, count, request->pores.points, failure);
   free(points);
   return done;
 }
 
 bool pores_write_files(const struct pores_found *found, const struct molecule *molecule, struct failure *failure) {
   const struct request *const request = found->request;
-  return (request->points == NULL || write_points(found, molecule, failure)) &&
-         (request->tunnels_out == NULL || tunnel_exchange_write(found, molecule, request->tunnels_out, failure)) &&
-         (request->profile == NULL || pores_write_profile(found, molecule, request->profile, failure)) &&
-         (request->tree == NULL || pores_write_tree(found, molecule, request->tree, failure));
+  return (request->pores.points == NULL || write_points(found, molecule, failure)) &&
+         (request->pores.tunnels_out == NULL ||
+          tunnel_exchange_write(found, molecule, request->pores.tunnels_out, failure)) &&
+         (request->pores.profile == NULL || pictures.tunnels(found, molecule, request->pores.profile, failure)) &&
+         (request->pores.tree == NULL || pictures.classes(found, molecule, request->pores.tree, failure));
 }

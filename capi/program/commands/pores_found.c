@@ -80,7 +80,7 @@ static bool take_pockets(const struct geometry *geometry, struct pores_found *fo
   const struct request *const request = found->request;
   hsp_pores *const pores = geometry->work.pores;
   uint32_t *const count = &found->pocket_count;
-  int32_t status = hsp_pores_find_pockets(pores, request->probe, request->pockets, count);
+  int32_t status = hsp_pores_find_pockets(pores, request->probe, request->pores.pockets, count);
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--pockets: %s", geometry_reason(status));
   if (status != HSP_OK) return failure_in_library(failure, status);
   found->pockets = calloc((size_t)*count + 1, sizeof *found->pockets);
@@ -165,11 +165,11 @@ static bool find_tunnels(struct geometry *geometry, const struct molecule *molec
   static const char from[] = "--tunnels-from", to[] = "--tunnels-to";
   const struct request *const request = found->request;
   const hsp_pores *const pores = geometry->work.pores;
-  const uint32_t most = request->tunnels > 0 ? request->tunnels : TUNNELS;
+  const uint32_t most = request->pores.tunnels > 0 ? request->pores.tunnels : TUNNELS;
   const bool boxed = request->box.source != BOX_NONE;
   double room = 0.0;
-  if (!find_place(molecule, found, from, &request->tunnels_from, found->from, failure) ||
-      !find_place(molecule, found, to, &request->tunnels_to, found->to, failure) ||
+  if (!find_place(molecule, found, from, &request->pores.tunnels_from, found->from, failure) ||
+      !find_place(molecule, found, to, &request->pores.tunnels_to, found->to, failure) ||
       !find_room(pores, boxed, from, found->from, &found->room, failure) ||
       !find_room(pores, boxed, to, found->to, &room, failure)) {
     return false;
@@ -177,9 +177,9 @@ static bool find_tunnels(struct geometry *geometry, const struct molecule *molec
   struct tunnel_question question = {
       .narrowest = request->probe,
       .in_box = boxed,
-      .cheapest = request->cheapest,
+      .cheapest = request->pores.cheapest,
       .from = found->from,
-      .to = request->tunnels_to.point.given ? found->to : NULL,
+      .to = request->pores.tunnels_to.point.given ? found->to : NULL,
       .avoided = calloc((size_t)most, sizeof *question.avoided),
   };
   found->tunnels = calloc((size_t)most, sizeof *found->tunnels);
@@ -228,13 +228,13 @@ bool pores_find(const struct molecule *molecule, struct geometry *geometry, stru
   const struct request *const request = found->request;
   const bool boxed = request->box.source != BOX_NONE;
   return (!boxed || periodic_result_find_box(request, molecule, &found->box, failure)) &&
-         (!request->regions || take_regions(geometry, molecule, found, failure)) &&
+         (!request->pores.regions || take_regions(geometry, molecule, found, failure)) &&
          (boxed ? geometry_find_pores_in_box(geometry, molecule, found->box.box, request->probe, failure)
                 : geometry_find_pores(geometry, molecule, request->probe, failure)) &&
          take_tree(geometry->work.pores, found, failure) &&
          (!boxed || take_channels(geometry->work.pores, found, failure)) &&
-         (request->pockets < 0.0 || take_pockets(geometry, found, failure)) &&
-         (!request->tunnels_from.point.given || find_tunnels(geometry, molecule, found, failure));
+         (request->pores.pockets < 0.0 || take_pockets(geometry, found, failure)) &&
+         (!request->pores.tunnels_from.point.given || find_tunnels(geometry, molecule, found, failure));
 }
 
 void pores_free(struct pores_found *found) {
@@ -257,9 +257,9 @@ void pores_free(struct pores_found *found) {
 }
 
 bool pores_lists_maximum(const struct pores_found *found, size_t maximum) {
-  return found->maxima[maximum].radius - found->maxima[maximum].death >= found->request->persistence;
+  return found->maxima[maximum].radius - found->maxima[maximum].death >= found->request->pores.persistence;
 }
 
 bool pores_lists_pocket(const struct pores_found *found, size_t pocket) {
-  return found->pockets[pocket].radius - found->pockets[pocket].mouth >= found->request->persistence;
+  return found->pockets[pocket].radius - found->pockets[pocket].mouth >= found->request->pores.persistence;
 }

@@ -1,6 +1,5 @@
 /* The pores of a molecule as `pores` lists them, prints them and writes them to files. */
-#ifndef HARDSPHERE_TOOL_PORES_FOUND_H
-#define HARDSPHERE_TOOL_PORES_FOUND_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -67,14 +66,5 @@ void pores_free(struct pores_found *found);
 bool pores_lists_maximum(const struct pores_found *found, size_t maximum);
 bool pores_lists_pocket(const struct pores_found *found, size_t pocket);
 
-/* Write charts as .svg: the radius along each tunnel; and the tree of the classes that are listed, each a line from the
- * radius of its birth to that of its death, in the colours of the first pockets. */
-bool pores_write_profile(const struct pores_found *found, const struct molecule *molecule, const char *path,
-                         struct failure *failure);
-bool pores_write_tree(const struct pores_found *found, const struct molecule *molecule, const char *path,
-                      struct failure *failure);
-
 /* Write all files that the request names. */
 bool pores_write_files(const struct pores_found *found, const struct molecule *molecule, struct failure *failure);
-
-#endif

@@ -6,25 +6,25 @@
 #include "write/same_file.h"
 
 bool request_wants_balls(const struct request *request) {
-  return request->per_ball || request->gradient || (request->csv && request->by == GROUPING_NONE);
+  return request->measure.per_ball || request->measure.gradient || (request->csv && request->by == GROUPING_NONE);
 }
 
 bool request_wants_areas(const struct request *request) {
-  return request_wants_balls(request) || request->by != GROUPING_NONE || request->pdb_out != NULL || request->polar ||
-         (request->excluded_surface && request->weights != NULL);
+  return request_wants_balls(request) || request->by != GROUPING_NONE || request->measure.pdb_out != NULL ||
+         request->measure.polar || (request->excluded_surface && request->measure.weights != NULL);
 }
 
 bool request_wants_places(const struct request *request) {
-  return request->command != COMMAND_MEASURE || request_wants_balls(request) || request->interface != NULL ||
-         request->pdb_out != NULL || request->box.source != BOX_NONE || request->trajectory != NULL;
+  return request->command != COMMAND_MEASURE || request_wants_balls(request) || request->measure.interface != NULL ||
+         request->measure.pdb_out != NULL || request->box.source != BOX_NONE || request->trajectory != NULL;
 }
 
 bool request_wants_part(const struct request *request) {
-  return request->part.count > 0;
+  return request->measure.part.count > 0;
 }
 
 bool request_reads(const struct request *request, const char *path) {
-  const char *const inputs[] = {request->file,       request->trajectory, request->weights,
+  const char *const inputs[] = {request->file,       request->trajectory, request->measure.weights,
                                 request->radii_file, request->index_file, request->drawing.colour_file};
   for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; ++i) {
     if (inputs[i] != NULL && output_is_input(path, inputs[i])) return true;
@@ -35,12 +35,12 @@ bool request_reads(const struct request *request, const char *path) {
 int request_outputs(const struct request *request, struct output_choice outputs[MOST_OUTPUTS]) {
   const struct output_choice all[] = {
       {"-o", request->command == COMMAND_DRAW ? request->drawing.out : request->meshing.out, NULL},
-      {"--pdb-out", request->pdb_out, NULL},
-      {"--map", request->map, "an .svg"},
-      {"--points", request->points, "a .pdb or .cif"},
-      {"--tunnels-out", request->tunnels_out, "a .cif"},
-      {"--profile", request->profile, "an .svg"},
-      {"--tree", request->tree, "an .svg"},
+      {"--pdb-out", request->measure.pdb_out, NULL},
+      {"--map", request->contacts.map, "an .svg"},
+      {"--points", request->pores.points, "a .pdb or .cif"},
+      {"--tunnels-out", request->pores.tunnels_out, "a .cif"},
+      {"--profile", request->pores.profile, "an .svg"},
+      {"--tree", request->pores.tree, "an .svg"},
   };
   int count = 0;
   for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k) {
@@ -66,8 +66,8 @@ void request_free(struct request *request) {
   free(request->names);
   text_buffer_free(&request->overrides);
   selection_free(&request->selection);
-  selection_free(&request->highlight);
-  selection_free(&request->part);
+  selection_free(&request->drawing.highlight);
+  selection_free(&request->measure.part);
   index_file_free(&request->index);
   radii_table_free(&request->table);
 }

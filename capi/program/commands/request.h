@@ -1,15 +1,14 @@
 /* The request of a user. */
-#ifndef HARDSPHERE_TOOL_REQUEST_H
-#define HARDSPHERE_TOOL_REQUEST_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "commands/drawing_request.h"
 #include "commands/frame_range.h"
 #include "commands/meshing.h"
 #include "commands/periodic_box.h"
-#include "draw/drawing.h"
-#include "draw/viewing.h"
+#include "commands/viewing.h"
 #include "read/file_choice.h"
 #include "read/file_format.h"
 #include "read/radii.h"
@@ -47,9 +46,82 @@ struct place {
   uint64_t of_maximum;       /* the same of a maximum of `pores` */
 };
 
+/* ---- one struct a command: the choices that it has beside those of all ---- */
+
+struct boundary_request {
+  bool shells; /* are listed in any case */
+};
+
+struct measure_request {
+  bool per_ball;
+  bool gradient;
+  bool curvature;
+  bool polar;
+  bool relative;
+  int surface;           /* 0: solvent-accessible, 1: solvent-excluded; negative: not said */
+  bool outer;            /* of the outer cell alone */
+  bool mean;             /* over the frames, in place of a row of each */
+  const char *interface; /* two groups of chains, or NULL */
+  const char *weights;   /* a file, or NULL */
+  const char *pdb_out;   /* a file, or NULL */
+  struct selection part; /* the atoms that are measured, while all others only block */
+};
+
+struct voids_request {
+  bool balls; /* are listed */
+  double min_volume;
+};
+
+struct contacts_request {
+  bool cells;
+  double least;    /* area of a contact that is listed */
+  const char *map; /* a file for a picture of contacts, or NULL */
+  bool dark;       /* its page */
+};
+
+/* Of `path` and `gate`. */
+struct way_request {
+  struct place from, to;
+};
+
+struct pores_request {
+  bool balls; /* of pockets and bottlenecks */
+  bool gates;
+  bool regions;              /* which the probe finds, and how large they are */
+  double persistence;        /* of what is listed, at least */
+  double pockets;            /* radius of a probe that does not get there; negative: none are asked for */
+  struct place tunnels_from; /* a way out from there */
+  struct place tunnels_to;   /* else the outside, in a box a copy of the start */
+  uint32_t tunnels;          /* how many; 0: it is not said */
+  bool cheapest;             /* those, by cost rather than by width */
+  const char *points;        /* a file of their points for viewers, or NULL */
+  const char *tunnels_out;   /* a file with the tunnels as programs exchange them, or NULL */
+  const char *profile;       /* files for charts of the tunnels and of the classes, or NULL */
+  const char *tree;
+};
+
+struct clash_request {
+  struct given_vector rotate, translate; /* the second molecule */
+};
+
 enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
 
-/* The request of a user. */
+struct query_request {
+  enum query_kind kind;
+  double position[3];
+  double radius;
+};
+
+struct map_request {
+  bool per_ball;
+};
+
+struct pick_request {
+  struct given_vector at; /* x and y */
+};
+
+/* The request of a user: what is said of all commands, of several, and of the one that is named. The others' are as if
+ * nothing were said. */
 struct request {
   enum command command;
   int files;          /* how many are named */
@@ -58,70 +130,44 @@ struct request {
   const struct file_format *format;
   bool format_given; /* by --format */
   bool json;
-  bool csv;
-  bool per_ball; /* of `measure` and `map` */
-  bool gradient;
-  bool curvature;
-  bool polar;
-  bool relative;
-  int surface;           /* 0: solvent-accessible, 1: solvent-excluded; negative: not said */
-  bool excluded_surface; /* measure the solvent-excluded surface instead of the boundary */
-  bool outer;            /* of the outer cell alone */
-  const char *interface; /* two groups of chains, or NULL */
-  bool shells;
-  bool void_balls;   /* of `voids` and of pockets */
-  double min_volume; /* of `voids` */
-  bool cells;        /* of `contacts` */
-  double least;      /* area of a contact that is listed */
-  bool dark;         /* the page of a picture of `contacts` or `mesh` */
-  const char *map;   /* a file for a picture of contacts, or NULL */
-  enum grouping by;
-  const char *weights;   /* a file, or NULL */
-  const char *pdb_out;   /* a file, or NULL */
-  double probe;          /* 0 if none was given */
-  struct box_choice box; /* of `boundary`, `measure`, `contacts` and `pores` */
+  double probe; /* 0 if none was given */
   struct file_choice choice;
   bool model_given;
   bool location_given;
-  int models;             /* 1: all as one; 0: not said */
-  int chains;             /* of .cif, 1: by the authors' names, 2: by the labels'; 0: not said */
-  const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
-  bool frames_given;
-  struct frame_range frames;
-  bool mean;               /* over the frames, in place of a row of each; of `measure` */
+  int models;              /* 1: all as one; 0: not said */
+  int chains;              /* of .cif, 1: by the authors' names, 2: by the labels'; 0: not said */
   const char *index_file;  /* with groups of atoms, or NULL */
   struct index_file index; /* of that file; empty if there is none */
-  struct selection part;   /* the atoms that are measured, while all others only block; of `measure` */
   struct selection selection;
-  enum query_kind query;
-  double position[3];
-  double query_radius;
-  struct meshing meshing;        /* of `mesh` */
-  struct viewing viewing;        /* of `map`, `pick` and `mesh`; of `clash` its rotation */
-  struct given_vector translate; /* of `clash` */
-  struct given_vector at;        /* of `pick`: x and y */
-  struct place from, to;         /* of `path` and `gate` */
-  bool gates;                    /* of `pores` */
-  bool regions;                  /* likewise: which regions the probe finds, and how large they are */
-  double persistence;            /* likewise, of what is listed, at least */
-  double pockets;                /* likewise, radius of a probe that does not get there; negative: none are asked for */
-  struct place tunnels_from;     /* likewise */
-  struct place tunnels_to;       /* likewise; else the outside, in a box a copy of the start */
-  uint32_t tunnels;              /* how many from there; 0: it is not said */
-  bool cheapest;                 /* those, by cost rather than by width */
-  const char *points;            /* a file of their points for viewers, or NULL */
-  const char *tunnels_out;       /* a file with the tunnels as programs exchange them, or NULL */
-  const char *profile;           /* files for charts of the tunnels and of the classes, or NULL */
-  const char *tree;
-  struct drawing drawing;     /* of `draw` */
-  struct selection highlight; /* likewise */
   const struct radii_set *set;
   const char *radii_file;   /* with radii by residue and atom, or NULL */
   struct radii_table table; /* of that file, or of the set; empty if there is none */
   bool list_radii;          /* show what sets there are, and do nothing else */
   struct radii radii;
-  uint32_t threads;             /* 0: as many as the machine has processors */
   struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */
+  uint32_t threads;             /* 0: as many as the machine has processors */
+
+  bool csv;               /* of those that list something */
+  enum grouping by;       /* of `measure` and `contacts` */
+  struct box_choice box;  /* likewise, and of `boundary` and `pores` */
+  const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
+  bool frames_given;
+  struct frame_range frames;
+  bool excluded_surface;  /* it is asked for in place of the boundary; of `measure` and `mesh` */
+  struct viewing viewing; /* of `map`, `pick` and `mesh` */
+
+  struct boundary_request boundary;
+  struct measure_request measure;
+  struct voids_request voids;
+  struct contacts_request contacts;
+  struct way_request path, gate;
+  struct pores_request pores;
+  struct clash_request clash;
+  struct query_request query;
+  struct meshing meshing;
+  struct map_request map;
+  struct pick_request pick;
+  struct drawing drawing;
 };
 
 /* Whether a list of the balls is asked for. */
@@ -158,5 +204,3 @@ bool request_prints_file(const struct request *request);
 uint32_t request_threads(const struct request *request);
 
 void request_free(struct request *request);
-
-#endif

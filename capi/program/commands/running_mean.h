@@ -1,7 +1,6 @@
 /* Mean, standard deviation, least and most of several numbers that come together again and again, by Welford's
  * recurrence: sums of squares would lose the digits that a small deviation has. */
-#ifndef HARDSPHERE_TOOL_RUNNING_MEAN_H
-#define HARDSPHERE_TOOL_RUNNING_MEAN_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -24,5 +23,3 @@ void running_mean_add(struct running_mean *running, const double *numbers);
 void running_mean_finish(struct running_mean *running);
 
 void running_mean_free(struct running_mean *running);
-
-#endif

@@ -1,6 +1,5 @@
 /* The results of the library's component space for a molecule: free space and ways through it. */
-#ifndef HARDSPHERE_TOOL_SPACE_GEOMETRY_H
-#define HARDSPHERE_TOOL_SPACE_GEOMETRY_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -52,5 +51,3 @@ struct tunnel_question {
 /* Find it. */
 bool geometry_find_tunnel(struct geometry *geometry, const struct tunnel_question *question, hsp_tunnel *tunnel,
                           struct failure *failure);
-
-#endif

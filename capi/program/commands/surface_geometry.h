@@ -1,6 +1,5 @@
 /* The results of the library's component smooth for a molecule: the solvent-excluded surface and meshes. */
-#ifndef HARDSPHERE_TOOL_SURFACE_GEOMETRY_H
-#define HARDSPHERE_TOOL_SURFACE_GEOMETRY_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -19,5 +18,3 @@ bool geometry_list_patches(const struct geometry *geometry, struct mesh_patch **
 
 /* Make triangles of the boundary or of the solvent-excluded surface, which is computed. */
 bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* Tunnels in the format that programs exchange them in: the categories sb_ncbr_channel of mmcif_tunnels.dic 1.0. */
-#ifndef HARDSPHERE_TOOL_TUNNEL_EXCHANGE_H
-#define HARDSPHERE_TOOL_TUNNEL_EXCHANGE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -15,5 +14,3 @@
  * other scales are "?". */
 bool tunnel_exchange_write(const struct pores_found *found, const struct molecule *molecule, const char *path,
                            struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* The box of the file and what is in it: atoms that fit its frame, and their copies by symmetry. */
-#ifndef HARDSPHERE_TOOL_UNIT_CELL_H
-#define HARDSPHERE_TOOL_UNIT_CELL_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -25,5 +24,3 @@ const char *unit_cell_text(char value[UNIT_CELL_TEXT_BYTES], const struct symmet
 
 /* The same as a record; nothing where there is no symmetry. */
 void unit_cell_record(struct record *record, const struct symmetry *symmetry);
-
-#endif

@@ -1,6 +1,5 @@
 /* The voids of a molecule: the bounded regions of the complement, with the balls around them. */
-#ifndef HARDSPHERE_TOOL_VOID_LIST_H
-#define HARDSPHERE_TOOL_VOID_LIST_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -42,5 +41,3 @@ bool void_list_point(struct geometry *geometry, const struct molecule *molecule,
                      const char *option, double point[3], struct failure *failure);
 
 void void_list_free(struct void_list *list);
-
-#endif

@@ -1,6 +1,5 @@
 /* Where a void has most room: its point that is farthest from all balls, the centre of its largest empty sphere. */
-#ifndef HARDSPHERE_TOOL_VOID_ROOM_H
-#define HARDSPHERE_TOOL_VOID_ROOM_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -35,5 +34,3 @@ enum { ROOM_MOST_COMPARED = 1 << 26 };
 /* Find it, for a computed topology. False: memory is short, or the library refuses. */
 bool void_room_find(const struct geometry *geometry, const struct void_wall *wall, struct void_room *room,
                     struct failure *failure);
-
-#endif

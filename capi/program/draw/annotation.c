@@ -74,11 +74,16 @@ struct entries {
   bool cut; /* there are more */
 };
 
+/* Of the centres of what is painted, and of all balls. */
+struct depths {
+  double nearest, farthest, mean_radius;
+};
+
 struct legend {
   struct entries own;
   struct entry other[MOST_STRIPES]; /* what is seen most of muted atoms, with one text for all */
   size_t others;
-  double depth[2];      /* of the nearest atom that is seen, and of the farthest: fog is between them */
+  struct depths depths; /* between which fog is */
   const char *quantity; /* NULL: what they are is seen */
 };
 
@@ -136,30 +141,29 @@ static bool is_painted(const struct annotation *annotation, uint32_t atom) {
   return painted != NULL ? painted[atom] : annotation->seen != NULL && annotation->seen[atom] > 0.0;
 }
 
-static void find_depths(const struct annotation *annotation, double depth[2]) {
-  static const double least_fog = 5.0; /* deep, in mean radii, as the library has it */
-  double radii = 0.0;
-  depth[0] = -HUGE_VAL;
-  depth[1] = HUGE_VAL;
-  for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
-    radii += shown_bodies_radius(annotation->bodies, atom);
+static struct depths depths_of(const struct annotation *annotation) {
+  struct depths depths = {-HUGE_VAL, HUGE_VAL, 0.0};
+  const uint32_t atoms = annotation->molecule->atoms;
+  for (uint32_t atom = 0; atom < atoms; ++atom) {
+    depths.mean_radius += shown_bodies_radius(annotation->bodies, atom) / atoms;
     if (!is_painted(annotation, atom)) continue;
-    depth[0] = fmax(depth[0], depth_of(annotation, atom));
-    depth[1] = fmin(depth[1], depth_of(annotation, atom));
+    depths.nearest = fmax(depths.nearest, depth_of(annotation, atom));
+    depths.farthest = fmin(depths.farthest, depth_of(annotation, atom));
   }
-  depth[1] = fmin(depth[1], depth[0] - least_fog * radii / fmax(annotation->molecule->atoms, 1.0));
+  return depths;
 }
 
 /* The share of the background in an atom that is seen. */
-static double fog_of(const struct annotation *annotation, const double depth[2], uint32_t atom) {
-  if (!(depth[0] > depth[1])) return 0.0;
-  const double far = (depth[0] - depth_of(annotation, atom)) / (depth[0] - depth[1]);
-  return annotation->options->fog * far * sqrt(sqrt(far));
+static double fog_of(const struct annotation *annotation, const struct depths *depths, uint32_t atom) {
+  double share = 0.0;
+  hsp_picture_fog_share(depths->nearest, depths->farthest, depths->mean_radius, depth_of(annotation, atom), &share);
+  return annotation->options->fog * share;
 }
 
-static void add_tone(const struct annotation *annotation, const double depth[2], uint32_t atom, struct entry *entry) {
+static void add_tone(const struct annotation *annotation, const struct depths *depths, uint32_t atom,
+                     struct entry *entry) {
   if (annotation->seen == NULL || !(annotation->seen[atom] > 0.0)) return;
-  const double seen = annotation->seen[atom], fog = fog_of(annotation, depth, atom);
+  const double seen = annotation->seen[atom], fog = fog_of(annotation, depths, atom);
   entry->seen += seen;
   for (int k = 0; k < 3; ++k) {
     const double own = annotation->darkened[atom] >> (16 - 8 * k) & 0xFF;
@@ -178,7 +182,7 @@ static void set_mean_tone(struct entry *entry) {
 }
 
 /* Those of the atoms that are selected, or of all others. */
-static void add_entries(const struct annotation *annotation, bool selected, const double depth[2],
+static void add_entries(const struct annotation *annotation, bool selected, const struct depths *depths,
                         struct entries *entries) {
   for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
     struct entry entry;
@@ -194,7 +198,7 @@ static void add_entries(const struct annotation *annotation, bool selected, cons
       break;
     }
     if (at == entries->count) entries->entry[entries->count++] = entry;
-    add_tone(annotation, depth, atom, &entries->entry[at]);
+    add_tone(annotation, depths, atom, &entries->entry[at]);
   }
   for (size_t k = 0; k < entries->count; ++k) set_mean_tone(&entries->entry[k]);
 }
@@ -220,7 +224,7 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
         (struct entry){annotation->palette->band[k].name, annotation->palette->band[k].colour, false, 0, 0.0, {0.0}};
   }
   if (own->count > 0) return;
-  add_entries(annotation, true, legend->depth, own);
+  add_entries(annotation, true, &legend->depths, own);
   drop_specks(annotation, own);
   if (own->count == 0) return;
   qsort(own->entry, own->count, sizeof own->entry[0], compare_entries);
@@ -237,7 +241,7 @@ static int compare_seen(const void *left, const void *right) {
 /* Muted atoms keep a little of their colours, so their swatch has several, in the order of the other entries. */
 static void find_others(const struct annotation *annotation, struct legend *legend) {
   struct entries all = {.count = 0};
-  add_entries(annotation, false, legend->depth, &all);
+  add_entries(annotation, false, &legend->depths, &all);
   qsort(all.entry, all.count, sizeof all.entry[0], compare_seen);
   size_t stripes = all.count < MOST_STRIPES ? all.count : MOST_STRIPES;
   while (stripes > 1 && !(all.entry[stripes - 1].seen > 0.0)) --stripes;
@@ -277,7 +281,7 @@ static void write_entries(const struct writer *writer, double y) {
   static const double smallest = 0.55;
   static const char more[] = "..";
   struct legend legend;
-  find_depths(writer->annotation, legend.depth);
+  legend.depths = depths_of(writer->annotation);
   find_entries(writer->annotation, &legend);
   find_others(writer->annotation, &legend);
   const size_t entries = legend.own.count + (legend.others > 0 ? 1 : 0);

@@ -1,6 +1,5 @@
 /* The text over a picture: labels with lines to what they name, a scale bar, and what colours stand for. */
-#ifndef HARDSPHERE_TOOL_ANNOTATION_H
-#define HARDSPHERE_TOOL_ANNOTATION_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -34,5 +33,3 @@ struct annotation {
  * short. */
 bool annotation_write(const struct annotation *annotation, struct text_buffer *out, uint32_t *left_out,
                       struct failure *failure);
-
-#endif

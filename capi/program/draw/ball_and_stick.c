@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/bonds.h"
 #include "draw/stick_repair.h"
 #include "draw/view_axes.h"
+#include "read/bonds.h"
 
 static const double default_ball_size = 0.25;
 static const double default_stick = 0.12;

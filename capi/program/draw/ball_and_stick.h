@@ -1,6 +1,5 @@
 /* A molecule as small balls for its atoms and sticks for its bonds. */
-#ifndef HARDSPHERE_TOOL_BALL_AND_STICK_H
-#define HARDSPHERE_TOOL_BALL_AND_STICK_H
+#pragma once
 
 #include "draw/drawing.h"
 #include "read/geometry.h"
@@ -17,5 +16,3 @@ double ball_and_stick_radius(const struct drawing *drawing);
  * are in each other's way named, if these cannot be drawn. */
 bool ball_and_stick_compute(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
                             struct geometry *geometry, struct failure *failure);
-
-#endif

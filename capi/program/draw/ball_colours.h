@@ -1,6 +1,5 @@
 /* Which colour each ball of a picture gets, before light and occlusion. */
-#ifndef HARDSPHERE_TOOL_BALL_COLOURS_H
-#define HARDSPHERE_TOOL_BALL_COLOURS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -39,5 +38,3 @@ uint32_t ball_palette_colour(const struct ball_palette *palette, double value);
 bool ball_colours_make(const struct drawing *drawing, const struct selection *highlight,
                        const struct molecule *molecule, uint32_t **colour, struct ball_palette *palette,
                        struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* Which balls of a picture belong together, so that contours set them apart from others. */
-#ifndef HARDSPHERE_TOOL_BALL_GROUPS_H
-#define HARDSPHERE_TOOL_BALL_GROUPS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -13,5 +12,3 @@
  * colours stand for those. */
 bool ball_groups_make(const struct drawing *drawing, const struct molecule *molecule, uint32_t **group,
                       struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* The names of a picture's balls in its file: classes that style sheets can name, and texts beside the pointer. */
-#ifndef HARDSPHERE_TOOL_BALL_NAMES_H
-#define HARDSPHERE_TOOL_BALL_NAMES_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -22,5 +21,3 @@ bool ball_names_make(const struct molecule *molecule, bool classes, bool titles,
                      struct failure *failure);
 
 void ball_names_free(struct ball_names *names);
-
-#endif

@@ -1,6 +1,5 @@
 /* A number for every ball, for colours that stand for numbers. */
-#ifndef HARDSPHERE_TOOL_BALL_VALUES_H
-#define HARDSPHERE_TOOL_BALL_VALUES_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -12,5 +11,3 @@
  * water molecule; or the numbers of the user's file. *value [atoms] is to be freed on true. */
 bool ball_values_make(const struct drawing *drawing, const struct molecule *molecule, double **value,
                       struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* Charts as .svg: a frame, axes with ticks, lines, a legend. */
-#ifndef HARDSPHERE_TOOL_CHART_H
-#define HARDSPHERE_TOOL_CHART_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -66,5 +65,3 @@ const char *chart_colour(uint32_t number);
 
 /* In pixels, the dashes of a line that has the colour of another one, longer each time; 0: it has none. */
 int chart_dash(uint32_t number);
-
-#endif

@@ -1,10 +1,7 @@
 /* Two colours become one. */
-#ifndef HARDSPHERE_TOOL_COLOUR_MIXED_H
-#define HARDSPHERE_TOOL_COLOUR_MIXED_H
+#pragma once
 
 #include <stdint.h>
 
 /* 0xRRGGBB, each channel from that of `a` to that of `b` by a share from 0 to 1, rounded. */
 uint32_t colour_mixed(uint32_t a, uint32_t b, double share_of_b);
-
-#endif

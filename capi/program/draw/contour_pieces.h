@@ -1,6 +1,5 @@
 /* The seen parts of contours, edge by edge, with widths that go over into one another. */
-#ifndef HARDSPHERE_TOOL_CONTOUR_PIECES_H
-#define HARDSPHERE_TOOL_CONTOUR_PIECES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -51,5 +50,3 @@ double contour_piece_length(const struct contour_piece *piece);
 double contour_piece_level(const struct contour_piece *piece, double slope, double share);
 
 void contour_pieces_free(struct contour_pieces *pieces);
-
-#endif

@@ -52,7 +52,6 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
     return failure_in_usage(failure, "-o: '%s' is no .svg, .eps or .pdf file",
                             excerpt(shown, drawing->out, strlen(drawing->out)));
   }
-  if (!viewing_check(&drawing->viewing, failure)) return false;
   if (drawing->centre.given && drawing->scale < 0.0) return failure_in_usage(failure, "--centre needs --scale");
   if (drawing->margin >= 0.0 && drawing->scale >= 0.0) {
     return failure_in_usage(failure, "either --margin around all that is seen, or --scale");

@@ -1,7 +1,6 @@
 /* Which ball is in front at the points of a grid: for questions that need no more than that, where labels have room and
  * from where most is seen. */
-#ifndef HARDSPHERE_TOOL_FRONT_GRID_H
-#define HARDSPHERE_TOOL_FRONT_GRID_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -56,5 +55,3 @@ uint32_t front_grid_body(const struct front_grid *grid, double x, double y);
 
 /* Whether at every point of a box (left, top, right, bottom) that ball itself is in front. */
 bool front_grid_is_all(const struct front_grid *grid, const double box[4], uint32_t ball);
-
-#endif

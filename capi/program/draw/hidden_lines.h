@@ -1,6 +1,5 @@
 /* Lines along edges of triangles, without what nearer triangles hide of them. */
-#ifndef HARDSPHERE_TOOL_HIDDEN_LINES_H
-#define HARDSPHERE_TOOL_HIDDEN_LINES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -40,5 +39,3 @@ bool hidden_lines_find_seen(struct hidden_lines *lines, const struct seen_line *
 double hidden_lines_front(const struct hidden_lines *lines, const double at[2]);
 
 void hidden_lines_free(struct hidden_lines *lines);
-
-#endif

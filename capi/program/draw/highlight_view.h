@@ -1,9 +1,8 @@
 /* The direction from which most is seen of what is highlighted. */
-#ifndef HARDSPHERE_TOOL_HIGHLIGHT_VIEW_H
-#define HARDSPHERE_TOOL_HIGHLIGHT_VIEW_H
+#pragma once
 
+#include "commands/viewing.h"
 #include "draw/front_grid.h"
-#include "draw/viewing.h"
 #include "read/failure.h"
 #include "read/selection.h"
 
@@ -12,5 +11,3 @@
  * of another. Sets `view`, and `up`, unless that is given, so that the molecule is widest across. */
 bool highlight_view_find(const struct shown_bodies *bodies, const struct selection *selected, struct viewing *viewing,
                          struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* Where labels stand that have no room within what they name. */
-#ifndef HARDSPHERE_TOOL_LABEL_PLACES_H
-#define HARDSPHERE_TOOL_LABEL_PLACES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -48,5 +47,3 @@ bool label_places_find(const struct label_page *page, const double (*boxes)[4], 
 
 /* False: there is no room for it. */
 bool label_is_placed(const struct placed_label *label);
-
-#endif

@@ -1,6 +1,5 @@
 /* The names of what a picture shows, over it. */
-#ifndef HARDSPHERE_TOOL_LABEL_WRITING_H
-#define HARDSPHERE_TOOL_LABEL_WRITING_H
+#pragma once
 
 #include "draw/annotation.h"
 #include "draw/pen.h"
@@ -10,5 +9,3 @@
  */
 bool labels_write(const struct annotation *annotation, const struct pen *pen, uint32_t colour, uint32_t seam,
                   uint32_t *left_out, struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* Creases, where the spheres of two patches meet at an angle, and which of these goes on over the other there. */
-#ifndef HARDSPHERE_TOOL_MESH_CREASES_H
-#define HARDSPHERE_TOOL_MESH_CREASES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -42,5 +41,3 @@ void creases_add(struct creases *creases, const struct crease *crease);
 bool creases_choose(struct creases *creases, const uint32_t *nearer, const uint64_t *points, const double width[2]);
 
 void creases_free(struct creases *creases);
-
-#endif

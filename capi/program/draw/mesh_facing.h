@@ -1,6 +1,5 @@
 /* Where a smooth surface turns away from the viewer. */
-#ifndef HARDSPHERE_TOOL_MESH_FACING_H
-#define HARDSPHERE_TOOL_MESH_FACING_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -18,5 +17,3 @@ double mesh_facing(const struct triangle_mesh *mesh, const struct mesh_view *vie
  * mesh_split. */
 bool mesh_facing_split(struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                        uint8_t **marks, struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* In which order triangles that are seen are painted. */
-#ifndef HARDSPHERE_TOOL_MESH_LAYERS_H
-#define HARDSPHERE_TOOL_MESH_LAYERS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -17,5 +16,3 @@ bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double sla
  * under whole ones of later layers. Of those without any less is seen than lies between such points. False for want of
  * memory. */
 bool mesh_layers_find_seen(struct seen_triangle *triangle, uint32_t count, int32_t apart);
-
-#endif

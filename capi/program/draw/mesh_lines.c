@@ -15,12 +15,12 @@
 static const double hairline_share = 0.0033, thinnest_hairline = 2.0, widest_hairline = 5.0;
 static const double contour_share = 0.0048, thinnest_contour = 6.0, widest_contour = 14.0;
 
-/* Before a gap of so many mean radii contours have their full width. */
-static const double full_gap = 3.0;
-
 /* A contour beside which a strip is seen that is no wider than that, before a gap so many times as large, doubles the
  * contour of the strip. In widths. */
 static const double narrowest_strip = 3.0, larger_gap = 4.0;
+
+/* Mean radii, up to which gaps are told apart. */
+static const double largest_gap = 3.0;
 
 /* Contours that end alone are specks if they are no more than a line of full width as long as so many widths. */
 static const double shortest_contour = 12.0;
@@ -108,27 +108,26 @@ static bool has_strip(const struct mesh_picture *picture, const struct hidden_li
   const double step = contour_width(picture) / 2.0;
   double before = gap_outside(hidden, line, share, step);
   for (int k = 2; k <= 2.0 * narrowest_strip; ++k) {
-    const double gap = fmin(gap_outside(hidden, line, share, k * step), full_gap * picture->mean_radius);
+    const double gap = fmin(gap_outside(hidden, line, share, k * step), largest_gap * picture->mean_radius);
     if (gap > larger_gap * before) return true;
     before = gap;
   }
   return false;
 }
 
-/* Of the part of a contour, by the least gap just outside its line: as in contours of balls (ink.hpp) widths grow with
- * the power 5/8 of the gap in mean radii. 0 where it doubles another one. */
+/* Of the part of a contour, by the least gap just outside its line, as the library has contours of balls. 0 where it
+ * doubles another one. */
 static void set_level(const struct mesh_picture *picture, const struct hidden_lines *hidden,
                       const struct seen_line *line, struct span span, struct contour_piece *piece) {
-  const double full = full_gap * picture->mean_radius;
-  double gap = INFINITY;
+  double gap = INFINITY, width = 0.0;
   bool doubles = true;
   for (int half = 0; half <= 2; ++half) {
     const double share = span.from + (span.to - span.from) * half / 2.0;
     gap = fmin(gap, gap_outside(hidden, line, share, contour_width(picture) / 2.0));
     doubles = doubles && has_strip(picture, hidden, line, share);
   }
-  const double root = sqrt(fmin(gap / full, 1.0));
-  piece->level = doubles ? 0.0 : level_of(root * sqrt(sqrt(root)), CONTOUR_LEVELS);
+  hsp_picture_ink_width(1.0, fmin(gap / picture->mean_radius, largest_gap), &width);
+  piece->level = doubles ? 0.0 : level_of(width, CONTOUR_LEVELS);
   piece->outline = isinf(gap);
 }
 

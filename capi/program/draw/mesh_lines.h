@@ -1,6 +1,5 @@
 /* The lines of a picture of triangles: contours, and borders of patches and pockets. */
-#ifndef HARDSPHERE_TOOL_MESH_LINES_H
-#define HARDSPHERE_TOOL_MESH_LINES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -26,5 +25,3 @@ enum { BORDER_LEVELS = 4, CONTOUR_LEVELS = 8, FIRST_BORDER = 0, FIRST_RIM = 8, F
 bool mesh_lines_find(struct mesh_picture *picture, const struct seen_triangle *seen, uint32_t count);
 
 double mesh_line_width(const struct mesh_picture *picture, uint32_t paint);
-
-#endif

@@ -1,7 +1,6 @@
 /* Areas of the page by the edges of what they are made of: edges between neighbours of one paint cancel out, and
  * what is left are outlines. */
-#ifndef HARDSPHERE_TOOL_MESH_OUTLINES_H
-#define HARDSPHERE_TOOL_MESH_OUTLINES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -50,5 +49,3 @@ bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t
                          struct text_buffer *out);
 
 void painted_edges_free(struct painted_edges *edges);
-
-#endif

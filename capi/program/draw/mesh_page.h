@@ -1,6 +1,5 @@
 /* A picture while it is made, for the units that make it: where things are on its page, and colours. */
-#ifndef HARDSPHERE_TOOL_MESH_PAGE_H
-#define HARDSPHERE_TOOL_MESH_PAGE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -98,5 +97,3 @@ void mesh_add_polygon(struct mesh_picture *picture, const struct polygon *polygo
 
 /* The file. False for want of memory. */
 bool mesh_add_svg(struct mesh_picture *picture, const char *title, struct text_buffer *out);
-
-#endif

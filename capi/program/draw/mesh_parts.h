@@ -1,6 +1,5 @@
 /* The connected parts of a mesh as it is looked at: which are voids, where a cut opens them, and what is left. */
-#ifndef HARDSPHERE_TOOL_MESH_PARTS_H
-#define HARDSPHERE_TOOL_MESH_PARTS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -30,5 +29,3 @@ bool mesh_parts_is_of_void(const struct mesh_parts *parts, uint32_t vertex);
  * count. False for want of memory. */
 bool mesh_parts_cut(const struct triangle_mesh *mesh, uint32_t of_outside, const double *depth,
                     struct mesh_parts *parts);
-
-#endif

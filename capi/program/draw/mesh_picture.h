@@ -1,6 +1,5 @@
 /* Triangles as a picture: SVG, in painter's order. */
-#ifndef HARDSPHERE_TOOL_MESH_PICTURE_H
-#define HARDSPHERE_TOOL_MESH_PICTURE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -47,5 +46,3 @@ struct mesh_view {
  * becomes how many were written. False, with the file named, if it cannot be written in full. */
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* Parts of triangles, cut along where a linear function is 0. */
-#ifndef HARDSPHERE_TOOL_MESH_POLYGON_H
-#define HARDSPHERE_TOOL_MESH_POLYGON_H
+#pragma once
 
 enum { MOST_CORNERS = 12 };
 
@@ -21,5 +20,3 @@ struct corner polygon_between(const struct corner *a, const struct corner *b, do
 
 /* The part where the values at the corners are 0 or less; new corners are on the border `on`. */
 struct polygon polygon_cut_off(const struct polygon *polygon, const double value[MOST_CORNERS], int on);
-
-#endif

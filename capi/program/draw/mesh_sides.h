@@ -1,6 +1,5 @@
 /* The sides of a mesh's triangles, edge by edge. */
-#ifndef HARDSPHERE_TOOL_MESH_SIDES_H
-#define HARDSPHERE_TOOL_MESH_SIDES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -19,5 +18,3 @@ struct mesh_side *mesh_sides_find(const struct triangle_mesh *mesh);
 
 /* Whether a side and the next one are of one edge. */
 bool mesh_sides_share_edge(const struct mesh_side side[2]);
-
-#endif

@@ -1,6 +1,5 @@
 /* Triangles that a border goes through, split there. */
-#ifndef HARDSPHERE_TOOL_MESH_SPLIT_H
-#define HARDSPHERE_TOOL_MESH_SPLIT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,5 +24,3 @@ size_t mesh_split_sort(struct split_edge *edges, size_t count);
  * parts have, too, and which grow with these; or marks is NULL. */
 bool mesh_split(struct triangle_mesh *mesh, const struct split_edge *edges, size_t count, uint8_t **marks,
                 struct failure *failure);
-
-#endif

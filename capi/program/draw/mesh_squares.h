@@ -1,6 +1,5 @@
 /* Squares of the page, each with the triangles that its box meets. */
-#ifndef HARDSPHERE_TOOL_MESH_SQUARES_H
-#define HARDSPHERE_TOOL_MESH_SQUARES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -31,5 +30,3 @@ void mesh_squares_free(struct mesh_squares *squares);
 
 /* The squares that a box within the page meets. */
 struct square_range mesh_squares_range(const struct mesh_squares *squares, const int32_t low[2], const int32_t high[2]);
-
-#endif

@@ -1,6 +1,5 @@
 /* How deep each ball lies among the others, to draw it darker: an even light from all sides reaches less of it. */
-#ifndef HARDSPHERE_TOOL_OCCLUSION_H
-#define HARDSPHERE_TOOL_OCCLUSION_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -20,5 +19,3 @@
  * result does not depend on the order of the balls. *strength becomes 0 if the colours are left as they are. */
 bool occlusion_darken(const struct molecule *molecule, const struct geometry *geometry, double probe, double *strength,
                       bool limited, uint32_t *colour, struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* Names of atoms, residues or chains, and where in a picture each has most room. */
-#ifndef HARDSPHERE_TOOL_PAGE_LABELS_H
-#define HARDSPHERE_TOOL_PAGE_LABELS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -21,5 +20,3 @@ struct page_label {
  * [count] is to be freed on true. kind: LABEL_* of drawing.h. map: computed, of the molecule's balls. */
 bool page_labels_find(const hsp_map *map, const struct molecule *molecule, const struct selection *selected, int kind,
                       struct page_label **labels, uint32_t *count, struct failure *failure);
-
-#endif

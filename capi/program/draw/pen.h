@@ -1,7 +1,6 @@
 /* Text, lines and rectangles over a picture, as SVG, PostScript or operators of PDF. Coordinates are px from the upper
  * left corner. */
-#ifndef HARDSPHERE_TOOL_PEN_H
-#define HARDSPHERE_TOOL_PEN_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -42,5 +41,3 @@ struct pen_text {
   uint32_t colour, seam;
 };
 void pen_write(const struct pen *pen, const struct pen_text *text);
-
-#endif

@@ -1,6 +1,5 @@
 /* A picture of a computed view or map, or of balls and sticks, in a file. */
-#ifndef HARDSPHERE_TOOL_PICTURE_FILE_H
-#define HARDSPHERE_TOOL_PICTURE_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -25,5 +24,3 @@ struct picture {
  * cannot be written in full. */
 bool picture_file_write(const struct picture *picture, const char *path, const struct progress *progress,
                         uint64_t *bytes, struct failure *failure);
-
-#endif

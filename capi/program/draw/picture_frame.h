@@ -1,6 +1,5 @@
 /* How large a picture is, and what part of what is seen it shows. */
-#ifndef HARDSPHERE_TOOL_PICTURE_FRAME_H
-#define HARDSPHERE_TOOL_PICTURE_FRAME_H
+#pragma once
 
 #include "draw/drawing.h"
 #include "draw/front_grid.h"
@@ -22,5 +21,3 @@ void picture_frame_set(const struct drawing *drawing, const hsp_view_info *view,
 
 /* From coordinates of the molecule to those of the page. */
 struct page_axes picture_frame_axes(const struct picture_frame *frame, const hsp_view_info *view);
-
-#endif

@@ -1,6 +1,5 @@
 /* The colours of pockets: the same in pictures of a surface and in charts. */
-#ifndef HARDSPHERE_TOOL_POCKET_COLOURS_H
-#define HARDSPHERE_TOOL_POCKET_COLOURS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -8,5 +7,3 @@ enum { POCKET_COLOURS = 6 };
 
 /* Of the pockets that are listed, the first one's first; and that of all other pockets. */
 extern const uint32_t pocket_colours[POCKET_COLOURS], other_pockets_colour;
-
-#endif

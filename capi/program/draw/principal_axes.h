@@ -1,6 +1,5 @@
 /* How the atoms of a molecule are spread in space. */
-#ifndef HARDSPHERE_TOOL_PRINCIPAL_AXES_H
-#define HARDSPHERE_TOOL_PRINCIPAL_AXES_H
+#pragma once
 
 struct molecule;
 
@@ -14,5 +13,3 @@ struct molecule;
  * No rule for signs is continuous everywhere; this one does not change with noise where molecules are symmetric, flat
  * or along the file's axes. The same bits on every machine and for every order of the atoms. */
 void principal_axes(const struct molecule *molecule, double axis[3][3]);
-
-#endif

@@ -1,6 +1,5 @@
 /* Colours that tell what kind of residue an atom belongs to. */
-#ifndef HARDSPHERE_TOOL_RESIDUE_COLOURS_H
-#define HARDSPHERE_TOOL_RESIDUE_COLOURS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -16,5 +15,3 @@ struct residue_colour {
  * aromatic violet, with sulfur yellow, other ones greyish brown, glycine nearly white, all apart without red or green,
  * too; and of nucleotides by their base. False: the residue is none of these. */
 bool residue_colour_find(const char *name, struct residue_colour *colour);
-
-#endif

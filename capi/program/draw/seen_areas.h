@@ -1,6 +1,5 @@
 /* How much is seen of each ball of a picture, and which balls are painted at all. */
-#ifndef HARDSPHERE_TOOL_SEEN_AREAS_H
-#define HARDSPHERE_TOOL_SEEN_AREAS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -17,5 +16,3 @@ bool seen_areas_find_painted(const hsp_view *view, uint32_t atoms, bool **painte
  */
 bool seen_areas_find(const struct shown_bodies *bodies, const struct picture_frame *frame, const hsp_view_info *view,
                      double **area, struct failure *failure);
-
-#endif

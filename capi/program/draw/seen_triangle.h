@@ -1,6 +1,5 @@
 /* A triangle on the page. */
-#ifndef HARDSPHERE_TOOL_SEEN_TRIANGLE_H
-#define HARDSPHERE_TOOL_SEEN_TRIANGLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -30,5 +29,3 @@ double seen_triangle_depth(const struct seen_triangle *triangle, const double at
  * own. */
 void seen_triangle_box(const struct seen_triangle *triangle, int32_t low[2], int32_t high[2]);
 int64_t seen_triangles_page(const struct seen_triangle *triangle, uint32_t count, int32_t low[2], int32_t high[2]);
-
-#endif

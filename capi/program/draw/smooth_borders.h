@@ -1,6 +1,5 @@
 /* Areas of a surface, each the vertices with one number, with borders that are smooth. */
-#ifndef HARDSPHERE_TOOL_SMOOTH_BORDERS_H
-#define HARDSPHERE_TOOL_SMOOTH_BORDERS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -18,5 +17,3 @@ enum { NO_AREA = 0xFF };
  * sorted, to be freed on true and on false. False for want of memory. */
 bool smooth_borders_find(const struct triangle_mesh *mesh, uint32_t areas, double reach, uint8_t *of_vertex,
                          struct split_edge **edges, size_t *count);
-
-#endif

@@ -1,6 +1,5 @@
 /* The pictures of one turn: the same balls in the same frame, turned about the upright axis. */
-#ifndef HARDSPHERE_TOOL_SPINNING_H
-#define HARDSPHERE_TOOL_SPINNING_H
+#pragma once
 
 #include <stdint.h>
 
@@ -15,5 +14,3 @@ int32_t spinning_fix_frame(struct drawing *drawing, const struct molecule *molec
 /* The name of one of the pictures, counted from 0: NAME-000.svg for NAME.svg. It stays until the next call, so that a
  * failure can tell it; NULL: memory is short. */
 const char *spinning_name(const char *out, int picture);
-
-#endif

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "draw/bonds.h"
+#include "read/bonds.h"
 
 static double radius_of_stick(const struct stick_parts *parts, const hsp_stick *stick) {
   const uint32_t thick = HSP_STICK_DOUBLE | HSP_STICK_TRIPLE | HSP_STICK_AROMATIC;

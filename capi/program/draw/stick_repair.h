@@ -1,6 +1,5 @@
 /* Balls and sticks that are in each other's way, where a picture is not to be refused for a few of them. */
-#ifndef HARDSPHERE_TOOL_STICK_REPAIR_H
-#define HARDSPHERE_TOOL_STICK_REPAIR_H
+#pragma once
 
 #include "hardsphere.h"
 #include "read/geometry.h"
@@ -24,5 +23,3 @@ bool stick_repair(const struct molecule *molecule, const hsp_sticks_conflict *co
 
 /* Why, and what became of it: "the stick between balls 0 and 1 runs into ball 3; drawn with 1 ball smaller". */
 void stick_repair_tell(const struct stick_parts *parts, const char *reason, char out[MISFIT_BYTES]);
-
-#endif

@@ -1,6 +1,5 @@
 /* The light on surfaces, as a radial gradient has it on the disc of a ball. */
-#ifndef HARDSPHERE_TOOL_SURFACE_LIGHT_H
-#define HARDSPHERE_TOOL_SURFACE_LIGHT_H
+#pragma once
 
 #include <stdint.h>
 
@@ -21,5 +20,3 @@ uint32_t surface_light_on(uint32_t colour, double circle);
 /* The circle by which so large a share of the way from the brightest tone to the darkest is done; above a share of 1
  * one beyond all circles. Of equal steps of it no border is seen more than the others. */
 double surface_light_border(double share);
-
-#endif

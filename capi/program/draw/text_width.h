@@ -1,10 +1,7 @@
 /* How much room a line of text takes. */
-#ifndef HARDSPHERE_TOOL_TEXT_WIDTH_H
-#define HARDSPHERE_TOOL_TEXT_WIDTH_H
+#pragma once
 
 /* How wide a text, in UTF-8, becomes in Helvetica of a size, without kerning; and in fonts that stand in for it, about.
  */
 double text_width_exact(const char *text, double size);
 double text_width(const char *text, double size);
-
-#endif

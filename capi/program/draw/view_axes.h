@@ -1,10 +1,9 @@
 /* Directions of a view as the library has them. */
-#ifndef HARDSPHERE_TOOL_VIEW_AXES_H
-#define HARDSPHERE_TOOL_VIEW_AXES_H
+#pragma once
 
 #include <stdbool.h>
 
-#include "draw/viewing.h"
+#include "commands/viewing.h"
 #include "hardsphere.h"
 #include "read/molecule.h"
 
@@ -13,5 +12,3 @@ int32_t viewing_options(const struct viewing *viewing, const struct molecule *mo
 
 /* Axes to the right, upwards and towards the viewer: unit vectors. The status of the library. */
 int32_t viewing_axes(const struct viewing *viewing, const struct molecule *molecule, double axis[3][3]);
-
-#endif

@@ -1,10 +1,9 @@
 /* The results of the library's component sight for a molecule: views and maps. */
-#ifndef HARDSPHERE_TOOL_VIEW_GEOMETRY_H
-#define HARDSPHERE_TOOL_VIEW_GEOMETRY_H
+#pragma once
 
 #include <stdbool.h>
 
-#include "draw/viewing.h"
+#include "commands/viewing.h"
 #include "read/failure.h"
 #include "read/geometry.h"
 #include "read/molecule.h"
@@ -15,5 +14,3 @@ bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *op
 /* Find what is seen, from the model alone. */
 bool geometry_compute_map(struct geometry *geometry, const struct viewing *viewing, const struct molecule *molecule,
                           struct failure *failure);
-
-#endif

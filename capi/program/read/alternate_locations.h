@@ -1,6 +1,5 @@
 /* Atoms that stand in a file more than once, at alternate locations: which record counts. */
-#ifndef HARDSPHERE_TOOL_ALTERNATE_LOCATIONS_H
-#define HARDSPHERE_TOOL_ALTERNATE_LOCATIONS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -55,5 +54,3 @@ bool alternate_locations_keep(struct alternate_locations *locations, const struc
 void alternate_locations_go_on(struct alternate_locations *locations);
 
 void alternate_locations_free(struct alternate_locations *locations);
-
-#endif

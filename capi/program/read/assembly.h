@@ -1,6 +1,5 @@
 /* Biological assemblies, as files of the Protein Data Bank state them: which chains by which operators. */
-#ifndef HARDSPHERE_TOOL_ASSEMBLY_H
-#define HARDSPHERE_TOOL_ASSEMBLY_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -61,5 +60,3 @@ bool assembly_make(struct molecule *molecule, struct failure *failure);
 bool assemblies_list_others(struct molecule *molecule, struct text_buffer *out);
 
 void assemblies_free(struct assemblies *assemblies);
-
-#endif

@@ -1,6 +1,5 @@
 /* One rule for the element of an atom, which every reader calls. */
-#ifndef HARDSPHERE_TOOL_ATOM_ELEMENTS_H
-#define HARDSPHERE_TOOL_ATOM_ELEMENTS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -73,5 +72,3 @@ static inline bool atom_is_usual(char symbol, const char *residue) {
 
 /* Where a residue has a hydrogen HL1, or carbons CLP or CLA, an atom CL that only its letters tell is a carbon too. */
 void molecule_agree_elements(struct molecule *molecule);
-
-#endif

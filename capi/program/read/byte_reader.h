@@ -1,6 +1,5 @@
 /* Bytes of a binary file, one piece after the other. */
-#ifndef HARDSPHERE_TOOL_BYTE_READER_H
-#define HARDSPHERE_TOOL_BYTE_READER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -44,5 +43,3 @@ double bits_to_double(uint64_t bits);
 
 /* The number with fewest digits that is this float: 0.1, where the float's own value has 17 digits. */
 double float_as_written(float value);
-
-#endif

@@ -1,6 +1,5 @@
 /* Character classes of ASCII, whatever the locale. */
-#ifndef HARDSPHERE_TOOL_CHARACTERS_H
-#define HARDSPHERE_TOOL_CHARACTERS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -32,5 +31,3 @@ static inline void to_capitals(char *out, size_t room, const char *text, size_t 
   for (; at < length && at + 1 < room; ++at) out[at] = to_upper(text[at]);
   out[at] = '\0';
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* The coordinates of a chemical component, of which a file has up to three sets, whole or not. */
-#ifndef HARDSPHERE_TOOL_CIF_COMPONENT_H
-#define HARDSPHERE_TOOL_CIF_COMPONENT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -31,5 +30,3 @@ bool cif_component_take_bond(const struct cif_row *row, struct molecule *molecul
 void cif_component_choose_bonds(struct molecule *molecule);
 
 void cif_component_free(struct cif_component *component);
-
-#endif

@@ -1,6 +1,5 @@
 /* The cell of a block of a CIF file, and coordinates as fractions of it. */
-#ifndef HARDSPHERE_TOOL_CIF_CRYSTAL_H
-#define HARDSPHERE_TOOL_CIF_CRYSTAL_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -36,5 +35,3 @@ bool cif_crystal_keeps(struct cif_crystal *crystal, const struct cif_row *row, b
  * and become angstrom; then a block without a cell fails. */
 bool cif_crystal_finish(const struct cif_crystal *crystal, bool fractional, struct molecule *molecule,
                         struct failure *failure);
-
-#endif

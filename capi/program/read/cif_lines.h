@@ -1,7 +1,6 @@
 /* The rows of a CIF loop of atoms that stand on one line each, as they do in nearly all files: values are found in the
  * line by the blanks between them. */
-#ifndef HARDSPHERE_TOOL_CIF_LINES_H
-#define HARDSPHERE_TOOL_CIF_LINES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -40,5 +39,3 @@ void cif_lines_begin(struct cif_lines *lines, const enum cif_item *items, size_t
  * be used. The row stays valid until the reader's next line. go_on: where model, residue and letter of the location are
  * those of the row before, which was a line, too, the row may leave them out and go on. */
 bool cif_lines_take(struct cif_lines *lines, const struct line_reader *reader, bool go_on, struct cif_row *row);
-
-#endif

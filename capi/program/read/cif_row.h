@@ -1,6 +1,5 @@
 /* The items of a CIF file that matter here, by its tags, and the values of one atom. */
-#ifndef HARDSPHERE_TOOL_CIF_ROW_H
-#define HARDSPHERE_TOOL_CIF_ROW_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -111,5 +110,3 @@ static inline struct field cif_row_either(const struct cif_row *row, enum cif_it
 
 /* A number without the uncertainty that may follow in parentheses: 12.345(6). */
 struct field cif_without_uncertainty(struct field number);
-
-#endif

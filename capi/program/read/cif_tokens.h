@@ -1,7 +1,6 @@
 /* The words of a CIF file, one after the other: tags, values, and the keywords between them (Hall, Allen and Brown,
  * "The crystallographic information file (CIF)", 1991; syntax of CIF 1.1). */
-#ifndef HARDSPHERE_TOOL_CIF_TOKENS_H
-#define HARDSPHERE_TOOL_CIF_TOKENS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -47,5 +46,3 @@ bool cif_tokens_next_line(struct cif_tokens *tokens);
 bool cif_value_is_absent(const struct cif_tokens *tokens);
 
 void cif_tokens_free(struct cif_tokens *tokens);
-
-#endif

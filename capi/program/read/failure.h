@@ -1,6 +1,5 @@
 /* Why the program gives up: one line for stderr and an exit status. */
-#ifndef HARDSPHERE_TOOL_FAILURE_H
-#define HARDSPHERE_TOOL_FAILURE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -51,5 +50,3 @@ void failure_print(const struct failure *failure);
 
 /* Copy text into out for quoting: shortened if it is long, bytes that would disturb a terminal replaced by '?'. */
 const char *excerpt(char out[EXCERPT_BYTES], const char *text, size_t length);
-
-#endif

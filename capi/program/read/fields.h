@@ -1,6 +1,5 @@
 /* Pieces of a line: fields between blanks, and fields in fixed columns. */
-#ifndef HARDSPHERE_TOOL_FIELDS_H
-#define HARDSPHERE_TOOL_FIELDS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -31,5 +30,3 @@ bool field_number_in_line(struct field field, const char *name, double *value, u
 
 /* The same for a radius: negative numbers are refused as well. */
 bool field_radius(struct field field, double *value, uint64_t line, struct failure *failure);
-
-#endif

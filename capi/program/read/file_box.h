@@ -1,6 +1,5 @@
 /* The periodic box that a file of a molecule has. */
-#ifndef HARDSPHERE_TOOL_FILE_BOX_H
-#define HARDSPHERE_TOOL_FILE_BOX_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -49,5 +48,3 @@ void box_turn_in(const struct box_record *box, double point[3]);
 
 /* Turn a point back into the frame of the file; of a box that was not turned it stays where it is. */
 void box_turn_back(const struct box_record *box, double point[3]);
-
-#endif

@@ -1,6 +1,5 @@
 /* The choice among the molecules that a file states: a model, a location, a chain's name, an assembly. */
-#ifndef HARDSPHERE_TOOL_FILE_CHOICE_H
-#define HARDSPHERE_TOOL_FILE_CHOICE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -20,5 +19,3 @@ struct file_choice {
 
 #define FILE_CHOICE_FIRST \
   { 1, LOCATION_FIRST, false, NULL }
-
-#endif

@@ -1,7 +1,6 @@
 /* The formats of files of molecules and of frames: what each is called and has, its unit of length, and its readers. A
  * format is a file read_<name>.c with one of these, and a line in the table of file_format.c. */
-#ifndef HARDSPHERE_TOOL_FILE_FORMAT_H
-#define HARDSPHERE_TOOL_FILE_FORMAT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -72,5 +71,3 @@ const char *file_extension(const char *path);
 
 /* The format of molecules that a file name's extension asks for; NULL if there is none. */
 const struct file_format *file_format_of(const char *path, struct failure *failure);
-
-#endif

@@ -7,9 +7,10 @@
 /* A thread is worth its start for so many balls, a millisecond or two of work. */
 enum { BALLS_OF_THREAD = 1500 };
 
-static void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
+static int32_t run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
   const hsp_executor *const executor = context;
   threads_run(executor->workers, tasks, task, data);
+  return 0;
 }
 
 void geometry_share_work(struct geometry *geometry, uint32_t threads, uint32_t balls) {
@@ -135,7 +136,7 @@ bool geometry_compute_periodic(struct geometry *geometry, const struct molecule 
   }
   while (status == HSP_OK) {
     hsp_periodic_limits limits = geometry->periodic_limits;
-    status = hsp_periodic_compute(geometry->periodic, molecule->atoms, molecule->xyz, molecule->radius, &options, box,
+    status = hsp_periodic_compute(geometry->periodic, molecule->atoms, molecule->xyz, molecule->radius, box, &options,
                                   &limits, NULL);
     if (status != HSP_E_CAPACITY) break;
     geometry->periodic_limits = limits;

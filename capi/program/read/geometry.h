@@ -1,6 +1,5 @@
 /* The library's handles for one molecule, in memory that the program owns. */
-#ifndef HARDSPHERE_TOOL_GEOMETRY_H
-#define HARDSPHERE_TOOL_GEOMETRY_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -72,5 +71,3 @@ const char *geometry_reason(int32_t status);
 
 /* Record a status of the library that is not HSP_OK. Always false. */
 bool failure_in_library(struct failure *failure, int32_t status);
-
-#endif

@@ -1,6 +1,5 @@
 /* Arrays that grow as items are added: an address, how many items it has room for, and how many there are. */
-#ifndef HARDSPHERE_TOOL_GROWING_ARRAY_H
-#define HARDSPHERE_TOOL_GROWING_ARRAY_H
+#pragma once
 
 #include <stddef.h>
 
@@ -11,5 +10,3 @@ void *array_grown(void *array, size_t size, size_t *room);
 static inline void *array_with_room(void *array, size_t size, size_t count, size_t *room) {
   return count < *room ? array : array_grown(array, size, room);
 }
-
-#endif

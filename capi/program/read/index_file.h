@@ -1,6 +1,5 @@
 /* Groups of atoms by name, as GROMACS's index files (.ndx) have them. */
-#ifndef HARDSPHERE_TOOL_INDEX_FILE_H
-#define HARDSPHERE_TOOL_INDEX_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -41,5 +40,3 @@ bool index_group_has(const struct index_group *group, uint32_t place);
 bool index_file_suits(const struct index_file *file, const char *path, uint32_t atoms, struct failure *failure);
 
 void index_file_free(struct index_file *file);
-
-#endif

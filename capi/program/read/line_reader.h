@@ -1,6 +1,5 @@
 /* Lines of a text file, one at a time: any length, ended by LF, CRLF, CR or the end of the file. */
-#ifndef HARDSPHERE_TOOL_LINE_READER_H
-#define HARDSPHERE_TOOL_LINE_READER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -56,5 +55,3 @@ enum line_status line_reader_next(struct line_reader *reader, struct failure *fa
 
 /* The line that shows the progress is taken away. */
 void line_reader_close(struct line_reader *reader);
-
-#endif

@@ -1,6 +1,5 @@
 /* Atoms at several locations, of which the user wants others than the first: all are read, and then it is chosen. */
-#ifndef HARDSPHERE_TOOL_LOCATION_CHOICE_H
-#define HARDSPHERE_TOOL_LOCATION_CHOICE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -35,5 +34,3 @@ bool location_choice_add(struct location_choice *choice, const struct molecule *
 bool location_choice_finish(struct location_choice *choice, struct molecule *molecule, struct failure *failure);
 
 void location_choice_free(struct location_choice *choice);
-
-#endif

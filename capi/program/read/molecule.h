@@ -1,6 +1,5 @@
 /* The atoms of one file, as balls. */
-#ifndef HARDSPHERE_TOOL_MOLECULE_H
-#define HARDSPHERE_TOOL_MOLECULE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -235,5 +234,3 @@ void label_copy(char *out, size_t room, struct field text);
 
 /* Whether z is 0 of all atoms from that one on, as in drawings and in files that never had coordinates. */
 bool molecule_is_flat(const struct molecule *molecule, uint32_t first);
-
-#endif

@@ -1,6 +1,5 @@
 /* Names that come again in a file, and a number for each in the order in which they come first. */
-#ifndef HARDSPHERE_TOOL_NAME_TABLE_H
-#define HARDSPHERE_TOOL_NAME_TABLE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -24,5 +23,3 @@ struct name_table {
 uint32_t name_table_number(struct name_table *table, struct field name);
 
 void name_table_free(struct name_table *table);
-
-#endif

@@ -1,6 +1,5 @@
 /* Decimal numbers as molecule files and command lines write them. */
-#ifndef HARDSPHERE_TOOL_NUMBER_H
-#define HARDSPHERE_TOOL_NUMBER_H
+#pragma once
 
 #include <float.h>
 #include <stdbool.h>
@@ -32,5 +31,3 @@ const char *number_complaint(enum number_status status);
 static inline bool is_finite(double value) {
   return value >= -DBL_MAX && value <= DBL_MAX;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Numbers as text, without printf where 128-bit integers hold what is exact; printf writes the rest, the same bytes. */
-#ifndef HARDSPHERE_TOOL_NUMBER_TEXT_H
-#define HARDSPHERE_TOOL_NUMBER_TEXT_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -17,5 +16,3 @@ size_t number_text_exact(char out[NUMBER_BYTES], double value);
 
 /* "%.*f" with 0 to 10 decimals of a value below 1e21. Returns the length. */
 size_t number_text_fixed(char out[NUMBER_BYTES], double value, int decimals);
-
-#endif

@@ -1,6 +1,5 @@
 /* Columns 18 to 22 of the atom records of a .pdb file, which hold names of residues and chains in two ways. */
-#ifndef HARDSPHERE_TOOL_PDB_NAMES_H
-#define HARDSPHERE_TOOL_PDB_NAMES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -45,5 +44,3 @@ void pdb_names_number(struct pdb_names *names, uint64_t ends, const char *atom, 
 void pdb_names_finish(struct pdb_names *names);
 
 void pdb_names_free(struct pdb_names *names);
-
-#endif

@@ -1,6 +1,5 @@
 /* The common part of .pdb and .pqr files: lines that begin with the name of a record. */
-#ifndef HARDSPHERE_TOOL_PDB_RECORDS_H
-#define HARDSPHERE_TOOL_PDB_RECORDS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -49,5 +48,3 @@ void pdb_models_step(struct pdb_models *models, enum pdb_record record);
  * A file that has lines, but not one record of the format, fails. `models` and `record_seen` are zeros at first. */
 enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *molecule, struct pdb_models *models,
                                bool *record_seen, struct failure *failure);
-
-#endif

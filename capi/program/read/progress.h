@@ -1,6 +1,5 @@
 /* The progress of long work, for a person who watches: one line on a terminal's stderr that vanishes at the end. */
-#ifndef HARDSPHERE_TOOL_PROGRESS_H
-#define HARDSPHERE_TOOL_PROGRESS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -27,5 +26,3 @@ void progress_show_bytes(const struct progress *progress, const char *text, uint
 
 /* Take the line away: before the results, and before a failure is reported. */
 void progress_end(const struct progress *progress);
-
-#endif

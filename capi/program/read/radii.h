@@ -1,6 +1,5 @@
 /* Element symbols and the radii that stand for them. Lengths are in angstrom. */
-#ifndef HARDSPHERE_TOOL_RADII_H
-#define HARDSPHERE_TOOL_RADII_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -67,5 +66,3 @@ bool radii_is_substitute(const struct radii *radii, struct element_symbol symbol
 
 /* Whether radii_put has set the radius. */
 bool radii_is_given(const struct radii *radii, struct element_symbol symbol);
-
-#endif

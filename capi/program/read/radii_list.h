@@ -1,6 +1,5 @@
 /* The sets of radii that there are, for a person to read. */
-#ifndef HARDSPHERE_TOOL_RADII_LIST_H
-#define HARDSPHERE_TOOL_RADII_LIST_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -9,5 +8,3 @@
 
 /* Every set with its source: radii by element side by side, then those by residue and atom. */
 bool radii_list_print(struct text_buffer *out, struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* Radii by the names of residues and atoms, as they are used for proteins: atoms stand for their hydrogens as well. */
-#ifndef HARDSPHERE_TOOL_RADII_TABLE_H
-#define HARDSPHERE_TOOL_RADII_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -51,5 +50,3 @@ bool radii_table_get(const struct radii_table *table, size_t i, const char **res
                      double *radius);
 
 void radii_table_free(struct radii_table *table);
-
-#endif

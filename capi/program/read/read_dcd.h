@@ -1,6 +1,5 @@
 /* .dcd, the trajectories of CHARMM, NAMD and X-PLOR: frames of coordinates as floats, in angstrom. */
-#ifndef HARDSPHERE_TOOL_READ_DCD_H
-#define HARDSPHERE_TOOL_READ_DCD_H
+#pragma once
 
 #include "read/byte_reader.h"
 #include "read/line_reader.h"
@@ -20,5 +19,3 @@ struct dcd {
 };
 
 void dcd_free(struct dcd *dcd);
-
-#endif

@@ -1,6 +1,5 @@
 /* From a file to a molecule. The extension of the name tells the format, unless the user does. */
-#ifndef HARDSPHERE_TOOL_READ_MOLECULE_H
-#define HARDSPHERE_TOOL_READ_MOLECULE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -25,5 +24,3 @@ bool read_announced_model(struct line_reader *reader, uint64_t count, announced_
  * molecule_keeping. Every file is either read in full or refused, and so is one without atoms. */
 bool read_molecule(const char *path, const struct file_format *format, const struct file_choice *choice, unsigned keeps,
                    struct molecule *molecule, struct failure *failure);
-
-#endif

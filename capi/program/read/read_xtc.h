@@ -1,6 +1,5 @@
 /* .xtc, GROMACS's compressed trajectories: frames of coordinates as whole multiples of a length, in nanometres. */
-#ifndef HARDSPHERE_TOOL_READ_XTC_H
-#define HARDSPHERE_TOOL_READ_XTC_H
+#pragma once
 
 #include "read/byte_reader.h"
 #include "read/line_reader.h"
@@ -13,5 +12,3 @@ struct xtc {
 };
 
 void xtc_free(struct xtc *xtc);
-
-#endif

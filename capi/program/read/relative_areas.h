@@ -1,11 +1,8 @@
 /* The area that a residue's is compared with: the largest that it can have. */
-#ifndef HARDSPHERE_TOOL_RELATIVE_AREAS_H
-#define HARDSPHERE_TOOL_RELATIVE_AREAS_H
+#pragma once
 
 /* Where the values come from, for people. */
 extern const char relative_areas_source[];
 
 /* The largest solvent-accessible area of a residue of this name in a chain, in angstrom^2; NaN if there is no value. */
 double largest_residue_area(const char *name);
-
-#endif

@@ -1,6 +1,5 @@
 /* The meaning of names of residues: which are known. */
-#ifndef HARDSPHERE_TOOL_RESIDUE_KINDS_H
-#define HARDSPHERE_TOOL_RESIDUE_KINDS_H
+#pragma once
 
 enum residue_kind { RESIDUE_OTHER, RESIDUE_AMINO_ACID, RESIDUE_NUCLEOTIDE, RESIDUE_WATER };
 
@@ -8,5 +7,3 @@ enum residue_kind { RESIDUE_OTHER, RESIDUE_AMINO_ACID, RESIDUE_NUCLEOTIDE, RESID
  * frequent modifications, caps of chains, CHARMM's dipeptide of alanine; nucleotides; water, by the names that its
  * models go by. */
 enum residue_kind residue_kind_of(const char *name);
-
-#endif

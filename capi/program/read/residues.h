@@ -1,6 +1,5 @@
 /* Residues and chains: which atoms belong together, and what they sum to. */
-#ifndef HARDSPHERE_TOOL_RESIDUES_H
-#define HARDSPHERE_TOOL_RESIDUES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -69,5 +68,3 @@ void atom_groups_sum(struct atom_groups *groups, const double *area);
 bool chain_numbers_make(const struct molecule *molecule, uint32_t **number, struct failure *failure);
 
 void atom_groups_free(struct atom_groups *groups);
-
-#endif

@@ -1,6 +1,5 @@
 /* Which atoms of a file become balls, as --only, --hide and their kin say. */
-#ifndef HARDSPHERE_TOOL_SELECTION_H
-#define HARDSPHERE_TOOL_SELECTION_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -60,5 +59,3 @@ bool selection_apply(const struct selection *selection, struct molecule *molecul
 void selection_hide_water(struct molecule *molecule);
 
 void selection_free(struct selection *selection);
-
-#endif

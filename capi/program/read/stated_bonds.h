@@ -1,6 +1,5 @@
 /* The bonds that a file states, as pairs of atoms of the molecule. */
-#ifndef HARDSPHERE_TOOL_STATED_BONDS_H
-#define HARDSPHERE_TOOL_STATED_BONDS_H
+#pragma once
 
 #include "read/molecule.h"
 
@@ -20,5 +19,3 @@ struct stated_bonds {
 bool stated_bonds_find(const struct molecule *molecule, struct stated_bonds *bonds);
 
 void stated_bonds_free(struct stated_bonds *bonds);
-
-#endif

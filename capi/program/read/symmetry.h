@@ -1,6 +1,5 @@
 /* The symmetry of a crystal, as the file with one asymmetric unit states it. */
-#ifndef HARDSPHERE_TOOL_SYMMETRY_H
-#define HARDSPHERE_TOOL_SYMMETRY_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -52,5 +51,3 @@ bool symmetry_take_triplet(struct symmetry *symmetry, struct field text, struct 
 bool symmetry_is_none(const struct symmetry *symmetry);
 
 void symmetry_free(struct symmetry *symmetry);
-
-#endif

@@ -1,6 +1,5 @@
 /* Text that grows in memory: results go there and reach stdout whole or not at all. */
-#ifndef HARDSPHERE_TOOL_TEXT_BUFFER_H
-#define HARDSPHERE_TOOL_TEXT_BUFFER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -57,5 +56,3 @@ void text_buffer_add_xml(struct text_buffer *buffer, const char *text);
 bool text_buffer_print(const struct text_buffer *buffer, struct failure *failure);
 
 void text_buffer_free(struct text_buffer *buffer);
-
-#endif

@@ -1,7 +1,6 @@
 /* Threads of the program's own: loops whose tasks they share, and items that they work on side by side and give in
  * order. Where a system has no threads, threads_none.c does the same with the calling one. */
-#ifndef HARDSPHERE_TOOL_THREADS_H
-#define HARDSPHERE_TOOL_THREADS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -35,5 +34,3 @@ struct in_order {
 
 /* Until all that is taken is given, or `give` ends it. False: memory is short, and nothing was taken. */
 bool in_order_run(const struct in_order *loop);
-
-#endif

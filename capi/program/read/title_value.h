@@ -1,6 +1,5 @@
 /* Values by their keys in the title of extended XYZ: key=value, with blanks around the sign or without. */
-#ifndef HARDSPHERE_TOOL_TITLE_VALUE_H
-#define HARDSPHERE_TOOL_TITLE_VALUE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,5 +13,3 @@ bool title_value(const char *title, const char *key, struct field *value);
 /* The parts of a value: words between blanks and commas, whatever brackets and quotes there are. The first `capacity`
  * are stored; the result is the number of all of them. */
 size_t title_value_split(struct field value, struct field *parts, size_t capacity);
-
-#endif

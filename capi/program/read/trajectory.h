@@ -1,6 +1,5 @@
 /* Frames of a trajectory, one after the other, in memory for one of them. */
-#ifndef HARDSPHERE_TOOL_TRAJECTORY_H
-#define HARDSPHERE_TOOL_TRAJECTORY_H
+#pragma once
 
 #include "read/byte_reader.h"
 #include "read/file_format.h"
@@ -44,5 +43,3 @@ enum line_status trajectory_next(struct trajectory *trajectory, bool wanted, str
 bool failure_in_frame(struct failure *failure, uint64_t number);
 
 void trajectory_close(struct trajectory *trajectory);
-
-#endif

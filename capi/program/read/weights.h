@@ -1,6 +1,5 @@
 /* A weight for every ball, from a text file. */
-#ifndef HARDSPHERE_TOOL_WEIGHTS_H
-#define HARDSPHERE_TOOL_WEIGHTS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -11,5 +10,3 @@
  * a comment. Any other number of numbers is refused. what: such a number is called, for instance "weight".
  * *weights [count] is to be freed on true. */
 bool weights_read(const char *path, const char *what, uint32_t count, double **weights, struct failure *failure);
-
-#endif

@@ -1,7 +1,6 @@
 /* Eight or sixteen characters at a time: lines, decimals and labels in fixed columns. The first character is the lowest
  * byte of a word on any machine. */
-#ifndef HARDSPHERE_TOOL_WORDS_H
-#define HARDSPHERE_TOOL_WORDS_H
+#pragma once
 
 #include <float.h>
 #include <stdbool.h>
@@ -218,6 +217,4 @@ static inline uint32_t differ_in_16(const char *text, const char *other) {
   const uint32_t low = below_in_8(word_at(text) ^ word_at(other), 1);
   return (low | below_in_8(word_at(text + 8) ^ word_at(other + 8), 1) << 8) ^ UINT32_C(0xFFFF);
 }
-#endif
-
 #endif

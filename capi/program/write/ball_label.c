@@ -47,6 +47,15 @@ void ball_label_json(const struct molecule *molecule, uint32_t ball, struct text
   json_number(out, molecule->radius[ball]);
 }
 
+static void add_keys(const struct file_format *format, struct text_buffer *out) {
+  static const struct atom_label nobody = ATOM_LABEL_NONE;
+  struct ball_name names[MOST_NAMES];
+  const int count = list_names(format, &nobody, names);
+  text_buffer_add_text(out, "ball");
+  for (int i = 0; i < count; ++i) text_buffer_add(out, ", %s", names[i].key);
+  text_buffer_add_text(out, ", xyz, radius");
+}
+
 void ball_label_csv_titles(const struct file_format *format, const char *suffix, struct text_buffer *out) {
   static const struct atom_label nobody = ATOM_LABEL_NONE;
   struct ball_name names[MOST_NAMES];
@@ -82,12 +91,14 @@ void ball_rows_lead_silent(const void *of, size_t row, enum form form, struct te
 void ball_rows_lead_index(const void *of, size_t row, enum form form, struct text_buffer *out) {
   ball_rows_lead_silent(of, row, form, out);
   if (form == AS_JSON) text_buffer_add(out, "\"ball\": %" PRIu32, ball_of(of, row));
+  if (form == AS_KEYS) text_buffer_add_text(out, "ball");
 }
 
 void ball_rows_lead(const void *of, size_t row, enum form form, struct text_buffer *out) {
   const struct ball_rows *const rows = of;
   ball_rows_lead_silent(of, row, form, out);
   if (form == AS_JSON) ball_label_json(rows->molecule, ball_of(rows, row), out);
+  if (form == AS_KEYS) add_keys(rows->molecule->format, out);
   if (form == AS_CSV_TITLES) ball_label_csv_titles(rows->molecule->format, "", out);
   if (form == AS_CSV) ball_label_csv(rows->molecule, ball_of(rows, row), out);
 }
@@ -104,8 +115,9 @@ void ball_rows_print(const struct molecule *molecule, const uint32_t *balls, uin
   table_print(&table, out);
 }
 
-void ball_labels_json(const struct molecule *molecule, struct text_buffer *out) {
+void ball_labels_record(struct record *record, const char *key) {
+  const struct molecule *const molecule = record->molecule;
   const struct ball_rows rows = ball_rows_of(molecule, NULL);
   const struct table table = {NULL, 0, molecule->format, molecule->atoms, &rows, no_cells, ball_rows_lead};
-  table_json(&table, out);
+  if (record->form == AS_JSON) record_table(record, key, &table);
 }

@@ -1,11 +1,11 @@
 /* The names of balls: their index, and the names that their file's format has. */
-#ifndef HARDSPHERE_TOOL_BALL_LABEL_H
-#define HARDSPHERE_TOOL_BALL_LABEL_H
+#pragma once
 
 #include <stdint.h>
 
 #include "read/molecule.h"
 #include "read/text_buffer.h"
+#include "write/record.h"
 #include "write/report.h"
 #include "write/table.h"
 
@@ -29,11 +29,9 @@ void ball_rows_print(const struct molecule *molecule, const uint32_t *balls, uin
 /* The keys of JSON from "ball" to "radius", without braces. */
 void ball_label_json(const struct molecule *molecule, uint32_t ball, struct text_buffer *out);
 
-/* All balls: [{...}, ...] */
-void ball_labels_json(const struct molecule *molecule, struct text_buffer *out);
+/* All balls, for JSON alone. */
+void ball_labels_record(struct record *record, const char *key);
 
 /* The first columns of a row that is about a ball, and their titles with a suffix behind each. */
 void ball_label_csv_titles(const struct file_format *format, const char *suffix, struct text_buffer *out);
 void ball_label_csv(const struct molecule *molecule, uint32_t ball, struct text_buffer *out);
-
-#endif

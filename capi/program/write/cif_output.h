@@ -1,6 +1,5 @@
 /* Pieces of .cif files. */
-#ifndef HARDSPHERE_TOOL_CIF_OUTPUT_H
-#define HARDSPHERE_TOOL_CIF_OUTPUT_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -24,5 +23,3 @@ struct site {
 /* Before all atoms, and each of them, counted from 1. */
 void cif_sites_begin(struct text_buffer *out);
 void cif_site(struct text_buffer *out, uint32_t serial, const struct site *site);
-
-#endif

@@ -1,6 +1,5 @@
 /* Tables for other programs: comma-separated values, quoted as RFC 4180 says; lines end with LF. */
-#ifndef HARDSPHERE_TOOL_CSV_H
-#define HARDSPHERE_TOOL_CSV_H
+#pragma once
 
 #include "read/text_buffer.h"
 
@@ -9,5 +8,3 @@ void csv_text(struct text_buffer *out, const char *text);
 
 /* A number as number_text_exact has it; nothing unless it is finite. */
 void csv_number(struct text_buffer *out, double value);
-
-#endif

@@ -1,6 +1,5 @@
 /* Triangles in a file. */
-#ifndef HARDSPHERE_TOOL_MESH_FILE_H
-#define HARDSPHERE_TOOL_MESH_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -50,5 +49,3 @@ const char *mesh_file_faces_name(const char *path);
  * *bytes becomes how many were written. False, with the file named, if it cannot be written in full. */
 bool mesh_file_write(const struct triangle_mesh *mesh, int format, const char *path, uint64_t *bytes,
                      struct failure *failure);
-
-#endif

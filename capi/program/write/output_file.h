@@ -1,9 +1,7 @@
 /* The one way in which files are written: beside the old files, which are replaced at the end of the run. Each is whole
  * or as it was. A run that fails before its end replaces none; if at the end a file cannot be replaced, those that were
- * begun before it are replaced already and stay so, and it and the others are as they were. Where there are no signals
- * and owners of files, output_file_in_place.c writes in the files' places. */
-#ifndef HARDSPHERE_TOOL_OUTPUT_FILE_H
-#define HARDSPHERE_TOOL_OUTPUT_FILE_H
+ * begun before it are replaced already and stay so, and it and the others are as they were. */
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,6 +15,7 @@ struct output_file {
   const char *path; /* as the user wrote it */
   FILE *stream;
   struct new_file *made; /* what stands beside the old one; NULL where bytes go to their place at once */
+  bool in_place;         /* they do, and are taken away there if anything fails (new_file.h) */
   int reason;            /* errno of the first thing that failed, 0 if nothing did */
   bool no_room;          /* that was to make a new file in the folder */
   bool taken;            /* another output of the run has this place */
@@ -51,5 +50,3 @@ void output_files_drop(void);
 
 /* A file of this text and nothing else: all of the above. False for a text that memory was short for, too. */
 bool output_file_write_text(const char *path, const struct text_buffer *text, struct failure *failure);
-
-#endif

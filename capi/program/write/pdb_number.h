@@ -1,6 +1,5 @@
 /* Numbers in the columns of .pdb files. */
-#ifndef HARDSPHERE_TOOL_PDB_NUMBER_H
-#define HARDSPHERE_TOOL_PDB_NUMBER_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -9,5 +8,3 @@ enum { PDB_NUMBER_BYTES = 16 };
 /* The number in `width` columns, fewer than PDB_NUMBER_BYTES, with as many decimals, or as many of them as fit; false
  * if not even its whole part does. */
 bool pdb_number(char out[PDB_NUMBER_BYTES], int width, int decimals, double number);
-
-#endif

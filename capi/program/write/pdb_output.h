@@ -1,6 +1,5 @@
 /* The PDB file once more, with the free area of each atom where its temperature factor stood. */
-#ifndef HARDSPHERE_TOOL_PDB_OUTPUT_H
-#define HARDSPHERE_TOOL_PDB_OUTPUT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -19,5 +18,3 @@
  * line_reader_keep_standard_input. */
 bool pdb_output_write(const char *from, const struct molecule *molecule, const double *area, const char *to,
                       struct failure *failure);
-
-#endif

@@ -1,6 +1,5 @@
 /* The paint over a PDF file of the library: an incremental update, which changes nothing in the file. */
-#ifndef HARDSPHERE_TOOL_PDF_UPDATE_H
-#define HARDSPHERE_TOOL_PDF_UPDATE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,5 +11,3 @@
  * are painted over its one page, of page[0] by page[1] px. False if memory is short. */
 bool pdf_update_make(const char *over, const double page[2], const char *tail, size_t count, uint64_t size,
                      struct text_buffer *out);
-
-#endif

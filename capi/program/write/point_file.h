@@ -1,6 +1,5 @@
 /* Points with radii as atoms of a file that viewers show: .pdb or .cif. */
-#ifndef HARDSPHERE_TOOL_POINT_FILE_H
-#define HARDSPHERE_TOOL_POINT_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -21,5 +20,3 @@ struct point {
 /* Write them to a .cif file if the path ends so, else to a .pdb file, which has no room for 100,000 of them. In that
  * joined points have bonds; coordinates and radii that are too wide for its columns have fewer decimals. */
 bool point_file_write(const struct point *points, size_t count, const char *path, struct failure *failure);
-
-#endif

@@ -14,8 +14,12 @@ static void add_with_unit(struct record *record, const char *text) {
 static bool begin(struct record *record, const char *key) {
   if (key == NULL || record->form == FOR_PERSONS) return false;
   const bool json = record->form == AS_JSON;
-  if (record->any) text_buffer_add_text(record->out, json ? ", " : ",");
+  if (record->any) text_buffer_add_text(record->out, record->keys ? "\n" : json ? ", " : ",");
   record->any = true;
+  if (record->keys) {
+    text_buffer_add_text(record->out, key);
+    return false;
+  }
   if (json) text_buffer_add(record->out, "\"%s\": ", key);
   if (record->form == AS_CSV_TITLES) text_buffer_add_text(record->out, key);
   return record->form != AS_CSV_TITLES;
@@ -72,6 +76,7 @@ void record_counts(struct record *record, const char *key, const uint32_t *count
 
 void record_table(struct record *record, const char *key, const struct table *table) {
   if (key != NULL && record_key(record, key)) table_json(table, record->out);
+  if (key != NULL && record->keys) table_keys(table, record->out);
   if (record->form != FOR_PERSONS) return;
   text_buffer_add_text(record->out, "\n");
   table_print(table, record->out);

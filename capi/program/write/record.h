@@ -1,6 +1,5 @@
 /* The results of a command, each stated once: rows for persons, keys of JSON, or columns of comma-separated values. */
-#ifndef HARDSPHERE_TOOL_RECORD_H
-#define HARDSPHERE_TOOL_RECORD_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -18,6 +17,7 @@ struct record {
   int width;                       /* what values with a remark take at least, so that remarks stand under each other */
   bool any;                        /* a key was written */
   struct text_buffer *out;
+  bool keys; /* of JSON the keys alone, with the columns of tables, each on a line: for help */
 };
 
 enum { VALUE_WIDTH = 14 };
@@ -44,5 +44,3 @@ void record_table(struct record *record, const char *key, const struct table *ta
 
 /* For persons alone: what is not a row. */
 void record_line(struct record *record, const char *text);
-
-#endif

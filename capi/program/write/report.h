@@ -1,6 +1,5 @@
 /* Results as a person likes to read them, and the numbers of JSON. */
-#ifndef HARDSPHERE_TOOL_REPORT_H
-#define HARDSPHERE_TOOL_REPORT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -60,5 +59,3 @@ void json_text(struct text_buffer *out, const char *text);
 /* The number of a residue. Most are whole numbers, but files with more residues than columns write letters, and some
  * write nothing: these remain texts. */
 void json_residue_number(struct text_buffer *out, const char *text);
-
-#endif

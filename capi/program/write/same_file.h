@@ -1,6 +1,5 @@
 /* Whether two names stand for one file. */
-#ifndef HARDSPHERE_TOOL_SAME_FILE_H
-#define HARDSPHERE_TOOL_SAME_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <sys/stat.h>
@@ -25,5 +24,3 @@ char *path_beside(const char *path, const char *name);
 /* The path that a link leads to, whether or not there is a file; a copy of any other path. NULL, with errno: links
  * that lead nowhere, or short memory. */
 char *path_without_links(const char *path);
-
-#endif

@@ -232,6 +232,17 @@ void table_json(const struct table *table, struct text_buffer *out) {
   text_buffer_add_text(out, "]");
 }
 
+void table_keys(const struct table *table, struct text_buffer *out) {
+  text_buffer_add_text(out, ": [{");
+  const size_t length = out->length;
+  add_lead(table, TABLE_TITLES, AS_KEYS, out);
+  for (int k = 0; k < table->count; ++k) {
+    if (table->columns[k].key == NULL) continue;
+    text_buffer_add(out, "%s%s", out->length == length ? "" : ", ", table->columns[k].key);
+  }
+  text_buffer_add_text(out, "}, ...]");
+}
+
 /* ---- as comma-separated values ---- */
 
 /* NULL: it is not in CSV. */

@@ -1,6 +1,5 @@
 /* Tables, each stated once, that are printed for persons, as JSON or as comma-separated values. */
-#ifndef HARDSPHERE_TOOL_TABLE_H
-#define HARDSPHERE_TOOL_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -9,7 +8,7 @@
 #include "read/file_format.h"
 #include "read/text_buffer.h"
 
-enum form { FOR_PERSONS, AS_JSON, AS_CSV, AS_CSV_TITLES };
+enum form { FOR_PERSONS, AS_JSON, AS_CSV, AS_CSV_TITLES, AS_KEYS };
 
 enum column_kind {
   COLUMN_COUNT,
@@ -70,4 +69,5 @@ void table_csv(const struct table *table, struct text_buffer *out);
 /* "[{...}, ...]" */
 void table_json(const struct table *table, struct text_buffer *out);
 
-#endif
+/* ": [{key, key}, ...]", as help has them; that of what is before them is asked for AS_KEYS, for titles. */
+void table_keys(const struct table *table, struct text_buffer *out);

@@ -110,6 +110,9 @@ class _Set:
         self._computed: dict[str, Any] = {}
         self._handles: dict[str, Any] = {}
 
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({getattr(self, 'n', 0)} balls, probe {self._options['probe']:g})"
+
     def _once(self, name: str, compute: Any) -> Any:
         if name not in self._computed:
             self._computed[name] = compute()

@@ -21,7 +21,7 @@ _SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, 
             "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
 _SINK = C.CFUNCTYPE(C.c_int32, C.c_void_p, C.POINTER(C.c_char), C.c_size_t)
 _TASK = C.CFUNCTYPE(None, C.c_void_p, C.c_uint32)
-_LOOP = C.CFUNCTYPE(None, C.c_void_p, C.c_uint32, _TASK, C.c_void_p)
+_LOOP = C.CFUNCTYPE(C.c_int32, C.c_void_p, C.c_uint32, _TASK, C.c_void_p)
 
 
 def _load() -> C.CDLL:
@@ -319,9 +319,10 @@ def _options(argument: Argument, fields: list[Argument], values: dict[str, Any],
 
 def _executor(threads: int) -> Any:
     """A loop whose tasks so many threads share; none of them holds Python's lock while it works."""
-    def run(_: Any, tasks: int, task: Any, data: Any) -> None:
+    def run(_: Any, tasks: int, task: Any, data: Any) -> int:
         with ThreadPoolExecutor(min(threads, tasks)) as pool:
             list(pool.map(lambda k: task(data, k), range(tasks)))
+        return 0
 
     made = _records["hsp_executor"]()
     made.struct_size, made.workers, made.kept = C.sizeof(made), threads, _LOOP(run)

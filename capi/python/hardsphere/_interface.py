@@ -12,9 +12,10 @@ VERSION_MAJOR = 0
 VERSION_MINOR = 3
 VERSION_PATCH = 0
 VERSION_NUMBER = 300
-ABI_NUMBER = 1
-PROVISIONAL_NUMBER = 1
+ABI_NUMBER = 2
+PROVISIONAL_NUMBER = 2
 NUMERICS_NUMBER = 3
+PROVISIONAL_NUMERICS_NUMBER = 3
 OK = 0
 E_ARGUMENT = -1
 E_CAPACITY = -2
@@ -32,6 +33,7 @@ E_CONFLICT = -13
 E_OPEN_SURFACE = -14
 E_EXECUTOR = -15
 E_DEGENERATE = -16
+E_STOPPED = -17
 RADII_BONDI = 0
 RADII_CHEM3D = 1
 RADIUS_FALLBACK = 1
@@ -68,14 +70,14 @@ SURFACE_CREASE = 3
 CORNER_BALL = 0
 CORNER_CUSP = 1
 CORNER_CREASE = 2
+SHELL_OUTER = 0
+SHELL_VOID = 1
 POINT_VERTEX = 0
 POINT_CIRCLE = 1
 POINT_POLE = 2
 EDGE_ARC = 0
 EDGE_CIRCLE = 1
 EDGE_CUT = 2
-SHELL_OUTER = 0
-SHELL_VOID = 1
 CELL_RUN = 0
 CELL_AT_BALL = 1
 CELL_APART = 2
@@ -128,7 +130,8 @@ VERSION_STRING = "0.3.0"
 
 class Executor(Record):
     """A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it."""
-    _fields_ = [("struct_size", C.c_uint32), ("workers", C.c_uint32), ("context", C.c_void_p), ("run", C.c_void_p)]
+    _fields_ = [("struct_size", C.c_uint32), ("workers", C.c_uint32), ("context", C.c_void_p), ("run", C.c_void_p),
+                ("proceed", C.c_void_p)]
 
 
 class ResidueAtom(Record):
@@ -152,7 +155,7 @@ class ModelInfo(Record):
 class Packing(Record):
     """The hard-sphere figures of Section 2, on the lattice."""
     _fields_ = [("k", C.c_double), ("rho", C.c_double), ("mean_overlaps", C.c_double), ("neighbour_bound", C.c_double),
-                ("max_overlaps", C.c_uint32), ("flags", C.c_uint32)]
+                ("max_overlaps", C.c_uint32), ("flags", C.c_uint32), ("reserved", C.c_uint64 * 2)]
 
 
 class RayHit(Record):
@@ -197,7 +200,7 @@ class BoundaryCounts(Record):
     _fields_ = [("balls", C.c_uint32), ("exposed_balls", C.c_uint32), ("contained_balls", C.c_uint32),
                 ("vertices", C.c_uint32), ("arcs", C.c_uint32), ("circles", C.c_uint32), ("faces", C.c_uint32),
                 ("loops", C.c_uint32), ("shells", C.c_uint32), ("components", C.c_uint32), ("voids", C.c_uint32),
-                ("tied_vertices", C.c_uint32), ("euler", C.c_int64)]
+                ("tied_vertices", C.c_uint32), ("euler", C.c_int64), ("reserved", C.c_uint64 * 2)]
 
 
 class Vertex(Record):
@@ -241,7 +244,7 @@ class Ball(Record):
 
 class Totals(Record):
     """Area and volume of the union."""
-    _fields_ = [("area", C.c_double), ("volume", C.c_double)]
+    _fields_ = [("area", C.c_double), ("volume", C.c_double), ("reserved", C.c_uint64 * 2)]
 
 
 class MeasureRequest(Record):
@@ -258,7 +261,8 @@ class MeasureOutputs(Record):
 
 class Energy(Record):
     """An energy of areas and volume, and its parts."""
-    _fields_ = [("value", C.c_double), ("area", C.c_double), ("volume", C.c_double), ("d_probe", C.c_double)]
+    _fields_ = [("value", C.c_double), ("area", C.c_double), ("volume", C.c_double), ("d_probe", C.c_double),
+                ("reserved", C.c_uint64 * 2)]
 
 
 class GradientRequest(Record):
@@ -343,6 +347,11 @@ class ContactsLimits(Record):
                 ("contacts", C.c_uint32), ("triangles", C.c_uint32), ("tetrahedra", C.c_uint32)]
 
 
+class ContactsRequest(Record):
+    """How contacts are computed."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class Contact(Record):
     """A contact of two balls."""
     _fields_ = [("area", C.c_double), ("rim", C.c_double), ("distance", C.c_double), ("ball", C.c_uint32 * 2),
@@ -358,7 +367,7 @@ class GroupContact(Record):
 class Complex(Record):
     """How many simplices there are, and the topology of the union."""
     _fields_ = [("singular", C.c_uint32 * 4), ("regular", C.c_uint32 * 4), ("interior", C.c_uint32 * 4),
-                ("euler", C.c_int32), ("betti", C.c_uint32 * 3)]
+                ("euler", C.c_int64), ("betti", C.c_uint32 * 3), ("reserved", C.c_uint32 * 5)]
 
 
 class Simplex(Record):
@@ -382,7 +391,7 @@ class PeriodicCounts(Record):
     """The number of each kind in the box, each once, whatever faces it lies across."""
     _fields_ = [("balls", C.c_uint32), ("images", C.c_uint32), ("vertices", C.c_uint32), ("arcs", C.c_uint32),
                 ("circles", C.c_uint32), ("loops", C.c_uint32), ("faces", C.c_uint32), ("shells", C.c_uint32),
-                ("components", C.c_uint32), ("contacts", C.c_uint32), ("euler", C.c_int32), ("reserved", C.c_uint32)]
+                ("components", C.c_uint32), ("contacts", C.c_uint32), ("euler", C.c_int64)]
 
 
 class PeriodicTotals(Record):
@@ -509,14 +518,19 @@ class SurfaceCorner(Record):
 
 class SurfaceShell(Record):
     """A shell:"""
-    _fields_ = [("area", C.c_double), ("volume", C.c_double), ("euler", C.c_int32), ("genus", C.c_uint32),
-                ("patches", C.c_uint32), ("chosen", C.c_uint32)]
+    _fields_ = [("area", C.c_double), ("volume", C.c_double), ("euler", C.c_int64), ("genus", C.c_uint32),
+                ("patches", C.c_uint32), ("chosen", C.c_uint32), ("reserved", C.c_uint32)]
 
 
 class MeshLimits(Record):
     """The limits that fix a mesh's memory."""
     _fields_ = [("struct_size", C.c_uint32), ("balls", C.c_uint32), ("curves", C.c_uint32), ("vertices", C.c_uint32),
                 ("triangles", C.c_uint32), ("points", C.c_uint32)]
+
+
+class MeshRequest(Record):
+    """How triangles are computed."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
 
 
 class MeshCounts(Record):
@@ -530,11 +544,36 @@ class TopologyLimits(Record):
                 ("cut_arcs", C.c_uint32), ("shells", C.c_uint32)]
 
 
+class TopologyRequest(Record):
+    """How a topology is computed."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class TopologyCounts(Record):
     """How many of everything."""
     _fields_ = [("vertices", C.c_uint32), ("edges", C.c_uint32), ("simple_faces", C.c_uint32),
                 ("cut_edges", C.c_uint32), ("shells", C.c_uint32), ("components", C.c_uint32), ("regions", C.c_uint32),
-                ("start_face", C.c_uint32)]
+                ("start_face", C.c_uint32), ("reserved", C.c_uint32 * 4)]
+
+
+class Shell(Record):
+    """A shell:"""
+    _fields_ = [("area", C.c_double), ("volume", C.c_double), ("point", C.c_double * 3), ("euler", C.c_int64),
+                ("genus", C.c_uint32), ("kind", C.c_uint32), ("component", C.c_uint32), ("region", C.c_uint32),
+                ("faces", C.c_uint32), ("simple_faces", C.c_uint32), ("edges", C.c_uint32), ("vertices", C.c_uint32),
+                ("start_face", C.c_uint32), ("reserved", C.c_uint32)]
+
+
+class Component(Record):
+    """A connected component of the union."""
+    _fields_ = [("balls", C.c_uint32), ("top_ball", C.c_uint32), ("outer_shell", C.c_uint32), ("shells", C.c_uint32),
+                ("region", C.c_uint32), ("reserved", C.c_uint32)]
+
+
+class Region(Record):
+    """A region:"""
+    _fields_ = [("area", C.c_double), ("volume", C.c_double), ("enclosing_shell", C.c_uint32),
+                ("components", C.c_uint32), ("shells", C.c_uint32), ("reserved", C.c_uint32)]
 
 
 class TopologyVertex(Record):
@@ -554,26 +593,6 @@ class SimpleFace(Record):
     """A simple face:"""
     _fields_ = [("ball", C.c_uint32), ("face", C.c_uint32), ("edges", C.c_uint32), ("q", C.c_uint32),
                 ("shell", C.c_uint32), ("reserved", C.c_uint32)]
-
-
-class Shell(Record):
-    """A shell:"""
-    _fields_ = [("area", C.c_double), ("volume", C.c_double), ("point", C.c_double * 3), ("euler", C.c_int32),
-                ("genus", C.c_uint32), ("kind", C.c_uint32), ("component", C.c_uint32), ("region", C.c_uint32),
-                ("faces", C.c_uint32), ("simple_faces", C.c_uint32), ("edges", C.c_uint32), ("vertices", C.c_uint32),
-                ("start_face", C.c_uint32)]
-
-
-class Component(Record):
-    """A connected component of the union."""
-    _fields_ = [("balls", C.c_uint32), ("top_ball", C.c_uint32), ("outer_shell", C.c_uint32), ("shells", C.c_uint32),
-                ("region", C.c_uint32), ("reserved", C.c_uint32)]
-
-
-class Region(Record):
-    """A region:"""
-    _fields_ = [("area", C.c_double), ("volume", C.c_double), ("enclosing_shell", C.c_uint32),
-                ("components", C.c_uint32), ("shells", C.c_uint32), ("reserved", C.c_uint32)]
 
 
 class CellsLimits(Record):
@@ -1118,6 +1137,10 @@ class Contacts(Handle):
         """Compute contacts, shares and dual complex of the balls of a computed boundary."""
         return call("hsp_contacts_compute", self, boundary=boundary)
 
+    def compute_with(self, boundary: Boundary, *, threads: int | None = None) -> Contacts:
+        """The same as hsp_contacts_compute, as a request says; request may be NULL: all defaults."""
+        return call("hsp_contacts_compute_with", self, boundary=boundary, threads=threads)
+
     def get_pairs(self) -> Any:
         """All contacts, ascending in their balls."""
         return call("hsp_contacts_get_pairs", self)
@@ -1351,6 +1374,14 @@ class Mesh(Handle):
         """Triangles for a computed smooth surface, with edges of about the given length."""
         return call("hsp_mesh_compute_surface", self, surface=surface, edge_length=edge_length)
 
+    def compute_with(self, boundary: Boundary, edge_length: float, *, threads: int | None = None) -> Mesh:
+        """The same as hsp_mesh_compute, as a request says; request may be NULL: all defaults."""
+        return call("hsp_mesh_compute_with", self, boundary=boundary, edge_length=edge_length, threads=threads)
+
+    def compute_surface_with(self, surface: Surface, edge_length: float, *, threads: int | None = None) -> Mesh:
+        """The same as hsp_mesh_compute_surface, as a request says; request may be NULL: all defaults."""
+        return call("hsp_mesh_compute_surface_with", self, surface=surface, edge_length=edge_length, threads=threads)
+
     def get_counts(self) -> MeshCounts:
         """How many vertices and triangles there are."""
         return call("hsp_mesh_get_counts", self)
@@ -1379,12 +1410,41 @@ class Topology(Handle):
     noun = "topology"
 
     def compute(self, boundary: Boundary) -> Topology:
-        """Compute the topology of a computed boundary."""
+        """Compute the topology of a computed boundary, with its shells and regions."""
         return call("hsp_topology_compute", self, boundary=boundary)
+
+    def compute_with(self, boundary: Boundary, *, threads: int | None = None) -> Topology:
+        """The same as hsp_topology_compute, as a request says; request may be NULL: all defaults."""
+        return call("hsp_topology_compute_with", self, boundary=boundary, threads=threads)
 
     def get_counts(self) -> TopologyCounts:
         """How many vertices, edges, faces, shells, components and regions there are."""
         return call("hsp_topology_get_counts", self)
+
+    def get_shells(self) -> Any:
+        """The shells: hsp_topology_counts.shells records."""
+        return call("hsp_topology_get_shells", self)
+
+    def get_components(self) -> Any:
+        """The connected components of the union, as numbered in hsp_ball: hsp_topology_counts.components records."""
+        return call("hsp_topology_get_components", self)
+
+    def get_regions(self) -> Any:
+        """The regions of the complement: hsp_topology_counts.regions records."""
+        return call("hsp_topology_get_regions", self)
+
+    def get_region_shells(self, region: int) -> Any:
+        """The shells that bound a region, ascending: its enclosing shell, and the outer shell of every component in
+        it."""
+        return call("hsp_topology_get_region_shells", self, region=region)
+
+    def get_region_balls(self, region: int) -> Any:
+        """The balls that line a region, ascending: those with a face on one of its shells."""
+        return call("hsp_topology_get_region_balls", self, region=region)
+
+    def locate(self, xyz: Any) -> int:
+        """Where the point xyz [3] lies: *region becomes its region, or HSP_NONE if it lies in a ball."""
+        return call("hsp_topology_locate", self, xyz=xyz)
 
     def onext(self, q: int) -> int:
         """The next edge counter-clockwise about the origin of q; HSP_NONE if there is no such quarter-edge, or no
@@ -1422,36 +1482,11 @@ class Topology(Handle):
         """The simple faces first .."""
         return call("hsp_topology_get_simple_faces", self, first=first, count=count)
 
-    def get_shells(self) -> Any:
-        """The shells: hsp_topology_counts.shells records."""
-        return call("hsp_topology_get_shells", self)
-
-    def get_components(self) -> Any:
-        """The connected components of the union, as numbered in hsp_ball: hsp_topology_counts.components records."""
-        return call("hsp_topology_get_components", self)
-
-    def get_regions(self) -> Any:
-        """The regions of the complement: hsp_topology_counts.regions records."""
-        return call("hsp_topology_get_regions", self)
-
-    def get_region_shells(self, region: int) -> Any:
-        """The shells that bound a region, ascending: its enclosing shell, and the outer shell of every component in
-        it."""
-        return call("hsp_topology_get_region_shells", self, region=region)
-
-    def get_region_balls(self, region: int) -> Any:
-        """The balls that line a region, ascending: those with a face on one of its shells."""
-        return call("hsp_topology_get_region_balls", self, region=region)
-
     def get_traversal(self, shell: int) -> Any:
         """The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits
         them, around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for
         start_face) and at once into every neighbour not visited before."""
         return call("hsp_topology_get_traversal", self, shell=shell)
-
-    def locate(self, xyz: Any) -> int:
-        """Where the point xyz [3] lies: *region becomes its region, or HSP_NONE if it lies in a ball."""
-        return call("hsp_topology_locate", self, xyz=xyz)
 
     def check(self) -> Any:
         """Check the invariants of a computed topology. Gives .invariant, .id."""
@@ -1890,6 +1925,11 @@ def numerics() -> int:
     return call("hsp_numerics", None)
 
 
+def provisional_numerics() -> int:
+    """HSP_PROVISIONAL_NUMERICS_NUMBER of the library that was linked."""
+    return call("hsp_provisional_numerics", None)
+
+
 def status_text(status: int) -> str:
     """The meaning of a status as above, for messages; never NULL, "unknown status" for numbers not listed above."""
     return call("hsp_status_text", None, status=status)
@@ -1923,6 +1963,11 @@ def residue_get_atoms(set: int) -> Any:
     return call("hsp_residue_get_atoms", None, set=set)
 
 
+def model_max_balls() -> int:
+    """HSP_MAX_BALLS of the library that was linked."""
+    return call("hsp_model_max_balls", None)
+
+
 def pose_from_matrix(matrix: Any, translation: Any) -> Pose:
     """The pose of a rotation matrix [9], row by row, and a translation [3]."""
     return call("hsp_pose_from_matrix", None, matrix=matrix, translation=translation)
@@ -1930,7 +1975,7 @@ def pose_from_matrix(matrix: Any, translation: Any) -> Pose:
 
 def areas(xyz: Any, radius: Any, probe: float, *, only: Any | None = None) -> Any:
     """Area of each of n balls that a probe can reach, and area and volume of all, in one call: of centres xyz [n][3]
-    and radius [n] + probe. Gives .bytes, .area, .totals."""
+    and radius [n] + probe. Gives .bytes, .totals, .area."""
     return call("hsp_areas", None, xyz=xyz, radius=radius, probe=probe, only=only)
 
 
@@ -1939,6 +1984,19 @@ def view_options_turn(options: ViewOptions, x: float, y: float, z: float) -> Non
     about the y axis (up), then by z degrees about the z axis (towards the viewer), each counter-clockwise seen from the
     axis's positive end."""
     return call("hsp_view_options_turn", None, options=options, x=x, y=y, z=z)
+
+
+def picture_ink_width(full_width: float, gap: float) -> float:
+    """The width of a contour before a gap, as pictures have it (HSP_INK_DEPTH), for contours that are drawn elsewhere:
+    full_width where the gap is three mean radii or more, its share (gap / 3)^(5/8) below."""
+    return call("hsp_picture_ink_width", None, full_width=full_width, gap=gap)
+
+
+def picture_fog_share(nearest: float, farthest: float, mean_radius: float, depth: float) -> float:
+    """How much of the fog lies over a ball, as pictures have it, for colours that are shown elsewhere: 0 at the nearest
+    centre and 1 at the farthest one, or at five mean radii behind the nearest one, if that is farther; in between
+    f^(5/4) of the way f."""
+    return call("hsp_picture_fog_share", None, nearest=nearest, farthest=farthest, mean_radius=mean_radius, depth=depth)
 
 
 def palette_colour(palette: int, atomic_number: int, chain: int) -> int:
@@ -1953,6 +2011,7 @@ FUNCTIONS = {
     "hsp_abi": "uint32_t",
     "hsp_provisional": "uint32_t",
     "hsp_numerics": "uint32_t",
+    "hsp_provisional_numerics": "uint32_t",
     "hsp_status_text": "text status:value:int32_t::never",
     "hsp_element_radius": "int32_t set:value:uint32_t::never atomic_number:value:uint32_t::never "
         "radius:value_out:double::never flags:value_out:uint32_t::always",
@@ -1962,6 +2021,7 @@ FUNCTIONS = {
         "radius:value_out:double::never",
     "hsp_residue_get_atoms": "int32_t set:value:uint32_t::never out:array_out:hsp_residue_atom:needed:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_model_max_balls": "uint32_t",
     "hsp_model_bytes": "int32_t balls:value:uint32_t::never bytes:value_out:size_t::never",
     "hsp_model_init": "int32_t memory:memory:void::never bytes:value:size_t::never balls:value:uint32_t::never "
         "model:handle_out:hsp_model::never",
@@ -2048,7 +2108,7 @@ FUNCTIONS = {
     "hsp_areas_bytes": "int32_t n:value:uint32_t::never bytes:value_out:size_t::never",
     "hsp_areas": "int32_t n:value:uint32_t::never xyz:array_in:double:n;3:empty radius:array_in:double:n:empty "
         "probe:value:double::never memory:memory:void::never bytes:value_out:size_t::never "
-        "area:array_out:double:n:always totals:struct_out:hsp_totals::always",
+        "totals:struct_out:hsp_totals::always area:array_out:double:n:always",
     "hsp_boundary_measure": "int32_t boundary:handle:hsp_boundary::never selected:array_in:uint8_t:n:always "
         "totals:struct_out:hsp_totals::always area:array_out:double:n:always volume_term:array_out:double:n:always "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
@@ -2104,6 +2164,8 @@ FUNCTIONS = {
         "limits:sized_in:hsp_contacts_limits::never contacts:handle_out:hsp_contacts::never",
     "hsp_contacts_compute": "int32_t contacts:handle:hsp_contacts::never boundary:handle:hsp_boundary::never "
         "limits:sized:hsp_contacts_limits::always",
+    "hsp_contacts_compute_with": "int32_t contacts:handle:hsp_contacts::never boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_contacts_request::always limits:sized:hsp_contacts_limits::always",
     "hsp_contacts_get_pairs": "int32_t contacts:handle:hsp_contacts::never out:array_out:hsp_contact:needed:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_contacts_get_row": "int32_t contacts:handle:hsp_contacts::never ball:value:uint32_t::never "
@@ -2125,8 +2187,9 @@ FUNCTIONS = {
     "hsp_periodic_init": "int32_t memory:memory:void::never bytes:value:size_t::never "
         "limits:sized_in:hsp_periodic_limits::never periodic:handle_out:hsp_periodic::never",
     "hsp_periodic_compute": "int32_t periodic:handle:hsp_periodic::never n:value:uint32_t::never "
-        "xyz:array_in:double:n;3:empty radius:array_in:double:n:empty options:sized_in:hsp_model_options::always "
-        "box:array_in:double:9:never limits:sized:hsp_periodic_limits::always first_bad:value_out:uint32_t::always",
+        "xyz:array_in:double:n;3:empty radius:array_in:double:n:empty box:array_in:double:9:never "
+        "options:sized_in:hsp_model_options::always limits:sized:hsp_periodic_limits::always "
+        "first_bad:value_out:uint32_t::always",
     "hsp_periodic_compute_with": "int32_t periodic:handle:hsp_periodic::never n:value:uint32_t::never "
         "xyz:array_in:double:n;3:empty radius:array_in:double:n:empty box:array_in:double:9:never "
         "request:sized_in:hsp_periodic_request::always limits:sized:hsp_periodic_limits::always "
@@ -2227,6 +2290,12 @@ FUNCTIONS = {
         "edge_length:value:double::never limits:sized:hsp_mesh_limits::always",
     "hsp_mesh_compute_surface": "int32_t mesh:handle:hsp_mesh::never surface:handle:hsp_surface::never "
         "edge_length:value:double::never limits:sized:hsp_mesh_limits::always",
+    "hsp_mesh_compute_with": "int32_t mesh:handle:hsp_mesh::never boundary:handle:hsp_boundary::never "
+        "edge_length:value:double::never request:sized_in:hsp_mesh_request::always "
+        "limits:sized:hsp_mesh_limits::always",
+    "hsp_mesh_compute_surface_with": "int32_t mesh:handle:hsp_mesh::never surface:handle:hsp_surface::never "
+        "edge_length:value:double::never request:sized_in:hsp_mesh_request::always "
+        "limits:sized:hsp_mesh_limits::always",
     "hsp_mesh_get_counts": "int32_t mesh:handle:hsp_mesh::never counts:struct_out:hsp_mesh_counts::never",
     "hsp_mesh_get_vertices": "int32_t mesh:handle:hsp_mesh::never xyz:array_out:double:vertices;3:always "
         "normals:array_out:double:vertices;3:always areas:array_out:double:vertices:always "
@@ -2246,8 +2315,22 @@ FUNCTIONS = {
         "limits:sized_in:hsp_topology_limits::never topology:handle_out:hsp_topology::never",
     "hsp_topology_compute": "int32_t topology:handle:hsp_topology::never boundary:handle:hsp_boundary::never "
         "limits:sized:hsp_topology_limits::always",
+    "hsp_topology_compute_with": "int32_t topology:handle:hsp_topology::never boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_topology_request::always limits:sized:hsp_topology_limits::always",
     "hsp_topology_get_counts": "int32_t topology:handle:hsp_topology::never "
         "counts:struct_out:hsp_topology_counts::never",
+    "hsp_topology_get_shells": "int32_t topology:handle:hsp_topology::never out:array_out:hsp_shell:needed:empty "
+        "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_topology_get_components": "int32_t topology:handle:hsp_topology::never "
+        "out:array_out:hsp_component:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_topology_get_regions": "int32_t topology:handle:hsp_topology::never out:array_out:hsp_region:needed:empty "
+        "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_topology_get_region_shells": "int32_t topology:handle:hsp_topology::never region:value:uint32_t::never "
+        "shells:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_topology_get_region_balls": "int32_t topology:handle:hsp_topology::never region:value:uint32_t::never "
+        "balls:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_topology_locate": "int32_t topology:handle:hsp_topology::never xyz:array_in:double:3:never "
+        "region:value_out:uint32_t::never",
     "hsp_topology_onext": "uint32_t topology:handle:hsp_topology::never q:value:uint32_t::never",
     "hsp_topology_lnext": "uint32_t topology:handle:hsp_topology::never q:value:uint32_t::never",
     "hsp_topology_origin": "uint32_t topology:handle:hsp_topology::never q:value:uint32_t::never",
@@ -2260,20 +2343,8 @@ FUNCTIONS = {
         "count:value:uint32_t::never out:array_out:hsp_topology_edge:count:empty",
     "hsp_topology_get_simple_faces": "int32_t topology:handle:hsp_topology::never first:value:uint32_t::never "
         "count:value:uint32_t::never out:array_out:hsp_simple_face:count:empty",
-    "hsp_topology_get_shells": "int32_t topology:handle:hsp_topology::never out:array_out:hsp_shell:needed:empty "
-        "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_topology_get_components": "int32_t topology:handle:hsp_topology::never "
-        "out:array_out:hsp_component:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_topology_get_regions": "int32_t topology:handle:hsp_topology::never out:array_out:hsp_region:needed:empty "
-        "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_topology_get_region_shells": "int32_t topology:handle:hsp_topology::never region:value:uint32_t::never "
-        "shells:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_topology_get_region_balls": "int32_t topology:handle:hsp_topology::never region:value:uint32_t::never "
-        "balls:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_topology_get_traversal": "int32_t topology:handle:hsp_topology::never shell:value:uint32_t::never "
         "faces:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_topology_locate": "int32_t topology:handle:hsp_topology::never xyz:array_in:double:3:never "
-        "region:value_out:uint32_t::never",
     "hsp_topology_check": "int32_t topology:handle:hsp_topology::never invariant:value_out:uint32_t::never "
         "id:value_out:uint32_t::never",
     "hsp_cells_limits_init": "int32_t limits:sized:hsp_cells_limits::never struct_size:value:uint32_t::never "
@@ -2469,6 +2540,10 @@ FUNCTIONS = {
         "pole:struct_out:hsp_map_pole::never",
     "hsp_sticks_check": "int32_t sticks:handle:hsp_sticks::never invariant:value_out:uint32_t::never "
         "id:value_out:uint32_t::never",
+    "hsp_picture_ink_width": "int32_t full_width:value:double::never gap:value:double::never "
+        "width:value_out:double::never",
+    "hsp_picture_fog_share": "int32_t nearest:value:double::never farthest:value:double::never "
+        "mean_radius:value:double::never depth:value:double::never share:value_out:double::never",
     "hsp_picture_options_init": "int32_t options:sized:hsp_picture_options::never struct_size:value:uint32_t::never",
     "hsp_palette_colour": "uint32_t palette:value:uint32_t::never atomic_number:value:uint32_t::never "
         "chain:value:uint32_t::never",
@@ -2505,6 +2580,7 @@ FIELDS = {
     "hsp_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_morphometric_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always",
+    "hsp_contacts_request": "executor:sized_in:hsp_executor::always",
     "hsp_periodic_request": "areas_alone:value:uint32_t::never options:sized_in:hsp_model_options::always "
         "executor:sized_in:hsp_executor::always",
     "hsp_periodic_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
@@ -2515,6 +2591,8 @@ FIELDS = {
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "
         "d_strain:array_out:double:9:always d_box:array_out:double:9:always area:array_out:double:n:always",
+    "hsp_mesh_request": "executor:sized_in:hsp_executor::always",
+    "hsp_topology_request": "executor:sized_in:hsp_executor::always",
     "hsp_pores_options": "floor:value:double::always",
     "hsp_view_options": "pieces:value:uint32_t::always flags:value:uint32_t::always towards:value:double:3:always "
         "up:value:double:3:always",
@@ -2537,31 +2615,32 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          'hsp_derivatives_outputs': DerivativesOutputs, 'hsp_area_derivative': AreaDerivative, 'hsp_moving_limits':
          MovingLimits, 'hsp_moving_info': MovingInfo, 'hsp_moving_ball': MovingBall, 'hsp_curvatures': Curvatures,
          'hsp_morphometry_request': MorphometryRequest, 'hsp_morphometric_energy': MorphometricEnergy,
-         'hsp_morphometry_outputs': MorphometryOutputs, 'hsp_contacts_limits': ContactsLimits, 'hsp_contact': Contact,
-         'hsp_group_contact': GroupContact, 'hsp_complex': Complex, 'hsp_simplex': Simplex, 'hsp_periodic_limits':
-         PeriodicLimits, 'hsp_periodic_request': PeriodicRequest, 'hsp_periodic_counts': PeriodicCounts,
-         'hsp_periodic_totals': PeriodicTotals, 'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs,
-         'hsp_periodic_contact': PeriodicContact, 'hsp_winding': Winding, 'hsp_periodic_gradient_outputs':
-         PeriodicGradientOutputs, 'hsp_image': Image, 'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex':
-         PeriodicVertex, 'hsp_periodic_arc': PeriodicArc, 'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face':
-         PeriodicFace, 'hsp_periodic_loop': PeriodicLoop, 'hsp_periodic_loop_arc': PeriodicLoopArc,
-         'hsp_surface_limits': SurfaceLimits, 'hsp_surface_counts': SurfaceCounts, 'hsp_surface_totals': SurfaceTotals,
-         'hsp_surface_part_counts': SurfacePartCounts, 'hsp_surface_patch': SurfacePatch, 'hsp_surface_edge':
-         SurfaceEdge, 'hsp_surface_corner': SurfaceCorner, 'hsp_surface_shell': SurfaceShell, 'hsp_mesh_limits':
-         MeshLimits, 'hsp_mesh_counts': MeshCounts, 'hsp_topology_limits': TopologyLimits, 'hsp_topology_counts':
-         TopologyCounts, 'hsp_topology_vertex': TopologyVertex, 'hsp_topology_edge': TopologyEdge, 'hsp_simple_face':
-         SimpleFace, 'hsp_shell': Shell, 'hsp_component': Component, 'hsp_region': Region, 'hsp_cells_limits':
-         CellsLimits, 'hsp_cells_counts': CellsCounts, 'hsp_free_cell': FreeCell, 'hsp_cell_pair': CellPair,
-         'hsp_arrangement': Arrangement, 'hsp_paths_limits': PathsLimits, 'hsp_path': Path, 'hsp_gate_limits':
-         GateLimits, 'hsp_widest_probe': WidestProbe, 'hsp_pores_limits': PoresLimits, 'hsp_pores_options':
-         PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate,
-         'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel':
-         PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts, 'hsp_pore_passage':
-         PorePassage, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point': TunnelPoint,
-         'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access': PoreAccess,
-         'hsp_pore_region': PoreRegion, 'hsp_pore_pocket_size': PorePocketSize, 'hsp_view_limits': ViewLimits,
-         'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop':
-         ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex':
-         MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point':
-         MapPoint, 'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick,
+         'hsp_morphometry_outputs': MorphometryOutputs, 'hsp_contacts_limits': ContactsLimits, 'hsp_contacts_request':
+         ContactsRequest, 'hsp_contact': Contact, 'hsp_group_contact': GroupContact, 'hsp_complex': Complex,
+         'hsp_simplex': Simplex, 'hsp_periodic_limits': PeriodicLimits, 'hsp_periodic_request': PeriodicRequest,
+         'hsp_periodic_counts': PeriodicCounts, 'hsp_periodic_totals': PeriodicTotals,
+         'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs, 'hsp_periodic_contact': PeriodicContact,
+         'hsp_winding': Winding, 'hsp_periodic_gradient_outputs': PeriodicGradientOutputs, 'hsp_image': Image,
+         'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex': PeriodicVertex, 'hsp_periodic_arc': PeriodicArc,
+         'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face': PeriodicFace, 'hsp_periodic_loop': PeriodicLoop,
+         'hsp_periodic_loop_arc': PeriodicLoopArc, 'hsp_surface_limits': SurfaceLimits, 'hsp_surface_counts':
+         SurfaceCounts, 'hsp_surface_totals': SurfaceTotals, 'hsp_surface_part_counts': SurfacePartCounts,
+         'hsp_surface_patch': SurfacePatch, 'hsp_surface_edge': SurfaceEdge, 'hsp_surface_corner': SurfaceCorner,
+         'hsp_surface_shell': SurfaceShell, 'hsp_mesh_limits': MeshLimits, 'hsp_mesh_request': MeshRequest,
+         'hsp_mesh_counts': MeshCounts, 'hsp_topology_limits': TopologyLimits, 'hsp_topology_request': TopologyRequest,
+         'hsp_topology_counts': TopologyCounts, 'hsp_shell': Shell, 'hsp_component': Component, 'hsp_region': Region,
+         'hsp_topology_vertex': TopologyVertex, 'hsp_topology_edge': TopologyEdge, 'hsp_simple_face': SimpleFace,
+         'hsp_cells_limits': CellsLimits, 'hsp_cells_counts': CellsCounts, 'hsp_free_cell': FreeCell, 'hsp_cell_pair':
+         CellPair, 'hsp_arrangement': Arrangement, 'hsp_paths_limits': PathsLimits, 'hsp_path': Path,
+         'hsp_gate_limits': GateLimits, 'hsp_widest_probe': WidestProbe, 'hsp_pores_limits': PoresLimits,
+         'hsp_pores_options': PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum,
+         'hsp_pore_gate': PoreGate, 'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation,
+         'hsp_pore_channel': PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts,
+         'hsp_pore_passage': PorePassage, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point':
+         TunnelPoint, 'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access':
+         PoreAccess, 'hsp_pore_region': PoreRegion, 'hsp_pore_pocket_size': PorePocketSize, 'hsp_view_limits':
+         ViewLimits, 'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece,
+         'hsp_view_loop': ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo,
+         'hsp_map_vertex': MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight,
+         'hsp_map_point': MapPoint, 'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick,
          'hsp_sticks_conflict': SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})

@@ -15,6 +15,7 @@ using hsp::capi::first_failure;
 using hsp::capi::LibraryArithmetic;
 using hsp::capi::put_shift;
 using hsp::capi::shift_comes_before;
+using hsp::capi::versions_first;
 
 namespace {
 
@@ -65,7 +66,7 @@ int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits 
 }
 
 int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
-                             const hsp_model_options *options, const double *box, hsp_periodic_limits *limits,
+                             const double *box, const hsp_model_options *options, hsp_periodic_limits *limits,
                              uint32_t *first_bad) {
   hsp_periodic_request request{};
   request.struct_size = sizeof request;
@@ -85,15 +86,14 @@ int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const doub
   hsp::BallInput input;
   hsp_periodic_request asked;
   hsp::capi::Executor executor(arithmetic);
-  if (box == nullptr) return HSP_E_ARGUMENT;
   if (const int32_t status = first_failure(hsp::capi::read_request(request, asked), check_struct(limits));
       status != HSP_OK)
     return status;
-  if (asked.areas_alone > 1) return HSP_E_ARGUMENT;
   if (const int32_t status =
-          first_failure(executor.read(asked.executor), hsp::capi::get_input(n, xyz, radius, asked.options, input));
+          versions_first(executor.read(asked.executor), hsp::capi::get_input(n, xyz, radius, asked.options, input));
       status != HSP_OK)
     return status;
+  if (box == nullptr || asked.areas_alone > 1) return HSP_E_ARGUMENT;
   if (n > HSP_MAX_BALLS) return HSP_E_RANGE;
   const hsp::Status status = periodic->builder.build(input, box, executor, asked.areas_alone != 0, bad);
   if (status == hsp::Status::ok) periodic->digest = hsp::digest_of(periodic->builder);
@@ -104,18 +104,12 @@ int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_count
   if (const int32_t status = check_results(periodic, counts == nullptr); status != HSP_OK) return status;
   const hsp::PeriodicCounts &found = periodic->builder.counts();
   const hsp::PeriodicImages &images = periodic->builder.images();
-  *counts = {images.balls(),
-             images.size() - images.balls(),
-             found.vertices,
-             found.arcs,
-             found.circles,
-             found.loops,
-             found.faces,
-             found.shells,
-             found.components,
-             found.contacts,
-             static_cast<int32_t>(found.euler()),
-             0};
+  *counts = {images.balls(),   images.size() - images.balls(),
+             found.vertices,   found.arcs,
+             found.circles,    found.loops,
+             found.faces,      found.shells,
+             found.components, found.contacts,
+             found.euler()};
   return HSP_OK;
 }
 
@@ -206,7 +200,7 @@ int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradie
                                  [&](uint32_t i, const hsp::EnergyGradient &gradient) {
                                    arrays.put(i, gradient, structure.images().lattice());
                                  }))
-    return HSP_E_EXECUTOR;
+    return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   if (out.d_strain == nullptr && out.d_box == nullptr) return HSP_OK;
@@ -214,7 +208,7 @@ int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradie
   return HSP_OK;
 }
 
-int32_t hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {
+int32_t hsp_periodic_check(hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(periodic, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;

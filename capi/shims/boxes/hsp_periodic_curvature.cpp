@@ -34,7 +34,7 @@ int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_mor
   if (!hsp::differentiate_morphometry_in_box(
           asked.executor, structure, weights, factors, found,
           [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); }))
-    return HSP_E_EXECUTOR;
+    return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_CURVATURE_ONE_SIDED, out.flags);
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   if (out.d_strain == nullptr && out.d_box == nullptr) return HSP_OK;

@@ -25,15 +25,22 @@ int32_t Executor::read(const hsp_executor *given) {
   if (given == nullptr) return HSP_OK;
   if (const int32_t status = read_struct(given, {}, given_); status != HSP_OK) return status;
   if (given_.workers > 1 && given_.run == nullptr) return HSP_E_ARGUMENT;
-  static_cast<hsp::Executor &>(*this) = {given_.workers, run_given, this};
+  static_cast<hsp::Executor &>(*this) = {given_.workers, run_given, this,
+                                         given_.proceed == nullptr ? nullptr : proceed_given};
   return HSP_OK;
 }
 
-void Executor::run_given(void *context, uint32_t tasks, hsp_task *task, void *data) {
+bool Executor::run_given(void *context, uint32_t tasks, hsp_task *task, void *data) {
   const Executor &executor = *static_cast<const Executor *>(context);
   Work work{task, data};
   const CallersArithmetic callers(executor.arithmetic_);
-  executor.given_.run(executor.given_.context, tasks, do_task, &work);
+  return executor.given_.run(executor.given_.context, tasks, do_task, &work) == 0;
+}
+
+bool Executor::proceed_given(void *context) {
+  const Executor &executor = *static_cast<const Executor *>(context);
+  const CallersQuestion question(executor.arithmetic_);
+  return executor.given_.proceed(executor.given_.context) == 0;
 }
 
 }  // namespace hsp::capi

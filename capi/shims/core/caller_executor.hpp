@@ -8,7 +8,7 @@
 namespace hsp::capi {
 
 // An executor of the caller's, or null for none. Its loop runs in the caller's floating-point environment, each task in
-// the library's: a thread has registers of its own.
+// the library's: a thread has registers of its own. So has that which asks whether to go on.
 class Executor : public hsp::Executor {
  public:
   explicit Executor(LibraryArithmetic &arithmetic) : arithmetic_(arithmetic) {}
@@ -17,9 +17,12 @@ class Executor : public hsp::Executor {
   Executor &operator=(const Executor &) = delete;
 
   int32_t read(const hsp_executor *given);
+  // The status of what this has failed or stopped.
+  int32_t status() const { return static_cast<int32_t>(failure()); }
 
  private:
-  static void run_given(void *context, uint32_t tasks, hsp_task *task, void *data);
+  static bool run_given(void *context, uint32_t tasks, hsp_task *task, void *data);
+  static bool proceed_given(void *context);
 
   LibraryArithmetic &arithmetic_;
   hsp_executor given_;

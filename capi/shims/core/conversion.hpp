@@ -25,13 +25,19 @@ static_assert(to_c(Status::check) == HSP_E_CHECK && to_c(Status::sink) == HSP_E_
 static_assert(to_c(Status::not_finite) == HSP_E_NOT_FINITE && to_c(Status::negative) == HSP_E_NEGATIVE);
 static_assert(to_c(Status::range) == HSP_E_RANGE && to_c(Status::conflict) == HSP_E_CONFLICT);
 static_assert(to_c(Status::open_surface) == HSP_E_OPEN_SURFACE && to_c(Status::executor) == HSP_E_EXECUTOR);
-static_assert(to_c(Status::degenerate) == HSP_E_DEGENERATE);
+static_assert(to_c(Status::degenerate) == HSP_E_DEGENERATE && to_c(Status::stopped) == HSP_E_STOPPED);
 static_assert(no_id == HSP_NONE && max_count == HSP_MAX_BALLS);
 
-// The first of some statuses that is not HSP_OK.
+// The first of some statuses that is not HSP_OK. Functions check handles, then versions, other arguments, states,
+// values and capacities, as the header says (STATUS).
 constexpr int32_t first_failure(int32_t first, int32_t second, int32_t third = HSP_OK) {
   if (first != HSP_OK) return first;
   return second != HSP_OK ? second : third;
+}
+
+// Of what is wrong with two structs or arguments: their versions come before all else.
+constexpr int32_t versions_first(int32_t first, int32_t second) {
+  return second == HSP_E_VERSION ? second : first_failure(first, second);
 }
 
 // The check of a handle in every function: null is an argument as bad as others, anything else that is

@@ -18,16 +18,17 @@ static_assert(one_sided_flag == HSP_GRADIENT_ONE_SIDED);
 
 // How many entries the arrays for balls need, and whether the weights are numbers. `wanted`: whether there are arrays.
 template <class Outputs>
-int32_t check_outputs(uint32_t n, const double *sigma, bool wanted, Outputs &outputs) {
-  if (!fits(wanted, outputs.capacity, n, &outputs.needed)) return HSP_E_CAPACITY;
-  return check_weights(sigma, {0, n}, &outputs.first_bad);
+int32_t check_outputs(uint32_t n, const double *sigma, bool are_finite, bool wanted, Outputs &outputs) {
+  if (const int32_t status = check_weights(sigma, {0, n}, &outputs.first_bad); status != HSP_OK) return status;
+  if (!are_finite) return HSP_E_NOT_FINITE;
+  return fits(wanted, outputs.capacity, n, &outputs.needed) ? HSP_OK : HSP_E_CAPACITY;
 }
 
 // Reads what is asked of a handle, and where outputs go; `asked` has the request and reads it.
 template <class Handle, class Asked, class Request, class Outputs>
 int32_t read_parts(const Handle *handle, const Request *request, Asked &asked, const Outputs *outputs, Outputs &out) {
   if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
-  return first_failure(asked.read(request), read_struct(outputs, {}, out));
+  return versions_first(asked.read(request), read_struct(outputs, {}, out));
 }
 
 // The same of a handle's results.
@@ -48,7 +49,8 @@ struct TangentRequest {
 
   int32_t read(const Request *request) {
     if (const int32_t status = read_request(request, given); status != HSP_OK) return status;
-    return is_tangency(given.tangency) ? executor.read(given.executor) : HSP_E_ARGUMENT;
+    if (const int32_t status = executor.read(given.executor); status != HSP_OK) return status;
+    return is_tangency(given.tangency) ? HSP_OK : HSP_E_ARGUMENT;
   }
 };
 using DerivativesRequest = TangentRequest<hsp_derivatives_request>;
@@ -59,8 +61,8 @@ struct GradientRequest : TangentRequest<hsp_gradient_request> {
 
   template <class Outputs>
   int32_t check(uint32_t n, bool wanted, Outputs &outputs) const {
-    if (const int32_t status = check_outputs(n, given.sigma, wanted, outputs); status != HSP_OK) return status;
-    return is_finite(given.tension) && is_finite(given.pressure) ? HSP_OK : HSP_E_NOT_FINITE;
+    const bool are_finite = is_finite(given.tension) && is_finite(given.pressure);
+    return check_outputs(n, given.sigma, are_finite, wanted, outputs);
   }
   EnergyTerms terms() const {
     return {{given.sigma, to_touching_balls(given.tangency)}, given.tension, given.pressure};
@@ -86,7 +88,7 @@ struct GradientArrays {
 };
 
 inline hsp_energy to_c(const Energy &energy) {
-  return {energy.value, energy.area, energy.volume, energy.by_probe};
+  return {energy.value, energy.area, energy.volume, energy.by_probe, {0, 0}};
 }
 
 }  // namespace hsp::capi

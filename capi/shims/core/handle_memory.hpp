@@ -65,16 +65,16 @@ int32_t init(void *memory, size_t bytes, const Limits &limits, Handle **handle) 
 // hsp_X_bytes, and hsp_X_init, of handles with limits.
 template <class Handle>
 int32_t get_bytes_by_limits(const typename Handle::Limits::InHeader *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
   typename Handle::Limits::InLibrary wanted;
   const int32_t status = Handle::Limits::read(limits, wanted);
+  if (bytes == nullptr && status != HSP_E_VERSION) return HSP_E_ARGUMENT;
   return status == HSP_OK ? get_bytes<Handle>(wanted, bytes) : status;
 }
 template <class Handle>
 int32_t init_by_limits(void *memory, size_t bytes, const typename Handle::Limits::InHeader *limits, Handle **handle) {
-  if (memory == nullptr || handle == nullptr) return HSP_E_ARGUMENT;
   typename Handle::Limits::InLibrary wanted;
   const int32_t status = Handle::Limits::read(limits, wanted);
+  if ((memory == nullptr || handle == nullptr) && status != HSP_E_VERSION) return HSP_E_ARGUMENT;
   return status == HSP_OK ? init(memory, bytes, wanted, handle) : status;
 }
 

@@ -35,7 +35,7 @@ int32_t hsp_areas_bytes(uint32_t n, size_t *bytes) {
 }
 
 int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes,
-                  double *area, hsp_totals *totals) {
+                  hsp_totals *totals, double *area) {
   if (bytes == nullptr || (memory == nullptr && *bytes > 0)) return HSP_E_ARGUMENT;
   hsp_boundary_limits limits;
   hsp_model *model = nullptr;

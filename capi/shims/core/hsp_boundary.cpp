@@ -81,9 +81,10 @@ int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model
   hsp_boundary_request asked;
   hsp::capi::Executor executor(arithmetic);
   if (const int32_t status =
-          first_failure(check_results(model), hsp::capi::read_request(request, asked, executor), check_struct(limits));
+          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_request(request, asked, executor));
       status != HSP_OK)
     return status;
+  if (!model->has_results()) return HSP_E_STATE;
   boundary->model.set(model);
   boundary->of_some = asked.selected != nullptr;
   return hsp::capi::finish(*boundary, boundary->builder.build(model->grid, executor, asked.selected), limits);

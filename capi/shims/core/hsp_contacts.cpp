@@ -1,5 +1,7 @@
 #include "hsp_contacts.hpp"
 
+#include "caller_executor.hpp"
+
 #include "contacts/contacts_check.hpp"
 #include "core/summation.hpp"
 #include "group_rows.hpp"
@@ -75,14 +77,23 @@ int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits 
 }
 
 int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits) {
+  return hsp_contacts_compute_with(contacts, boundary, nullptr, limits);
+}
+
+int32_t hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary,
+                                  const hsp_contacts_request *request, hsp_contacts_limits *limits) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(contacts); status != HSP_OK) return status;
   contacts->complete = false;
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
+  hsp_contacts_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits),
+                                           hsp::capi::read_request(request, asked, executor));
+      status != HSP_OK)
     return status;
   if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Status status =
-      contacts->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
+  const hsp::Status status = contacts->builder.build(boundary->model->grid, boundary->structure(),
+                                                     boundary->builder.needed().neighbours, hsp::Patience(&executor));
   contacts->boundary.set(boundary);
   return hsp::capi::finish(*contacts, status, limits);
 }
@@ -134,7 +145,8 @@ int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, d
     if (contact_area != nullptr) contact_area[i] = balls.lattice.area(structure.contact_area(ball));
   }
   // A contact is one of two balls.
-  if (totals != nullptr) *totals = {balls.lattice.area(0.5 * area.total()), balls.lattice.volume(volume.total())};
+  if (totals != nullptr)
+    *totals = {balls.lattice.area(0.5 * area.total()), balls.lattice.volume(volume.total()), {0, 0}};
   return HSP_OK;
 }
 
@@ -161,7 +173,7 @@ int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *coun
     counts->interior[d] = simplices.of[d][HSP_SIMPLEX_INTERIOR];
   }
   // Components, and by Alexander duality voids; the rest follows from Euler's formula.
-  counts->euler = static_cast<int32_t>(simplices.euler());
+  counts->euler = simplices.euler();
   counts->betti[0] = boundary.component_count();
   counts->betti[2] = boundary.shell_count() - boundary.component_count();
   counts->betti[1] = counts->betti[0] + counts->betti[2] - static_cast<uint32_t>(counts->euler);
@@ -191,7 +203,7 @@ int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimens
   return HSP_OK;
 }
 
-int32_t hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id) {
+int32_t hsp_contacts_check(hsp_contacts *contacts, uint32_t *invariant, uint32_t *id) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(contacts, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;

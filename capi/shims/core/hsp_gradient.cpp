@@ -71,7 +71,7 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
     arrays.put(i, gradient, grid.balls().lattice);
   };
   hsp::Energy found;
-  if (!hsp::differentiate_energy(asked.executor, grid, structure, terms, found, put)) return HSP_E_EXECUTOR;
+  if (!hsp::differentiate_energy(asked.executor, grid, structure, terms, found, put)) return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (boundary->of_some) {
     found.volume = hsp::capi::not_known;
@@ -92,7 +92,7 @@ int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_der
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
   const bool wanted = out.area_centre != nullptr || out.area_radius != nullptr || of_volume || out.flags != nullptr;
-  if (const int32_t status = hsp::capi::check_outputs(n, asked.given.sigma, wanted, *outputs); status != HSP_OK)
+  if (const int32_t status = hsp::capi::check_outputs(n, asked.given.sigma, true, wanted, *outputs); status != HSP_OK)
     return status;
   const hsp::Boundary &structure = boundary->structure();
   const hsp::AreaWeights weights{asked.given.sigma, to_touching_balls(asked.given.tangency)};
@@ -105,7 +105,7 @@ int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_der
       if (out.flags != nullptr) out.flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
     });
   });
-  if (!each) return HSP_E_EXECUTOR;
+  if (!each) return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   clear_flags_of_left_out(*boundary, out.flags);
   return HSP_OK;
@@ -135,8 +135,8 @@ int32_t hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_deriv
   LibraryArithmetic arithmetic;
   hsp::capi::DerivativesRequest asked(arithmetic);
   if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK) return status;
-  if (first == nullptr || (capacity > 0 && (ball == nullptr || d_centre == nullptr))) return HSP_E_ARGUMENT;
   if (const int32_t status = asked.read(request); status != HSP_OK) return status;
+  if (first == nullptr || (capacity > 0 && (ball == nullptr || d_centre == nullptr))) return HSP_E_ARGUMENT;
   if (!boundary->has_areas()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
@@ -158,5 +158,5 @@ int32_t hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_deriv
       row.weigh();
     });
   });
-  return each ? HSP_OK : HSP_E_EXECUTOR;
+  return each ? HSP_OK : asked.executor.status();
 }

@@ -4,8 +4,8 @@
 
 using hsp::capi::check_handle;
 using hsp::capi::check_results;
-using hsp::capi::first_failure;
 using hsp::capi::LibraryArithmetic;
+using hsp::capi::versions_first;
 
 int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double *area,
                              double *volume_term, uint32_t capacity, uint32_t *needed) {
@@ -15,7 +15,7 @@ int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *select
   const bool wanted = area != nullptr || volume_term != nullptr;
   if (!hsp::capi::fits(wanted, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
   const hsp::BallMeasure total = hsp::measure_into(grid, boundary->structure(), selected, area, volume_term);
-  if (totals != nullptr) *totals = {total.area, total.volume};
+  if (totals != nullptr) *totals = {total.area, total.volume, {0, 0}};
   return HSP_OK;
 }
 
@@ -27,9 +27,9 @@ int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measur
   hsp_measure_outputs out;
   hsp::capi::Executor executor(arithmetic);
   if (const int32_t status =
-          first_failure(hsp::capi::read_request(request, asked, executor), hsp::capi::read_struct(outputs, {}, out));
+          versions_first(hsp::capi::read_request(request, asked, executor), hsp::capi::read_struct(outputs, {}, out));
       status != HSP_OK)
-    return status;
+    return outputs != nullptr && out.reserved != 0 ? HSP_E_VERSION : status;
   if (out.reserved != 0) return HSP_E_VERSION;
   if (!boundary->has_areas() || (boundary->of_some && out.volume_term != nullptr)) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
@@ -37,12 +37,13 @@ int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measur
   if (!hsp::capi::fits(wanted, out.capacity, grid.balls().n, &outputs->needed)) return HSP_E_CAPACITY;
   const hsp::Boundary &structure = boundary->structure();
   hsp::BallMeasure total;
-  if (!executor.is_parallel()) {
+  if (!executor.is_parallel() && !executor.may_stop()) {
     total = hsp::measure_into(grid, structure, asked.selected, out.area, out.volume_term);
   } else if (!hsp::measure_in_parts(executor, grid, structure, asked.selected, out.area, out.volume_term, total)) {
-    return HSP_E_EXECUTOR;
+    return executor.status();
   }
-  if (out.totals != nullptr) *out.totals = {total.area, boundary->of_some ? hsp::capi::not_known : total.volume};
+  if (out.totals != nullptr)
+    *out.totals = {total.area, boundary->of_some ? hsp::capi::not_known : total.volume, {0, 0}};
   return HSP_OK;
 }
 

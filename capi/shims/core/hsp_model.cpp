@@ -16,6 +16,10 @@ void clear(hsp_model &model) {
 
 }  // namespace
 
+uint32_t hsp_model_max_balls(void) {
+  return hsp::max_count;
+}
+
 int32_t hsp_model_bytes(uint32_t balls, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;

@@ -16,6 +16,10 @@ uint32_t hsp_numerics(void) {
   return HSP_NUMERICS_NUMBER;
 }
 
+uint32_t hsp_provisional_numerics(void) {
+  return HSP_PROVISIONAL_NUMERICS_NUMBER;
+}
+
 const char *hsp_status_text(int32_t status) {
   switch (status) {
     case HSP_OK:
@@ -41,7 +45,7 @@ const char *hsp_status_text(int32_t status) {
     case HSP_E_NOT_FINITE:
       return "a value is NaN or infinite";
     case HSP_E_NEGATIVE:
-      return "a radius, the probe or the step is negative";
+      return "a radius, the probe or another length is negative";
     case HSP_E_RANGE:
       return "a value lies beyond the lattice or its range, or is no rotation or direction";
     case HSP_E_CONFLICT:
@@ -49,9 +53,11 @@ const char *hsp_status_text(int32_t status) {
     case HSP_E_OPEN_SURFACE:
       return "a degenerate set of balls, whose smooth surface does not close";
     case HSP_E_EXECUTOR:
-      return "the caller's executor did not call every task exactly once";
+      return "the caller's executor failed, or did not call every task exactly once";
     case HSP_E_DEGENERATE:
       return "ties or near ties of the input that could not be resolved";
+    case HSP_E_STOPPED:
+      return "the caller's executor said not to go on";
     default:
       return "unknown status";
   }

@@ -1,10 +1,7 @@
 #include "hsp_topology.hpp"
 #include "topology/shell_volumes.hpp"
 
-using hsp::capi::check_handle;
 using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
 using hsp::capi::is_live;
 using hsp::capi::LibraryArithmetic;
 
@@ -33,46 +30,6 @@ uint32_t step_from(const hsp_topology *topology, uint32_t q, Step step) {
 }
 
 }  // namespace
-
-int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits, struct_size)); status != HSP_OK)
-    return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
-  const uint32_t neighbours = boundary->builder.needed().neighbours;
-  return hsp_topology::Limits::write(hsp::limits_for(boundary->balls(), boundary->structure(), neighbours), limits,
-                                     struct_size);
-}
-
-int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_topology>(limits, bytes);
-}
-
-int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology **topology) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, topology);
-}
-
-int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(topology); status != HSP_OK) return status;
-  topology->complete = false;
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
-    return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Status status =
-      topology->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
-  topology->boundary.set(boundary);
-  return hsp::capi::finish(*topology, status, limits);
-}
-
-int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {
-  if (const int32_t status = check_results(topology, counts == nullptr); status != HSP_OK) return status;
-  const hsp::Topology &structure = topology->structure();
-  *counts = {structure.vertex_count, structure.quads.edges,
-             structure.face_count,   structure.quads.edges - structure.first_cut_edge,
-             structure.shell_count,  structure.component_count,
-             structure.region_count, structure.start_face};
-  return HSP_OK;
-}
 
 uint32_t hsp_topology_onext(const hsp_topology *topology, uint32_t q) {
   return step_from(topology, q, [q](const hsp::QuadEdges &quads) { return quads.onext(q); });
@@ -109,7 +66,7 @@ int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t
   if (const int32_t status = check_results(topology, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   const hsp::Boundary &boundary = topology->boundary->structure();
-  const hsp::Topology &structure = topology->scanned();
+  const hsp::Topology &structure = topology->structure();
   hsp::TopologyViolation violation = hsp::check_topology(boundary, structure, topology->builder.marks());
   if (violation.invariant == TopologyInvariant::none) {
     violation = hsp::check_enclosed_volumes(topology->balls(), boundary, structure);

@@ -19,7 +19,5 @@ struct hsp_topology {
   // Whether results may be read: computed, and neither the boundary nor the model has changed since.
   bool has_results() const { return complete && boundary.is_unchanged(); }
   const hsp::Topology &structure() const { return builder.structure(); }
-  // The same with its shells scanned.
-  const hsp::Topology &scanned() { return builder.scanned(boundary->structure()); }
   const hsp::BallSet &balls() const { return boundary->balls(); }
 };

@@ -4,6 +4,7 @@
 namespace {
 
 using hsp::capi::check_range;
+using hsp::capi::check_results;
 using hsp::capi::LibraryArithmetic;
 
 // Records of a topology with results.
@@ -110,4 +111,15 @@ int32_t hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t fir
                                       hsp_simple_face *out) {
   const auto faces = [](const hsp_topology &handle) { return handle.structure().face_count; };
   return get_topology_range(topology, first, count, out, faces, topology_face);
+}
+
+int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
+                                   uint32_t *needed) {
+  if (const int32_t status = check_results(topology, faces == nullptr && capacity > 0); status != HSP_OK) return status;
+  const hsp::Topology &structure = topology->structure();
+  if (shell >= structure.shell_count) return HSP_E_ID;
+  const hsp::ShellRecord &record = structure.shells[shell];
+  if (hsp::capi::check_output(faces, capacity, record.simple_faces, needed) != HSP_OK) return HSP_E_CAPACITY;
+  for (uint32_t k = 0; k < record.simple_faces; ++k) faces[k] = structure.traversal[record.first_traversed + k];
+  return HSP_OK;
 }

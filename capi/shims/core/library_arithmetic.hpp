@@ -108,6 +108,7 @@ class LibraryArithmetic {
 
  private:
   friend class CallersArithmetic;
+  friend class CallersQuestion;
   using Registers = FloatingPointRegisters;
   using Word = Registers::Word;
 
@@ -140,6 +141,22 @@ class CallersArithmetic {
 
  private:
   LibraryArithmetic &library_;
+};
+
+// A copy of it, in any thread of an executor, while the caller is asked something: what is left there is lost.
+class CallersQuestion {
+ public:
+  explicit CallersQuestion(const LibraryArithmetic &library) : own_(LibraryArithmetic::now()) {
+    if (library.callers_ != own_) LibraryArithmetic::Registers::set(library.callers_);
+  }
+  ~CallersQuestion() {
+    if (LibraryArithmetic::now() != own_) LibraryArithmetic::Registers::set(own_);
+  }
+  CallersQuestion(const CallersQuestion &) = delete;
+  CallersQuestion &operator=(const CallersQuestion &) = delete;
+
+ private:
+  LibraryArithmetic::Word own_;
 };
 
 }  // namespace hsp::capi

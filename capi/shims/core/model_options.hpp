@@ -18,7 +18,6 @@ inline constexpr uint32_t earlier_bytes<hsp_model_options> = 24;
 // The balls and how to read them. The options may be null.
 inline int32_t get_input(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,
                          BallInput &input) {
-  if (n > 0 && (xyz == nullptr || radius == nullptr)) return HSP_E_ARGUMENT;
   if (options != nullptr) {
     hsp_model_options wanted;
     if (const int32_t status = read_struct(options, default_model_options(), wanted); status != HSP_OK) return status;
@@ -27,6 +26,7 @@ inline int32_t get_input(uint32_t n, const double *xyz, const double *radius, co
     input.step = wanted.step;
     input.largest_radius = wanted.largest_radius;
   }
+  if (n > 0 && (xyz == nullptr || radius == nullptr)) return HSP_E_ARGUMENT;
   input.n = n;
   input.xyz = xyz;
   input.radius = radius;

@@ -36,10 +36,9 @@ struct MorphometryRequest {
   int32_t read(const hsp_morphometry_request *request) { return read_request(request, given, executor); }
   template <class Outputs>
   int32_t check(uint32_t n, bool wanted, Outputs &outputs) const {
-    if (const int32_t status = check_outputs(n, given.sigma, wanted, outputs); status != HSP_OK) return status;
-    const bool finite =
+    const bool are_finite =
         is_finite(given.pressure) && is_finite(given.tension) && is_finite(given.bending) && is_finite(given.gaussian);
-    return finite ? HSP_OK : HSP_E_NOT_FINITE;
+    return check_outputs(n, given.sigma, are_finite, wanted, outputs);
   }
   MorphometricFactors factors() const { return {given.pressure, given.tension, given.bending, given.gaussian}; }
 };

@@ -32,7 +32,7 @@ int32_t hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_mor
   if (!hsp::differentiate_morphometry(
           asked.executor, grid, structure, weights, asked.factors(), found,
           [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); }))
-    return HSP_E_EXECUTOR;
+    return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_CURVATURE_ONE_SIDED, out.flags);
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   return HSP_OK;

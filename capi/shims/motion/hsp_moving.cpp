@@ -53,8 +53,10 @@ int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double 
   LibraryArithmetic arithmetic(tension, pressure);
   if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   moving->complete = false;
-  const int32_t refused = first_failure(check_results(model, !hsp::capi::is_tangency(tangency)), check_struct(limits));
+  const int32_t refused = first_failure(check_handle(model), check_struct(limits),
+                                        hsp::capi::is_tangency(tangency) ? HSP_OK : HSP_E_ARGUMENT);
   if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
+  if (!model->has_results()) return HSP_E_STATE;
   const hsp::IdRange all{0, model->balls().n};
   if (const int32_t status = hsp::capi::check_weights(sigma, all, first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
@@ -65,7 +67,8 @@ int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double 
 int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
                         const double *radius, hsp_moving_limits *limits, uint32_t *first_bad) {
   LibraryArithmetic arithmetic;
-  const int32_t refused = first_failure(check_handle(moving, ball == nullptr && count > 0), check_struct(limits));
+  const int32_t refused =
+      first_failure(check_handle(moving), check_struct(limits), ball == nullptr && count > 0 ? HSP_E_ARGUMENT : HSP_OK);
   if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
   if (!moving->has_results()) return HSP_E_STATE;
   uint32_t bad = HSP_NONE;
@@ -118,7 +121,7 @@ int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double 
   }
   if (totals != nullptr) {
     const hsp::BallMeasure all = balls.totals();
-    *totals = {all.area, all.volume};
+    *totals = {all.area, all.volume, {0, 0}};
   }
   return HSP_OK;
 }

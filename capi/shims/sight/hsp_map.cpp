@@ -39,9 +39,10 @@ int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_opt
   map->complete = false;
   hsp_view_options wanted;
   if (const int32_t status =
-          first_failure(check_results(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
       status != HSP_OK)
     return status;
+  if (!model->has_results()) return HSP_E_STATE;
   const hsp::Status status = map->builder.build(model->grid, hsp::capi::direction_of(wanted));
   map->model.set(model);
   return hsp::capi::finish(*map, status, limits);

@@ -2,6 +2,7 @@
 #include "hsp_sticks.hpp"
 #include "hsp_view.hpp"
 #include "maps/map_paths.hpp"
+#include "picture/depth_shares.hpp"
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
 
@@ -180,19 +181,20 @@ struct Contents {
 
 template <class Handle, class Write>
 int32_t write_if_valid(const Handle *handle, const Call &call, uint64_t &taken, Write write) {
-  if (const int32_t status = check_handle(handle, call.sink == nullptr); status != HSP_OK) return status;
+  if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
   hsp_picture_options wanted;
   if (const int32_t status = read_options(call.options, wanted); status != HSP_OK) return status;
+  if (call.sink == nullptr) return HSP_E_ARGUMENT;
   // Without results the number of colours is not known.
   const bool ready = handle->has_results();
   if (ready && call.colour != nullptr && !are_colours(call.colour, handle->balls().n)) return HSP_E_ARGUMENT;
   if (ready) {
     if (const int32_t status = check_ink(*handle, wanted); status != HSP_OK) return status;
   }
+  if (!ready) return HSP_E_STATE;
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;
   if (wanted.memory != nullptr && wanted.memory_bytes < HSP_PICTURE_MEMORY) return HSP_E_MEMORY;
-  if (!ready) return HSP_E_STATE;
   const Contents contents{handle->balls(), call, wanted};
   return hsp::capi::to_c(write(contents, from_c(wanted), taken));
 }
@@ -218,6 +220,26 @@ inline constexpr uint32_t earlier_bytes<hsp_picture_options> = 72;
 
 int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size) {
   return hsp::capi::write_struct(defaults(), options, struct_size);
+}
+
+int32_t hsp_picture_ink_width(double full_width, double gap, double *width) {
+  LibraryArithmetic arithmetic(full_width, gap);
+  if (width == nullptr) return HSP_E_ARGUMENT;
+  if (!hsp::is_finite(full_width) || !hsp::is_finite(gap)) return HSP_E_NOT_FINITE;
+  if (full_width < 0.0 || gap < 0.0) return HSP_E_RANGE;
+  *width = hsp::width_before_gap(full_width, gap);
+  return HSP_OK;
+}
+
+int32_t hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share) {
+  LibraryArithmetic arithmetic(nearest, farthest, mean_radius, depth);
+  if (share == nullptr) return HSP_E_ARGUMENT;
+  for (const double number : {nearest, farthest, mean_radius, depth}) {
+    if (!hsp::is_finite(number)) return HSP_E_NOT_FINITE;
+  }
+  if (mean_radius < 0.0) return HSP_E_RANGE;
+  *share = hsp::share_of_fog(nearest, hsp::end_of_fog(nearest, farthest, mean_radius), depth);
+  return HSP_OK;
 }
 
 uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain) {

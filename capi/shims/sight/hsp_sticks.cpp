@@ -66,10 +66,11 @@ int32_t compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_optio
   sticks->complete = false;
   hsp_view_options wanted;
   if (const int32_t status =
-          first_failure(check_results(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
       status != HSP_OK)
     return status;
   if (!are_valid(given.stick, given.count)) return HSP_E_ARGUMENT;
+  if (!model->has_results()) return HSP_E_STATE;
   if (!hsp::is_finite(given.radius)) return HSP_E_NOT_FINITE;
   if (given.radius < 0.0) return HSP_E_NEGATIVE;
   if (given.radius == 0.0) return HSP_E_RANGE;

@@ -8,6 +8,7 @@ using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
 using hsp::capi::LibraryArithmetic;
+using hsp::capi::versions_first;
 
 namespace {}  // namespace
 
@@ -48,7 +49,8 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   view->complete = false;
   hsp_view_options wanted;
   if (const int32_t status =
-          first_failure(check_results(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+          first_failure(check_handle(model), boundary == nullptr ? HSP_OK : check_handle(boundary),
+                        versions_first(check_struct(limits), hsp::capi::read_view_options(options, wanted)));
       status != HSP_OK)
     return status;
   hsp::ViewRequest request;
@@ -56,13 +58,9 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   request.kind =
       wanted.pieces == HSP_PIECES_OUTSIDE_ALL ? hsp::PieceKind::outside_all : hsp::PieceKind::outside_farther;
   request.all_balls = (wanted.flags & HSP_VIEW_ALL_BALLS) != 0;
-  if (boundary == nullptr) {
-    if (request.kind == hsp::PieceKind::outside_all) return HSP_E_ARGUMENT;
-  } else {
-    if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
-    if (!boundary->has_results()) return HSP_E_STATE;
-    if (!boundary->model.is(model)) return HSP_E_ARGUMENT;
-  }
+  if (boundary == nullptr && request.kind == hsp::PieceKind::outside_all) return HSP_E_ARGUMENT;
+  if (!model->has_results() || (boundary != nullptr && !boundary->has_results())) return HSP_E_STATE;
+  if (boundary != nullptr && !boundary->model.is(model)) return HSP_E_ARGUMENT;
   const hsp::Status status =
       view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->structure(), request);
   view->model.set(model);

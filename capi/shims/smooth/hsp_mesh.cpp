@@ -1,5 +1,7 @@
 #include "hsp_mesh.hpp"
 
+#include "caller_executor.hpp"
+
 using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
@@ -26,23 +28,34 @@ int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source 
                     Expect expect) {
   if (const int32_t status = first_failure(check_handle(source), check_struct(limits, struct_size)); status != HSP_OK)
     return status;
-  if (const int32_t status = check_edge(edge_length); status != HSP_OK) return status;
+  const int32_t edge_status = check_edge(edge_length);
+  if (edge_status == HSP_E_ARGUMENT) return edge_status;
   if (!source->has_results()) return HSP_E_STATE;
+  if (edge_status != HSP_OK) return edge_status;
   hsp::MeshLimits enough;
   const hsp::Status status = expect(balls_of(*source).lattice.steps(edge_length), enough);
   if (status == hsp::Status::ok) hsp_mesh::Limits::write(enough, limits, struct_size);
   return hsp::capi::to_c(status);
 }
 
-// build(steps) makes the triangles and names the boundary.
+// build(steps, patience) makes the triangles and names the boundary.
 template <class Source, class Build>
-int32_t compute(hsp_mesh *mesh, const Source *source, double edge_length, hsp_mesh_limits *limits, Build build) {
+int32_t compute(hsp_mesh *mesh, const Source *source, double edge_length, const hsp_mesh_request *request,
+                hsp_mesh_limits *limits, Build build) {
+  LibraryArithmetic arithmetic(edge_length);
   if (const int32_t status = check_handle(mesh); status != HSP_OK) return status;
   mesh->complete = false;
-  if (const int32_t status = first_failure(check_handle(source), check_struct(limits)); status != HSP_OK) return status;
-  if (const int32_t status = check_edge(edge_length); status != HSP_OK) return status;
+  hsp_mesh_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t status =
+          first_failure(check_handle(source), check_struct(limits), hsp::capi::read_request(request, asked, executor));
+      status != HSP_OK)
+    return status;
+  const int32_t edge_status = check_edge(edge_length);
+  if (edge_status == HSP_E_ARGUMENT) return edge_status;
   if (!source->has_results()) return HSP_E_STATE;
-  const hsp::Status status = build(balls_of(*source).lattice.steps(edge_length));
+  if (edge_status != HSP_OK) return edge_status;
+  const hsp::Status status = build(balls_of(*source).lattice.steps(edge_length), hsp::Patience(&executor));
   return hsp::capi::finish(*mesh, status, limits);
 }
 
@@ -117,20 +130,28 @@ int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits,
 }
 
 int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits *limits) {
-  LibraryArithmetic arithmetic(edge_length);
-  return compute(mesh, boundary, edge_length, limits, [mesh, boundary](double steps) {
+  return hsp_mesh_compute_with(mesh, boundary, edge_length, nullptr, limits);
+}
+
+int32_t hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length,
+                              const hsp_mesh_request *request, hsp_mesh_limits *limits) {
+  return compute(mesh, boundary, edge_length, request, limits, [mesh, boundary](double steps, hsp::Patience patience) {
     mesh->boundary.set(boundary);
-    return mesh->builder.build(boundary->balls(), boundary->structure(), steps);
+    return mesh->builder.build(boundary->balls(), boundary->structure(), steps, patience);
   });
 }
 
 int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
                                  hsp_mesh_limits *limits) {
-  LibraryArithmetic arithmetic(edge_length);
-  return compute(mesh, surface, edge_length, limits, [mesh, surface](double steps) {
+  return hsp_mesh_compute_surface_with(mesh, surface, edge_length, nullptr, limits);
+}
+
+int32_t hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
+                                      const hsp_mesh_request *request, hsp_mesh_limits *limits) {
+  return compute(mesh, surface, edge_length, request, limits, [mesh, surface](double steps, hsp::Patience patience) {
     const hsp_boundary &boundary = *surface->boundary;
     mesh->boundary.set(&boundary);
-    return mesh->builder.build(boundary.balls(), boundary.structure(), surface->structure(), steps);
+    return mesh->builder.build(boundary.balls(), boundary.structure(), surface->structure(), steps, patience);
   });
 }
 

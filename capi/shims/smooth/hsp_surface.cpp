@@ -135,7 +135,8 @@ int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_
     if (out.area != nullptr) out.area[i] = grid.balls().lattice.area(gradient.area);
   };
   hsp::Energy found;
-  if (!hsp::differentiate_surface(asked.executor, grid, boundary, smooth, terms, found, put)) return HSP_E_EXECUTOR;
+  if (!hsp::differentiate_surface(asked.executor, grid, boundary, smooth, terms, found, put))
+    return asked.executor.status();
   if (out.flags != nullptr) {
     bool any_degenerate = false;
     for (uint32_t i = 0; i < n; ++i) any_degenerate = any_degenerate || out.flags[i] != 0;

@@ -250,7 +250,7 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
   return HSP_OK;
 }
 
-int32_t hsp_surface_check(const hsp_surface *surface, uint32_t *invariant, uint32_t *id) {
+int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(surface, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;

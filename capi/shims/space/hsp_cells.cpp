@@ -67,7 +67,8 @@ int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_li
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(cells); status != HSP_OK) return status;
   cells->complete = false;
-  if (const int32_t status = first_failure(check_results(model), check_struct(limits)); status != HSP_OK) return status;
+  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
+  if (!model->has_results()) return HSP_E_STATE;
   const hsp::Status status = cells->builder.build(model->grid);
   cells->model.set(model);
   return hsp::capi::finish(*cells, status, limits);
@@ -146,9 +147,9 @@ int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *ce
 
 int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t *invariant, uint32_t *id) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(cells, invariant == nullptr || id == nullptr); status != HSP_OK)
-    return status;
+  if (const int32_t status = check_handle(cells); status != HSP_OK) return status;
   if (topology != nullptr && !is_live(topology)) return HSP_E_HANDLE;
+  if (invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
   if (!cells->has_results() || (topology != nullptr && !topology->has_results())) return HSP_E_STATE;
   if (topology != nullptr && !topology->boundary->model.is(&*cells->model)) return HSP_E_ARGUMENT;
   const hsp::FreeSpace &space = cells->structure();

@@ -35,7 +35,8 @@ int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_li
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
   paths->complete = false;
-  if (const int32_t status = first_failure(check_results(model), check_struct(limits)); status != HSP_OK) return status;
+  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
+  if (!model->has_results()) return HSP_E_STATE;
   const hsp::Status status = paths->builder.build(model->grid);
   paths->model.set(model);
   return hsp::capi::finish(*paths, status, limits);
@@ -46,8 +47,8 @@ int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, h
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
   paths->builder.forget_path();
-  if (from == nullptr || to == nullptr || path == nullptr) return HSP_E_ARGUMENT;
   if (const int32_t refused = check_struct(limits); refused != HSP_OK) return refused;
+  if (from == nullptr || to == nullptr || path == nullptr) return HSP_E_ARGUMENT;
   if (!paths->has_results()) return HSP_E_STATE;
   const hsp::BallSet &balls = paths->model->balls();
   hsp::exact::Vector start, end;
@@ -96,9 +97,9 @@ int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *f
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(gate); status != HSP_OK) return status;
   gate->complete = false;
-  if (const int32_t status = first_failure(check_results(model, from == nullptr), check_struct(limits));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
+  if (from == nullptr) return HSP_E_ARGUMENT;
+  if (!model->has_results()) return HSP_E_STATE;
   hsp::exact::Vector start, end;
   int32_t rounded = round_point(model->balls(), from, start);
   if (rounded == HSP_OK && to != nullptr) rounded = round_point(model->balls(), to, end);

@@ -30,8 +30,7 @@ int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete
   if (const int32_t status = hsp::capi::read_struct(given, default_options(), complete); status != HSP_OK) {
     return status;
   }
-  if (complete.reserved != 0) return HSP_E_VERSION;
-  return hsp::is_finite(complete.floor) ? HSP_OK : HSP_E_NOT_FINITE;
+  return complete.reserved != 0 ? HSP_E_VERSION : HSP_OK;
 }
 
 // In steps, rounded down, and no farther than points can be.
@@ -111,6 +110,7 @@ int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_opt
   const int32_t refused = first_failure(check_handle(source), check_struct(limits), read_options(options, asked));
   if (refused != HSP_OK) return refused;
   if (!source->has_results()) return HSP_E_STATE;
+  if (!hsp::is_finite(asked.floor)) return HSP_E_NOT_FINITE;
   return hsp::capi::finish(*pores, compute(asked.floor), limits);
 }
 
@@ -145,8 +145,8 @@ int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, cons
                     bool by_cost, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->builder.forget_tunnel();
-  if (from == nullptr || tunnel == nullptr || (avoided == nullptr && count > 0)) return HSP_E_ARGUMENT;
   if (const int32_t refused = check_struct(limits); refused != HSP_OK) return refused;
+  if (from == nullptr || tunnel == nullptr || (avoided == nullptr && count > 0)) return HSP_E_ARGUMENT;
   if (!pores->has_results()) return HSP_E_STATE;
   for (uint32_t k = 0; k < count; ++k) {
     if (avoided[k] >= pores->gates().size()) return HSP_E_ID;

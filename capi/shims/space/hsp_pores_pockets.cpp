@@ -184,7 +184,10 @@ int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t c
 int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
                                   hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged)); status != HSP_OK) return status;
+  if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged),
+                                           boundary == nullptr ? HSP_OK : check_handle(boundary));
+      status != HSP_OK)
+    return status;
   if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
   if (!pores->has_results() || !plugged->has_results()) return HSP_E_STATE;
   const PluggedBalls balls(*pores);

@@ -39,7 +39,8 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], cons
     boundary_.take_state(grid_.grid_index(k), grid_.grid_index(images_.ball_of(k)));
   }
   if (areas_alone) return Status::ok;
-  status = contacts_.build(grid_, boundary(), boundary_.needed().neighbours, ImagesInGrid(grid_, images_));
+  status = contacts_.build(grid_, boundary(), boundary_.needed().neighbours, ImagesInGrid(grid_, images_),
+                           Patience(&executor));
   needed_.contacts = contacts_.needed().contacts;
   if (status != Status::ok) return status;
   status = join_balls();

@@ -45,10 +45,17 @@ bool Executor::run_all(uint32_t tasks, Task *task, void *data) const {
   all.tasks = tasks;
   all.refused = 0;
   for (uint32_t k = 0; k < tasks; ++k) all.mark[k] = waiting;
-  run_(context_, tasks, run_marked, &all);
-  bool each = __atomic_load_n(&all.refused, __ATOMIC_RELAXED) == 0;
+  bool each = run_(context_, tasks, run_marked, &all);
+  each = each && __atomic_load_n(&all.refused, __ATOMIC_RELAXED) == 0;
   for (uint32_t k = 0; k < tasks; ++k) each = each && __atomic_load_n(&all.mark[k], __ATOMIC_ACQUIRE) == done;
-  return each;
+  return each && !is_stopped();
+}
+
+bool Executor::ask() const {
+  if (is_stopped()) return false;
+  if (proceed_(context_)) return true;
+  __atomic_store_n(&stopped_, uint8_t{1}, __ATOMIC_RELAXED);
+  return false;
 }
 
 }  // namespace hsp

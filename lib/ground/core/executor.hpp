@@ -1,10 +1,11 @@
-// A loop of the caller's, which does the tasks of a piece of work, side by side if it likes. Nothing here starts a
-// thread.
+// A loop of the caller's, which does the tasks of a piece of work, side by side if it likes; and the caller's word on
+// whether to go on. Nothing here starts a thread.
 #pragma once
 
 #include <cstdint>
 
 #include "core/small_code.hpp"
+#include "core/status.hpp"
 
 namespace hsp {
 
@@ -14,25 +15,37 @@ inline constexpr uint32_t max_tasks = 1024;
 class Executor {
  public:
   using Task = void(void *data, uint32_t task);
-  using Run = void(void *context, uint32_t tasks, Task *task, void *data);
+  using Run = bool(void *context, uint32_t tasks, Task *task, void *data);
+  using Proceed = bool(void *context);
 
   // The caller's own thread.
   Executor() = default;
   // run(context, tasks, task, data) calls task(data, k) once for each k below `tasks`, in any order and on any threads,
-  // and returns when all are done. One worker takes no run, and 0 is 1.
-  Executor(uint32_t workers, Run *run, void *context)
+  // and returns when all are done; false if it could not. One worker takes no run, and 0 is 1. proceed(context) says
+  // whether to go on, in any thread; null does always.
+  Executor(uint32_t workers, Run *run, void *context, Proceed *proceed = nullptr)
       : workers_(workers < 1           ? 1
                  : workers < max_tasks ? workers
                                        : max_tasks),
         run_(run),
+        proceed_(proceed),
         context_(context) {}
 
   uint32_t workers() const { return workers_; }
   // Whether work that could be done by one is worth code for several.
   bool is_parallel() const { return !small_code && workers_ > 1; }
 
-  // Does work(0) .. work(tasks - 1), side by side; false unless each was done once. A task that is called a second
-  // time, or is none of them, is not done. tasks <= max_tasks.
+  // Whether anybody may stop the work, which takes code for asking.
+  bool may_stop() const { return !small_code && proceed_ != nullptr; }
+  // Whether to go on. Asks, but once it was told not to.
+  bool goes_on() const { return !may_stop() || ask(); }
+  bool is_stopped() const { return may_stop() && __atomic_load_n(&stopped_, __ATOMIC_RELAXED) != 0; }
+  // Of what was left off.
+  Status failure() const { return is_stopped() ? Status::stopped : Status::executor; }
+
+  // Does work(0) .. work(tasks - 1), side by side; false unless each was done once, or if somebody has stopped it: each
+  // then asks itself whether to go on. A task that is called a second time, or is none of them, is not done.
+  // tasks <= max_tasks.
   template <class Work>
   bool for_each(uint32_t tasks, const Work &work) const {
     if (workers_ > 1 && tasks > 1) {
@@ -40,14 +53,17 @@ class Executor {
       return run_all(tasks, do_one, const_cast<Work *>(&work));
     }
     for (uint32_t task = 0; task < tasks; ++task) work(task);
-    return true;
+    return !is_stopped();
   }
 
  private:
   bool run_all(uint32_t tasks, Task *task, void *data) const;
+  bool ask() const;
 
   uint32_t workers_ = 1;
+  mutable uint8_t stopped_ = 0;
   Run *run_ = nullptr;
+  Proceed *proceed_ = nullptr;
   void *context_ = nullptr;
 };
 

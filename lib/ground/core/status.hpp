@@ -21,6 +21,7 @@ enum class Status : int32_t {
   open_surface = -14,
   executor = -15,
   degenerate = -16,
+  stopped = -17,
 };
 
 // The id that no ball, vertex, loop or face has.

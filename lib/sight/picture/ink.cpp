@@ -2,6 +2,7 @@
 
 #include "core/elementary.hpp"
 #include "core/extremes.hpp"
+#include "picture/depth_shares.hpp"
 
 namespace hsp {
 namespace {
@@ -17,8 +18,7 @@ constexpr double most_overlap = 0.01;  // an angle
 // Corners of a contour that is cut at a flat angle lie no farther aside.
 constexpr double most_skew = 2.0;
 
-// Mean radii. With a gap of so many a contour has its full width.
-constexpr double full_depth = 3.0;
+// Mean radii. Before another group a contour has its full width with a gap of so many.
 constexpr double full_group = 0.5;
 
 // Largest widths. Between two nearer bodies a ball's silhouette of which less is seen has thinner contours.
@@ -176,9 +176,7 @@ class BodyInk {
     if (behind == no_id) return width_[0];
     const double gap = gap_before(behind, angle) / page_.mean_radius;
     if (!(gap > 0.0)) return 0.0;
-    const double share = smaller_of(gap / full_depth, 1.0);
-    const double root = std::sqrt(share);
-    const double depth = width_[2] * root * std::sqrt(std::sqrt(root));
+    const double depth = width_before_gap(width_[2], gap);
     return level_of(behind) == InkLevel::depth ? depth
                                                : larger_of(depth, width_[1] * smaller_of(gap / full_group, 1.0));
   }

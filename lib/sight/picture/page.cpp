@@ -1,6 +1,7 @@
 #include "picture/page.hpp"
 
 #include "core/elementary.hpp"
+#include "picture/depth_shares.hpp"
 
 namespace hsp {
 namespace {
@@ -32,9 +33,6 @@ constexpr double farthest_from_middle = 1e7;
 // their width, up to a fifth of a px: that is not seen, and strokes along it break.
 constexpr double flattest_ellipse = 1e-4;
 constexpr double flattest_with_lines = 0.2;
-
-// Fog covers at least so many mean radii of depth: planar molecules have next to none of it.
-constexpr double least_fog = 5.0;
 
 double mean_radius(const BallSet &balls) {
   double sum = 0.0;
@@ -159,9 +157,8 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
   }
   page.mean_radius = mean_radius(input.balls);
   page.narrowest_ellipse = clamped(page.line / 8, flattest_ellipse, flattest_with_lines);
-  const double least_depth = least_fog * page.mean_radius;
   page.nearest = box.depth_high;
-  page.farthest = box.depth_low < page.nearest - least_depth ? box.depth_low : page.nearest - least_depth;
+  page.farthest = end_of_fog(page.nearest, box.depth_low, page.mean_radius);
   page.decimals = decimals_for((page.width > page.height ? page.width : page.height) / 1e4, 2, 6);
   return page;
 }

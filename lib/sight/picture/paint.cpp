@@ -2,6 +2,7 @@
 
 #include "core/first_index.hpp"
 #include "core/sorting.hpp"
+#include "picture/depth_shares.hpp"
 
 namespace hsp {
 namespace {
@@ -36,13 +37,9 @@ void Paint::find_shades(Span<uint32_t> scratch) {
   shades_ = scratch.part(0, distinct);
 }
 
-// f^(5/4), f = 0 at the nearest centre and 1 where the page has its farthest depth.
 double Paint::fog_share(uint32_t path) const {
-  if (!(nearest_ > farthest_)) return 0.0;
   const double depth = input_.paths.frame().centre_of(input_.balls, input_.paths.ball_of(path)).z;
-  const double f = (nearest_ - depth) / (nearest_ - farthest_);
-  if (!(f > 0.0)) return 0.0;
-  return f < 1.0 ? f * std::sqrt(std::sqrt(f)) : 1.0;
+  return share_of_fog(nearest_, farthest_, depth);
 }
 
 uint32_t Paint::fog_level(uint32_t path) const {

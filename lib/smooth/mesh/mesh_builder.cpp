@@ -30,28 +30,29 @@ void MeshBuilder::carve(Workspace &workspace, const MeshLimits &limits) {
   patch_.carve(workspace, limits.points);
 }
 
-Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, double edge) {
+Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, double edge, Patience patience) {
   BoundaryOutline outline(balls, boundary, curves_, nullptr);
-  return build_all(outline, edge);
+  return build_all(outline, edge, patience);
 }
 
-Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge) {
+Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
+                          Patience patience) {
   if (balls.probe_steps == 0) {
     BoundaryOutline outline(balls, boundary, curves_, &surface.chosen());
-    return build_all(outline, edge);
+    return build_all(outline, edge, patience);
   }
   if (!surface.is_closed()) return Status::open_surface;
   SurfaceOutline outline(balls, boundary, surface, curves_.room());
-  return build_all(outline, edge);
+  return build_all(outline, edge, patience);
 }
 
 template <class Outline>
-Status MeshBuilder::build_all(Outline &outline, double edge) {
+Status MeshBuilder::build_all(Outline &outline, double edge, Patience &patience) {
   needed_ = {outline.sphere_count(), outline.curve_count(), 0, 0, 0};
   if (needed_.balls > limits_.balls || needed_.curves > limits_.curves) return Status::capacity;
   if (has_too_many_inside(outline, edge)) return Status::range;
-  const Status status = triangulate_all(outline, edge);
-  if (status == Status::degenerate || status == Status::range) return status;
+  const Status status = triangulate_all(outline, edge, patience);
+  if (status == Status::degenerate || status == Status::range || status == Status::stopped) return status;
   const uint32_t first_of_bands = clamped_count(mesh_.triangles_.required());
   if (!outline.add_bands(edge, mesh_.vertices_, mesh_.triangles_)) return Status::range;
   const uint64_t vertices = mesh_.vertices_.required();
@@ -81,7 +82,7 @@ bool MeshBuilder::has_too_many_inside(const Outline &outline, double edge) const
 
 // Status::capacity if there is no room for the points of a sphere.
 template <class Outline>
-Status MeshBuilder::triangulate_all(Outline &outline, double edge) {
+Status MeshBuilder::triangulate_all(Outline &outline, double edge, Patience &patience) {
   const uint32_t spheres = outline.sphere_count();
   mesh_.vertices_.clear();
   mesh_.triangles_.clear();
@@ -93,15 +94,18 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge) {
   for (uint32_t s = 0; s < spheres; ++s) range_[s] = {0, 0, outline.has_patches(s), false};
   // Patches need none of what is stored, so that everything is counted even if there is no room for it.
   uint64_t most_vertices = 0;
+  uint64_t before = 0;  // points of the sphere before
   int pinching_from = rounds_before_pinching;
   for (int round = 0; round < most_rounds; ++round) {
     bool complete = true;
     for (uint32_t s = 0; s < spheres; ++s) {
       if (!range_[s].outdated) continue;
+      if (!patience.allows(10000 + 2000 * before)) return Status::stopped;
       range_[s].outdated = false;
       range_[s].unfinished = !triangulate(outline, edge, s, round >= pinching_from);
       complete = complete && !range_[s].unfinished;
-      needed_.points = larger_count(needed_.points, clamped_count(patch_.needed_points()));
+      before = patch_.needed_points();
+      needed_.points = larger_count(needed_.points, clamped_count(before));
     }
     if (needed_.points > limits_.points) return Status::capacity;
     if (complete) return Status::ok;

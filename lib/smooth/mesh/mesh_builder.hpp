@@ -1,6 +1,7 @@
 // Fills a mesh: patch by patch, until all that share a curve agree how many points it has.
 #pragma once
 
+#include "core/patience.hpp"
 #include "mesh/surface_outline.hpp"
 
 namespace hsp {
@@ -12,10 +13,11 @@ class MeshBuilder : public Limited<MeshLimits> {
   // The boundary with edges of about this length, in lattice steps. Status::capacity if a limit is too small; needed()
   // then reports what suffices as far as it is known. Status::range if there are more points than any limit allows.
   // Status::degenerate if borders lie on each other in ways that nothing tells apart.
-  Status build(const BallSet &balls, const Boundary &boundary, double edge);
+  Status build(const BallSet &balls, const Boundary &boundary, double edge, Patience patience = Patience());
 
   // The same for the smooth surface. Status::open_surface if it is not closed.
-  Status build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge);
+  Status build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
+               Patience patience = Patience());
 
   const Mesh &mesh() const { return mesh_; }
 
@@ -27,11 +29,11 @@ class MeshBuilder : public Limited<MeshLimits> {
   };
 
   template <class Outline>
-  Status build_all(Outline &outline, double edge);
+  Status build_all(Outline &outline, double edge, Patience &patience);
   template <class Outline>
   bool has_too_many_inside(const Outline &outline, double edge) const;
   template <class Outline>
-  Status triangulate_all(Outline &outline, double edge);
+  Status triangulate_all(Outline &outline, double edge, Patience &patience);
   template <class Outline>
   bool triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched);
   template <class Outline, class Triangles>

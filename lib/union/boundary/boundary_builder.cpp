@@ -60,9 +60,9 @@ Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, co
     for (uint32_t i = 0; i < balls.n; ++i) selected_[i] = selected[balls.caller[i]];
     chosen = selected_.data();
   }
-  for (uint32_t w = 0; w < count_; ++w) workers_[w].start(share_of(grid, w, count_), chosen, joins);
+  for (uint32_t w = 0; w < count_; ++w) workers_[w].start(share_of(grid, w, count_), chosen, joins, &executor);
   const auto search = [this](uint32_t worker) { workers_[worker].search(*grid_, arrays().ball_state.data()); };
-  if (!executor.for_each(count_, search)) return Status::executor;
+  if (!executor.for_each(count_, search)) return executor.failure();
 
   const Found all = found();
   needed_.neighbours = all.neighbours;
@@ -77,7 +77,7 @@ Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, co
   arrays().circles.set_count(all.circles);
   for (uint32_t stage = placing; stage <= numbering; ++stage) {
     const auto assemble_in = [this, stage](uint32_t worker) { assemble(stage, worker); };
-    if (!executor.for_each(count_, assemble_in)) return Status::executor;
+    if (!executor.goes_on() || !executor.for_each(count_, assemble_in)) return executor.failure();
   }
   return Status::ok;
 }

@@ -15,7 +15,8 @@ class BoundaryBuilder : public Limited<BoundaryLimits> {
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 
   // All of it; by all workers that the limits allow for, if the executor has more than one. Status::capacity if a limit
-  // is too small, or allows for fewer than it has; needed() then reports what suffices. Status::executor if it fails.
+  // is too small, or allows for fewer than it has; needed() then reports what suffices. Status::executor if it fails,
+  // Status::stopped if it says so.
   // selected: null, or in the caller's order whether a ball is not left out. Those left out only block: nothing of them
   // is there, nor are twins, shells and components.
   Status build(const CubeGrid &grid, const Executor &executor = {}, const uint8_t *selected = nullptr) {

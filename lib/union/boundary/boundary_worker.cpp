@@ -165,7 +165,9 @@ void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, B
   idle_while_searching_ = LaneSearch::take_candidates(workspace, limits.neighbours);
 }
 
-void BoundaryWorker::start(const BallShare &share, const uint32_t *selected, bool joins) {
+void BoundaryWorker::start(const BallShare &share, const uint32_t *selected, bool joins, const Executor *executor) {
+  patience_ = Patience(executor);
+  caps.met = 0;
   share_ = share;
   selected_ = selected;
   joins_ = joins;
@@ -288,6 +290,9 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
     ball_state[i] = BoundaryArrays::left_out;
     return;
   }
+  // As the ball before: what lies around the next one is not known yet.
+  const uint64_t before = caps.met;
+  if (!patience_.allows(2000 + (500 + before) * before)) return;
   const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, components, selected_);
   if (!by_lanes) caps.gather(balls, block, i, components);
   if (!by_lanes && selected_ != nullptr) caps.put_selected_first(selected_);
@@ -364,7 +369,7 @@ void BoundaryWorker::link(const BallSet &balls, BlockSweep &sweep, const Boundar
   loops.last = link_half_edges(balls, own, chain, loops.first, a);
   faces.first = loops.first + own.first;
   faces.last = face_finder_.find(balls, sweep, boundary, own, loops, faces.first, caps, finder_,
-                                 scratch.part(loops.first, most_loops_before(own.last)), a);
+                                 scratch.part(loops.first, most_loops_before(own.last)), patience_, a);
 }
 
 void BoundaryWorker::move_down(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &a) const {

@@ -4,6 +4,7 @@
 
 #include "boundary/faces.hpp"
 #include "boundary/half_edge_links.hpp"
+#include "core/patience.hpp"
 #include "sphere/lane_search.hpp"
 
 namespace hsp {
@@ -28,8 +29,8 @@ class alignas(64) BoundaryWorker {
              Span<uint32_t> scratch);
 
   // Takes a share. Nothing is found. selected: null, or in the grid's order whether a ball is not left out. joins:
-  // whether components are looked for.
-  void start(const BallShare &share, const uint32_t *selected, bool joins);
+  // whether components are looked for. executor: null, or who may stop the search and the linking.
+  void start(const BallShare &share, const uint32_t *selected, bool joins, const Executor *executor = nullptr);
 
   // Vertices and circles of the share's balls, and which balls meet. Of some balls alone: what lies on one of them,
   // found at the first of those.
@@ -92,6 +93,7 @@ class alignas(64) BoundaryWorker {
   Span<uint32_t> idle_while_searching_;
   BallRange met_{0, 0};
   uint32_t neighbours_ = 0;
+  Patience patience_;
 };
 
 }  // namespace hsp

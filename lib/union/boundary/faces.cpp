@@ -118,7 +118,7 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
 
 uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, BallRange range,
                           IdRange loops, uint32_t first, Caps &caps, const VertexFinder &finder, Span<uint32_t> scratch,
-                          BoundaryArrays &arrays) {
+                          Patience &patience, BoundaryArrays &arrays) {
   uint32_t faces = first;
   for (uint32_t i = range.first; i < range.last; ++i) {
     const uint32_t first_face = arrays.first[i].face = faces;
@@ -127,6 +127,7 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
       if (arrays.ball_state[i] == BoundaryArrays::without_caps) arrays.faces[faces++] = {i, own.first, no_id};
       continue;
     }
+    if (!patience.allows(own.size() > 1 ? 2000 + 500 * uint64_t{caps.met} : 500)) return faces;
     // Smaller numbers stay representatives.
     DisjointSets sets(scratch.part(0, own.size()));
     sets.reset();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/patience.hpp"
 #include "model/block_sweep.hpp"
 #include "sphere/cap_clusters.hpp"
 #include "sphere/great_circles.hpp"
@@ -24,7 +25,8 @@ class FaceFinder {
   // loops, and all if these do not hang together. And so they are if only meridians show which loops belong together.
   // `sweep` is before these balls, `arrays` are those of the boundary; scratch [loops].
   uint32_t find(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, BallRange range, IdRange loops,
-                uint32_t first, Caps &caps, const VertexFinder &finder, Span<uint32_t> scratch, BoundaryArrays &arrays);
+                uint32_t first, Caps &caps, const VertexFinder &finder, Span<uint32_t> scratch, Patience &patience,
+                BoundaryArrays &arrays);
 
  private:
   void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball, uint32_t first_loop,

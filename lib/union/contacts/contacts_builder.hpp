@@ -5,6 +5,7 @@
 
 #include "contacts/chord_ends.hpp"
 #include "contacts/chord_walk.hpp"
+#include "core/patience.hpp"
 #include "measure/areas.hpp"
 #include "model/block_sweep.hpp"
 #include "sphere/cube_candidates.hpp"
@@ -41,8 +42,9 @@ class ContactsBuilder : public Limited<ContactLimits> {
   // are inside others. neighbours: what it needed of them. Status::capacity if a limit is too small; needed() then
   // reports what suffices, once `neighbours` does; of triangles and tetrahedra if they have limits. Of contacts that
   // may be more than there are, by no more than the triangles and arcs.
-  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
-    return build(grid, boundary, neighbours, NoImages{});
+  // Status::stopped if that is no longer allowed.
+  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, Patience patience = Patience()) {
+    return build(grid, boundary, neighbours, NoImages{}, patience);
   }
 
   // For a halo that may have images of the other balls, in a box whose copies fill space. A chord that lies
@@ -51,15 +53,18 @@ class ContactsBuilder : public Limited<ContactLimits> {
   // box. Every contact of a ball and an image is there from both sides, the same bit for bit. Status::check if an image
   // is missing.
   template <class Images>
-  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, const Images &images) {
+  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, const Images &images,
+               Patience patience = Patience()) {
     if (!start(grid, boundary, neighbours)) return Status::capacity;
     BlockSweep sweep(grid);
+    uint64_t before = 0;  // caps of the ball before: those of the next one are not known yet
     for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
       const BallRange own = grid.balls_in(cube);
       const CubeBlock *block = nullptr;
       bool in_lanes = false;
       for (uint32_t i = own.first; i < own.last; ++i) {
         if (boundary.is_contained(i)) continue;
+        if (!patience.allows(1000 + (500 + before) * before)) return Status::stopped;
         if (IdRange ends; walk_.has_whole_chords(boundary, i, ends)) {
           count_whole_chords(boundary, ends, images);
           continue;
@@ -78,12 +83,16 @@ class ContactsBuilder : public Limited<ContactLimits> {
           some_elsewhere = true;
         }
         find_chords(boundary);
+        before = caps_.count;
         count_chords(some_elsewhere);
         for (const FoundVertex &vertex : walk_.vertices()) add_power_vertex(grid.balls(), boundary, vertex, images);
       }
     }
     measure_vertices(grid.balls(), boundary);
-    for (uint32_t i = 0; i < own_balls_; ++i) add_free_edges(grid.balls(), boundary, i, images);
+    for (uint32_t i = 0; i < own_balls_; ++i) {
+      if (!patience.allows(2000)) return Status::stopped;
+      add_free_edges(grid.balls(), boundary, i, images);
+    }
     measure_contacts(grid.balls(), boundary);
     if (!add_other_sides(images)) return Status::check;
     if (const Status status = check_capacity(); status != Status::ok) return status;

@@ -1,4 +1,5 @@
-// Sums over all balls by the tasks of an executor, with the bits of one sum over them in the order of the input.
+// Sums over all balls by the tasks of an executor, with the bits of one sum over them in the order of the input. Where
+// one returns false the reason is the executor's failure().
 #pragma once
 
 #include "core/executor.hpp"
@@ -14,6 +15,17 @@ template <class Sum>
   return all.sums(of_range[ranges.complete()]);
 }
 
+// Calls visit(part) for a range, some balls at a time where somebody may stop it.
+template <class Visit>
+void visit_patiently(const Executor &executor, IdRange range, Visit visit) {
+  if (!executor.may_stop()) return visit(range);
+  constexpr uint32_t some = 32;
+  for (IdRange part{range.first, range.first}; part.last < range.last && executor.goes_on();) {
+    part = {part.last, range.last - part.last < some ? range.last : part.last + some};
+    visit(part);
+  }
+}
+
 // Calls visit(range, sum) for ranges that are all balls together, side by side; it adds a term for each ball of the
 // range. Sum::sums(rest): of its terms with those behind them, of which rest are the sums. False if the executor
 // fails.
@@ -23,7 +35,7 @@ bool sum_in_parts(const Executor &executor, uint32_t balls, Visit visit, typenam
   typename Sum::Term of_range[TermRanges::most + 1] = {};  // the last: no rest
   const auto sum_range = [&](uint32_t k) __attribute__((noinline)) {
     Sum sum;
-    visit(ranges[k], sum);
+    visit_patiently(executor, ranges[k], [&](IdRange part) { visit(part, sum); });
     of_range[k] = sum.sums({});
   };
   const bool each = executor.for_each(ranges.count(), sum_range);
@@ -35,18 +47,18 @@ bool sum_in_parts(const Executor &executor, uint32_t balls, Visit visit, typenam
 template <class Visit>
 bool for_each_range(const Executor &executor, uint32_t balls, Visit visit) {
   if (!executor.is_parallel()) {
-    visit(IdRange{0, balls});
-    return true;
+    visit_patiently(executor, IdRange{0, balls}, visit);
+    return !executor.is_stopped();
   }
   const TermRanges ranges(balls, executor.workers());
-  return executor.for_each(ranges.count(), [&](uint32_t k) { visit(ranges[k]); });
+  return executor.for_each(ranges.count(), [&](uint32_t k) { visit_patiently(executor, ranges[k], visit); });
 }
 
 // The same by the caller's thread alone. A call of its own: what it takes of the stack is not its caller's.
 template <class Sum, class Visit>
-[[gnu::noinline]] void sum_alone(uint32_t balls, Visit visit, typename Sum::Term &sums) {
+[[gnu::noinline]] void sum_alone(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
   Sum all;
-  visit(IdRange{0, balls}, all);
+  visit_patiently(executor, IdRange{0, balls}, [&](IdRange part) { visit(part, all); });
   sums = all.sums({});
 }
 
@@ -54,8 +66,8 @@ template <class Sum, class Visit>
 template <class Sum, class Visit>
 bool sum_by(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
   if (executor.is_parallel()) return sum_in_parts<Sum>(executor, balls, visit, sums);
-  sum_alone<Sum>(balls, visit, sums);
-  return true;
+  sum_alone<Sum>(executor, balls, visit, sums);
+  return !executor.is_stopped();
 }
 
 }  // namespace hsp

@@ -39,17 +39,21 @@ void CutArcFinder::carve(Workspace &workspace, uint32_t neighbours) {
 }
 
 void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, GatheredBall &gathered, Span<uint32_t> scratch,
-                        FixedVector<CutArc> &arcs) {
+                        Patience &patience, FixedVector<CutArc> &arcs) {
   arcs.clear();
   scratch_ = scratch;
   uint32_t gathered_ball = no_id;
   BlockSweep sweep(grid);
+  uint64_t around = 0;  // the ball before
   for (uint32_t face = 0; face < boundary.face_count(); ++face) {
-    if (boundary.loops_of_face(face).size() < 2) continue;
+    const uint64_t loops = boundary.loops_of_face(face).size();
+    if (loops < 2) continue;
+    if (!patience.allows(2000 + loops * (1000 + 100 * around))) return;
     const uint32_t i = boundary.face(face).ball;
     if (i != gathered_ball) {
       gathered.gather(grid, sweep.block_around_ball(i), i);
       gathered_ball = i;
+      around = gathered.caps.count;
     }
     cut_face(boundary, face, gathered, arcs);
   }

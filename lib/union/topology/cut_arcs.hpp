@@ -13,6 +13,7 @@
 #pragma once
 
 #include "boundary/point_location.hpp"
+#include "core/patience.hpp"
 #include "sphere/great_circles.hpp"
 
 namespace hsp {
@@ -58,7 +59,7 @@ class CutArcFinder {
   // Finds the cut arcs of all balls, those of one ball consecutive, balls ascending. There must be room for the
   // neighbours of every ball. scratch: three numbers for each loop of the face that has most, and two more.
   void find(const CubeGrid &grid, const Boundary &boundary, GatheredBall &gathered, Span<uint32_t> scratch,
-            FixedVector<CutArc> &arcs);
+            Patience &patience, FixedVector<CutArc> &arcs);
 
  private:
   void cut_face(const Boundary &boundary, uint32_t face, GatheredBall &gathered, FixedVector<CutArc> &arcs);

@@ -80,9 +80,10 @@ uint32_t shell_above(const CubeGrid &grid, const Boundary &boundary, const Topol
 
 // Finds the region that contains each component. One ray per component finds the shell above it; a chain of components,
 // each under the next, then ends in a void or outside.
-void nest_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology) {
+bool nest_components(const CubeGrid &grid, const Boundary &boundary, Patience &patience, Topology &topology) {
   for (uint32_t c = 0; c < topology.component_count; ++c) topology.components[c].region = no_id;
   for (uint32_t c = 0; c < topology.component_count; ++c) {
+    if (!patience.allows(10000)) return false;
     ComponentRecord &component = topology.components[c];
     const exact::LatticeBall top = grid.balls().ball(component.top_ball);
     const uint32_t shell =
@@ -104,6 +105,7 @@ void nest_components(const CubeGrid &grid, const Boundary &boundary, Topology &t
       topology.components[along].region = region;
     }
   }
+  return true;
 }
 
 }  // namespace
@@ -122,7 +124,7 @@ void gather_components(const CubeGrid &grid, const Boundary &boundary, Topology 
   }
 }
 
-void gather_regions(const CubeGrid &grid, const Boundary &boundary, Topology &topology) {
+bool gather_regions(const CubeGrid &grid, const Boundary &boundary, Patience &patience, Topology &topology) {
   topology.shell_count = boundary.shell_count();
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     topology.shells[s] = {no_id, 0, true, 0, 0, 0, 0, no_id, 0};
@@ -155,10 +157,11 @@ void gather_regions(const CubeGrid &grid, const Boundary &boundary, Topology &to
     if (shell.is_void) shell.region = topology.region_count++;
   }
   // Without voids there is but one region.
-  if (topology.region_count > 1) nest_components(grid, boundary, topology);
+  if (topology.region_count > 1 && !nest_components(grid, boundary, patience, topology)) return false;
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     topology.shells[topology.components[c].outer_shell].region = topology.components[c].region;
   }
+  return true;
 }
 
 uint32_t count_balls_of_region(const Boundary &boundary, const Topology &topology, uint32_t region) {

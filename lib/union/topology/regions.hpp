@@ -7,6 +7,7 @@
 #pragma once
 
 #include "boundary/point_location.hpp"
+#include "core/patience.hpp"
 #include "topology/topology.hpp"
 
 namespace hsp {
@@ -15,7 +16,7 @@ namespace hsp {
 void gather_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology);
 
 // Finds for every shell its component, kind, region and start face, and the regions of the components.
-void gather_regions(const CubeGrid &grid, const Boundary &boundary, Topology &topology);
+bool gather_regions(const CubeGrid &grid, const Boundary &boundary, Patience &patience, Topology &topology);
 
 // How many balls have a face on a region; and the caller's indices of these, [that many], ascending. The shells have
 // been traversed. O(shells) and sorting what is on the region, if no ball has many faces.

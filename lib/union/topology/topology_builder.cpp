@@ -45,16 +45,16 @@ void TopologyBuilder::carve(Workspace &workspace, const TopologyLimits &limits) 
   gathered_.carve(workspace, limits.neighbours);
 }
 
-Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
+Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, Patience patience) {
   const BallSet &balls = grid.balls();
-  scanned_ = false;
   needed_ = {balls.n, neighbours, clamped_count(count_uncut_edges(balls, boundary)), 0, boundary.shell_count()};
   const bool fits = needed_.balls <= limits_.balls && needed_.neighbours <= limits_.neighbours &&
                     (limits_.shells == 0 || needed_.shells <= limits_.shells);
   if (!fits || needed_.edges > limits_.edges) return Status::capacity;
 
   // Quad-edges come later. Of the two loops or more of a face each has an edge at least, and an edge eight numbers.
-  finder_.find(grid, boundary, gathered_, structure_.quads.memory, structure_.cut_arcs);
+  finder_.find(grid, boundary, gathered_, structure_.quads.memory, patience, structure_.cut_arcs);
+  if (!patience.allows(0)) return Status::stopped;
   needed_.cut_arcs = clamped_count(structure_.cut_arcs.required());
   if (structure_.cut_arcs.overflowed()) {
     needed_.edges = 0;
@@ -64,19 +64,14 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
   needed_.edges = clamped_count(count_edges(balls, boundary, structure_));
   if (needed_.edges > limits_.edges) return Status::capacity;
 
+  const uint64_t of_a_step = 200 * uint64_t{needed_.edges};
+  if (!patience.allows(of_a_step)) return Status::stopped;
   assemble_simple_faces(balls, boundary, structure_);
+  if (!patience.allows(of_a_step)) return Status::stopped;
   gather_components(grid, boundary, structure_);
-  gather_regions(grid, boundary, structure_);
+  if (!gather_regions(grid, boundary, patience, structure_) || !patience.allows(of_a_step)) return Status::stopped;
+  traverse_shells(boundary, structure_, structure_.marks);
   return Status::ok;
-}
-
-const Topology &TopologyBuilder::scanned(const Boundary &boundary) {
-  // Written once: afterwards several threads may read.
-  if (!scanned_) {
-    traverse_shells(boundary, structure_, structure_.marks);
-    scanned_ = true;
-  }
-  return structure_;
 }
 
 }  // namespace hsp

@@ -15,12 +15,10 @@ class TopologyBuilder : public Limited<TopologyLimits> {
   void carve(Workspace &workspace, const TopologyLimits &limits);
 
   // neighbours: the most balls that meet one ball of the boundary. Status::capacity if a limit is too small; needed()
-  // then tells what suffices, with 0 for what is not known yet.
-  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
+  // then tells what suffices, with 0 for what is not known yet. Status::stopped if more is not allowed.
+  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, Patience patience = Patience());
 
   const Topology &structure() const { return structure_; }
-  // The same with its shells counted and traversed (traversal.hpp), which is done when it is first asked for.
-  const Topology &scanned(const Boundary &boundary);
 
   // Scratch memory for checks; [edges].
   Span<uint32_t> marks() const { return structure_.marks; }
@@ -29,7 +27,6 @@ class TopologyBuilder : public Limited<TopologyLimits> {
   Topology structure_;
   CutArcFinder finder_;
   GatheredBall gathered_;
-  bool scanned_ = false;
 };
 
 }  // namespace hsp

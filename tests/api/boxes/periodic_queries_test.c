@@ -62,7 +62,7 @@ static void compute(const crystal *c) {
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.step = 0.25;
   CHECK_EQUAL(hsp_periodic_init(memory, sizeof memory, &limits, &periodic), HSP_OK);
-  CHECK_EQUAL(hsp_periodic_compute(periodic, c->n, c->xyz, c->radius, &options, c->box, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_periodic_compute(periodic, c->n, c->xyz, c->radius, c->box, &options, NULL, NULL), HSP_OK);
 }
 
 static int shift_order(const hsp_image *p, const hsp_image *q) {
@@ -217,7 +217,7 @@ static void by_cutoff(void) {
   CHECK_EQUAL(hsp_periodic_init(memory, sizeof memory, &limits, &periodic), HSP_OK);
   for (k = 0; k < sizeof known / sizeof *known; ++k) {
     options.probe = known[k].cutoff / 2;
-    CHECK_EQUAL(hsp_periodic_compute(periodic, 1, at, &none, &options, box, NULL, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_periodic_compute(periodic, 1, at, &none, box, &options, NULL, NULL), HSP_OK);
     CHECK_EQUAL(hsp_periodic_query_pairs(periodic, 0, first, found, MOST, &found_count), HSP_OK);
     CHECK_EQUAL(found_count, known[k].pairs);
     CHECK_EQUAL(first[1], known[k].pairs);

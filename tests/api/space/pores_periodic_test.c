@@ -199,18 +199,18 @@ static void copies_and_stale_results(void) {
   for (d = 0; d < 3; ++d) CHECK(in.wide.through[d] == one.through[d] && in.wide.along[d] == one.along[d]);
   /* Pores of other balls are not there, of the same again they are, of a copy elsewhere they are not: other shifts. */
   in.balls.xyz[0] = 3.5;
-  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, in.box, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_pores_get_percolation(in.work.pores, &in.wide), HSP_E_STATE);
   in.balls.xyz[0] = 3;
-  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, in.box, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_pores_get_percolation(in.work.pores, &in.wide), HSP_OK);
   in.balls.xyz[0] = 11;
-  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, in.box, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_pores_get_percolation(in.work.pores, &in.wide), HSP_E_STATE);
   compute_pores(&in, 0);
   for (d = 0; d < 3; ++d) CHECK(in.wide.through[d] == one.through[d]);
   in.box[3] = 8; /* other vectors of the same lattice */
-  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, in.box, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_pores_get_counts(in.work.pores, &in.counts), HSP_E_STATE);
   compute_pores(&in, 0);
   for (d = 0; d < 3; ++d) CHECK(in.wide.through[d] == one.through[d]);
@@ -326,7 +326,7 @@ static void refused_in_a_box(void) {
   set_box(&in, 100000, 0, 400, 0, 0, 400);
   in.balls.n = 0;
   ball_set_add(&in.balls, 0, 0, 0, 100);
-  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, in.box, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_pores_periodic(&in.work, NULL), HSP_E_RANGE); /* too long for its width */
   CHECK_EQUAL(hsp_pores_get_counts(in.work.pores, &in.counts), HSP_E_STATE);
 }

@@ -33,7 +33,7 @@ static void find_pockets(const double *in, double narrow, double wide) {
     CHECK_EQUAL(hsp_workspace_set(&work, n, xyz, radii, NULL, NULL), HSP_OK);
     CHECK_EQUAL(hsp_workspace_pores(&work, &options), HSP_OK);
   } else {
-    CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, in, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, in, NULL, NULL), HSP_OK);
     CHECK_EQUAL(hsp_workspace_pores_periodic(&work, &options), HSP_OK);
   }
   CHECK_EQUAL(hsp_pores_find_pockets(work.pores, narrow, wide, &pockets), HSP_OK);
@@ -53,7 +53,7 @@ static void plug(const double *in, const hsp_model_options *options) {
     CHECK_EQUAL(hsp_workspace_boundary(&plugged), HSP_OK);
     CHECK_EQUAL(hsp_workspace_pores(&plugged, NULL), HSP_OK);
   } else {
-    CHECK_EQUAL(hsp_workspace_periodic(&plugged, all, with_plugs, grown, options, in, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_periodic(&plugged, all, with_plugs, grown, in, options, NULL), HSP_OK);
     CHECK_EQUAL(hsp_workspace_pores_periodic(&plugged, NULL), HSP_OK);
   }
 }

@@ -58,7 +58,7 @@ static void read_regions(const hsp_boundary *boundary) {
 static void compute(void) {
   hsp_pore_channel channels[REGIONS];
   uint32_t needed = 0, k, r;
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, box, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_pores_periodic(&work, NULL), HSP_OK);
   CHECK_EQUAL(hsp_periodic_measure(work.periodic, &totals, NULL, NULL, 0, NULL), HSP_OK);
   read_regions(NULL);
@@ -289,7 +289,7 @@ static void windows(void) {
       CHECK(access.accessible == 1 && access.blocked == count - 1);
       CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0, &channel, 1, &needed), HSP_OK);
       CHECK_EQUAL(needed, count - 1);
-      CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, &lattice, box, NULL), HSP_OK);
+      CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, box, &lattice, NULL), HSP_OK);
       CHECK_EQUAL(hsp_workspace_pores_periodic(&work, &options), HSP_OK);
       CHECK_EQUAL(hsp_pores_find_regions(work.pores, NULL, &access, &count), HSP_OK);
       CHECK_EQUAL(count, more > 0 ? 2 : 1);
@@ -370,7 +370,7 @@ static void copies_and_probes(void) {
   CHECK_EQUAL(hsp_model_options_init(&options, sizeof options), HSP_OK);
   options.probe = 0.5;
   for (k = 0; k < n; ++k) radii[k] -= 0.5;
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, &options, box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, box, &options, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_pores_periodic(&work, NULL), HSP_OK);
   read_regions(NULL);
   CHECK_NEAR(access.accessible_volume, 2 * volume, 1e-7);
@@ -428,7 +428,7 @@ static void statuses(void) {
   CHECK_EQUAL(hsp_pores_find_regions(work.pores, NULL, &access, &number), HSP_OK);
   CHECK(number == 1 && fabs(access.accessible_volume - (64 - 4 * pi / 3)) < 1e-10);
   radii[0] = 1.5;
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, box, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_pores_find_regions(work.pores, NULL, &access, &number), HSP_E_STATE);
   CHECK_EQUAL(hsp_pores_get_regions(work.pores, 0, 0, NULL), HSP_E_STATE);
   /* Of a molecule: a boundary, of the same model. */
@@ -447,7 +447,7 @@ static void statuses(void) {
     coarse.step = 1e-3;
     set_box(4, 0, 4, 0, 0, 4);
     add(0, 0, 0, 3.463);
-    CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, &coarse, box, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, box, &coarse, NULL), HSP_OK);
     CHECK_EQUAL(hsp_workspace_pores_periodic(&work, NULL), HSP_OK);
     CHECK_EQUAL(hsp_pores_find_regions(work.pores, NULL, &access, &number), HSP_E_RANGE);
     CHECK_EQUAL(hsp_pores_get_regions(work.pores, 0, 1, regions), HSP_E_ID);

@@ -67,7 +67,7 @@ static void make_calls(const calls *all) {
 
 #endif
 
-static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
+static int32_t run(void *context, uint32_t tasks, hsp_task *task, void *data) {
   loop *const own = context;
   const int way = own->way >= LOOP_RIGHT_WAYS && own->runs < own->first_wrong ? LOOP_IN_ORDER : own->way;
   const uint32_t chosen = own->runs % tasks;
@@ -77,7 +77,7 @@ static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
   if (way == LOOP_SHUFFLED) ball_set_shuffle(tasks, own->seed + own->runs, order);
   ++own->runs;
   if (tasks > own->most_tasks) own->most_tasks = tasks;
-  if (way == LOOP_DOES_NOTHING) return;
+  if (way == LOOP_DOES_NOTHING) return 0;
   all.task = task;
   all.data = data;
   all.count = 0;
@@ -87,13 +87,15 @@ static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
   if (way == LOOP_DOES_TWICE) all.number[all.count++] = chosen;
   if (way == LOOP_ADDS_ONE) all.number[all.count++] = tasks;
   make_calls(&all);
+  return 0;
 }
 
 hsp_executor executor_of(loop *own, uint32_t workers) {
   return executor_with(run, own, workers);
 }
 
-hsp_executor executor_with(void (*run_tasks)(void *, uint32_t, hsp_task *, void *), void *context, uint32_t workers) {
+hsp_executor executor_with(int32_t (*run_tasks)(void *, uint32_t, hsp_task *, void *), void *context,
+                           uint32_t workers) {
   hsp_executor executor;
   memset(&executor, 0, sizeof executor);
   executor.struct_size = (uint32_t)sizeof executor;

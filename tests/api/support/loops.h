@@ -23,7 +23,7 @@ loop loop_of(int way);
 hsp_executor executor_of(loop *own, uint32_t workers);
 
 /* Of a loop of one's own. */
-hsp_executor executor_with(void (*run_tasks)(void *, uint32_t, hsp_task *, void *), void *context, uint32_t workers);
+hsp_executor executor_with(int32_t (*run_tasks)(void *, uint32_t, hsp_task *, void *), void *context, uint32_t workers);
 
 #ifdef __cplusplus
 }

@@ -5,31 +5,34 @@ module fortran_loops
   use hardsphere, only: hsp_task
   implicit none
 contains
-  subroutine run_backwards(context, tasks, task, data) bind(C)
+  function run_backwards(context, tasks, task, data) result(failed) bind(C)
     type(c_ptr), value :: context, data
     integer(c_int32_t), value :: tasks
     type(c_funptr), value :: task
     procedure(hsp_task), pointer :: one
     integer(c_int32_t), pointer :: runs
-    integer(c_int32_t) :: k
+    integer(c_int32_t) :: failed, k
     call c_f_pointer(context, runs)
     call c_f_procpointer(task, one)
     do k = tasks - 1, 0, -1
       call one(data, k)
     end do
     runs = runs + 1
-  end subroutine
+    failed = 0
+  end function
 
-  subroutine run_nothing(context, tasks, task, data) bind(C)
+  function run_nothing(context, tasks, task, data) result(failed) bind(C)
     type(c_ptr), value :: context, data
     integer(c_int32_t), value :: tasks
     type(c_funptr), value :: task
-  end subroutine
+    integer(c_int32_t) :: failed
+    failed = 0
+  end function
 end module
 
 program fortran_interface_test
   use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
-                                         c_size_t, c_sizeof, c_associated, c_null_char
+                                         c_null_funptr, c_size_t, c_sizeof, c_associated, c_null_char
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   use fortran_checks
   use fortran_loops
@@ -86,9 +89,9 @@ contains
     call check(options%struct_size == c_sizeof(options), 'struct_size of hsp_model_options')
     call check(limits%struct_size == c_sizeof(limits), 'struct_size of hsp_boundary_limits')
     call check(c_sizeof(info) == 64, 'size of hsp_model_info')
-    call check(c_sizeof(figures) == 40, 'size of hsp_packing')
+    call check(c_sizeof(figures) == 56, 'size of hsp_packing')
     call check(c_sizeof(limits) == 24, 'size of hsp_boundary_limits')
-    call check(c_sizeof(counts) == 56, 'size of hsp_boundary_counts')
+    call check(c_sizeof(counts) == 72, 'size of hsp_boundary_counts')
     call check(c_sizeof(vertex) == 48, 'size of hsp_vertex')
     call check(c_sizeof(arc) == 88, 'size of hsp_arc')
     call check(c_sizeof(circle) == 72, 'size of hsp_circle')
@@ -96,13 +99,15 @@ contains
     call check(c_sizeof(loop) == 20, 'size of hsp_loop')
     call check(c_sizeof(loop_arc) == 12, 'size of hsp_loop_arc')
     call check(c_sizeof(ball) == 16, 'size of hsp_ball')
-    call check(c_sizeof(totals) == 16, 'size of hsp_totals')
-    call check(c_sizeof(energy) == 32, 'size of hsp_energy')
+    call check(c_sizeof(totals) == 32, 'size of hsp_totals')
+    call check(c_sizeof(energy) == 48, 'size of hsp_energy')
     call check(c_sizeof(derivative) == 48, 'size of hsp_area_derivative')
     call check(hsp_version() == HSP_VERSION_NUMBER, 'version')
     call check(hsp_abi() == HSP_ABI_NUMBER, 'ABI number')
     call check(hsp_provisional() == HSP_PROVISIONAL_NUMBER, 'provisional number')
-    call check(hsp_numerics() == HSP_NUMERICS_NUMBER, 'numerics version')
+    call check(hsp_numerics() == HSP_NUMERICS_NUMBER, 'numerics number')
+    call check(hsp_provisional_numerics() == HSP_PROVISIONAL_NUMERICS_NUMBER, 'provisional numerics')
+    call check(hsp_model_max_balls() == HSP_MAX_BALLS, 'most balls')
     text = hsp_status_text(HSP_OK)
     call check(c_associated(text), 'status text')
     call check(hsp_status_message(12345_c_int32_t) == 'unknown status', 'text of an unknown status')
@@ -240,7 +245,7 @@ contains
     call expect(hsp_boundary_compute(boundary, model, needed_limits), HSP_OK, 'hsp_boundary_compute')
     call check(needed_limits%neighbours == 2 .and. needed_limits%vertices == 2 .and. needed_limits%circles == 0, 'needed')
     ! by more workers than there is room for, and then by two
-    executor = hsp_executor(int(c_sizeof(executor), c_int32_t), 2, c_loc(runs), c_funloc(run_backwards))
+    executor = hsp_executor(int(c_sizeof(executor), c_int32_t), 2, c_loc(runs), c_funloc(run_backwards), c_null_funptr)
     request = hsp_boundary_request(int(c_sizeof(request), c_int32_t), 0, c_loc(executor), c_null_ptr)
     call expect(hsp_boundary_compute_with(boundary, model, request, limits), HSP_E_CAPACITY, 'room for one')
     call check(limits%workers == 2 .and. limits%vertices == 96 .and. runs == 0, 'limits for two workers')
@@ -386,7 +391,7 @@ contains
     call expect(hsp_areas_bytes(n, bytes), HSP_OK, 'hsp_areas_bytes')
     call check(bytes <= hsp_areas_bytes_bound(n), 'bytes for areas')
     allocate (memory(bytes))
-    call expect(hsp_areas(n, xyz, radius, 0.0_c_double, c_loc(memory), bytes, area, totals), HSP_OK, 'hsp_areas')
+    call expect(hsp_areas(n, xyz, radius, 0.0_c_double, c_loc(memory), bytes, totals, area), HSP_OK, 'hsp_areas')
     call check(all(area == all_area) .and. abs(totals%volume - sum(all_volume)) < 1e-12_c_double, 'areas in one call')
     bytes = 0
     call expect(hsp_areas(n, xyz, radius, 0.0_c_double, c_null_ptr, bytes), HSP_E_CAPACITY, 'bytes for areas')

@@ -27,7 +27,7 @@ static void model_sizes(void) {
     check_scene("%u balls", (unsigned)numbers[i]);
     if (hsp_model_bytes(numbers[i], &bytes) != HSP_OK) {
       CHECK_EQUAL(hsp_model_bytes(numbers[i], &bytes), HSP_E_RANGE);
-      CHECK(too_large(1536.0 + 128.0 * numbers[i]));
+      CHECK(too_large(1536.0 + 192.0 * numbers[i]));
       continue;
     }
     /* hsp_model_bytes, property 1: at most HSP_MODEL_BYTES(balls) */

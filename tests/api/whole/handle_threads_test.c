@@ -71,13 +71,8 @@ static void in_threads(void) {
   if (computations_make(&set, &options, &all) && computations_add_slow(&all, &options)) {
     for (kind = 0; kind < KINDS; ++kind) {
       work works[THREADS];
-      unsigned char *buffer;
       if (kind == GATE) continue; /* of so many balls it takes too long */
-      buffer = buffer_for(&all);
       check_scene("threads, with %s", kinds_of_life[kind].name);
-      /* The shells of a topology are scanned by the first call that tells of them; the next ones read only. */
-      CHECK(kinds_of_life[kind].hash(handle_of(&all, kind), source_of(&all, kind), buffer, all.room) != 0);
-      free(buffer);
       for (t = 0; t < THREADS; ++t) {
         memset(&works[t], 0, sizeof works[t]);
         works[t].kind = kind;
@@ -172,7 +167,7 @@ static void *do_tasks(void *argument) {
 }
 
 /* context: the step of each thread. 1: every task is called by all of them. */
-static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
+static int32_t run(void *context, uint32_t tasks, hsp_task *task, void *data) {
   share shares[THREADS];
   uint32_t t;
   for (t = 0; t < THREADS; ++t) {
@@ -183,6 +178,7 @@ static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
     shares[t].step = *(const uint32_t *)context;
   }
   run_in_threads(do_tasks, shares, sizeof shares[0]);
+  return 0;
 }
 
 static void measured_in_threads(const computed *c, const hsp_executor *executor) {
@@ -228,7 +224,7 @@ static void split_among_threads(void) {
     unsigned char *buffer = buffer_for(&all);
     const uint64_t expected = k->hash(all.boundary.boundary, &all.boundary, buffer, all.room);
     uint32_t step = THREADS;
-    hsp_executor executor = {sizeof executor, THREADS, NULL, run};
+    hsp_executor executor = {sizeof executor, THREADS, NULL, run, NULL};
     hsp_boundary_request request = {.struct_size = sizeof request};
     hsp_boundary_limits limits = all.boundary.needed;
     hsp_boundary *boundary = NULL;

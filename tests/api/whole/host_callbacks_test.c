@@ -40,7 +40,7 @@ static void *do_task(void *argument) {
   return NULL;
 }
 
-static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
+static int32_t run(void *context, uint32_t tasks, hsp_task *task, void *data) {
   host_loop *const host = context;
   uint32_t k;
   host->wrong += host_environment_differs(host->callers, host->runs == 0) != NULL;
@@ -63,6 +63,7 @@ static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
   /* From here on the caller's thread has no flag: that stays, too. */
   host_environment_set(host->callers, 0);
   ++host->runs;
+  return 0;
 }
 
 typedef struct answers {

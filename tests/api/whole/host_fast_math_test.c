@@ -51,7 +51,7 @@ static void in_space(hsp_workspace *work, const balls *set, answers *out) {
 static void in_a_box(hsp_workspace *work, const balls *set, answers *out) {
   static const double box[9] = {4, 0, 0, 0, 4, 0, 0, 0, 4};
   memset(out, 0, sizeof *out);
-  out->status = hsp_workspace_periodic(work, set->n, set->xyz, set->radius, NULL, box, NULL);
+  out->status = hsp_workspace_periodic(work, set->n, set->xyz, set->radius, box, NULL, NULL);
   if (out->status == HSP_OK) {
     out->status = hsp_periodic_measure(work->periodic, NULL, out->area, out->share, set->n, NULL);
   }

@@ -330,7 +330,7 @@ static void boxes(void) {
       ball_set_add(&set, x + 3.25, y, z, 1);
     }
     box[0] = box[4] = box[8] = 4.0 * m;
-    CHECK_EQUAL(hsp_workspace_periodic(&work, set.n, set.xyz, set.radius, NULL, box, &first_bad), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_periodic(&work, set.n, set.xyz, set.radius, box, NULL, &first_bad), HSP_OK);
     CHECK_EQUAL(first_bad, HSP_NONE);
     CHECK_EQUAL(hsp_periodic_get_counts(work.periodic, &counts), HSP_OK);
     CHECK(counts.balls == 2 * copies && counts.components == copies && counts.circles == copies);
@@ -343,15 +343,15 @@ static void boxes(void) {
   CHECK_NEAR(one.area, 4 * acos(-1.0) * (2 - 0.375), 1e-13);
   check_scene("refused boxes");
   set.radius[1] = -1;
-  CHECK_EQUAL(hsp_workspace_periodic(&work, 2, set.xyz, set.radius, NULL, box, &first_bad), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, 2, set.xyz, set.radius, box, NULL, &first_bad), HSP_E_NEGATIVE);
   CHECK_EQUAL(first_bad, 1);
   CHECK_EQUAL(hsp_periodic_get_counts(work.periodic, &counts), HSP_E_STATE);
-  CHECK_EQUAL(hsp_workspace_periodic(&work, HSP_NONE, set.xyz, set.radius, NULL, box, NULL), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, HSP_NONE, set.xyz, set.radius, box, NULL, NULL), HSP_E_RANGE);
   CHECK_EQUAL(hsp_model_get_info(work.model, &info), HSP_OK);
   CHECK_EQUAL(info.balls, 1);
   hsp_workspace_free(&work);
   CHECK(work.periodic == NULL);
-  CHECK_EQUAL(hsp_workspace_periodic(&work, HSP_NONE, set.xyz, set.radius, NULL, box, NULL), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, HSP_NONE, set.xyz, set.radius, box, NULL, NULL), HSP_E_RANGE);
   hsp_workspace_free(&work);
 }
 

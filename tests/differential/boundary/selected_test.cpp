@@ -80,8 +80,9 @@ Answers answers_of(const hsp_boundary *boundary, const std::vector<uint8_t> &sel
   return found;
 }
 
-void run_backwards(void *, uint32_t tasks, hsp_task *task, void *data) {
+int32_t run_backwards(void *, uint32_t tasks, hsp_task *task, void *data) {
   for (uint32_t k = tasks; k-- > 0;) task(data, k);
+  return 0;
 }
 
 class Selection {
@@ -242,7 +243,7 @@ TEST(Selected, AnswersNothingElse) {
   EXPECT_EQ(hsp_boundary_get_measures(boundary, nullptr, &measured), HSP_OK);
   EXPECT_GT(totals.area, 0);
   EXPECT_TRUE(std::isnan(totals.volume));
-  hsp_energy energy{1, 1, 1, 1};
+  hsp_energy energy{1, 1, 1, 1, {}};
   hsp_gradient_request asked{};
   asked.struct_size = sizeof asked;
   asked.pressure = 1;

@@ -76,7 +76,7 @@ void compute(Workspace &work, const Case &of, double step) {
   options.step = step;
   const auto n = static_cast<uint32_t>(of.radius.size());
   if (of.boxed) {
-    ASSERT_EQ(hsp_workspace_periodic(&work, n, of.xyz.data(), of.radius.data(), &options, of.box.data(), nullptr),
+    ASSERT_EQ(hsp_workspace_periodic(&work, n, of.xyz.data(), of.radius.data(), of.box.data(), &options, nullptr),
               HSP_OK);
     ASSERT_EQ(hsp_workspace_pores_periodic(&work, nullptr), HSP_OK);
   } else {

@@ -7,10 +7,10 @@ static const struct {
   const char *name;
   double value;
 } numbers[] = {
-    {"count", 1},         {"poses", 2},     {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},
-    {"margin", 1},        {"workers", 1},   {"first", 1},   {"face", 1},       {"dimension", 2},
-    {"atomic_number", 6}, {"patches", 100}, {"shell", 0},   {"x", 0.3},        {"y", 0.2},
-    {"z", 0.1},           {"narrow", 0.1},  {"wide", 1},    {"bending", 1},    {"gaussian", 1},
+    {"count", 1},   {"poses", 2},    {"tension", 1},    {"pressure", 0.5}, {"radius", 0.1},      {"margin", 1},
+    {"workers", 1}, {"first", 1},    {"face", 1},       {"dimension", 2},  {"atomic_number", 6}, {"patches", 100},
+    {"shell", 0},   {"x", 0.3},      {"y", 0.2},        {"z", 0.1},        {"narrow", 0.1},      {"wide", 1},
+    {"bending", 1}, {"gaussian", 1}, {"full_width", 2}, {"gap", 1},        {"nearest", 1},       {"mean_radius", 1},
 };
 
 static double number_named(const argument *a) {
@@ -51,9 +51,10 @@ static void fill_struct(const char *base, void *out, size_t size) {
 }
 
 /* All tasks in the caller's thread, the last first. */
-static void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
+static int32_t run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
   (void)context;
   while (tasks > 0) task(data, --tasks);
+  return 0;
 }
 
 /* Limits are those that the fixture's handles were made with. */
@@ -66,7 +67,7 @@ static void fill_sized(const argument *a, void *out) {
       [NOUN_paths] = "hsp_paths_limits",       [NOUN_gate] = "hsp_gate_limits",
       [NOUN_pores] = "hsp_pores_limits",       [NOUN_view] = "hsp_view_limits",
       [NOUN_map] = "hsp_map_limits",           [NOUN_sticks] = "hsp_sticks_limits"};
-  static const hsp_executor executor = {sizeof executor, 2, NULL, run_tasks};
+  static const hsp_executor executor = {sizeof executor, 2, NULL, run_tasks, NULL};
   const uint32_t size = (uint32_t)a->size;
   int noun;
   memset(out, 0, a->size);

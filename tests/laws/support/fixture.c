@@ -188,7 +188,7 @@ static int32_t compute(int noun, void *handle, void *limits) {
     case NOUN_contacts:
       return hsp_contacts_compute(handle, boundary, limits);
     case NOUN_periodic:
-      return hsp_periodic_compute(handle, n, fixture_xyz[0], fixture_radius, NULL, fixture_box, limits, NULL);
+      return hsp_periodic_compute(handle, n, fixture_xyz[0], fixture_radius, fixture_box, NULL, limits, NULL);
     case NOUN_surface:
       return hsp_surface_compute(handle, boundary, limits);
     case NOUN_mesh: /* with room for either */

@@ -22,6 +22,11 @@ static int64_t call_hsp_numerics(const value *v) {
   return (int64_t)hsp_numerics();
 }
 
+static int64_t call_hsp_provisional_numerics(const value *v) {
+  (void)v;
+  return (int64_t)hsp_provisional_numerics();
+}
+
 static const argument of_hsp_status_text[] = {
   {"status", "int32_t", .kind = KIND_value, .size = sizeof(int32_t)},
 };
@@ -73,6 +78,11 @@ static const argument of_hsp_residue_get_atoms[] = {
 };
 static int64_t call_hsp_residue_get_atoms(const value *v) {
   return (int64_t)hsp_residue_get_atoms(v[0].u, v[1].p, v[2].u, v[3].p);
+}
+
+static int64_t call_hsp_model_max_balls(const value *v) {
+  (void)v;
+  return (int64_t)hsp_model_max_balls();
 }
 
 static const argument of_hsp_model_bytes[] = {
@@ -529,8 +539,8 @@ static const argument of_hsp_areas[] = {
   {"probe", "double", .kind = KIND_value, .size = sizeof(double)},
   {"memory", "void", .kind = KIND_memory},
   {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
-  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always},
   {"totals", "hsp_totals", .kind = KIND_struct_out, .size = sizeof(hsp_totals), .null = NULL_always},
+  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always},
 };
 static int64_t call_hsp_areas(const value *v) {
   return (int64_t)hsp_areas(v[0].u, v[1].p, v[2].p, v[3].d, v[4].p, v[5].p, v[6].p, v[7].p);
@@ -916,6 +926,19 @@ static int64_t call_hsp_contacts_compute(const value *v) {
   return (int64_t)hsp_contacts_compute(v[0].p, v[1].p, v[2].p);
 }
 
+static const argument of_hsp_contacts_compute_with[] = {
+  {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_contacts_request", .kind = KIND_sized_in, .size = sizeof(hsp_contacts_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_contacts_request, executor), .is_const = 1},
+  {"limits", "hsp_contacts_limits", .kind = KIND_sized, .size = sizeof(hsp_contacts_limits), .null = NULL_always},
+};
+static int64_t call_hsp_contacts_compute_with(const value *v) {
+  return (int64_t)hsp_contacts_compute_with(v[0].p, v[1].p, v[2].p, v[4].p);
+}
+
 static const argument of_hsp_contacts_get_pairs[] = {
   {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts, .is_const = 1},
   {"out", "hsp_contact", .kind = KIND_array_out, .size = sizeof(hsp_contact), .extent = "needed", .null = NULL_empty,
@@ -986,7 +1009,7 @@ static int64_t call_hsp_contacts_get_simplices(const value *v) {
 }
 
 static const argument of_hsp_contacts_check[] = {
-  {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts, .is_const = 1},
+  {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts},
   {"invariant", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
   {"id", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
@@ -1027,9 +1050,9 @@ static const argument of_hsp_periodic_compute[] = {
   {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_empty,
       .is_const = 1},
   {"radius", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_empty, .is_const = 1},
+  {"box", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "9", .is_const = 1},
   {"options", "hsp_model_options", .kind = KIND_sized_in, .size = sizeof(hsp_model_options), .null = NULL_always,
       .is_const = 1},
-  {"box", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "9", .is_const = 1},
   {"limits", "hsp_periodic_limits", .kind = KIND_sized, .size = sizeof(hsp_periodic_limits), .null = NULL_always},
   {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
 };
@@ -1270,7 +1293,7 @@ static int64_t call_hsp_periodic_query_pairs(const value *v) {
 }
 
 static const argument of_hsp_periodic_check[] = {
-  {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
+  {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic},
   {"invariant", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
   {"id", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
@@ -1552,7 +1575,7 @@ static int64_t call_hsp_surface_get_shells(const value *v) {
 }
 
 static const argument of_hsp_surface_check[] = {
-  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
+  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface},
   {"invariant", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
   {"id", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
@@ -1616,6 +1639,34 @@ static const argument of_hsp_mesh_compute_surface[] = {
 };
 static int64_t call_hsp_mesh_compute_surface(const value *v) {
   return (int64_t)hsp_mesh_compute_surface(v[0].p, v[1].p, v[2].d, v[3].p);
+}
+
+static const argument of_hsp_mesh_compute_with[] = {
+  {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"edge_length", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"request", "hsp_mesh_request", .kind = KIND_sized_in, .size = sizeof(hsp_mesh_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 3,
+      .offset = offsetof(hsp_mesh_request, executor), .is_const = 1},
+  {"limits", "hsp_mesh_limits", .kind = KIND_sized, .size = sizeof(hsp_mesh_limits), .null = NULL_always},
+};
+static int64_t call_hsp_mesh_compute_with(const value *v) {
+  return (int64_t)hsp_mesh_compute_with(v[0].p, v[1].p, v[2].d, v[3].p, v[5].p);
+}
+
+static const argument of_hsp_mesh_compute_surface_with[] = {
+  {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh},
+  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
+  {"edge_length", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"request", "hsp_mesh_request", .kind = KIND_sized_in, .size = sizeof(hsp_mesh_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 3,
+      .offset = offsetof(hsp_mesh_request, executor), .is_const = 1},
+  {"limits", "hsp_mesh_limits", .kind = KIND_sized, .size = sizeof(hsp_mesh_limits), .null = NULL_always},
+};
+static int64_t call_hsp_mesh_compute_surface_with(const value *v) {
+  return (int64_t)hsp_mesh_compute_surface_with(v[0].p, v[1].p, v[2].d, v[3].p, v[5].p);
 }
 
 static const argument of_hsp_mesh_get_counts[] = {
@@ -1719,12 +1770,91 @@ static int64_t call_hsp_topology_compute(const value *v) {
   return (int64_t)hsp_topology_compute(v[0].p, v[1].p, v[2].p);
 }
 
+static const argument of_hsp_topology_compute_with[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_topology_request", .kind = KIND_sized_in, .size = sizeof(hsp_topology_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_topology_request, executor), .is_const = 1},
+  {"limits", "hsp_topology_limits", .kind = KIND_sized, .size = sizeof(hsp_topology_limits), .null = NULL_always},
+};
+static int64_t call_hsp_topology_compute_with(const value *v) {
+  return (int64_t)hsp_topology_compute_with(v[0].p, v[1].p, v[2].p, v[4].p);
+}
+
 static const argument of_hsp_topology_get_counts[] = {
   {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
   {"counts", "hsp_topology_counts", .kind = KIND_struct_out, .size = sizeof(hsp_topology_counts)},
 };
 static int64_t call_hsp_topology_get_counts(const value *v) {
   return (int64_t)hsp_topology_get_counts(v[0].p, v[1].p);
+}
+
+static const argument of_hsp_topology_get_shells[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"out", "hsp_shell", .kind = KIND_array_out, .size = sizeof(hsp_shell), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_shells(const value *v) {
+  return (int64_t)hsp_topology_get_shells(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_topology_get_components[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"out", "hsp_component", .kind = KIND_array_out, .size = sizeof(hsp_component), .extent = "needed", .null =
+      NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_components(const value *v) {
+  return (int64_t)hsp_topology_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_topology_get_regions[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"out", "hsp_region", .kind = KIND_array_out, .size = sizeof(hsp_region), .extent = "needed", .null = NULL_empty,
+      .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_regions(const value *v) {
+  return (int64_t)hsp_topology_get_regions(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_topology_get_region_shells[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"shells", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_region_shells(const value *v) {
+  return (int64_t)hsp_topology_get_region_shells(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_topology_get_region_balls[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_topology_get_region_balls(const value *v) {
+  return (int64_t)hsp_topology_get_region_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_topology_locate[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
+  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"region", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_topology_locate(const value *v) {
+  return (int64_t)hsp_topology_locate(v[0].p, v[1].p, v[2].p);
 }
 
 static const argument of_hsp_topology_onext[] = {
@@ -1805,65 +1935,8 @@ static int64_t call_hsp_topology_get_simple_faces(const value *v) {
   return (int64_t)hsp_topology_get_simple_faces(v[0].p, v[1].u, v[2].u, v[3].p);
 }
 
-static const argument of_hsp_topology_get_shells[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
-  {"out", "hsp_shell", .kind = KIND_array_out, .size = sizeof(hsp_shell), .extent = "needed", .null = NULL_empty, .held
-      = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_shells(const value *v) {
-  return (int64_t)hsp_topology_get_shells(v[0].p, v[1].p, v[2].u, v[3].p);
-}
-
-static const argument of_hsp_topology_get_components[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
-  {"out", "hsp_component", .kind = KIND_array_out, .size = sizeof(hsp_component), .extent = "needed", .null =
-      NULL_empty, .held = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_components(const value *v) {
-  return (int64_t)hsp_topology_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
-}
-
-static const argument of_hsp_topology_get_regions[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
-  {"out", "hsp_region", .kind = KIND_array_out, .size = sizeof(hsp_region), .extent = "needed", .null = NULL_empty,
-      .held = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_regions(const value *v) {
-  return (int64_t)hsp_topology_get_regions(v[0].p, v[1].p, v[2].u, v[3].p);
-}
-
-static const argument of_hsp_topology_get_region_shells[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
-  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"shells", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
-      = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_region_shells(const value *v) {
-  return (int64_t)hsp_topology_get_region_shells(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
-}
-
-static const argument of_hsp_topology_get_region_balls[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
-  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
-      = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_topology_get_region_balls(const value *v) {
-  return (int64_t)hsp_topology_get_region_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
-}
-
 static const argument of_hsp_topology_get_traversal[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
   {"shell", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"faces", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
@@ -1872,15 +1945,6 @@ static const argument of_hsp_topology_get_traversal[] = {
 };
 static int64_t call_hsp_topology_get_traversal(const value *v) {
   return (int64_t)hsp_topology_get_traversal(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
-}
-
-static const argument of_hsp_topology_locate[] = {
-  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
-  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
-  {"region", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
-};
-static int64_t call_hsp_topology_locate(const value *v) {
-  return (int64_t)hsp_topology_locate(v[0].p, v[1].p, v[2].p);
 }
 
 static const argument of_hsp_topology_check[] = {
@@ -2927,6 +2991,26 @@ static int64_t call_hsp_sticks_check(const value *v) {
   return (int64_t)hsp_sticks_check(v[0].p, v[1].p, v[2].p);
 }
 
+static const argument of_hsp_picture_ink_width[] = {
+  {"full_width", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"gap", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"width", "double", .kind = KIND_value_out, .size = sizeof(double)},
+};
+static int64_t call_hsp_picture_ink_width(const value *v) {
+  return (int64_t)hsp_picture_ink_width(v[0].d, v[1].d, v[2].p);
+}
+
+static const argument of_hsp_picture_fog_share[] = {
+  {"nearest", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"farthest", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"mean_radius", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"depth", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"share", "double", .kind = KIND_value_out, .size = sizeof(double)},
+};
+static int64_t call_hsp_picture_fog_share(const value *v) {
+  return (int64_t)hsp_picture_fog_share(v[0].d, v[1].d, v[2].d, v[3].d, v[4].p);
+}
+
 static const argument of_hsp_picture_options_init[] = {
   {"options", "hsp_picture_options", .kind = KIND_sized, .size = sizeof(hsp_picture_options)},
   {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -2997,6 +3081,7 @@ const function registry[] = {
   {"hsp_abi", "version", RESULT_number, 0, NULL, call_hsp_abi, 0},
   {"hsp_provisional", "version", RESULT_number, 0, NULL, call_hsp_provisional, 0},
   {"hsp_numerics", "version", RESULT_number, 0, NULL, call_hsp_numerics, 0},
+  {"hsp_provisional_numerics", "version", RESULT_number, 0, NULL, call_hsp_provisional_numerics, 0},
   {"hsp_status_text", "status", RESULT_text, 1, of_hsp_status_text, call_hsp_status_text, 0},
   {"hsp_element_radius", "element", RESULT_status, 4, of_hsp_element_radius, call_hsp_element_radius, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
@@ -3007,6 +3092,7 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
   {"hsp_residue_get_atoms", "residue", RESULT_status, 4, of_hsp_residue_get_atoms, call_hsp_residue_get_atoms,
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY)},
+  {"hsp_model_max_balls", "model", RESULT_number, 0, NULL, call_hsp_model_max_balls, 0},
   {"hsp_model_bytes", "model", RESULT_status, 2, of_hsp_model_bytes, call_hsp_model_bytes, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_RANGE)},
   {"hsp_model_init", "model", RESULT_status, 4, of_hsp_model_init, call_hsp_model_init, BIT(HSP_OK) |
@@ -3077,7 +3163,7 @@ const function registry[] = {
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_compute_with", "boundary", RESULT_status, 6, of_hsp_boundary_compute_with,
       call_hsp_boundary_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_get_counts", "boundary", RESULT_status, 2, of_hsp_boundary_get_counts, call_hsp_boundary_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_boundary_get_vertices", "boundary", RESULT_status, 4, of_hsp_boundary_get_vertices,
@@ -3106,7 +3192,7 @@ const function registry[] = {
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_get_measures", "measure", RESULT_status, 10, of_hsp_boundary_get_measures,
       call_hsp_boundary_get_measures, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_measure_faces", "measure", RESULT_status, 5, of_hsp_boundary_measure_faces,
       call_hsp_boundary_measure_faces, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
@@ -3114,16 +3200,16 @@ const function registry[] = {
       call_hsp_gradient_request_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
   {"hsp_boundary_get_gradient", "gradient", RESULT_status, 16, of_hsp_boundary_get_gradient,
       call_hsp_boundary_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_get_derivatives", "gradient", RESULT_status, 14, of_hsp_boundary_get_derivatives,
       call_hsp_boundary_get_derivatives, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_get_area_row", "gradient", RESULT_status, 6, of_hsp_boundary_get_area_row,
       call_hsp_boundary_get_area_row, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_boundary_get_area_rows", "gradient", RESULT_status, 11, of_hsp_boundary_get_area_rows,
       call_hsp_boundary_get_area_rows, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_moving_limits_init", "moving", RESULT_status, 3, of_hsp_moving_limits_init, call_hsp_moving_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_moving_bytes", "moving", RESULT_status, 2, of_hsp_moving_bytes, call_hsp_moving_bytes, BIT(HSP_OK) |
@@ -3153,7 +3239,7 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_get_morphometry", "curvature", RESULT_status, 16, of_hsp_boundary_get_morphometry,
       call_hsp_boundary_get_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_contacts_limits_init", "contacts", RESULT_status, 3, of_hsp_contacts_limits_init, call_hsp_contacts_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE)},
   {"hsp_contacts_bytes", "contacts", RESULT_status, 2, of_hsp_contacts_bytes, call_hsp_contacts_bytes, BIT(HSP_OK) |
@@ -3162,6 +3248,9 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_contacts_compute", "contacts", RESULT_status, 3, of_hsp_contacts_compute, call_hsp_contacts_compute, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_contacts_compute_with", "contacts", RESULT_status, 5, of_hsp_contacts_compute_with,
+      call_hsp_contacts_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_STOPPED)},
   {"hsp_contacts_get_pairs", "contacts", RESULT_status, 4, of_hsp_contacts_get_pairs, call_hsp_contacts_get_pairs,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_contacts_get_row", "contacts", RESULT_status, 5, of_hsp_contacts_get_row, call_hsp_contacts_get_row, BIT(HSP_OK)
@@ -3188,7 +3277,8 @@ const function registry[] = {
       BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE)},
   {"hsp_periodic_compute_with", "periodic", RESULT_status, 11, of_hsp_periodic_compute_with,
       call_hsp_periodic_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_EXECUTOR) |
+      BIT(HSP_E_STOPPED)},
   {"hsp_periodic_get_counts", "periodic", RESULT_status, 2, of_hsp_periodic_get_counts, call_hsp_periodic_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_periodic_measure", "periodic", RESULT_status, 6, of_hsp_periodic_measure, call_hsp_periodic_measure, BIT(HSP_OK)
@@ -3197,7 +3287,7 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_periodic_get_morphometry", "periodic", RESULT_status, 18, of_hsp_periodic_get_morphometry,
       call_hsp_periodic_get_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_periodic_get_contacts", "periodic", RESULT_status, 4, of_hsp_periodic_get_contacts,
       call_hsp_periodic_get_contacts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
@@ -3212,7 +3302,7 @@ const function registry[] = {
       BIT(HSP_E_STATE)},
   {"hsp_periodic_get_gradient", "periodic", RESULT_status, 18, of_hsp_periodic_get_gradient,
       call_hsp_periodic_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_periodic_query_point", "periodic", RESULT_status, 5, of_hsp_periodic_query_point, call_hsp_periodic_query_point,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
@@ -3265,7 +3355,7 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE)},
   {"hsp_surface_get_gradient", "surface", RESULT_status, 16, of_hsp_surface_get_gradient, call_hsp_surface_get_gradient,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_EXECUTOR)},
+      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_surface_get_part_counts", "surface", RESULT_status, 2, of_hsp_surface_get_part_counts,
       call_hsp_surface_get_part_counts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
       BIT(HSP_E_OPEN_SURFACE)},
@@ -3304,6 +3394,13 @@ const function registry[] = {
   {"hsp_mesh_compute_surface", "mesh", RESULT_status, 4, of_hsp_mesh_compute_surface, call_hsp_mesh_compute_surface,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_NOT_FINITE) |
       BIT(HSP_E_RANGE) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_DEGENERATE)},
+  {"hsp_mesh_compute_with", "mesh", RESULT_status, 6, of_hsp_mesh_compute_with, call_hsp_mesh_compute_with, BIT(HSP_OK)
+      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_DEGENERATE) | BIT(HSP_E_STOPPED)},
+  {"hsp_mesh_compute_surface_with", "mesh", RESULT_status, 6, of_hsp_mesh_compute_surface_with,
+      call_hsp_mesh_compute_surface_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_OPEN_SURFACE) |
+      BIT(HSP_E_DEGENERATE) | BIT(HSP_E_STOPPED)},
   {"hsp_mesh_get_counts", "mesh", RESULT_status, 2, of_hsp_mesh_get_counts, call_hsp_mesh_get_counts, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_vertices", "mesh", RESULT_status, 7, of_hsp_mesh_get_vertices, call_hsp_mesh_get_vertices, BIT(HSP_OK)
@@ -3315,16 +3412,34 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_patch", "mesh", RESULT_status, 4, of_hsp_mesh_get_patch, call_hsp_mesh_get_patch, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
-  {"hsp_topology_limits_init", "topology", RESULT_status, 3, of_hsp_topology_limits_init, call_hsp_topology_limits_init,
+  {"hsp_topology_limits_init", "regions", RESULT_status, 3, of_hsp_topology_limits_init, call_hsp_topology_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_STATE)},
-  {"hsp_topology_bytes", "topology", RESULT_status, 2, of_hsp_topology_bytes, call_hsp_topology_bytes, BIT(HSP_OK) |
+  {"hsp_topology_bytes", "regions", RESULT_status, 2, of_hsp_topology_bytes, call_hsp_topology_bytes, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
-  {"hsp_topology_init", "topology", RESULT_status, 4, of_hsp_topology_init, call_hsp_topology_init, BIT(HSP_OK) |
+  {"hsp_topology_init", "regions", RESULT_status, 4, of_hsp_topology_init, call_hsp_topology_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
-  {"hsp_topology_compute", "topology", RESULT_status, 3, of_hsp_topology_compute, call_hsp_topology_compute, BIT(HSP_OK)
+  {"hsp_topology_compute", "regions", RESULT_status, 3, of_hsp_topology_compute, call_hsp_topology_compute, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_topology_get_counts", "topology", RESULT_status, 2, of_hsp_topology_get_counts, call_hsp_topology_get_counts,
+  {"hsp_topology_compute_with", "regions", RESULT_status, 5, of_hsp_topology_compute_with,
+      call_hsp_topology_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_STOPPED)},
+  {"hsp_topology_get_counts", "regions", RESULT_status, 2, of_hsp_topology_get_counts, call_hsp_topology_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
+  {"hsp_topology_get_shells", "regions", RESULT_status, 4, of_hsp_topology_get_shells, call_hsp_topology_get_shells,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_topology_get_components", "regions", RESULT_status, 4, of_hsp_topology_get_components,
+      call_hsp_topology_get_components, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE)},
+  {"hsp_topology_get_regions", "regions", RESULT_status, 4, of_hsp_topology_get_regions, call_hsp_topology_get_regions,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_topology_get_region_shells", "regions", RESULT_status, 5, of_hsp_topology_get_region_shells,
+      call_hsp_topology_get_region_shells, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_topology_get_region_balls", "regions", RESULT_status, 5, of_hsp_topology_get_region_balls,
+      call_hsp_topology_get_region_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_topology_locate", "regions", RESULT_status, 3, of_hsp_topology_locate, call_hsp_topology_locate, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_topology_onext", "topology", RESULT_id, 2, of_hsp_topology_onext, call_hsp_topology_onext, 0},
   {"hsp_topology_lnext", "topology", RESULT_id, 2, of_hsp_topology_lnext, call_hsp_topology_lnext, 0},
   {"hsp_topology_origin", "topology", RESULT_id, 2, of_hsp_topology_origin, call_hsp_topology_origin, 0},
@@ -3340,24 +3455,9 @@ const function registry[] = {
   {"hsp_topology_get_simple_faces", "topology", RESULT_status, 4, of_hsp_topology_get_simple_faces,
       call_hsp_topology_get_simple_faces, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
       BIT(HSP_E_ID)},
-  {"hsp_topology_get_shells", "topology", RESULT_status, 4, of_hsp_topology_get_shells, call_hsp_topology_get_shells,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_topology_get_components", "topology", RESULT_status, 4, of_hsp_topology_get_components,
-      call_hsp_topology_get_components, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE)},
-  {"hsp_topology_get_regions", "topology", RESULT_status, 4, of_hsp_topology_get_regions, call_hsp_topology_get_regions,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_topology_get_region_shells", "topology", RESULT_status, 5, of_hsp_topology_get_region_shells,
-      call_hsp_topology_get_region_shells, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_topology_get_region_balls", "topology", RESULT_status, 5, of_hsp_topology_get_region_balls,
-      call_hsp_topology_get_region_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_topology_get_traversal", "topology", RESULT_status, 5, of_hsp_topology_get_traversal,
       call_hsp_topology_get_traversal, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_topology_locate", "topology", RESULT_status, 3, of_hsp_topology_locate, call_hsp_topology_locate, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_topology_check", "topology", RESULT_status, 3, of_hsp_topology_check, call_hsp_topology_check, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK)},
   {"hsp_cells_limits_init", "cells", RESULT_status, 3, of_hsp_cells_limits_init, call_hsp_cells_limits_init, BIT(HSP_OK)
@@ -3590,6 +3690,10 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_sticks_check", "sticks", RESULT_status, 3, of_hsp_sticks_check, call_hsp_sticks_check, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK)},
+  {"hsp_picture_ink_width", "picture", RESULT_status, 3, of_hsp_picture_ink_width, call_hsp_picture_ink_width,
+      BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+  {"hsp_picture_fog_share", "picture", RESULT_status, 5, of_hsp_picture_fog_share, call_hsp_picture_fog_share,
+      BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_picture_options_init", "picture", RESULT_status, 2, of_hsp_picture_options_init, call_hsp_picture_options_init,
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
   {"hsp_palette_colour", "picture", RESULT_number, 3, of_hsp_palette_colour, call_hsp_palette_colour, 0},
@@ -3610,6 +3714,7 @@ const field registry_fields[] = {
   {"hsp_executor", "workers", "uint32_t", offsetof(hsp_executor, workers), 1},
   {"hsp_executor", "context", "void *", offsetof(hsp_executor, context), 1},
   {"hsp_executor", "run", "function *", offsetof(hsp_executor, run), 1},
+  {"hsp_executor", "proceed", "function *", offsetof(hsp_executor, proceed), 1},
   {"hsp_residue_atom", "residue", "char", offsetof(hsp_residue_atom, residue), 8},
   {"hsp_residue_atom", "atom", "char", offsetof(hsp_residue_atom, atom), 8},
   {"hsp_residue_atom", "radius", "double", offsetof(hsp_residue_atom, radius), 1},
@@ -3633,6 +3738,7 @@ const field registry_fields[] = {
   {"hsp_packing", "neighbour_bound", "double", offsetof(hsp_packing, neighbour_bound), 1},
   {"hsp_packing", "max_overlaps", "uint32_t", offsetof(hsp_packing, max_overlaps), 1},
   {"hsp_packing", "flags", "uint32_t", offsetof(hsp_packing, flags), 1},
+  {"hsp_packing", "reserved", "uint64_t", offsetof(hsp_packing, reserved), 2},
   {"hsp_ray_hit", "xyz", "double", offsetof(hsp_ray_hit, xyz), 3},
   {"hsp_ray_hit", "distance", "double", offsetof(hsp_ray_hit, distance), 1},
   {"hsp_ray_hit", "ball", "uint32_t", offsetof(hsp_ray_hit, ball), 1},
@@ -3670,6 +3776,7 @@ const field registry_fields[] = {
   {"hsp_boundary_counts", "voids", "uint32_t", offsetof(hsp_boundary_counts, voids), 1},
   {"hsp_boundary_counts", "tied_vertices", "uint32_t", offsetof(hsp_boundary_counts, tied_vertices), 1},
   {"hsp_boundary_counts", "euler", "int64_t", offsetof(hsp_boundary_counts, euler), 1},
+  {"hsp_boundary_counts", "reserved", "uint64_t", offsetof(hsp_boundary_counts, reserved), 2},
   {"hsp_vertex", "xyz", "double", offsetof(hsp_vertex, xyz), 3},
   {"hsp_vertex", "ball", "uint32_t", offsetof(hsp_vertex, ball), 3},
   {"hsp_vertex", "sign", "int32_t", offsetof(hsp_vertex, sign), 1},
@@ -3705,6 +3812,7 @@ const field registry_fields[] = {
   {"hsp_ball", "flags", "uint32_t", offsetof(hsp_ball, flags), 1},
   {"hsp_totals", "area", "double", offsetof(hsp_totals, area), 1},
   {"hsp_totals", "volume", "double", offsetof(hsp_totals, volume), 1},
+  {"hsp_totals", "reserved", "uint64_t", offsetof(hsp_totals, reserved), 2},
   {"hsp_measure_request", "struct_size", "uint32_t", offsetof(hsp_measure_request, struct_size), 1},
   {"hsp_measure_request", "reserved", "uint32_t", offsetof(hsp_measure_request, reserved), 1},
   {"hsp_measure_request", "selected", "uint8_t *", offsetof(hsp_measure_request, selected), 1},
@@ -3720,6 +3828,7 @@ const field registry_fields[] = {
   {"hsp_energy", "area", "double", offsetof(hsp_energy, area), 1},
   {"hsp_energy", "volume", "double", offsetof(hsp_energy, volume), 1},
   {"hsp_energy", "d_probe", "double", offsetof(hsp_energy, d_probe), 1},
+  {"hsp_energy", "reserved", "uint64_t", offsetof(hsp_energy, reserved), 2},
   {"hsp_gradient_request", "struct_size", "uint32_t", offsetof(hsp_gradient_request, struct_size), 1},
   {"hsp_gradient_request", "tangency", "uint32_t", offsetof(hsp_gradient_request, tangency), 1},
   {"hsp_gradient_request", "tension", "double", offsetof(hsp_gradient_request, tension), 1},
@@ -3810,6 +3919,9 @@ const field registry_fields[] = {
   {"hsp_contacts_limits", "contacts", "uint32_t", offsetof(hsp_contacts_limits, contacts), 1},
   {"hsp_contacts_limits", "triangles", "uint32_t", offsetof(hsp_contacts_limits, triangles), 1},
   {"hsp_contacts_limits", "tetrahedra", "uint32_t", offsetof(hsp_contacts_limits, tetrahedra), 1},
+  {"hsp_contacts_request", "struct_size", "uint32_t", offsetof(hsp_contacts_request, struct_size), 1},
+  {"hsp_contacts_request", "reserved", "uint32_t", offsetof(hsp_contacts_request, reserved), 1},
+  {"hsp_contacts_request", "executor", "hsp_executor *", offsetof(hsp_contacts_request, executor), 1},
   {"hsp_contact", "area", "double", offsetof(hsp_contact, area), 1},
   {"hsp_contact", "rim", "double", offsetof(hsp_contact, rim), 1},
   {"hsp_contact", "distance", "double", offsetof(hsp_contact, distance), 1},
@@ -3825,8 +3937,9 @@ const field registry_fields[] = {
   {"hsp_complex", "singular", "uint32_t", offsetof(hsp_complex, singular), 4},
   {"hsp_complex", "regular", "uint32_t", offsetof(hsp_complex, regular), 4},
   {"hsp_complex", "interior", "uint32_t", offsetof(hsp_complex, interior), 4},
-  {"hsp_complex", "euler", "int32_t", offsetof(hsp_complex, euler), 1},
+  {"hsp_complex", "euler", "int64_t", offsetof(hsp_complex, euler), 1},
   {"hsp_complex", "betti", "uint32_t", offsetof(hsp_complex, betti), 3},
+  {"hsp_complex", "reserved", "uint32_t", offsetof(hsp_complex, reserved), 5},
   {"hsp_simplex", "ball", "uint32_t", offsetof(hsp_simplex, ball), 4},
   {"hsp_simplex", "kind", "uint32_t", offsetof(hsp_simplex, kind), 1},
   {"hsp_simplex", "reserved", "uint32_t", offsetof(hsp_simplex, reserved), 1},
@@ -3852,8 +3965,7 @@ const field registry_fields[] = {
   {"hsp_periodic_counts", "shells", "uint32_t", offsetof(hsp_periodic_counts, shells), 1},
   {"hsp_periodic_counts", "components", "uint32_t", offsetof(hsp_periodic_counts, components), 1},
   {"hsp_periodic_counts", "contacts", "uint32_t", offsetof(hsp_periodic_counts, contacts), 1},
-  {"hsp_periodic_counts", "euler", "int32_t", offsetof(hsp_periodic_counts, euler), 1},
-  {"hsp_periodic_counts", "reserved", "uint32_t", offsetof(hsp_periodic_counts, reserved), 1},
+  {"hsp_periodic_counts", "euler", "int64_t", offsetof(hsp_periodic_counts, euler), 1},
   {"hsp_periodic_totals", "area", "double", offsetof(hsp_periodic_totals, area), 1},
   {"hsp_periodic_totals", "volume", "double", offsetof(hsp_periodic_totals, volume), 1},
   {"hsp_periodic_totals", "box_volume", "double", offsetof(hsp_periodic_totals, box_volume), 1},
@@ -3985,16 +4097,20 @@ const field registry_fields[] = {
   {"hsp_surface_corner", "reserved", "uint32_t", offsetof(hsp_surface_corner, reserved), 1},
   {"hsp_surface_shell", "area", "double", offsetof(hsp_surface_shell, area), 1},
   {"hsp_surface_shell", "volume", "double", offsetof(hsp_surface_shell, volume), 1},
-  {"hsp_surface_shell", "euler", "int32_t", offsetof(hsp_surface_shell, euler), 1},
+  {"hsp_surface_shell", "euler", "int64_t", offsetof(hsp_surface_shell, euler), 1},
   {"hsp_surface_shell", "genus", "uint32_t", offsetof(hsp_surface_shell, genus), 1},
   {"hsp_surface_shell", "patches", "uint32_t", offsetof(hsp_surface_shell, patches), 1},
   {"hsp_surface_shell", "chosen", "uint32_t", offsetof(hsp_surface_shell, chosen), 1},
+  {"hsp_surface_shell", "reserved", "uint32_t", offsetof(hsp_surface_shell, reserved), 1},
   {"hsp_mesh_limits", "struct_size", "uint32_t", offsetof(hsp_mesh_limits, struct_size), 1},
   {"hsp_mesh_limits", "balls", "uint32_t", offsetof(hsp_mesh_limits, balls), 1},
   {"hsp_mesh_limits", "curves", "uint32_t", offsetof(hsp_mesh_limits, curves), 1},
   {"hsp_mesh_limits", "vertices", "uint32_t", offsetof(hsp_mesh_limits, vertices), 1},
   {"hsp_mesh_limits", "triangles", "uint32_t", offsetof(hsp_mesh_limits, triangles), 1},
   {"hsp_mesh_limits", "points", "uint32_t", offsetof(hsp_mesh_limits, points), 1},
+  {"hsp_mesh_request", "struct_size", "uint32_t", offsetof(hsp_mesh_request, struct_size), 1},
+  {"hsp_mesh_request", "reserved", "uint32_t", offsetof(hsp_mesh_request, reserved), 1},
+  {"hsp_mesh_request", "executor", "hsp_executor *", offsetof(hsp_mesh_request, executor), 1},
   {"hsp_mesh_counts", "vertices", "uint32_t", offsetof(hsp_mesh_counts, vertices), 1},
   {"hsp_mesh_counts", "triangles", "uint32_t", offsetof(hsp_mesh_counts, triangles), 1},
   {"hsp_mesh_counts", "curves", "uint32_t", offsetof(hsp_mesh_counts, curves), 1},
@@ -4005,6 +4121,9 @@ const field registry_fields[] = {
   {"hsp_topology_limits", "edges", "uint32_t", offsetof(hsp_topology_limits, edges), 1},
   {"hsp_topology_limits", "cut_arcs", "uint32_t", offsetof(hsp_topology_limits, cut_arcs), 1},
   {"hsp_topology_limits", "shells", "uint32_t", offsetof(hsp_topology_limits, shells), 1},
+  {"hsp_topology_request", "struct_size", "uint32_t", offsetof(hsp_topology_request, struct_size), 1},
+  {"hsp_topology_request", "reserved", "uint32_t", offsetof(hsp_topology_request, reserved), 1},
+  {"hsp_topology_request", "executor", "hsp_executor *", offsetof(hsp_topology_request, executor), 1},
   {"hsp_topology_counts", "vertices", "uint32_t", offsetof(hsp_topology_counts, vertices), 1},
   {"hsp_topology_counts", "edges", "uint32_t", offsetof(hsp_topology_counts, edges), 1},
   {"hsp_topology_counts", "simple_faces", "uint32_t", offsetof(hsp_topology_counts, simple_faces), 1},
@@ -4013,6 +4132,33 @@ const field registry_fields[] = {
   {"hsp_topology_counts", "components", "uint32_t", offsetof(hsp_topology_counts, components), 1},
   {"hsp_topology_counts", "regions", "uint32_t", offsetof(hsp_topology_counts, regions), 1},
   {"hsp_topology_counts", "start_face", "uint32_t", offsetof(hsp_topology_counts, start_face), 1},
+  {"hsp_topology_counts", "reserved", "uint32_t", offsetof(hsp_topology_counts, reserved), 4},
+  {"hsp_shell", "area", "double", offsetof(hsp_shell, area), 1},
+  {"hsp_shell", "volume", "double", offsetof(hsp_shell, volume), 1},
+  {"hsp_shell", "point", "double", offsetof(hsp_shell, point), 3},
+  {"hsp_shell", "euler", "int64_t", offsetof(hsp_shell, euler), 1},
+  {"hsp_shell", "genus", "uint32_t", offsetof(hsp_shell, genus), 1},
+  {"hsp_shell", "kind", "uint32_t", offsetof(hsp_shell, kind), 1},
+  {"hsp_shell", "component", "uint32_t", offsetof(hsp_shell, component), 1},
+  {"hsp_shell", "region", "uint32_t", offsetof(hsp_shell, region), 1},
+  {"hsp_shell", "faces", "uint32_t", offsetof(hsp_shell, faces), 1},
+  {"hsp_shell", "simple_faces", "uint32_t", offsetof(hsp_shell, simple_faces), 1},
+  {"hsp_shell", "edges", "uint32_t", offsetof(hsp_shell, edges), 1},
+  {"hsp_shell", "vertices", "uint32_t", offsetof(hsp_shell, vertices), 1},
+  {"hsp_shell", "start_face", "uint32_t", offsetof(hsp_shell, start_face), 1},
+  {"hsp_shell", "reserved", "uint32_t", offsetof(hsp_shell, reserved), 1},
+  {"hsp_component", "balls", "uint32_t", offsetof(hsp_component, balls), 1},
+  {"hsp_component", "top_ball", "uint32_t", offsetof(hsp_component, top_ball), 1},
+  {"hsp_component", "outer_shell", "uint32_t", offsetof(hsp_component, outer_shell), 1},
+  {"hsp_component", "shells", "uint32_t", offsetof(hsp_component, shells), 1},
+  {"hsp_component", "region", "uint32_t", offsetof(hsp_component, region), 1},
+  {"hsp_component", "reserved", "uint32_t", offsetof(hsp_component, reserved), 1},
+  {"hsp_region", "area", "double", offsetof(hsp_region, area), 1},
+  {"hsp_region", "volume", "double", offsetof(hsp_region, volume), 1},
+  {"hsp_region", "enclosing_shell", "uint32_t", offsetof(hsp_region, enclosing_shell), 1},
+  {"hsp_region", "components", "uint32_t", offsetof(hsp_region, components), 1},
+  {"hsp_region", "shells", "uint32_t", offsetof(hsp_region, shells), 1},
+  {"hsp_region", "reserved", "uint32_t", offsetof(hsp_region, reserved), 1},
   {"hsp_topology_vertex", "xyz", "double", offsetof(hsp_topology_vertex, xyz), 3},
   {"hsp_topology_vertex", "ball", "uint32_t", offsetof(hsp_topology_vertex, ball), 3},
   {"hsp_topology_vertex", "kind", "uint32_t", offsetof(hsp_topology_vertex, kind), 1},
@@ -4033,31 +4179,6 @@ const field registry_fields[] = {
   {"hsp_simple_face", "q", "uint32_t", offsetof(hsp_simple_face, q), 1},
   {"hsp_simple_face", "shell", "uint32_t", offsetof(hsp_simple_face, shell), 1},
   {"hsp_simple_face", "reserved", "uint32_t", offsetof(hsp_simple_face, reserved), 1},
-  {"hsp_shell", "area", "double", offsetof(hsp_shell, area), 1},
-  {"hsp_shell", "volume", "double", offsetof(hsp_shell, volume), 1},
-  {"hsp_shell", "point", "double", offsetof(hsp_shell, point), 3},
-  {"hsp_shell", "euler", "int32_t", offsetof(hsp_shell, euler), 1},
-  {"hsp_shell", "genus", "uint32_t", offsetof(hsp_shell, genus), 1},
-  {"hsp_shell", "kind", "uint32_t", offsetof(hsp_shell, kind), 1},
-  {"hsp_shell", "component", "uint32_t", offsetof(hsp_shell, component), 1},
-  {"hsp_shell", "region", "uint32_t", offsetof(hsp_shell, region), 1},
-  {"hsp_shell", "faces", "uint32_t", offsetof(hsp_shell, faces), 1},
-  {"hsp_shell", "simple_faces", "uint32_t", offsetof(hsp_shell, simple_faces), 1},
-  {"hsp_shell", "edges", "uint32_t", offsetof(hsp_shell, edges), 1},
-  {"hsp_shell", "vertices", "uint32_t", offsetof(hsp_shell, vertices), 1},
-  {"hsp_shell", "start_face", "uint32_t", offsetof(hsp_shell, start_face), 1},
-  {"hsp_component", "balls", "uint32_t", offsetof(hsp_component, balls), 1},
-  {"hsp_component", "top_ball", "uint32_t", offsetof(hsp_component, top_ball), 1},
-  {"hsp_component", "outer_shell", "uint32_t", offsetof(hsp_component, outer_shell), 1},
-  {"hsp_component", "shells", "uint32_t", offsetof(hsp_component, shells), 1},
-  {"hsp_component", "region", "uint32_t", offsetof(hsp_component, region), 1},
-  {"hsp_component", "reserved", "uint32_t", offsetof(hsp_component, reserved), 1},
-  {"hsp_region", "area", "double", offsetof(hsp_region, area), 1},
-  {"hsp_region", "volume", "double", offsetof(hsp_region, volume), 1},
-  {"hsp_region", "enclosing_shell", "uint32_t", offsetof(hsp_region, enclosing_shell), 1},
-  {"hsp_region", "components", "uint32_t", offsetof(hsp_region, components), 1},
-  {"hsp_region", "shells", "uint32_t", offsetof(hsp_region, shells), 1},
-  {"hsp_region", "reserved", "uint32_t", offsetof(hsp_region, reserved), 1},
   {"hsp_cells_limits", "struct_size", "uint32_t", offsetof(hsp_cells_limits, struct_size), 1},
   {"hsp_cells_limits", "cubes", "uint32_t", offsetof(hsp_cells_limits, cubes), 1},
   {"hsp_cells_limits", "entries", "uint32_t", offsetof(hsp_cells_limits, entries), 1},

@@ -48,6 +48,17 @@ uint32_t __wrap_hsp_numerics(void) {
   return result;
 }
 
+uint32_t __real_hsp_provisional_numerics(void);
+uint32_t __wrap_hsp_provisional_numerics(void);
+uint32_t __wrap_hsp_provisional_numerics(void) {
+  uint32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_provisional_numerics");
+  result = __real_hsp_provisional_numerics();
+  host_call_ends(&call);
+  return result;
+}
+
 const char *__real_hsp_status_text(int32_t status);
 const char *__wrap_hsp_status_text(int32_t status);
 const char *__wrap_hsp_status_text(int32_t status) {
@@ -110,6 +121,17 @@ int32_t __wrap_hsp_residue_get_atoms(uint32_t set, hsp_residue_atom *out, uint32
   host_call call;
   host_call_begins(&call, "hsp_residue_get_atoms");
   result = __real_hsp_residue_get_atoms(set, out, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+uint32_t __real_hsp_model_max_balls(void);
+uint32_t __wrap_hsp_model_max_balls(void);
+uint32_t __wrap_hsp_model_max_balls(void) {
+  uint32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_model_max_balls");
+  result = __real_hsp_model_max_balls();
   host_call_ends(&call);
   return result;
 }
@@ -629,15 +651,15 @@ int32_t __wrap_hsp_areas_bytes(uint32_t n, size_t *bytes) {
 }
 
 int32_t __real_hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes,
-    double *area, hsp_totals *totals);
+    hsp_totals *totals, double *area);
 int32_t __wrap_hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes,
-    double *area, hsp_totals *totals);
+    hsp_totals *totals, double *area);
 int32_t __wrap_hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes,
-    double *area, hsp_totals *totals) {
+    hsp_totals *totals, double *area) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_areas");
-  result = __real_hsp_areas(n, xyz, radius, probe, memory, bytes, area, totals);
+  result = __real_hsp_areas(n, xyz, radius, probe, memory, bytes, totals, area);
   host_call_ends(&call);
   return result;
 }
@@ -976,6 +998,20 @@ int32_t __wrap_hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *
   return result;
 }
 
+int32_t __real_hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary, const
+    hsp_contacts_request *request, hsp_contacts_limits *limits);
+int32_t __wrap_hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary, const
+    hsp_contacts_request *request, hsp_contacts_limits *limits);
+int32_t __wrap_hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary, const
+    hsp_contacts_request *request, hsp_contacts_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_contacts_compute_with");
+  result = __real_hsp_contacts_compute_with(contacts, boundary, request, limits);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t
     *needed);
 int32_t __wrap_hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t
@@ -1057,9 +1093,9 @@ int32_t __wrap_hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t
   return result;
 }
 
-int32_t __real_hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id);
-int32_t __wrap_hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id);
-int32_t __wrap_hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id) {
+int32_t __real_hsp_contacts_check(hsp_contacts *contacts, uint32_t *invariant, uint32_t *id);
+int32_t __wrap_hsp_contacts_check(hsp_contacts *contacts, uint32_t *invariant, uint32_t *id);
+int32_t __wrap_hsp_contacts_check(hsp_contacts *contacts, uint32_t *invariant, uint32_t *id) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_contacts_check");
@@ -1105,15 +1141,15 @@ int32_t __wrap_hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_
 }
 
 int32_t __real_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const
-    hsp_model_options *options, const double *box, hsp_periodic_limits *limits, uint32_t *first_bad);
+    double *box, const hsp_model_options *options, hsp_periodic_limits *limits, uint32_t *first_bad);
 int32_t __wrap_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const
-    hsp_model_options *options, const double *box, hsp_periodic_limits *limits, uint32_t *first_bad);
+    double *box, const hsp_model_options *options, hsp_periodic_limits *limits, uint32_t *first_bad);
 int32_t __wrap_hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius, const
-    hsp_model_options *options, const double *box, hsp_periodic_limits *limits, uint32_t *first_bad) {
+    double *box, const hsp_model_options *options, hsp_periodic_limits *limits, uint32_t *first_bad) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_compute");
-  result = __real_hsp_periodic_compute(periodic, n, xyz, radius, options, box, limits, first_bad);
+  result = __real_hsp_periodic_compute(periodic, n, xyz, radius, box, options, limits, first_bad);
   host_call_ends(&call);
   return result;
 }
@@ -1311,9 +1347,9 @@ int32_t __wrap_hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t f
   return result;
 }
 
-int32_t __real_hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id);
-int32_t __wrap_hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id);
-int32_t __wrap_hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {
+int32_t __real_hsp_periodic_check(hsp_periodic *periodic, uint32_t *invariant, uint32_t *id);
+int32_t __wrap_hsp_periodic_check(hsp_periodic *periodic, uint32_t *invariant, uint32_t *id);
+int32_t __wrap_hsp_periodic_check(hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_periodic_check");
@@ -1635,9 +1671,9 @@ int32_t __wrap_hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_sh
   return result;
 }
 
-int32_t __real_hsp_surface_check(const hsp_surface *surface, uint32_t *invariant, uint32_t *id);
-int32_t __wrap_hsp_surface_check(const hsp_surface *surface, uint32_t *invariant, uint32_t *id);
-int32_t __wrap_hsp_surface_check(const hsp_surface *surface, uint32_t *invariant, uint32_t *id) {
+int32_t __real_hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id);
+int32_t __wrap_hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id);
+int32_t __wrap_hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_surface_check");
@@ -1720,6 +1756,34 @@ int32_t __wrap_hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surfa
   host_call call;
   host_call_begins(&call, "hsp_mesh_compute_surface");
   result = __real_hsp_mesh_compute_surface(mesh, surface, edge_length, limits);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits);
+int32_t __wrap_hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits);
+int32_t __wrap_hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_mesh_compute_with");
+  result = __real_hsp_mesh_compute_with(mesh, boundary, edge_length, request, limits);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits);
+int32_t __wrap_hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits);
+int32_t __wrap_hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length, const
+    hsp_mesh_request *request, hsp_mesh_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_mesh_compute_surface_with");
+  result = __real_hsp_mesh_compute_surface_with(mesh, surface, edge_length, request, limits);
   host_call_ends(&call);
   return result;
 }
@@ -1838,6 +1902,20 @@ int32_t __wrap_hsp_topology_compute(hsp_topology *topology, const hsp_boundary *
   return result;
 }
 
+int32_t __real_hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary, const
+    hsp_topology_request *request, hsp_topology_limits *limits);
+int32_t __wrap_hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary, const
+    hsp_topology_request *request, hsp_topology_limits *limits);
+int32_t __wrap_hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary, const
+    hsp_topology_request *request, hsp_topology_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_topology_compute_with");
+  result = __real_hsp_topology_compute_with(topology, boundary, request, limits);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts);
 int32_t __wrap_hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts);
 int32_t __wrap_hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {
@@ -1845,6 +1923,87 @@ int32_t __wrap_hsp_topology_get_counts(const hsp_topology *topology, hsp_topolog
   host_call call;
   host_call_begins(&call, "hsp_topology_get_counts");
   result = __real_hsp_topology_get_counts(topology, counts);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t
+    *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_topology_get_shells");
+  result = __real_hsp_topology_get_shells(topology, out, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t
+    *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_topology_get_components");
+  result = __real_hsp_topology_get_components(topology, out, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_topology_get_regions(const hsp_topology *topology, hsp_region *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_topology_get_regions(const hsp_topology *topology, hsp_region *out, uint32_t capacity, uint32_t
+    *needed);
+int32_t __wrap_hsp_topology_get_regions(const hsp_topology *topology, hsp_region *out, uint32_t capacity, uint32_t
+    *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_topology_get_regions");
+  result = __real_hsp_topology_get_regions(topology, out, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t
+    capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_topology_get_region_shells");
+  result = __real_hsp_topology_get_region_shells(topology, region, shells, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_topology_get_region_balls(const hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_topology_get_region_balls(const hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t
+    capacity, uint32_t *needed);
+int32_t __wrap_hsp_topology_get_region_balls(const hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t
+    capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_topology_get_region_balls");
+  result = __real_hsp_topology_get_region_balls(topology, region, balls, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region);
+int32_t __wrap_hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region);
+int32_t __wrap_hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_topology_locate");
+  result = __real_hsp_topology_locate(topology, xyz, region);
   host_call_ends(&call);
   return result;
 }
@@ -1949,91 +2108,16 @@ int32_t __wrap_hsp_topology_get_simple_faces(const hsp_topology *topology, uint3
   return result;
 }
 
-int32_t __real_hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_topology_get_shells");
-  result = __real_hsp_topology_get_shells(topology, out, capacity, needed);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t
-    *needed);
-int32_t __wrap_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t
-    *needed);
-int32_t __wrap_hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity, uint32_t
-    *needed) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_topology_get_components");
-  result = __real_hsp_topology_get_components(topology, out, capacity, needed);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_topology_get_regions(hsp_topology *topology, hsp_region *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_regions(hsp_topology *topology, hsp_region *out, uint32_t capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_regions(hsp_topology *topology, hsp_region *out, uint32_t capacity, uint32_t *needed) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_topology_get_regions");
-  result = __real_hsp_topology_get_regions(topology, out, capacity, needed);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t
+int32_t __real_hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t
     capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t
+int32_t __wrap_hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t
     capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells, uint32_t
+int32_t __wrap_hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t
     capacity, uint32_t *needed) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_topology_get_region_shells");
-  result = __real_hsp_topology_get_region_shells(topology, region, shells, capacity, needed);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t
-    capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t
-    capacity, uint32_t *needed);
-int32_t __wrap_hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t
-    capacity, uint32_t *needed) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_topology_get_region_balls");
-  result = __real_hsp_topology_get_region_balls(topology, region, balls, capacity, needed);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
-    uint32_t *needed);
-int32_t __wrap_hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
-    uint32_t *needed);
-int32_t __wrap_hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
-    uint32_t *needed) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_topology_get_traversal");
   result = __real_hsp_topology_get_traversal(topology, shell, faces, capacity, needed);
-  host_call_ends(&call);
-  return result;
-}
-
-int32_t __real_hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region);
-int32_t __wrap_hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region);
-int32_t __wrap_hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region) {
-  int32_t result;
-  host_call call;
-  host_call_begins(&call, "hsp_topology_locate");
-  result = __real_hsp_topology_locate(topology, xyz, region);
   host_call_ends(&call);
   return result;
 }
@@ -3255,6 +3339,28 @@ int32_t __wrap_hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_
   host_call call;
   host_call_begins(&call, "hsp_sticks_check");
   result = __real_hsp_sticks_check(sticks, invariant, id);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_picture_ink_width(double full_width, double gap, double *width);
+int32_t __wrap_hsp_picture_ink_width(double full_width, double gap, double *width);
+int32_t __wrap_hsp_picture_ink_width(double full_width, double gap, double *width) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_picture_ink_width");
+  result = __real_hsp_picture_ink_width(full_width, gap, width);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share);
+int32_t __wrap_hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share);
+int32_t __wrap_hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_picture_fog_share");
+  result = __real_hsp_picture_fog_share(nearest, farthest, mean_radius, depth, share);
   host_call_ends(&call);
   return result;
 }

@@ -81,8 +81,9 @@ void expect_same_arrays(const hsp::BoundaryArrays &a, const hsp::BoundaryArrays 
   expect_same(a.component, b.component, n, "component");
 }
 
-void last_first(void *, uint32_t tasks, hsp::Executor::Task *task, void *data) {
+bool last_first(void *, uint32_t tasks, hsp::Executor::Task *task, void *data) {
   while (tasks-- > 0) task(data, tasks);
+  return true;
 }
 
 void expect_same_for_all_splits(const support::BallList &balls, double probe, const hsp::BoundaryLimits &limits) {

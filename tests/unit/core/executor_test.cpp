@@ -10,30 +10,36 @@ namespace {
 
 using hsp::Executor;
 
-void in_order(void *, uint32_t tasks, Executor::Task *task, void *data) {
+bool in_order(void *, uint32_t tasks, Executor::Task *task, void *data) {
   for (uint32_t k = 0; k < tasks; ++k) task(data, k);
+  return true;
 }
-void last_first(void *, uint32_t tasks, Executor::Task *task, void *data) {
+bool last_first(void *, uint32_t tasks, Executor::Task *task, void *data) {
   while (tasks-- > 0) task(data, tasks);
+  return true;
 }
-void forgets_one(void *context, uint32_t tasks, Executor::Task *task, void *data) {
+bool forgets_one(void *context, uint32_t tasks, Executor::Task *task, void *data) {
   for (uint32_t k = 0; k < tasks; ++k) {
     if (k != *static_cast<uint32_t *>(context)) task(data, k);
   }
+  return true;
 }
-void does_one_twice(void *context, uint32_t tasks, Executor::Task *task, void *data) {
+bool does_one_twice(void *context, uint32_t tasks, Executor::Task *task, void *data) {
   for (uint32_t k = 0; k < tasks; ++k) {
     task(data, k);
     if (k == *static_cast<uint32_t *>(context)) task(data, k);
   }
+  return true;
 }
 // The first instead of the last.
-void does_one_for_another(void *, uint32_t tasks, Executor::Task *task, void *data) {
+bool does_one_for_another(void *, uint32_t tasks, Executor::Task *task, void *data) {
   for (uint32_t k = 0; k + 1 < tasks; ++k) task(data, k);
   task(data, 0);
+  return true;
 }
-void adds_one(void *, uint32_t tasks, Executor::Task *task, void *data) {
+bool adds_one(void *, uint32_t tasks, Executor::Task *task, void *data) {
   for (uint32_t k = 0; k <= tasks; ++k) task(data, k);
+  return true;
 }
 
 struct Outcome {
@@ -83,6 +89,16 @@ TEST(Executor, WrongLoopsAreRefused) {
   EXPECT_FALSE(outcome_of(Executor(2, does_one_for_another, nullptr), tasks).each);
 }
 
+TEST(Executor, ALoopThatSaysItFailedHasFailed) {
+  const auto all_and_fails = [](void *, uint32_t count, Executor::Task *task, void *data) {
+    for (uint32_t k = 0; k < count; ++k) task(data, k);
+    return false;
+  };
+  const Executor executor(2, all_and_fails, nullptr);
+  EXPECT_FALSE(executor.for_each(3, [](uint32_t) {}));
+  EXPECT_EQ(executor.failure(), hsp::Status::executor);
+}
+
 TEST(Executor, TasksThatThreadsCallTogetherAreDoneOnce) {
   constexpr uint32_t threads = 4, tasks = 40;
   const auto all_by_each = [](void *, uint32_t count, Executor::Task *task, void *data) {
@@ -93,6 +109,7 @@ TEST(Executor, TasksThatThreadsCallTogetherAreDoneOnce) {
       });
     }
     for (std::thread &other : others) other.join();
+    return true;
   };
   for (int round = 0; round < 50; ++round) {
     std::vector<std::atomic<int>> times(tasks);

@@ -67,8 +67,9 @@ Answers compute(const hsp_model *model, const hsp_boundary_limits &limits, hsp_b
   stage_counters = {};
   const auto run = [](void *, uint32_t tasks, hsp_task *task, void *data) {
     for (uint32_t k = 0; k < tasks; ++k) task(data, k);
+    return 0;
   };
-  const hsp_executor executor{sizeof executor, limits.workers, nullptr, run};
+  const hsp_executor executor{sizeof executor, limits.workers, nullptr, run, nullptr};
   hsp_boundary_request request{};
   request.struct_size = sizeof request;
   request.executor = &executor;

@@ -18,10 +18,13 @@ struct OneSum {
   hsp::TreeSum sum;
 };
 
-void last_first(void *, uint32_t tasks, hsp::Executor::Task *task, void *data) {
+bool last_first(void *, uint32_t tasks, hsp::Executor::Task *task, void *data) {
   while (tasks-- > 0) task(data, tasks);
+  return true;
 }
-void none(void *, uint32_t, hsp::Executor::Task *, void *) {}
+bool none(void *, uint32_t, hsp::Executor::Task *, void *) {
+  return true;
+}
 
 TEST(SumsInParts, HaveTheBitsOfOneSum) {
   support::Random random(9);

@@ -22,5 +22,5 @@ void BuiltTopology::build() {
     limits.cut_arcs = std::max(limits.cut_arcs, needed.cut_arcs);
     limits.shells = needed.shells;
   }
-  structure_ = status_ == hsp::Status::ok ? builder_.scanned(boundary()) : builder_.structure();
+  structure_ = builder_.structure();
 }

@@ -19,7 +19,7 @@ class SmallTopology {
     hsp::Workspace workspace(memory_, sizeof memory_);
     builder_.carve(workspace, limits);
     if (builder_.build(grid(), boundary(), n) != hsp::Status::ok) return false;
-    topology_ = builder_.scanned(boundary());
+    topology_ = builder_.structure();
     return true;
   }
 

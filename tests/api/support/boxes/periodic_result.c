@@ -12,7 +12,7 @@ static int32_t compute_handle(void *handle, const void *source, void *limits) {
   const int32_t status = hsp_model_options_init(&options, (uint32_t)sizeof options);
   if (status != HSP_OK) return status;
   options.step = p->base->info.step;
-  return hsp_periodic_compute(handle, p->base->n, p->base->xyz, p->base->radius, &options, p->box, limits, NULL);
+  return hsp_periodic_compute(handle, p->base->n, p->base->xyz, p->base->radius, p->box, &options, limits, NULL);
 }
 
 const handle_kind periodic_handle = {(uint32_t)sizeof(hsp_periodic_limits),

@@ -14,7 +14,7 @@ void compute_pores(boxed_balls *in, double floor) {
   hsp_pores_options options;
   CHECK_EQUAL(hsp_pores_options_init(&options, sizeof options), HSP_OK);
   options.floor = floor;
-  CHECK_EQUAL(hsp_workspace_periodic(&in->work, set->n, set->xyz, set->radius, NULL, in->box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&in->work, set->n, set->xyz, set->radius, in->box, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_pores_periodic(&in->work, &options), HSP_OK);
   CHECK_EQUAL(hsp_pores_get_counts(in->work.pores, &in->counts), HSP_OK);
   CHECK_EQUAL(hsp_pores_get_percolation(in->work.pores, &in->wide), HSP_OK);

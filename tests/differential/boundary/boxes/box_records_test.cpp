@@ -26,8 +26,8 @@ void compute(support::OwnedPeriodic &owned, const BoxedBalls &set) {
   ASSERT_EQ(hsp_model_options_init(&options, sizeof options), HSP_OK);
   options.step = 1.0;
   owned.compute([&](hsp_periodic *handle, hsp_periodic_limits *asked) {
-    return hsp_periodic_compute(handle, set.balls.size(), set.balls.xyz.data(), set.balls.radius.data(), &options,
-                                set.box.data(), asked, nullptr);
+    return hsp_periodic_compute(handle, set.balls.size(), set.balls.xyz.data(), set.balls.radius.data(), set.box.data(),
+                                &options, asked, nullptr);
   });
 }
 

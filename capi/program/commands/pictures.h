@@ -1,0 +1,50 @@
+/* Pictures of results. Another part of the program draws them, which a build may leave out (HSP_TOOL_DRAW); commands
+ * know no more of it than this. */
+#pragma once
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "commands/request.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
+#include "read/residues.h"
+#include "write/mesh_file.h"
+
+/* Contacts: a square for every pair of balls, residues or chains, darker the more area they have in contact. */
+struct contact_square {
+  uint32_t first, second; /* below rows; each pair once */
+  double area;            /* above 0 */
+};
+
+struct contact_map {
+  const struct molecule *molecule;
+  const struct atom_groups *groups; /* of grouping GROUPING_NONE: rows are balls */
+  uint32_t rows;
+  const struct contact_square *squares; /* [count] */
+  uint32_t count;
+  bool dark; /* the page */
+};
+
+/* The size of the picture of a mesh, and how many pockets were found and have colours: UINT32_MAX without --pockets. */
+struct mesh_drawn {
+  uint64_t bytes;
+  uint32_t pockets, coloured;
+};
+
+struct pores_found;
+
+/* Each writes a file, and is NULL in a program that does not draw; there options that ask for one are refused. */
+struct pictures {
+  bool (*contacts)(const struct contact_map *map, const char *path, struct failure *failure);
+  /* Splits triangles of the mesh where colours change. */
+  bool (*mesh)(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+               struct triangle_mesh *mesh, struct mesh_drawn *drawn, struct failure *failure);
+  bool (*tunnels)(const struct pores_found *found, const struct molecule *molecule, const char *path,
+                  struct failure *failure);
+  bool (*classes)(const struct pores_found *found, const struct molecule *molecule, const char *path,
+                  struct failure *failure);
+};
+
+extern const struct pictures pictures;

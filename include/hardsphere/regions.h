@@ -1,0 +1,234 @@
+/* hardsphere/regions.h: regions outside of the union, cavities and what lines them, where a point lies (Section 4.2,
+ * Step 3).
+ *
+ * Guide: tutorial.md.
+ *
+ * Stable: from version 1.0 on this stays as it is, and is only added to.
+ *
+ *   region         a connected component of the complement of the union: region 0 is the outer one, the others are the
+ *                  voids, or cavities, in the order of their shells
+ *   shell          as in hsp_face: each shell separates one component of the union from one region
+ *   component      of the union, as in hsp_ball
+ * All of them are of a topology, the boundary cut into simple faces, which topology.h describes. */
+#ifndef HARDSPHERE_REGIONS_H
+#define HARDSPHERE_REGIONS_H
+
+#include "boundary.h"
+#include "executor.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The boundary as quad-edges, with shells and regions. */
+typedef struct hsp_topology hsp_topology;
+
+/** The limits that fix a topology's memory. */
+typedef struct hsp_topology_limits {
+  uint32_t struct_size; /**< sizeof(hsp_topology_limits) */
+  uint32_t balls;       /**< most balls of the model */
+  uint32_t neighbours;  /**< as in hsp_boundary_limits */
+  uint32_t edges;       /**< edges; vertices and simple faces are never more */
+  uint32_t cut_arcs;    /**< cut arcs that cut faces with several loops */
+  uint32_t shells;      /**< shells; 0: as many as the edges allow, two for each. Fewer take less memory */
+} hsp_topology_limits;
+
+/** Limits for a computed boundary that nearly always suffice: its balls, neighbours and shells, four cut arcs for every
+ *  loop of a face beyond the first, and edges for its arcs, circles and whole spheres and four for every cut arc.
+ *  Without a boundary, for memory that is fixed beforehand, set them by hand: for molecules of `balls` atoms, van der
+ *  Waals or solvent-accessible, neighbours min(balls, 256), edges 16 balls + 96, cut_arcs 2 balls + 16 and shells 0
+ *  suffice.
+ *  @retval HSP_E_ARGUMENT  limits or boundary is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
+ *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
+HSP_API int32_t HSP_CALL hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size,
+                                                  const hsp_boundary *boundary);
+
+/** Bytes that hsp_topology_init needs.
+ *  - Property 1: at most HSP_TOPOLOGY_BYTES of the first four limits.
+ *  - Property 2: grows with each limit, shells being as many as the edges allow if they are 0.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t HSP_CALL hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_TOPOLOGY_BYTES(balls, neighbours, edges, cut_arcs)                                                        \
+  ((size_t)4096 + (size_t)64 * (size_t)(balls) + (size_t)192 * (size_t)(neighbours) + (size_t)112 * (size_t)(edges) + \
+   (size_t)96 * (size_t)(cut_arcs))
+
+/** Make an empty topology in caller memory of any alignment; sets *topology.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_topology_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t HSP_CALL hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits,
+                                           hsp_topology **topology);
+
+/** Compute the topology of a computed boundary, with its shells and regions. Boundary and model must outlive the
+ *  topology, which can be read while these hold the same (RESULTS in hardsphere.h). On failure it holds no results.
+ *  limits: see LIMITS in hardsphere.h; at most three retries.
+ *  - Property 1: the order of the balls has no effect but on ids.
+ *
+ *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
+ *  through the grid, at most O(n) each. A ball with m neighbours and a face of several loops takes about O(m), as on a
+ *  line of balls that overlap; O(m^2) and more with m small balls that stud one.
+ *  @retval HSP_E_ARGUMENT  topology or boundary is NULL
+ *  @retval HSP_E_VERSION   bad struct_size of limits
+ *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
+HSP_API int32_t HSP_CALL hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary,
+                                              hsp_topology_limits *limits);
+
+/** How a topology is computed. Zero means default in every field but the first. */
+typedef struct hsp_topology_request {
+  uint32_t struct_size;         /**< sizeof(hsp_topology_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_topology_request;
+
+/** The same as hsp_topology_compute, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  topology or boundary is NULL; an executor with several workers and
+ *                          without run
+ *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  as hsp_topology_compute
+ *  @retval HSP_E_STATE     as hsp_topology_compute
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary,
+                                                   const hsp_topology_request *request, hsp_topology_limits *limits);
+
+/** How many of everything. Frozen. */
+typedef struct hsp_topology_counts {
+  uint32_t vertices;     /**< those of the boundary and the added ones */
+  uint32_t edges;        /**< of all kinds */
+  uint32_t simple_faces; /**< what the maximal faces are cut into */
+  uint32_t cut_edges;    /**< of the edges, the ones that cut a face or a whole sphere */
+  uint32_t shells;       /**< connected components of the boundary */
+  uint32_t components;   /**< of the union */
+  uint32_t regions;      /**< of the complement: 1 + voids */
+  uint32_t start_face;   /**< the simple face that holds the highest point of all; HSP_NONE if there are no balls */
+  uint32_t reserved[4];  /**< 0 */
+} hsp_topology_counts;
+
+/** How many vertices, edges, faces, shells, components and regions there are.
+ *  - Property 1: vertices - edges + simple_faces is the Euler characteristic of the boundary.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t HSP_CALL hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts);
+
+/* ---- shells, components, regions --------------------------------------------------------------------------------- */
+
+#define HSP_SHELL_OUTER UINT32_C(0) /**< bounds its component from outside */
+#define HSP_SHELL_VOID UINT32_C(1)  /**< bounds a void inside its component */
+
+/** A shell: a connected component of the boundary. simple_faces, edges, vertices and start_face follow from how faces
+ *  are cut, which a minor version may change (topology.h). Frozen. */
+typedef struct hsp_shell {
+  double area;           /**< length^2 */
+  double volume;         /**< of the space it encloses, whatever lies in it, length^3 */
+  double point[3];       /**< a point of it, length */
+  int64_t euler;         /**< Euler characteristic: vertices - edges + simple faces */
+  uint32_t genus;        /**< 1 - euler/2: number of handles */
+  uint32_t kind;         /**< HSP_SHELL_* */
+  uint32_t component;    /**< of the union, as in hsp_ball */
+  uint32_t region;       /**< of the complement, on its other side */
+  uint32_t faces;        /**< maximal faces */
+  uint32_t simple_faces; /**< and what they are cut into */
+  uint32_t edges;        /**< edges of its simple faces */
+  uint32_t vertices;     /**< vertices of these edges */
+  uint32_t start_face;   /**< simple face where its scan starts: of an outer shell the one with its highest point, of a
+                            void the first one on its ball of lowest rank (x, y, z, radius) */
+  uint32_t reserved;     /**< 0 */
+} hsp_shell;
+
+/** The shells: hsp_topology_counts.shells records.
+ *  - Property 1: areas sum to the area of the union; volumes of outer shells less those of voids to its volume, up to
+ *    rounding.
+ *
+ *  Cost: O(edges).
+ *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t HSP_CALL hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, uint32_t capacity,
+                                                 uint32_t *needed);
+
+/** A connected component of the union. Frozen. */
+typedef struct hsp_component {
+  uint32_t balls;       /**< how many it consists of */
+  uint32_t top_ball;    /**< the ball with its highest point */
+  uint32_t outer_shell; /**< the one shell of kind HSP_SHELL_OUTER */
+  uint32_t shells;      /**< outer shell and voids */
+  uint32_t region;      /**< the region it lies in: 0 or a void of another component */
+  uint32_t reserved;    /**< 0 */
+} hsp_component;
+
+/** The connected components of the union, as numbered in hsp_ball: hsp_topology_counts.components records.
+ *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t HSP_CALL hsp_topology_get_components(const hsp_topology *topology, hsp_component *out,
+                                                     uint32_t capacity, uint32_t *needed);
+
+/** A region: a connected component of the complement of the union. Frozen. */
+typedef struct hsp_region {
+  double area;              /**< of all its shells, length^2 */
+  double volume;            /**< of the region itself, what lies in it left out, length^3; of region 0: 0 */
+  uint32_t enclosing_shell; /**< the shell of kind HSP_SHELL_VOID around it; HSP_NONE for region 0 */
+  uint32_t components;      /**< components of the union that lie in it */
+  uint32_t shells;          /**< shells that bound it */
+  uint32_t reserved;        /**< 0 */
+} hsp_region;
+
+/** The regions of the complement: hsp_topology_counts.regions records.
+ *
+ *  Cost: O(edges).
+ *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t HSP_CALL hsp_topology_get_regions(const hsp_topology *topology, hsp_region *out, uint32_t capacity,
+                                                  uint32_t *needed);
+
+/** The shells that bound a region, ascending: its enclosing shell, and the outer shell of every component in it. Cost:
+ *  O(shells).
+ *  @retval HSP_E_ARGUMENT  topology is NULL; shells is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_ID        there is no such region */
+HSP_API int32_t HSP_CALL hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells,
+                                                        uint32_t capacity, uint32_t *needed);
+
+/** The balls that line a region, ascending: those with a face on one of its shells. Of a cavity these are the balls
+ *  around it and the exposed ones of what lies in it.
+ *  - Property 1: an exposed ball lines one region at least, a buried one none.
+ *
+ *  Cost: O(shells + k log k) for k simple faces on the region, for sets as in Theorem 2.1.
+ *  @retval HSP_E_ARGUMENT  topology is NULL; balls is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_ID        there is no such region */
+HSP_API int32_t HSP_CALL hsp_topology_get_region_balls(const hsp_topology *topology, uint32_t region, uint32_t *balls,
+                                                       uint32_t capacity, uint32_t *needed);
+
+/* ---- point location ---------------------------------------------------------------------------------------------- */
+
+/** Where the point xyz [3] lies: *region becomes its region, or HSP_NONE if it lies in a ball. Exact; the point is
+ *  rounded to the lattice. A point can move from one place to another without entering a ball if both lie in one
+ *  region; with a model grown by a probe, so can the probe. hsp_query_point tells which balls a point lies in.
+ *  Cost: one vertical ray: O(1) for each cube it passes, with at most 194 slots of the table for each (hsp_model_set),
+ *  and for each ball near it; at most O(n).
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
+ *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
+ *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps */
+HSP_API int32_t HSP_CALL hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,67 @@
+#include "core/patience.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using hsp::Executor;
+using hsp::Patience;
+
+// Goes on until it was asked as often as it has to say so.
+struct Asked {
+  int times = 0;
+  int most = 1000000;
+};
+bool goes_on(void *context) {
+  Asked &asked = *static_cast<Asked *>(context);
+  return ++asked.times <= asked.most;
+}
+
+TEST(Patience, NobodyIsAskedWhoCannotStop) {
+  const Executor alone;
+  Patience of_nobody, of_alone(&alone);
+  for (int k = 0; k < 100; ++k) {
+    EXPECT_TRUE(of_nobody.allows(UINT64_C(1) << 40));
+    EXPECT_TRUE(of_alone.allows(UINT64_C(1) << 40));
+  }
+}
+
+TEST(Patience, AsksAtLeastOnceForTenMillionInstructions) {
+  for (const uint64_t piece : {UINT64_C(100), UINT64_C(999), UINT64_C(100000), UINT64_C(20000000)}) {
+    Asked asked;
+    const Executor executor(1, nullptr, &asked, goes_on);
+    Patience patience(&executor);
+    uint64_t spent = 0;
+    int before = 0;
+    for (int k = 0; k < 300000 && spent < UINT64_C(300000000); ++k) {
+      spent += piece;
+      EXPECT_TRUE(patience.allows(piece));
+      if (asked.times > before) {
+        EXPECT_LT(spent, UINT64_C(10000000) + piece);
+        spent = 0;
+        before = asked.times;
+      }
+    }
+    EXPECT_GT(asked.times, 0);
+  }
+}
+
+TEST(Patience, OnceStoppedNobodyIsAskedAgain) {
+  Asked asked;
+  asked.most = 3;
+  const Executor executor(1, nullptr, &asked, goes_on);
+  Patience patience(&executor), of_another_thread(&executor);
+  int allowed = 0;
+  while (patience.allows(2000000)) ++allowed;
+  EXPECT_EQ(allowed, 3);
+  EXPECT_EQ(asked.times, 4);
+  EXPECT_FALSE(patience.allows(0));
+  EXPECT_FALSE(of_another_thread.allows(1));
+  EXPECT_FALSE(of_another_thread.allows(2000000));
+  EXPECT_EQ(asked.times, 4);
+  EXPECT_TRUE(executor.is_stopped());
+  EXPECT_EQ(executor.failure(), hsp::Status::stopped);
+  EXPECT_FALSE(executor.for_each(1, [](uint32_t) {}));
+}
+
+}  // namespace
