@@ -91,12 +91,9 @@ class Growth {
   // The weight; 1; the centre's coordinates; a quadratic form of the centre. Seen from the origin ball: where the sums
   // of the levels before are 0, those of other origins are the same.
   I128 amount(int level, const Plane &ball) const {
-    const auto times = [](int64_t a, int64_t b) {
-      return product<128>(WideInteger<Limb, 64>::from(a), WideInteger<Limb, 64>::from(b));
-    };
     const auto &[x, y, z] = ball.v;
     if (level == levels - 1) {
-      return times(1009 * x + 757 * y + 499 * z, x) + times(331 * y + 211 * z, y) + times(113 * z, z);
+      return Evaluation<Limb>::dot128({1009 * x + 757 * y + 499 * z, 331 * y + 211 * z, 113 * z}, ball.v);
     }
     const int64_t amounts[] = {weight_ + dot(ball.v, ball.v) - ball.h, 1, x, y, z};
     return I128::from(amounts[level]);
