@@ -16,6 +16,7 @@
  *   hardsphere/gradient.h   their derivatives
  *   hardsphere/moving.h     all of that while a few balls move at a time
  *   hardsphere/curvature.h  integrated mean and Gaussian curvature
+ *   hardsphere/hessian.h    second derivatives of areas and volume
  *   hardsphere/contacts.h   which balls touch and by how much, shares of the union, the dual complex
  *   hardsphere/periodic.h   all of that in a box whose copies fill space: areas, volume, contacts, windings, strain
  *   hardsphere/periodic_boundary.h  vertices, arcs, circles, faces in such a box
@@ -100,6 +101,8 @@
  *   gradient    what is flagged                    derivatives                      -
  *   moving      as boundary                        as measure and gradient          -
  *   curvature   multiples of pi/3 at vertices      mean curvature, derivatives      -
+ *   hessian     what is flagged; which blocks      second derivatives               -
+ *               there are
  *   contacts    pairs, the dual complex, its       areas, distances, shares         -
  *               Betti numbers
  *   periodic    as boundary and contacts,          the box, once, to the lattice;   -
@@ -265,6 +268,7 @@
 #endif
 #if HSP_HAS_CURVATURE
 #include "hardsphere/curvature.h"
+#include "hardsphere/hessian.h"
 #endif
 #if HSP_HAS_MOTION
 #include "hardsphere/moving.h"

@@ -57,6 +57,25 @@ typedef struct hsp_workspace {
 #if HSP_HAS_BOXES
   hsp_periodic *periodic; /**< NULL before hsp_workspace_periodic (hardsphere/periodic.h) */
 #endif
+  void (*drop_boundary)(struct hsp_workspace *work); /**< drops its results (hardsphere/boundary.h) */
+  void (*drop_topology)(struct hsp_workspace *work); /**< drops its results (hardsphere/regions.h) */
+#if HSP_HAS_SIGHT
+  void (*drop_view)(struct hsp_workspace *work); /**< drops its results (hardsphere/view.h) */
+#endif
+#if HSP_HAS_SMOOTH
+  void (*drop_surface)(struct hsp_workspace *work); /**< drops its results (hardsphere/surface.h) */
+  void (*drop_mesh)(struct hsp_workspace *work);    /**< drops its results (hardsphere/mesh.h) */
+#endif
+#if HSP_HAS_SIGHT
+  void (*drop_map)(struct hsp_workspace *work); /**< drops its results (hardsphere/map.h) */
+#endif
+  void (*drop_contacts)(struct hsp_workspace *work); /**< drops its results (hardsphere/contacts.h) */
+#if HSP_HAS_SPACE
+  void (*drop_cells)(struct hsp_workspace *work); /**< drops its results (hardsphere/cells.h) */
+  void (*drop_paths)(struct hsp_workspace *work); /**< drops its results (hardsphere/paths.h) */
+  void (*drop_gate)(struct hsp_workspace *work);  /**< drops its results (hardsphere/paths.h) */
+  void (*drop_pores)(struct hsp_workspace *work); /**< drops its results (hardsphere/pores.h) */
+#endif
   void *memory[14];                    /**< of the handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
@@ -95,44 +114,96 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 }
 
 /* Drops what was computed from a handle, before the memory of that handle is given back. */
+static inline void hsp_workspace_drop_boundary(hsp_workspace *work) {
+  if (work->boundary != NULL) (void)hsp_boundary_compute(work->boundary, NULL, NULL);
+}
+
+static inline void hsp_workspace_drop_topology(hsp_workspace *work) {
+  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL);
+}
+
+#if HSP_HAS_SIGHT
+static inline void hsp_workspace_drop_view(hsp_workspace *work) {
+  if (work->view != NULL) (void)hsp_view_compute(work->view, NULL, NULL, NULL, NULL);
+}
+#endif
+
+#if HSP_HAS_SMOOTH
+static inline void hsp_workspace_drop_surface(hsp_workspace *work) {
+  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL);
+}
+
+static inline void hsp_workspace_drop_mesh(hsp_workspace *work) {
+  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);
+}
+#endif
+
+#if HSP_HAS_SIGHT
+static inline void hsp_workspace_drop_map(hsp_workspace *work) {
+  if (work->map != NULL) (void)hsp_map_compute(work->map, NULL, NULL, NULL);
+}
+#endif
+
+static inline void hsp_workspace_drop_contacts(hsp_workspace *work) {
+  if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL);
+}
+
+#if HSP_HAS_SPACE
+static inline void hsp_workspace_drop_cells(hsp_workspace *work) {
+  if (work->cells != NULL) (void)hsp_cells_compute(work->cells, NULL, NULL);
+}
+
+static inline void hsp_workspace_drop_paths(hsp_workspace *work) {
+  if (work->paths != NULL) (void)hsp_paths_compute(work->paths, NULL, NULL);
+}
+
+static inline void hsp_workspace_drop_gate(hsp_workspace *work) {
+  if (work->gate != NULL) (void)hsp_gate_compute(work->gate, NULL, NULL, NULL, NULL);
+}
+
+static inline void hsp_workspace_drop_pores(hsp_workspace *work) {
+  if (work->pores != NULL) (void)hsp_pores_compute(work->pores, NULL, NULL, NULL);
+}
+#endif
+
 static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
   (void)work;
-  if (work->boundary != NULL) (void)hsp_boundary_compute(work->boundary, NULL, NULL); /* hardsphere/boundary.h */
-  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/regions.h */
+  if (work->drop_boundary != NULL) work->drop_boundary(work); /* hardsphere/boundary.h */
+  if (work->drop_topology != NULL) work->drop_topology(work); /* hardsphere/regions.h */
 #if HSP_HAS_SIGHT
-  if (work->view != NULL) (void)hsp_view_compute(work->view, NULL, NULL, NULL, NULL); /* hardsphere/view.h */
+  if (work->drop_view != NULL) work->drop_view(work); /* hardsphere/view.h */
 #endif
 #if HSP_HAS_SMOOTH
-  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL); /* hardsphere/surface.h */
-  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);       /* hardsphere/mesh.h */
+  if (work->drop_surface != NULL) work->drop_surface(work); /* hardsphere/surface.h */
+  if (work->drop_mesh != NULL) work->drop_mesh(work);       /* hardsphere/mesh.h */
 #endif
 #if HSP_HAS_SIGHT
-  if (work->map != NULL) (void)hsp_map_compute(work->map, NULL, NULL, NULL); /* hardsphere/map.h */
+  if (work->drop_map != NULL) work->drop_map(work); /* hardsphere/map.h */
 #endif
-  if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL); /* hardsphere/contacts.h */
+  if (work->drop_contacts != NULL) work->drop_contacts(work); /* hardsphere/contacts.h */
 #if HSP_HAS_SPACE
-  if (work->cells != NULL) (void)hsp_cells_compute(work->cells, NULL, NULL);          /* hardsphere/cells.h */
-  if (work->paths != NULL) (void)hsp_paths_compute(work->paths, NULL, NULL);          /* hardsphere/paths.h */
-  if (work->gate != NULL) (void)hsp_gate_compute(work->gate, NULL, NULL, NULL, NULL); /* hardsphere/paths.h */
-  if (work->pores != NULL) (void)hsp_pores_compute(work->pores, NULL, NULL, NULL);    /* hardsphere/pores.h */
+  if (work->drop_cells != NULL) work->drop_cells(work); /* hardsphere/cells.h */
+  if (work->drop_paths != NULL) work->drop_paths(work); /* hardsphere/paths.h */
+  if (work->drop_gate != NULL) work->drop_gate(work);   /* hardsphere/paths.h */
+  if (work->drop_pores != NULL) work->drop_pores(work); /* hardsphere/pores.h */
 #endif
 }
 
 static inline void hsp_workspace_drop_of_boundary(hsp_workspace *work) {
   (void)work;
-  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/regions.h */
+  if (work->drop_topology != NULL) work->drop_topology(work); /* hardsphere/regions.h */
 #if HSP_HAS_SMOOTH
-  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL); /* hardsphere/surface.h */
-  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);       /* hardsphere/mesh.h */
+  if (work->drop_surface != NULL) work->drop_surface(work); /* hardsphere/surface.h */
+  if (work->drop_mesh != NULL) work->drop_mesh(work);       /* hardsphere/mesh.h */
 #endif
-  if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL); /* hardsphere/contacts.h */
+  if (work->drop_contacts != NULL) work->drop_contacts(work); /* hardsphere/contacts.h */
 }
 
 #if HSP_HAS_BOXES
 static inline void hsp_workspace_drop_of_periodic(hsp_workspace *work) {
   (void)work;
 #if HSP_HAS_SPACE
-  if (work->pores != NULL) (void)hsp_pores_compute(work->pores, NULL, NULL, NULL); /* hardsphere/pores.h */
+  if (work->drop_pores != NULL) work->drop_pores(work); /* hardsphere/pores.h */
 #endif
 }
 #endif
@@ -143,6 +214,7 @@ static inline int32_t hsp_workspace_make_boundary(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_boundary_bytes(&work->boundary_limits, &bytes);
   work->boundary = NULL;
+  work->drop_boundary = hsp_workspace_drop_boundary;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[1], bytes);
   if (status == HSP_OK) {
     status = hsp_boundary_init(work->memory[1], bytes, &work->boundary_limits, &work->boundary);
@@ -169,6 +241,7 @@ static inline int32_t hsp_workspace_make_topology(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_topology_bytes(&work->topology_limits, &bytes);
   work->topology = NULL;
+  work->drop_topology = hsp_workspace_drop_topology;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[2], bytes);
   if (status == HSP_OK) {
     status = hsp_topology_init(work->memory[2], bytes, &work->topology_limits, &work->topology);
@@ -195,6 +268,7 @@ static inline int32_t hsp_workspace_make_view(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_view_bytes(&work->view_limits, &bytes);
   work->view = NULL;
+  work->drop_view = hsp_workspace_drop_view;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[3], bytes);
   if (status == HSP_OK) {
     status = hsp_view_init(work->memory[3], bytes, &work->view_limits, &work->view);
@@ -222,6 +296,7 @@ static inline int32_t hsp_workspace_make_surface(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_surface_bytes(&work->surface_limits, &bytes);
   work->surface = NULL;
+  work->drop_surface = hsp_workspace_drop_surface;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[4], bytes);
   if (status == HSP_OK) {
     status = hsp_surface_init(work->memory[4], bytes, &work->surface_limits, &work->surface);
@@ -247,6 +322,7 @@ static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_mesh_bytes(&work->mesh_limits, &bytes);
   work->mesh = NULL;
+  work->drop_mesh = hsp_workspace_drop_mesh;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[5], bytes);
   if (status == HSP_OK) {
     status = hsp_mesh_init(work->memory[5], bytes, &work->mesh_limits, &work->mesh);
@@ -260,6 +336,7 @@ static inline int32_t hsp_workspace_make_map(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_map_bytes(&work->map_limits, &bytes);
   work->map = NULL;
+  work->drop_map = hsp_workspace_drop_map;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[6], bytes);
   if (status == HSP_OK) {
     status = hsp_map_init(work->memory[6], bytes, &work->map_limits, &work->map);
@@ -286,6 +363,7 @@ static inline int32_t hsp_workspace_make_contacts(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_contacts_bytes(&work->contacts_limits, &bytes);
   work->contacts = NULL;
+  work->drop_contacts = hsp_workspace_drop_contacts;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[7], bytes);
   if (status == HSP_OK) {
     status = hsp_contacts_init(work->memory[7], bytes, &work->contacts_limits, &work->contacts);
@@ -312,6 +390,7 @@ static inline int32_t hsp_workspace_make_cells(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_cells_bytes(&work->cells_limits, &bytes);
   work->cells = NULL;
+  work->drop_cells = hsp_workspace_drop_cells;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[8], bytes);
   if (status == HSP_OK) {
     status = hsp_cells_init(work->memory[8], bytes, &work->cells_limits, &work->cells);
@@ -337,6 +416,7 @@ static inline int32_t hsp_workspace_make_paths(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_paths_bytes(&work->paths_limits, &bytes);
   work->paths = NULL;
+  work->drop_paths = hsp_workspace_drop_paths;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[9], bytes);
   if (status == HSP_OK) {
     status = hsp_paths_init(work->memory[9], bytes, &work->paths_limits, &work->paths);
@@ -362,6 +442,7 @@ static inline int32_t hsp_workspace_make_gate(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_gate_bytes(&work->gate_limits, &bytes);
   work->gate = NULL;
+  work->drop_gate = hsp_workspace_drop_gate;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[10], bytes);
   if (status == HSP_OK) {
     status = hsp_gate_init(work->memory[10], bytes, &work->gate_limits, &work->gate);
@@ -387,6 +468,7 @@ static inline int32_t hsp_workspace_make_pores(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_pores_bytes(&work->pores_limits, &bytes);
   work->pores = NULL;
+  work->drop_pores = hsp_workspace_drop_pores;
   if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[11], bytes);
   if (status == HSP_OK) {
     status = hsp_pores_init(work->memory[11], bytes, &work->pores_limits, &work->pores);

@@ -94,7 +94,7 @@ Contacts::Contacts(const Boundary &boundary) : boundary_(&boundary) {
 
 void Contacts::compute() {
   contacts_.compute([this](hsp_contacts *contacts, hsp_contacts_limits *limits) {
-    return hsp_contacts_compute(contacts, boundary_->get(), limits);
+    return hsp_contacts_compute_with(contacts, boundary_->get(), nullptr, limits);
   });
 }
 
@@ -159,7 +159,7 @@ Topology::Topology(const Boundary &boundary) : boundary_(&boundary) {
 
 void Topology::compute() {
   topology_.compute([this](hsp_topology *topology, hsp_topology_limits *limits) {
-    return hsp_topology_compute(topology, boundary_->get(), limits);
+    return hsp_topology_compute_with(topology, boundary_->get(), nullptr, limits);
   });
 }
 

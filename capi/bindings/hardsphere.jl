@@ -48,6 +48,7 @@ const HSP_TANGENT_OVERLAP = UInt32(0)
 const HSP_TANGENT_DISJOINT = UInt32(1)
 const HSP_GRADIENT_ONE_SIDED = UInt32(1)
 const HSP_CURVATURE_ONE_SIDED = UInt32(1)
+const HSP_HESSIAN_SINGULAR = UInt32(2)
 const HSP_CONTACT_TOUCHING = UInt32(1)
 const HSP_CONTACT_BURIED = UInt32(2)
 const HSP_CONTACT_CIRCLE = UInt32(4)
@@ -1638,6 +1639,18 @@ end
 function hsp_boundary_get_morphometry(boundary, request, outputs)
     ccall((:hsp_boundary_get_morphometry, libhardsphere), Int32, (Ptr{hsp_boundary}, Ptr{hsp_morphometry_request},
           Ptr{hsp_morphometry_outputs}), boundary, request, outputs)
+end
+
+function hsp_boundary_get_hessian_rows(boundary, request, first, ball, block, flags, capacity, needed)
+    ccall((:hsp_boundary_get_hessian_rows, libhardsphere), Int32, (Ptr{hsp_boundary}, Ptr{hsp_gradient_request},
+          Ptr{UInt32}, Ptr{UInt32}, Ptr{Cdouble}, Ptr{UInt32}, UInt32, Ptr{UInt32}), boundary, request, first, ball,
+          block, flags, capacity, needed)
+end
+
+function hsp_boundary_get_hessian_product(boundary, request, direction, product, flags, capacity, needed)
+    ccall((:hsp_boundary_get_hessian_product, libhardsphere), Int32, (Ptr{hsp_boundary}, Ptr{hsp_gradient_request},
+          Ptr{Cdouble}, Ptr{Cdouble}, Ptr{UInt32}, UInt32, Ptr{UInt32}), boundary, request, direction, product, flags,
+          capacity, needed)
 end
 
 function hsp_contacts_limits_init(limits, struct_size, boundary)

@@ -47,6 +47,7 @@ pub const HSP_TANGENT_OVERLAP: u32 = 0;
 pub const HSP_TANGENT_DISJOINT: u32 = 1;
 pub const HSP_GRADIENT_ONE_SIDED: u32 = 1;
 pub const HSP_CURVATURE_ONE_SIDED: u32 = 1;
+pub const HSP_HESSIAN_SINGULAR: u32 = 2;
 pub const HSP_CONTACT_TOUCHING: u32 = 1;
 pub const HSP_CONTACT_BURIED: u32 = 2;
 pub const HSP_CONTACT_CIRCLE: u32 = 4;
@@ -1933,6 +1934,25 @@ extern "C" {
         boundary: *const hsp_boundary,
         request: *const hsp_morphometry_request,
         outputs: *mut hsp_morphometry_outputs,
+    ) -> i32;
+    pub fn hsp_boundary_get_hessian_rows(
+        boundary: *const hsp_boundary,
+        request: *const hsp_gradient_request,
+        first: *mut u32,
+        ball: *mut u32,
+        block: *mut f64,
+        flags: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_boundary_get_hessian_product(
+        boundary: *const hsp_boundary,
+        request: *const hsp_gradient_request,
+        direction: *const f64,
+        product: *mut f64,
+        flags: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
     ) -> i32;
     pub fn hsp_contacts_limits_init(
         limits: *mut hsp_contacts_limits,

@@ -148,6 +148,12 @@ module hardsphere
   ! four spheres or more meet in a vertex of the ball, or one of its vertices is where two circles only touch.
   integer(c_int32_t), parameter :: HSP_CURVATURE_ONE_SIDED = 1_c_int32_t
 
+  ! ---- hessian.h: second derivatives of areas and volume -------------------------------------------------------------
+
+  ! A vertex of the ball lies in the plane of its three centres: the area's second derivatives do not exist there, and
+  ! what this vertex would add to them is left out. Those of the volume are right.
+  integer(c_int32_t), parameter :: HSP_HESSIAN_SINGULAR = 2_c_int32_t
+
   ! ---- contacts.h: which balls touch and by how much, shares of the union, the dual complex --------------------------
 
   integer(c_int32_t), parameter :: HSP_CONTACT_TOUCHING = 1_c_int32_t  ! the spheres only touch: area 0
@@ -2367,6 +2373,35 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_morphometry_request), intent(in), optional :: request
       type(hsp_morphometry_outputs), intent(inout) :: outputs
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- hessian.h: second derivatives of areas and volume -----------------------------------------------------------
+
+    function hsp_boundary_get_hessian_rows(boundary, request, first, ball, block, flags, capacity, needed) &
+      result(status) bind(C, name="hsp_boundary_get_hessian_rows")
+      import :: c_double, c_int32_t, c_ptr, hsp_gradient_request
+      type(c_ptr), value :: boundary
+      type(hsp_gradient_request), intent(in), optional :: request
+      integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
+      integer(c_int32_t), intent(inout), optional :: ball(*)  ! needed
+      real(c_double), intent(inout), optional :: block(3, 3, *)  ! 3, 3, needed
+      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n + 1
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_hessian_product(boundary, request, direction, product, flags, capacity, needed) &
+      result(status) bind(C, name="hsp_boundary_get_hessian_product")
+      import :: c_double, c_int32_t, c_ptr, hsp_gradient_request
+      type(c_ptr), value :: boundary
+      type(hsp_gradient_request), intent(in), optional :: request
+      real(c_double), intent(in) :: direction(3, *)  ! 3, n
+      real(c_double), intent(inout), optional :: product(3, *)  ! 3, n
+      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 

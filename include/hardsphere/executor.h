@@ -25,7 +25,7 @@ typedef void HSP_CALL hsp_task(void *data, uint32_t task);
  *  ones still change.
  *  A loop that fails, leaves a task out, does one twice or one that there is not makes that function return
  *  HSP_E_EXECUTOR: it has no results then, and all handles may be used as before. A task that is called twice is done
- *  once. A function that is told to stop returns HSP_E_STOPPED, likewise. */
+ *  once. A function that is stopped returns HSP_E_STOPPED, likewise. */
 typedef struct hsp_executor {
   uint32_t struct_size; /**< sizeof(hsp_executor) */
   uint32_t workers;     /**< how many threads there are for the tasks */

@@ -130,7 +130,7 @@ typedef struct hsp_picture_options {
  *  @retval HSP_E_ARGUMENT    width is NULL
  *  @retval HSP_E_NOT_FINITE  a number is NaN or infinite
  *  @retval HSP_E_RANGE       a number is negative */
-HSP_API int32_t hsp_picture_ink_width(double full_width, double gap, double *width);
+HSP_API int32_t HSP_CALL hsp_picture_ink_width(double full_width, double gap, double *width);
 
 /** How much of the fog lies over a ball, as pictures have it, for colours that are shown elsewhere: 0 at the nearest
  *  centre and 1 at the farthest one, or at five mean radii behind the nearest one, if that is farther; in between
@@ -145,7 +145,8 @@ HSP_API int32_t hsp_picture_ink_width(double full_width, double gap, double *wid
  *  @retval HSP_E_ARGUMENT    share is NULL
  *  @retval HSP_E_NOT_FINITE  a number is NaN or infinite
  *  @retval HSP_E_RANGE       mean_radius is negative */
-HSP_API int32_t hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth, double *share);
+HSP_API int32_t HSP_CALL hsp_picture_fog_share(double nearest, double farthest, double mean_radius, double depth,
+                                               double *share);
 
 /** Bytes of memory that compression takes. */
 #define HSP_PICTURE_MEMORY UINT32_C(71680)

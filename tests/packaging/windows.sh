@@ -38,8 +38,10 @@ wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
 [ -x "$wine" ] || { echo "compiled, archive and DLL of $(wc -l <exported) functions; there is no Wine here to run them" && exit; }
 export WINEPREFIX=$PWD/prefix WINEDEBUG=-all
 program=$(find dll -name hardsphere.exe)
-cp "$dll" dll/ 2>/dev/null || true
-cp "$dll" "$(dirname "$program")/" 2>/dev/null || true
+# Windows looks for it beside the program.
+for folder in dll "$(dirname "$program")"; do
+  [ "$folder" -ef "$(dirname "$dll")" ] || cp "$dll" "$folder"
+done
 cp "$source/bench/molecules/crambin.pdb" .
 for kind in archive dll; do
   "$wine" $kind/main.exe >drawn 2>errors || { cat drawn errors && echo "$kind: a program does not run" && exit 1; }

@@ -385,6 +385,23 @@ TEST(Examples, ThreadsOnOneHandle) {
   }
 }
 
+// With a window Newton's method converges; the plain area's slope jumps where balls touch, and there it ends.
+TEST(Examples, NewtonConvergesWithAWindow) {
+  const auto gradient_at_end = [](const std::vector<std::string> &arguments) {
+    const Outcome outcome = run_example("newton", arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::vector<std::string> lines = lines_of(outcome.out);
+    double energy = 0, gradient = 1;
+    EXPECT_EQ(std::sscanf(lines.back().c_str(), "ends at energy %lf, gradient %lf", &energy, &gradient), 2);
+    EXPECT_LE(lines.size(), 61u);
+    return gradient;
+  };
+  for (const char *start : {"2", "5", "8"}) {
+    EXPECT_LE(gradient_at_end({"0.05", start}), 1e-12) << start;
+    EXPECT_GT(gradient_at_end({"0", start}), 1.0) << start;
+  }
+}
+
 // Atoms on springs and what their union costs: the energy falls from step to step, and where it ends is what the
 // program measures there.
 TEST(Examples, MinimiseDescends) {

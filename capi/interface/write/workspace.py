@@ -67,6 +67,9 @@ def field_rows(interface):
     nouns = ("model", *HANDLES)
     fields = [(f"hsp_{noun} *{noun};", f"NULL before hsp_workspace_{MADE_BY.get(noun, noun)} "
                f"(hardsphere/{header_of(interface, noun)})") for noun in nouns]
+    fields += [(f"void (*drop_{noun})(struct hsp_workspace *work);",
+                f"drops its results (hardsphere/{header_of(interface, noun)})")
+               for noun in dropped(interface)]
     fields += [(f"void *memory[{len(nouns)}];", "of the handles"),
                ("uint32_t most_balls;", "what the model has room for"), ("uint32_t reserved;", "0")]
     fields += [(f"hsp_{noun}_limits {noun}_limits;", f"what it has room for (hardsphere/{header_of(interface, noun)})")
@@ -74,18 +77,29 @@ def field_rows(interface):
     return [f"  {field} /**< {remark} */" for field, remark in fields]
 
 
+def dropped(interface):
+    """The handles that are made of others."""
+    found = {noun for source in ("model", *HANDLES) for noun, _ in dependents(interface, source)}
+    return [noun for noun in HANDLES if noun in found]
+
+
 def drop_rows(interface):
+    """A program refers to the functions of the handles that it makes and to no others."""
     rows = []
+    for noun in dropped(interface):
+        compute = interface.function(f"hsp_{noun}_compute")
+        nothing = ", ".join("NULL" if a.stars else "0" for a in compute.arguments[1:])
+        rows += [f"/* ---- {header_of(interface, noun)} */",
+                 f"static inline void hsp_workspace_drop_{noun}(hsp_workspace *work) {{",
+                 f"  if (work->{noun} != NULL) (void)hsp_{noun}_compute(work->{noun}, {nothing});",
+                 "}", ""]
     for source in ("model", *HANDLES):
         if dependents(interface, source):
             rows += [f"/* ---- {header_of(interface, source)} */",
                      f"static inline void hsp_workspace_drop_of_{source}(hsp_workspace *work) {{",
                      "  (void)work;"]
-            calls = []
-            for noun, compute in dependents(interface, source):
-                nothing = ", ".join("NULL" if a.stars else "0" for a in compute.arguments[1:])
-                calls.append((f"  if (work->{noun} != NULL) (void)hsp_{noun}_compute(work->{noun}, {nothing});", noun))
-            rows += [f"{call} /* hardsphere/{header_of(interface, noun)} */" for call, noun in calls]
+            rows += [f"  if (work->drop_{noun} != NULL) work->drop_{noun}(work); /* hardsphere/{header_of(interface, noun)} */"
+                     for noun, _ in dependents(interface, source)]
             rows += ["}", ""]
     return rows[:-1]
 
@@ -98,6 +112,7 @@ def make_rows(interface):
                  "  size_t bytes = 0;",
                  f"  int32_t status = hsp_{noun}_bytes(&work->{noun}_limits, &bytes);",
                  f"  work->{noun} = NULL;",
+                 *([f"  work->drop_{noun} = hsp_workspace_drop_{noun};"] if noun in dropped(interface) else []),
                  f"  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[{place}], bytes);",
                  "  if (status == HSP_OK) {",
                  f"    status = hsp_{noun}_init(work->memory[{place}], bytes, &work->{noun}_limits, &work->{noun});",

@@ -52,6 +52,7 @@ TANGENT_OVERLAP = 0
 TANGENT_DISJOINT = 1
 GRADIENT_ONE_SIDED = 1
 CURVATURE_ONE_SIDED = 1
+HESSIAN_SINGULAR = 2
 CONTACT_TOUCHING = 1
 CONTACT_BURIED = 2
 CONTACT_CIRCLE = 4
@@ -1079,6 +1080,23 @@ class Boundary(Handle):
         .d_centre, .d_radius, .flags."""
         return call("hsp_boundary_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
                     gaussian=gaussian, sigma=sigma, threads=threads, only=only)
+
+    def get_hessian_rows(self, *, tangency: int | None = None, tension: float | None = None,
+                         pressure: float | None = None, sigma: Any | None = None, threads: int | None = None,
+                         only: Any | None = None) -> Any:
+        """The second derivatives of E by the centres, as compressed rows of 3x3 blocks: those of ball i are entries
+        first[i] to first[i + 1] - 1, with ball [needed] the columns j, ascending, i among them, and block
+        [needed][3][3] d2E/dc_i dc_j, rows by the components of c_i. Gives .first, .ball, .block, .flags."""
+        return call("hsp_boundary_get_hessian_rows", self, tangency=tangency, tension=tension, pressure=pressure,
+                    sigma=sigma, threads=threads, only=only)
+
+    def get_hessian_product(self, direction: Any, *, tangency: int | None = None, tension: float | None = None,
+                            pressure: float | None = None, sigma: Any | None = None, threads: int | None = None,
+                            only: Any | None = None) -> Any:
+        """product [n][3] becomes H times direction [n][3], without storage; the two may not overlap. Gives .product,
+        .flags."""
+        return call("hsp_boundary_get_hessian_product", self, direction=direction, tangency=tangency, tension=tension,
+                    pressure=pressure, sigma=sigma, threads=threads, only=only)
 
 
 class Moving(Handle):
@@ -2157,6 +2175,14 @@ FUNCTIONS = {
         "needed:needed:uint32_t::always",
     "hsp_boundary_get_morphometry": "int32_t boundary:handle:hsp_boundary::never "
         "request:sized_in:hsp_morphometry_request::always outputs:outputs:hsp_morphometry_outputs::never",
+    "hsp_boundary_get_hessian_rows": "int32_t boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_gradient_request::always first:array_out:uint32_t:n+1:never "
+        "ball:array_out:uint32_t:needed:empty block:array_out:double:needed;3;3:empty "
+        "flags:array_out:uint32_t:n+1:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_boundary_get_hessian_product": "int32_t boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_gradient_request::always direction:array_in:double:n;3:never "
+        "product:array_out:double:n;3:empty flags:array_out:uint32_t:n:always capacity:capacity:uint32_t::never "
+        "needed:needed:uint32_t::always",
     "hsp_contacts_limits_init": "int32_t limits:sized:hsp_contacts_limits::never struct_size:value:uint32_t::never "
         "boundary:handle:hsp_boundary::never",
     "hsp_contacts_bytes": "int32_t limits:sized_in:hsp_contacts_limits::never bytes:value_out:size_t::never",

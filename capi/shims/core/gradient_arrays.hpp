@@ -61,9 +61,12 @@ struct GradientRequest : TangentRequest<hsp_gradient_request> {
 
   template <class Outputs>
   int32_t check(uint32_t n, bool wanted, Outputs &outputs) const {
-    const bool are_finite = is_finite(given.tension) && is_finite(given.pressure);
-    return check_outputs(n, given.sigma, are_finite, wanted, outputs);
+    return check_outputs(n, given.sigma, factors_are_finite(), wanted, outputs);
   }
+  bool are_finite(uint32_t n) const {
+    return check_weights(given.sigma, {0, n}, nullptr) == HSP_OK && factors_are_finite();
+  }
+  bool factors_are_finite() const { return is_finite(given.tension) && is_finite(given.pressure); }
   EnergyTerms terms() const {
     return {{given.sigma, to_touching_balls(given.tangency)}, given.tension, given.pressure};
   }

@@ -32,4 +32,11 @@ struct hsp_boundary {
   uint64_t version() const { return model.version(); }
   const hsp::Boundary &structure() const { return builder.boundary(); }
   const hsp::BallSet &balls() const { return model->balls(); }
+  // Flags that were set of pairs; null, or one for each ball of the caller.
+  void clear_flags_of_left_out(uint32_t *flags) const {
+    if (!of_some || flags == nullptr) return;
+    for (uint32_t i = 0; i < balls().n; ++i) {
+      if (structure().is_left_out(i)) flags[balls().caller[i]] = 0;
+    }
+  }
 };

@@ -39,15 +39,6 @@ struct ArraysOfRow {
   }
 };
 
-// Flags that were set of pairs. flags may be null.
-void clear_flags_of_left_out(const hsp_boundary &boundary, uint32_t *flags) {
-  if (!boundary.of_some || flags == nullptr) return;
-  const hsp::BallSet &balls = boundary.balls();
-  for (uint32_t i = 0; i < balls.n; ++i) {
-    if (boundary.structure().is_left_out(i)) flags[balls.caller[i]] = 0;
-  }
-}
-
 }  // namespace
 
 int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct_size) {
@@ -75,7 +66,7 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (boundary->of_some) {
     found.volume = hsp::capi::not_known;
-    clear_flags_of_left_out(*boundary, out.flags);
+    boundary->clear_flags_of_left_out(out.flags);
   }
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   return HSP_OK;
@@ -107,7 +98,7 @@ int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_der
   });
   if (!each) return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
-  clear_flags_of_left_out(*boundary, out.flags);
+  boundary->clear_flags_of_left_out(out.flags);
   return HSP_OK;
 }
 
@@ -143,8 +134,7 @@ int32_t hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_deriv
   uint32_t bad = HSP_NONE;
   if (const int32_t status = hsp::capi::check_weights(asked.given.sigma, {0, n}, &bad); status != HSP_OK) return status;
   const hsp::Boundary &structure = boundary->structure();
-  first[0] = 0;
-  for (uint32_t i = 0; i < n; ++i) first[i + 1] = first[i] + hsp::area_row_length(structure, grid.grid_index(i));
+  hsp::find_area_row_starts(grid, structure, first);
   if (needed != nullptr) *needed = first[n];
   if (capacity < first[n]) return HSP_E_CAPACITY;
   const bool each = hsp::for_each_range(asked.executor, n, [&](hsp::IdRange range) {

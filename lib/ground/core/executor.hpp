@@ -37,7 +37,7 @@ class Executor {
 
   // Whether anybody may stop the work, which takes code for asking.
   bool may_stop() const { return !small_code && proceed_ != nullptr; }
-  // Whether to go on. Asks, but once it was told not to.
+  // Whether to go on. Nobody is asked any more who has said no.
   bool goes_on() const { return !may_stop() || ask(); }
   bool is_stopped() const { return may_stop() && __atomic_load_n(&stopped_, __ATOMIC_RELAXED) != 0; }
   // Of what was left off.

@@ -51,6 +51,7 @@ Status MeshBuilder::build_all(Outline &outline, double edge, Patience &patience)
   needed_ = {outline.sphere_count(), outline.curve_count(), 0, 0, 0};
   if (needed_.balls > limits_.balls || needed_.curves > limits_.curves) return Status::capacity;
   if (has_too_many_inside(outline, edge)) return Status::range;
+  if (!patience.allows(2000 * uint64_t{needed_.curves})) return Status::stopped;
   const Status status = triangulate_all(outline, edge, patience);
   if (status == Status::degenerate || status == Status::range || status == Status::stopped) return status;
   const uint32_t first_of_bands = clamped_count(mesh_.triangles_.required());
@@ -63,8 +64,9 @@ Status MeshBuilder::build_all(Outline &outline, double edge, Patience &patience)
   if (vertices > limits_.vertices || triangles > limits_.triangles || needed_.points > limits_.points) {
     return Status::capacity;
   }
+  if (!patience.allows(50 * (vertices + triangles))) return Status::stopped;
   remove_outdated(first_of_bands);
-  name_balls(outline);
+  if (!name_balls(outline, patience) || !patience.allows(50 * triangles)) return Status::stopped;
   sort_by_patches();
   return Status::ok;
 }
@@ -90,7 +92,10 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge, Patience &pat
   mesh_.curves_ = outline.curve_count();
   mesh_.refined_ = 0;
   for (uint32_t v = 0; v < outline.corner_count(); ++v) mesh_.vertices_.push(outline.corner(v));
-  for (uint32_t c = 0; c < outline.curve_count(); ++c) add_samples(outline, c);
+  for (uint32_t c = 0; c < outline.curve_count(); ++c) {
+    if (!patience.allows(3000)) return Status::stopped;
+    add_samples(outline, c);
+  }
   for (uint32_t s = 0; s < spheres; ++s) range_[s] = {0, 0, outline.has_patches(s), false};
   // Patches need none of what is stored, so that everything is counted even if there is no room for it.
   uint64_t most_vertices = 0;
@@ -222,8 +227,9 @@ void MeshBuilder::remove_outdated(uint32_t first_of_bands) {
 }
 
 template <class Outline>
-void MeshBuilder::name_balls(const Outline &outline) {
+bool MeshBuilder::name_balls(const Outline &outline, Patience &patience) {
   for (MeshTriangle &triangle : mesh_.triangles_.items()) {
+    if (!patience.allows(100)) return false;
     if (triangle.kind != PatchKind::convex && triangle.kind != PatchKind::concave) continue;
     double middle[3] = {0.0, 0.0, 0.0};
     for (const uint32_t v : triangle.vertex) {
@@ -231,6 +237,7 @@ void MeshBuilder::name_balls(const Outline &outline) {
     }
     triangle.ball = outline.ball_at(triangle.ball, middle);
   }
+  return true;
 }
 
 void MeshBuilder::sort_by_patches() {

@@ -44,7 +44,7 @@ class MeshBuilder : public Limited<MeshLimits> {
   bool refine(Outline &outline);
   void remove_outdated(uint32_t first_of_bands);
   template <class Outline>
-  void name_balls(const Outline &outline);
+  bool name_balls(const Outline &outline, Patience &patience);
   void sort_by_patches();
 
   Mesh mesh_;

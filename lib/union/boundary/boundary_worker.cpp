@@ -366,7 +366,7 @@ void BoundaryWorker::link(const BallSet &balls, BlockSweep &sweep, const Boundar
   };
   const HalfEdgeChain chain(arriving_, leaving_, {met_.first, met_.last});
   loops.first = most_loops_before(own.first);
-  loops.last = link_half_edges(balls, own, chain, loops.first, a);
+  loops.last = link_half_edges(balls, own, chain, loops.first, patience_, a);
   faces.first = loops.first + own.first;
   faces.last = face_finder_.find(balls, sweep, boundary, own, loops, faces.first, caps, finder_,
                                  scratch.part(loops.first, most_loops_before(own.last)), patience_, a);

@@ -197,9 +197,9 @@ void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts befor
 }
 
 uint32_t link_half_edges(const BallSet &balls, BallRange range, const HalfEdgeChain &chain, uint32_t loops,
-                         BoundaryArrays &a) {
+                         Patience &patience, BoundaryArrays &a) {
   BallLinker linker(balls, a, chain);
-  for (uint32_t i = range.first; i < range.last; ++i) {
+  for (uint32_t i = range.first; i < range.last && patience.allows(1000); ++i) {
     a.first[i].loop = loops;
     if (a.ball_state[i] != BoundaryArrays::left_out) loops = linker.link(i, loops);
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/patience.hpp"
 #include "sphere/half_edge_chain.hpp"
 
 namespace hsp {
@@ -30,6 +31,6 @@ void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts befor
 // After distributing, also to the ball behind the range: chains half-edges to loops, numbered from `loops` on. Returns
 // the number after the last one.
 uint32_t link_half_edges(const BallSet &balls, BallRange range, const HalfEdgeChain &chain, uint32_t loops,
-                         BoundaryArrays &boundary);
+                         Patience &patience, BoundaryArrays &boundary);
 
 }  // namespace hsp

@@ -182,10 +182,12 @@ Status ContactsBuilder::check_capacity() {
 
 // Areas, and shares as cones over their faces and contacts. The order of the sums is that in which contacts are found,
 // which does not depend on the order of the input.
-void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] const Boundary &boundary) {
+bool ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] const Boundary &boundary,
+                                       Patience &patience) {
   ContactArrays &a = contacts_.a_;
   ContactMeasures measures;
   for (uint32_t first = 0; first < a.contacts.size(); first += ContactMeasures::capacity) {
+    if (!patience.allows(100 * uint64_t{ContactMeasures::capacity})) return false;
     const uint32_t left = a.contacts.size() - first;
     const uint32_t count = left < ContactMeasures::capacity ? left : ContactMeasures::capacity;
     for (uint32_t s = 0; s < ContactMeasures::capacity; ++s) {
@@ -209,6 +211,7 @@ void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] co
       }
     }
   }
+  return true;
 }
 
 void ContactsBuilder::close_shares() {

@@ -93,10 +93,11 @@ class ContactsBuilder : public Limited<ContactLimits> {
       if (!patience.allows(2000)) return Status::stopped;
       add_free_edges(grid.balls(), boundary, i, images);
     }
-    measure_contacts(grid.balls(), boundary);
+    if (!measure_contacts(grid.balls(), boundary, patience)) return Status::stopped;
     if (!add_other_sides(images)) return Status::check;
     if (const Status status = check_capacity(); status != Status::ok) return status;
     close_shares();
+    if (!patience.allows(50 * uint64_t{needed_.contacts})) return Status::stopped;
     make_rows(grid);
     count_simplices(boundary);
     return Status::ok;
@@ -136,7 +137,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
   uint32_t find_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
   uint32_t add_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
   Status check_capacity();
-  void measure_contacts(const BallSet &balls, const Boundary &boundary);
+  bool measure_contacts(const BallSet &balls, const Boundary &boundary, Patience &patience);
   void close_shares();
   void make_rows(const CubeGrid &grid);
   void count_simplices(const Boundary &boundary);

@@ -30,4 +30,9 @@ uint32_t area_row_length(const Boundary &boundary, uint32_t i) {
   return length;
 }
 
+void find_area_row_starts(const CubeGrid &grid, const Boundary &boundary, uint32_t *first) {
+  first[0] = 0;
+  for (uint32_t i = 0; i < grid.balls().n; ++i) first[i + 1] = first[i] + area_row_length(boundary, grid.grid_index(i));
+}
+
 }  // namespace hsp

@@ -131,6 +131,8 @@ struct AreaDerivative {
 };
 // The length of ball i's row: itself, and the balls whose circles on it have a free piece; 0 if it has no face.
 uint32_t area_row_length(const Boundary &boundary, uint32_t i);
+// Where the rows begin in the caller's order: first [n + 1] from 0 to the number of all entries.
+void find_area_row_starts(const CubeGrid &grid, const Boundary &boundary, uint32_t *first);
 
 // Calls on_part(j, derivative) for every free arc and circle on ball i, with its part of the derivatives by ball j, and
 // returns those by i itself.

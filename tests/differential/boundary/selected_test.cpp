@@ -223,7 +223,7 @@ TEST(Selected, AnswersNothingElse) {
   const Selection some(whole.model(), {1, 1, 0}, 1);
   hsp_boundary *const boundary = some.handle();
   hsp_boundary_counts counts;
-  hsp_totals totals{1, 1};
+  hsp_totals totals{1, 1, {}};
   uint32_t number = 0, id = 0;
   EXPECT_EQ(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
   EXPECT_EQ(hsp_boundary_get_vertices(boundary, nullptr, 0, &number), HSP_E_STATE);

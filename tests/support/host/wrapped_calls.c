@@ -948,6 +948,34 @@ int32_t __wrap_hsp_boundary_get_morphometry(const hsp_boundary *boundary, const 
   return result;
 }
 
+int32_t __real_hsp_boundary_get_hessian_rows(const hsp_boundary *boundary, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_hessian_rows(const hsp_boundary *boundary, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_hessian_rows(const hsp_boundary *boundary, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_boundary_get_hessian_rows");
+  result = __real_hsp_boundary_get_hessian_rows(boundary, request, first, ball, block, flags, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_boundary_get_hessian_product(const hsp_boundary *boundary, const hsp_gradient_request *request, const
+    double *direction, double *product, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_hessian_product(const hsp_boundary *boundary, const hsp_gradient_request *request, const
+    double *direction, double *product, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_get_hessian_product(const hsp_boundary *boundary, const hsp_gradient_request *request, const
+    double *direction, double *product, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_boundary_get_hessian_product");
+  result = __real_hsp_boundary_get_hessian_product(boundary, request, direction, product, flags, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary
     *boundary);
 int32_t __wrap_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary
