@@ -40,7 +40,7 @@ suites=(bench_paper_section_2 bench_paper_section_3 bench_section_3_alternatives
   bench_paper_section_5_1 bench_maps bench_topology bench_gradients bench_contacts bench_surface bench_scaling
   bench_queries bench_poses bench_periodic bench_moving bench_split_work bench_degenerate)
 if [ "$peers" = yes ]; then
-  suites+=(bench_peers_surfaces bench_peers_queries bench_peers_visibility bench_peers_poses hardsphere_tool)
+  suites+=(bench_peers_surfaces bench_peers_dense bench_peers_queries bench_peers_visibility bench_peers_poses hardsphere_tool)
 fi
 if [ "$programs" = yes ]; then suites=(hardsphere_tool); fi
 if [ "$peers" = yes ]; then
@@ -152,6 +152,7 @@ run_suite bench_degenerate 5 0.02
 if [ "$peers" = yes ]; then
   # These take their turns within one repetition.
   run_suite bench_peers_surfaces 1 0.02
+  run_suite bench_peers_dense 1 0.02
   run_suite bench_peers_queries 1 0.02
   run_suite bench_peers_visibility 1 0.02  # half a minute, once
   run_suite bench_peers_poses 1 0.02

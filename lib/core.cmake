@@ -24,6 +24,7 @@ hsp_part(balls
     model/query_hits.cpp
     model/query_hits.kernel.cpp
     model/rounded_block.kernel.cpp
+    model/radius_levels.cpp
     model/row_directory.cpp
     model/ray_query.cpp
     model/set_digest.cpp

@@ -54,16 +54,6 @@ if(HSP_WIDE_CODE AND NOT DEFINED CACHE{HSP_BASELINE_HAS_LANES})
   unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
 endif()
 
-if(NOT DEFINED CACHE{HSP_TARGETS_AARCH64})
-  set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-  check_cxx_source_compiles("
-    #if !defined(__aarch64__)
-    #error not this processor
-    #endif
-    int main() { return 0; }" HSP_TARGETS_AARCH64)
-  unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
-endif()
-
 set(HSP_SOURCES_OF_LANES
   lib/balls/model/pair_block.kernel.cpp
   lib/balls/model/query_hits.kernel.cpp
@@ -190,11 +180,6 @@ function(hsp_library_objects name)
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize> $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>
     ${HSP_OPTIMIZATION} -ffunction-sections -fdata-sections -fno-math-errno -fno-exceptions -fno-rtti
     -fno-threadsafe-statics -fno-asynchronous-unwind-tables -fstack-usage)
-  # For Arm's 64-bit processors g++ 12 leaves out calls of functions that write to nothing but an object of the caller, if
-  # its optimization of induction variables has made a difference of the object's address (PrefixCode::number_words).
-  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND HSP_TARGETS_AARCH64)
-    target_compile_options(${name} PRIVATE -fno-ivopts)
-  endif()
   target_link_libraries(${name} PRIVATE hardsphere_warnings hardsphere_sanitizers)
 endfunction()
 # Checked, an index out of range traps, under the address sanitizer the arrays in a handle's memory lie between poisoned

@@ -13,7 +13,8 @@
 //   %facts PREFIX          the benchmarks' remarks of that prefix
 //   %failed PREFIX*        why these did not run
 //   %plot NAME CAPTION     a picture, if it was drawn
-//   %data NAME ... %end    the table of half a picture, for plots.gp: lines TITLE | PREFIX* | FIGURE
+//   %data NAME ... %end    the table of half a picture, for plots.gp: lines TITLE | PREFIX* | FIGURE,
+//                        or TITLE | PREFIX* | FIGURE | COUNTER if not the number of balls is what it is drawn against
 //
 // ROWS are lists and PREFIX*, one within the other: a row for each row of a list, and for each benchmark with the
 // prefix by number of balls, where $molecule is the rest of its name. The first cell of what failed is followed by why.

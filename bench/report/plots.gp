@@ -56,6 +56,21 @@ if (drawable("peers_van_der_waals", "peers_solvent_accessible")) {
   set yrange [*:*]
 }
 
+if (drawable("dense_random", "dense_ensemble")) {
+  set output folder."/dense.svg"
+  set multiplot layout 1, 2
+  set xlabel "neighbours a ball"
+  set ylabel "ns per ball" textcolor rgb "#333333"
+  file = half("dense_random")
+  set title "Balls at random places"
+  @draw
+  file = half("dense_ensemble")
+  set title "Copies of 60 atoms of crambin, each moved by 0.5"
+  @draw
+  unset multiplot
+  set xlabel "balls"
+}
+
 if (drawable("searches_point_atom", "searches_ball_atom")) {
   set output folder."/searches.svg"
   set multiplot layout 1, 2

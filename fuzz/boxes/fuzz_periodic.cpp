@@ -126,7 +126,7 @@ Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
   FUZZ_REQUIRE(hsp_periodic_limits_init(&limits, sizeof limits, crystal.n()) == HSP_OK, "limits");
   periodic.take(limits);
   periodic.compute([&](hsp_periodic *handle, hsp_periodic_limits *asked) { return compute(handle, crystal, asked); });
-  const hsp_periodic *const p = periodic.get();
+  hsp_periodic *const p = periodic.get();
   Result result;
   result.needed = periodic.needed();
   const uint32_t n = crystal.n();

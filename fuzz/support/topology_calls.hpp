@@ -28,7 +28,12 @@ class TopologyCalls {
     }
     if (!suited || boundary == nullptr || !boundary_complete) {
       const uint32_t n = bytes_.below(28);
-      limits = {sizeof limits, n, n, 16 * n + 96, 2 * n + 16, 0};
+      limits = {.struct_size = sizeof limits,
+                .balls = n,
+                .neighbours = n,
+                .edges = 16 * n + 96,
+                .cut_arcs = 2 * n + 16,
+                .shells = 0};
     }
     if (bytes_.below(3) == 0) {
       limits.neighbours = bytes_.below(28);

@@ -96,13 +96,13 @@ class Session {
       case 26:
         surface_.read(results());
         break;
-      default:
+      default:  // 19 and 27; inputs that were kept have these numbers
         constants();
     }
   }
 
  private:
-  // Memory of a handle, and a byte behind it that nobody may write to.
+  // Memory of a handle, and a byte behind it that is not to be written to.
   struct Block {
     std::vector<uint8_t> bytes;
     size_t misalignment = 0;

@@ -80,8 +80,9 @@ HSP_API int32_t HSP_CALL hsp_query_neighbours(const hsp_model *model, uint32_t b
  *  - Property 1: without flags, row i is what hsp_query_neighbours lists for ball i.
  *  - Property 2: with HSP_PAIRS_ONCE, row i is what of that is larger than i.
  *
- *  Cost: O(n) expected for sets as in Theorem 2.1; O(n c) at worst, with all centres in a few cubes or one large ball
- *  among small ones, and O(log m) for each id in rows of thousands; less than to ask for the neighbours of each ball.
+ *  Cost: O(n) expected for sets as in Theorem 2.1, and with a few large balls among small ones; O(n c) at worst, with
+ *  all centres in a few cubes, and O(log m) for each id in rows of thousands; less than to ask for the neighbours of
+ *  each ball.
  *  @retval HSP_OK          ids holds all rows; or there is no pair, also with capacity 0
  *  @retval HSP_E_ARGUMENT  model or first is NULL; ids is NULL with a capacity above 0; unknown flag
  *  @retval HSP_E_CAPACITY  more ids than capacity: first and *needed are set, and nothing is written to ids

@@ -73,7 +73,7 @@ HSP_API uint32_t HSP_CALL hsp_topology_lnext(const hsp_topology *topology, uint3
 #define HSP_TOPOLOGY_OPREV(topology, q) hsp_topology_lnext((topology), HSP_QUAD_SYM(q))
 
 /** The previous edge about the left face of q, the inverse of lnext: sym(onext(q)). Both arguments may be evaluated
- *  several times, and the step taken as often; who keeps onext(q) in a variable takes it once. */
+ *  several times, and the step taken as often; with onext(q) in a variable it is taken once. */
 #define HSP_TOPOLOGY_LPREV(topology, q) HSP_QUAD_SYM(hsp_topology_onext((topology), (q)))
 
 /** Where q starts: a vertex if q is even, a simple face if q is odd (a dual edge); HSP_NONE if there is no such

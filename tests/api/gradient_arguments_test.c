@@ -126,7 +126,7 @@ static void bad_arguments(void) {
       hsp_derivatives_outputs no_parts = {.struct_size = sizeof no_parts, .first_bad = 12345};
       weights[i] = not_finite[v];
       CHECK_EQUAL(derivatives_with(boundary, weights, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
-      /* whether or not anybody wants the results */
+      /* whether or not results are asked for */
       CHECK_EQUAL(
           hsp_boundary_get_gradient(
               boundary, SIZED(hsp_gradient_request, .sigma = weights, .tension = 1, .tangency = HSP_TANGENT_DISJOINT),

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The core is what the functions of the stable headers reach: the shims that define them, what these include, and with
 # each header the source of its name. lib/core_files.txt lists it, and the table of lib/CORE.md has its size. A file
-# that joins the core, or a number that grows, is a commit of its own.
+# that joins the core, or a number that grows, is a commit of its own. Files of more than 200 lines open with a drawing or
+# an example: rows of their first comment that are set apart by blanks.
 #   core.sh SOURCE-FOLDER           compares list and numbers with the code
 #   core.sh SOURCE-FOLDER --write   writes both
 set -euo pipefail
@@ -111,6 +112,12 @@ diff "$list" "$work/core" >"$work/difference" || {
   cat "$work/difference"
   failed=1
 }
+unopened=$(xargs awk '
+  FNR == 1 { opening = 1; apart = 0 }
+  opening && /^\/\/  / { apart = 1 }
+  opening && !/^\/\// { opening = 0 }
+  FNR == 201 && !apart { print FILENAME }' <"$work/core")
+[ -z "$unopened" ] || { echo "no drawing or example opens: $unopened" && failed=1; }
 outside=$(grep -vE '^(lib/ground/(core|exact|lanes)|lib/balls/model|lib/union/(sphere|boundary|topology|measure|contacts)|capi/shims/core)/' "$work/core" || true)
 [ -z "$outside" ] || { echo "the core reaches out of its nine rooms: $outside" && failed=1; }
 # Mistakes are planted and noticed by and by: the page says no more than there are.

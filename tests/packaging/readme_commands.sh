@@ -38,7 +38,7 @@ pages=("$source/README.md" "$source"/capi/guide/*.md)
   hardsphere --help | sed -n 's/^  hardsphere \([a-z]*\) .*FILE.*/\1/p' | while read -r command; do
     hardsphere "$command" --help | sed -n 's/^Example: //p'
   done
-  sed -n '/^\.SH EXAMPLES/,$p' "$source/capi/program/app/hardsphere.1" | grep hardsphere | sed 's/\\-/-/g'
+  bash "$source/capi/program/app/man_page.sh" hardsphere | sed -n '/^\.SH EXAMPLES/,$p' | grep hardsphere | sed 's/\\-/-/g'
 } | sed -e 's/\<FILE\>/1crn.pdb/g' -e 's/\<x\.\(pdb\|xyzr\)\>/crambin.\1/g' -e 's/ A:B/ 1:2/' -e 's/X,Y,Z/10,10,10/g' -e 's/X,Y/10,12/' \
   -e 's/\<OUT\.svg/out.svg/' | sort -u >"$work/lines"
 # Fewer would mean that they are written in another way now, and not found.

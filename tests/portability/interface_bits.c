@@ -11,7 +11,7 @@
 #include "surface_result.h"
 
 static void print_model(const computed *c) {
-  hsp_packing figures = {0.0, 0.0, 0.0, 0.0, 0, 0};
+  hsp_packing figures = {0};
   printf("model %" PRIu32 " %" PRIu32 " %" PRIu32, c->info.cubes, c->info.table_slots, c->info.longest_probe);
   print_doubles(&c->info.step, 1);
   print_doubles(&c->info.probe, 1);
@@ -121,7 +121,7 @@ static void print_moving(const computed *c) {
   for (k = 0; k < 6 && c->n > 0; ++k) {
     const uint32_t ball = 7 * k % c->n, other = 3 * k % c->n;
     double to[3];
-    hsp_energy energy = {.value = 0.0};
+    hsp_energy energy = {0};
     hsp_moving_ball record;
     uint32_t axis;
     for (axis = 0; axis < 3; ++axis) to[axis] = 0.5 * (c->xyz[3 * ball + axis] + c->xyz[3 * other + axis]);

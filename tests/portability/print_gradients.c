@@ -27,7 +27,7 @@ static void print_parts(const computed *c) {
 }
 
 static void print_energy(const computed *c, double tension, double pressure, uint32_t tangency) {
-  hsp_energy energy = {.value = 0.0};
+  hsp_energy energy = {0};
   uint32_t i;
   print_status("energy", hsp_boundary_get_gradient(c->boundary,
                                                    SIZED(hsp_gradient_request, .sigma = sigma, .tension = tension,

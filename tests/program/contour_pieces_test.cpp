@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 extern "C" {
@@ -110,6 +111,49 @@ TEST(ContourPieces, LeaveNoHairs) {
   EXPECT_EQ(contours.level(20, 0), 8);
   EXPECT_EQ(contours.level(55, 1), 8);  // the outline goes on under what ends there
   EXPECT_EQ(contours.level(46, 0), 0);
+}
+
+// A level is the least of all levels of the chain and the slope from there, and of the slope from ends: at points of
+// chains and rings of pieces at random, by a look at all pieces.
+TEST(ContourPieces, NoLevelIsMoreThanAnotherAndTheSlopeFromThere) {
+  constexpr contour_limits slope_alone{0, 2, 0, 0.1, 0};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any_length(1, 30), any_level(0.5, 12);
+  for (int trial = 0; trial < 20; ++trial) {
+    const bool ring = trial % 2 == 1;
+    const uint32_t count = 3 + static_cast<uint32_t>(trial);
+    std::vector<double> begin{0}, level;
+    contour_pieces pieces = CONTOUR_PIECES_NONE;
+    for (uint32_t k = 0; k < count; ++k) {
+      begin.push_back(begin[k] + any_length(random));
+      level.push_back(any_level(random));
+      const contour_piece piece{{{begin[k], 0}, {begin[k + 1], 0}},
+                                {k, ring && k + 1 == count ? 0 : k + 1},
+                                level[k],
+                                false,
+                                {0, 0},
+                                0,
+                                false};
+      contour_pieces_add(&pieces, &piece);
+    }
+    const double whole = begin[count];
+    ASSERT_TRUE(contour_pieces_level(&pieces, count + 1, &slope_alone));
+    for (uint32_t k = 0; k < count; ++k) {
+      for (const double share : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+        const double at = begin[k] + share * (begin[k + 1] - begin[k]);
+        double least = ring ? level[k] : std::fmin(level[k], 0.1 * std::fmin(at, whole - at));
+        for (uint32_t j = 0; j < count; ++j) {
+          double away = std::fmax(0, std::fmax(begin[j] - at, at - begin[j + 1]));
+          // The other way round.
+          if (ring && j != k) away = std::fmin(away, whole - std::fmax(begin[j + 1] - at, at - begin[j]));
+          least = std::fmin(least, level[j] + 0.1 * away);
+        }
+        EXPECT_NEAR(contour_piece_level(&pieces.piece[k], slope_alone.slope, share), least, 1e-9)
+            << "trial " << trial << ", piece " << k;
+      }
+    }
+    contour_pieces_free(&pieces);
+  }
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(HelpKeys, AreAllThatAreWritten) {
       {"gate", water, "--from=-9,0,0"},
       {"pores", cage, "--pockets=9", "--regions", "--tunnels-from=0,0,0"},
       {"pores", cage, box, "--gates"},
-      {"clash", water, cage},
+      {"clash", water, "good/water.xyz"},
       {"query", water, "--point=0,0,0"},
       {"map", water},
       {"pick", water, "--at=0,0"},

@@ -193,7 +193,7 @@ TEST_P(OutputFiles, ReadOnlyFoldersAndFiles) {
   const std::string fresh = folder.path("fresh");
   expect_refusal(run_program_in(nobody, call(GetParam(), "good/water.pdb", fresh)), 1,
                  fresh + ": no new file can be made in its folder: Permission denied");
-  // The file decides as well: what nobody may write to is not replaced.
+  // The file decides as well: what is read-only is not replaced.
   ASSERT_EQ(chmod(folder.path().c_str(), 0777), 0);
   ASSERT_EQ(chmod(old.c_str(), 0444), 0);
   expect_refusal(run_program_in(nobody, call(GetParam(), "good/water.pdb", old)), 1, old + ": Permission denied");

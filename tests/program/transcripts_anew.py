@@ -10,12 +10,14 @@ import sys
 
 
 def session(line, program, folder):
-    """The lines that follow a call: its output, its errors and its status."""
-    arguments = shlex.split(line[len("$ hardsphere"):].replace("'", "\\'").replace("#", "\\#"))
+    """The lines of a call: itself, its output, its errors and its status; or one line, where it is refused and was so."""
+    call, refused, _ = line.partition("  ? ")
+    arguments = shlex.split(call[len("$ hardsphere"):].replace("'", "\\'").replace("#", "\\#"))
     done = subprocess.run([program, *arguments], cwd=folder, capture_output=True, check=False)
-    lines = done.stdout.decode("utf-8", "surrogateescape").split("\n")[:-1]
-    lines += ["! " + text for text in done.stderr.decode("utf-8", "surrogateescape").split("\n")[:-1]]
-    return lines + (["? %d" % done.returncode] if done.returncode != 0 else [])
+    out, err = (text.decode("utf-8", "surrogateescape").split("\n")[:-1] for text in (done.stdout, done.stderr))
+    if refused and done.returncode != 0 and not out and len(err) == 1:
+        return ["%s  ? %d  %s" % (call, done.returncode, err[0][len("hardsphere: "):])]
+    return [call] + out + ["! " + text for text in err] + (["? %d" % done.returncode] if done.returncode != 0 else [])
 
 
 def written_anew(text, program, folder):
@@ -25,10 +27,16 @@ def written_anew(text, program, folder):
         call, remark = line.startswith("$ hardsphere"), line.startswith("#")
         if (call or remark) and begun and blank:
             lines.append("")
-        if call or remark:
+        if remark:
             lines.append(line)
         if call:
-            lines += session(line, program, folder)
+            short = "  ? " in line
+            line = line.split("  ? ")[0]
+            outcome = session(line, program, folder)
+            if short and len(outcome) == 2 and outcome[0].startswith("! hardsphere: "):
+                lines.append("%s  %s  %s" % (line, outcome[1], outcome[0].removeprefix("! hardsphere: ")))
+            else:
+                lines += [line, *outcome]
             begun = True
         blank = line == ""
         if blank and not begun:

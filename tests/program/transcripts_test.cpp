@@ -142,7 +142,8 @@ TEST(TranscriptRules, EveryBadInputIsRefusedSomewhere) {
   }
 }
 
-// Help is asked for in five ways. packaging_man_page holds its text, which the manual page has from here.
+// Help is asked for in five ways. Its keys are held by program_help_keys, its options by packaging_man_page, its
+// examples by packaging_readme_commands.
 TEST(Help, IsTheSameHoweverItIsAskedFor) {
   const auto printed = [](const std::vector<std::string> &arguments) {
     const Outcome outcome = run_program(arguments);

@@ -174,6 +174,17 @@ bool take_number(struct reading *reading, const struct option *option, const cha
                           option->positive ? "above 0 and at most" : "between 0 and", option->most);
 }
 
+bool take_count(struct reading *reading, const struct option *option, const char *value) {
+  uint32_t *const target = target_of(reading, option);
+  uint64_t count = 0;
+  if (!option_value(reading, option, &value)) return false;
+  if (*target > 0) return option_given_twice(reading, option);
+  const bool read = number_parse_count(value, strlen(value), &count) == NUMBER_OK;
+  *target = (uint32_t)count;
+  if (read && count >= 1 && (double)count <= option->most) return true;
+  return failure_in_usage(reading->failure, "%s must be %s, from 1 to %.0f", option->name, option->what, option->most);
+}
+
 bool take_choice(struct reading *reading, const struct option *option, const char *value) {
   int *const choice = target_of(reading, option);
   if (!option_value(reading, option, &value)) return false;

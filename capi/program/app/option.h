@@ -57,6 +57,7 @@ const char *option_next(struct reading *reading);
 take_option take_flag;
 take_option take_length; /* a number that is not negative */
 take_option take_number; /* from 0 to `most`; negative in the request where it is not given */
+take_option take_count;  /* from 1 to `most`; 0 in the request where it is not given */
 take_option take_choice; /* one of the words, as a number; less than `first` in the request where it is not given */
 take_option take_text;
 take_option take_path;      /* the name of a file */
@@ -68,8 +69,8 @@ take_option take_colour;    /* RRGGBB, or `none` if that is among the words */
 /* ---- and those with values of their own ---- */
 
 take_option take_format, take_radii, take_radius, take_probe, take_atoms, take_model, take_location, take_chains,
-    take_interface, take_frames, take_time, take_box, take_place, take_query, take_at, take_edge, take_view, take_spin,
-    take_colour_meaning, take_range, take_crop, take_threads, take_tunnels, take_ink_width, take_ink_colour;
+    take_interface, take_frames, take_time, take_box, take_place, take_query, take_at, take_edge, take_view,
+    take_colour_meaning, take_range, take_crop, take_ink_width, take_ink_colour;
 
 /* ---- what they are made of ---- */
 

@@ -2,6 +2,7 @@
 
 #include "app/command_table.h"
 #include "app/option.h"
+#include "read/threads.h"
 
 #define IN(member) offsetof(struct request, member)
 #define OF(COMMAND) (1u << COMMAND_##COMMAND)
@@ -61,7 +62,7 @@ const struct option *option_at(size_t i) {
                "_pdbx_struct_assembly_gen): copies of its chains by its operators. The second copy of chain\n"
                "A is A-2, and --only and the like know it by that name. Not with --box"},
 
-      {"--threads", "N", take_threads, EVERY, .what = "how many threads",
+      {"--threads", "N", take_count, EVERY, .target = IN(threads), .what = "how many threads", .most = MOST_THREADS,
        .help = "let N threads work on files, on frames of a trajectory or on a large molecule; default one\n"
                "for each processor. The output is the same for any number"},
 
@@ -188,7 +189,7 @@ const struct option *option_at(size_t i) {
       {"--cheapest", NULL, take_flag, OF(PORES), .target = IN(pores.cheapest),
        .help = "tunnels of the least cost first, the integral of 1/radius^2 along straight lines through\n"
                "maxima and gates: short ones rather than wide ones"},
-      {"--tunnels", "N", take_tunnels, OF(PORES), .what = "how many tunnels",
+      {"--tunnels", "N", take_count, OF(PORES), .target = IN(pores.tunnels), .what = "how many tunnels", .most = 1000,
        .help = "so many, each without the bottlenecks of those before it; default 3"},
       {"--points", "OUT", take_path, OF(PORES), .target = IN(pores.points), .what = "a file",
        .help = "also a .pdb or .cif file for viewers with what is listed: a point each, with its radius in\n"
@@ -267,7 +268,7 @@ const struct option *option_at(size_t i) {
       {"--rotate", "X,Y,Z", take_angles, OF(DRAW), .target = IN(drawing.viewing.rotate),
        .help = "then turn the balls by X, then Y, then Z degrees about the axes to the right, upwards\n"
                "and towards the viewer, counter-clockwise seen from their ends"},
-      {"--spin", "N", take_spin, OF(DRAW), .what = "how many pictures",
+      {"--spin", "N", take_count, OF(DRAW), .target = IN(drawing.spin), .what = "how many pictures", .most = 10000,
        .help = "N pictures of a whole turn about the upright axis, in one frame and scale: OUT-000.svg,\n"
                "OUT-001.svg, ... for OUT.svg"},
       {"--look", "paper|goodsell|slide|print", take_choice, OF(DRAW), .target = IN(drawing.look),

@@ -107,18 +107,6 @@ bool take_chains(struct reading *reading, const struct option *option, const cha
                           shown, shown);
 }
 
-bool take_threads(struct reading *reading, const struct option *option, const char *value) {
-  uint32_t *const threads = &reading->request->threads;
-  uint64_t count = 0;
-  if (!option_value(reading, option, &value)) return false;
-  if (*threads > 0) return option_given_twice(reading, option);
-  if (number_parse_count(value, strlen(value), &count) != NUMBER_OK || count < 1 || count > MOST_THREADS) {
-    return failure_in_usage(reading->failure, "--threads must be how many threads, from 1 to %d", MOST_THREADS);
-  }
-  *threads = (uint32_t)count;
-  return true;
-}
-
 bool take_interface(struct reading *reading, const struct option *option, const char *value) {
   if (!option_value(reading, option, &value)) return false;
   if (reading->request->measure.interface != NULL) return option_given_twice(reading, option);
@@ -243,21 +231,6 @@ bool take_place(struct reading *reading, const struct option *option, const char
                           excerpt(shown, digits, strlen(digits)), names[k].what);
 }
 
-/* More than that is a slip of the finger. */
-enum { MOST_TUNNELS = 1000 };
-
-bool take_tunnels(struct reading *reading, const struct option *option, const char *value) {
-  uint32_t *const tunnels = &reading->request->pores.tunnels;
-  uint64_t count = 0;
-  if (!option_value(reading, option, &value)) return false;
-  if (*tunnels > 0) return option_given_twice(reading, option);
-  if (number_parse_count(value, strlen(value), &count) != NUMBER_OK || count < 1 || count > MOST_TUNNELS) {
-    return failure_in_usage(reading->failure, "--tunnels must be how many, from 1 to %d", (int)MOST_TUNNELS);
-  }
-  *tunnels = (uint32_t)count;
-  return true;
-}
-
 bool take_query(struct reading *reading, const struct option *option, const char *value) {
   struct request *request = reading->request;
   const bool point = strcmp(option->name, "--point") == 0;
@@ -302,21 +275,6 @@ bool take_view(struct reading *reading, const struct option *option, const char 
   struct option view = *option;
   view.target += offsetof(struct viewing, view);
   return automatic || of_highlight || take_direction(reading, &view, value);
-}
-
-/* More than that is a slip of the finger. */
-enum { MOST_PICTURES = 10000 };
-
-bool take_spin(struct reading *reading, const struct option *option, const char *value) {
-  int *spin = &reading->request->drawing.spin;
-  uint64_t pictures = 0;
-  if (!option_value(reading, option, &value)) return false;
-  if (*spin >= 0) return option_given_twice(reading, option);
-  if (number_parse_count(value, strlen(value), &pictures) != NUMBER_OK || pictures < 1 || pictures > MOST_PICTURES) {
-    return failure_in_usage(reading->failure, "--spin must be how many pictures, from 1 to %d", (int)MOST_PICTURES);
-  }
-  *spin = (int)pictures;
-  return true;
 }
 
 /* One of the words, or a file. */

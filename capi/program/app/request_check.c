@@ -51,73 +51,52 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
 /* Which options of `measure` go together, and with the format of the file. */
 static bool check_measure(const struct request *request, struct failure *failure) {
   char list[FORMAT_LIST_BYTES];
-  if (request->csv && request->json) {
-    return failure_in_usage(failure, "one form of output at a time: either --csv or --json");
-  }
-  if (request->csv && (request->contacts.cells || request->voids.balls || request->pores.balls)) {
-    return failure_in_usage(failure, "--csv prints one table: %s has no place in it",
-                            request->contacts.cells ? "--cells" : "--balls");
-  }
-  if (request->csv && request->command == COMMAND_BOUNDARY && request->box.source != BOX_NONE) {
-    return failure_in_usage(failure, "--csv is not for the boundary in a --box");
-  }
-  if (request->csv && request->by != GROUPING_NONE && (request->measure.per_ball || request->measure.gradient)) {
-    return failure_in_usage(failure, "--csv prints one table: either of balls or --by %s",
-                            request->by == GROUPING_RESIDUE ? "residue"
-                            : request->by == GROUPING_CHAIN ? "chain"
-                                                            : "group");
-  }
-  if (request->by == GROUPING_GROUP && request->index.count == 0) {
-    return failure_in_usage(failure, "--by group is of an index file: it needs --index");
-  }
-  if (request->by != GROUPING_NONE && request->by != GROUPING_GROUP &&
-      !file_format_has(request->format, FILE_RESIDUES)) {
+  const struct measure_request *const measure = &request->measure;
+  const enum grouping by = request->by;
+  const bool csv = request->csv, smooth = request->excluded_surface,
+             names = file_format_has(request->format, FILE_RESIDUES);
+  const bool of_balls = measure->per_ball || measure->gradient;
+  const struct usage_rule forms[] = {
+      {csv && request->json, "one form of output at a time: either --csv or --json"},
+      {csv && request->contacts.cells, "--csv prints one table: --cells has no place in it"},
+      {csv && (request->voids.balls || request->pores.balls), "--csv prints one table: --balls has no place in it"},
+      {csv && request->command == COMMAND_BOUNDARY && request->box.source != BOX_NONE,
+       "--csv is not for the boundary in a --box"},
+      {csv && of_balls && by == GROUPING_RESIDUE, "--csv prints one table: either of balls or --by residue"},
+      {csv && of_balls && by == GROUPING_CHAIN, "--csv prints one table: either of balls or --by chain"},
+      {csv && of_balls && by == GROUPING_GROUP, "--csv prints one table: either of balls or --by group"},
+      {by == GROUPING_GROUP && request->index.count == 0, "--by group is of an index file: it needs --index"},
+  };
+  const struct usage_rule others[] = {
+      {measure->relative && by != GROUPING_RESIDUE, "--relative needs --by residue"},
+      {measure->relative && request->probe == 0.0,
+       "--relative compares solvent-accessible areas: it needs a probe, --probe 1.4"},
+      {measure->polar && !file_format_has(request->format, FILE_ELEMENTS),
+       "--polar has no use here: the file names no elements"},
+      {measure->interface != NULL && !names, "--interface has no use here: the file names no chains"},
+      {csv && measure->polar, "--csv prints one table, of balls or of groups: --polar has no place in it"},
+      {csv && measure->interface != NULL,
+       "--csv prints one table, of balls or of groups: --interface has no place in it"},
+      {measure->surface >= 0 && request->probe == 0.0, "--surface needs a probe, --probe 1.4"},
+      {measure->outer && !smooth, "--outer is for the solvent-excluded surface: it needs --surface ses"},
+      {smooth && measure->weights != NULL && measure->gradient,
+       "--gradient with --weights is of the solvent-accessible surface: not with --surface ses"},
+      {smooth && measure->relative,
+       "--relative is of the solvent-accessible surface: it has no use with --surface ses"},
+      {smooth && measure->interface != NULL,
+       "--interface is of the solvent-accessible surface: it has no use with --surface ses"},
+      {smooth && measure->curvature,
+       "--curvature is of the solvent-accessible surface: it has no use with --surface ses"},
+      {csv && measure->curvature, "--csv prints one table, of balls or of groups: --curvature has no place in it"},
+      {measure->pdb_out != NULL && !file_format_has(request->format, FILE_AREA_COLUMNS),
+       "--pdb-out has no use here: it writes a .pdb file again"},
+  };
+  if (!usage_rules_hold(forms, sizeof forms / sizeof forms[0], failure)) return false;
+  if (by != GROUPING_NONE && by != GROUPING_GROUP && !names) {
     return failure_in_usage(failure, "--by has no use here: %s files have no residues",
                             file_format_list(list, ".", "and", FILE_RESIDUES, false));
   }
-  if (request->measure.relative && request->by != GROUPING_RESIDUE) {
-    return failure_in_usage(failure, "--relative needs --by residue");
-  }
-  if (request->measure.relative && request->probe == 0.0) {
-    return failure_in_usage(failure, "--relative compares solvent-accessible areas: it needs a probe, --probe 1.4");
-  }
-  if (request->measure.polar && !file_format_has(request->format, FILE_ELEMENTS)) {
-    return failure_in_usage(failure, "--polar has no use here: the file names no elements");
-  }
-  if (request->measure.interface != NULL && !file_format_has(request->format, FILE_RESIDUES)) {
-    return failure_in_usage(failure, "--interface has no use here: the file names no chains");
-  }
-  if (request->csv && (request->measure.polar || request->measure.interface != NULL)) {
-    return failure_in_usage(failure, "--csv prints one table, of balls or of groups: %s has no place in it",
-                            request->measure.polar ? "--polar" : "--interface");
-  }
-  if (request->measure.surface >= 0 && request->probe == 0.0) {
-    return failure_in_usage(failure, "--surface needs a probe, --probe 1.4");
-  }
-  if (request->measure.outer && !request->excluded_surface) {
-    return failure_in_usage(failure, "--outer is for the solvent-excluded surface: it needs --surface ses");
-  }
-  if (request->excluded_surface && request->measure.weights != NULL && request->measure.gradient) {
-    return failure_in_usage(failure,
-                            "--gradient with --weights is of the solvent-accessible surface: not with --surface ses");
-  }
-  if (request->excluded_surface && (request->measure.relative || request->measure.interface != NULL)) {
-    return failure_in_usage(failure, "%s is of the solvent-accessible surface: it has no use with --surface ses",
-                            request->measure.relative ? "--relative" : "--interface");
-  }
-  if (request->measure.curvature && request->excluded_surface) {
-    return failure_in_usage(failure,
-                            "--curvature is of the solvent-accessible surface: it has no use with --surface ses");
-  }
-  if (request->measure.curvature && request->csv) {
-    return failure_in_usage(failure,
-                            "--csv prints one table, of balls or of groups: --curvature has no place "
-                            "in it");
-  }
-  if (request->measure.pdb_out != NULL && !file_format_has(request->format, FILE_AREA_COLUMNS)) {
-    return failure_in_usage(failure, "--pdb-out has no use here: it writes a .pdb file again");
-  }
-  return true;
+  return usage_rules_hold(others, sizeof others / sizeof others[0], failure);
 }
 
 /* Results of all atoms alone, which a part that others block has not. */

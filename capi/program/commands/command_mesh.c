@@ -99,14 +99,13 @@ bool check_mesh(struct request *request, struct failure *failure) {
     return failure_in_usage(failure, "mesh -o OUT.svg needs the part that draws, which this build leaves out");
   }
   request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
-  if (request->meshing.pockets < 0.0 && request->meshing.persistence > 0.0) {
-    return failure_in_usage(failure, "--least needs --pockets");
-  }
-  if (request->meshing.dark && request->meshing.format != MESH_SVG) {
-    return failure_in_usage(failure, "--dark is for a picture, -o OUT.svg");
-  }
-  if (request->meshing.pockets < 0.0) return true;
-  if (request->meshing.format != MESH_SVG) return failure_in_usage(failure, "--pockets is for a picture, -o OUT.svg");
-  if (request->meshing.pockets >= request->probe) return true;
-  return failure_in_usage(failure, "--pockets: W must not be less than --probe");
+  const struct meshing *const meshing = &request->meshing;
+  const bool pockets = meshing->pockets >= 0.0, picture = meshing->format == MESH_SVG;
+  const struct usage_rule rules[] = {
+      {!pockets && meshing->persistence > 0.0, "--least needs --pockets"},
+      {meshing->dark && !picture, "--dark is for a picture, -o OUT.svg"},
+      {pockets && !picture, "--pockets is for a picture, -o OUT.svg"},
+      {pockets && meshing->pockets < request->probe, "--pockets: W must not be less than --probe"},
+  };
+  return usage_rules_hold(rules, sizeof rules / sizeof rules[0], failure);
 }

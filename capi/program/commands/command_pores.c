@@ -397,23 +397,20 @@ static struct table table_of(const struct molecule *molecule, const struct pores
 }
 
 bool check_pores(struct request *request, struct failure *failure) {
-  const bool pockets = request->pores.pockets >= 0.0, from = request->pores.tunnels_from.point.given;
-  if (request->pores.tunnels > 0 && !from) return failure_in_usage(failure, "--tunnels needs --tunnels-from");
-  if (request->pores.tunnels_to.point.given && !from)
-    return failure_in_usage(failure, "--tunnels-to needs --tunnels-from");
-  if (request->pores.cheapest && !from) return failure_in_usage(failure, "--cheapest needs --tunnels-from");
-  if (pockets && request->pores.pockets < request->probe) {
-    return failure_in_usage(failure, "--pockets: W must not be less than --probe");
-  }
-  if (request->pores.tunnels_out != NULL && !from)
-    return failure_in_usage(failure, "--tunnels-out needs --tunnels-from");
-  if (request->pores.profile != NULL && !from) return failure_in_usage(failure, "--profile needs --tunnels-from");
-  if (request->pores.balls && !pockets && !from) {
-    return failure_in_usage(failure, "--balls needs --pockets or --tunnels-from");
-  }
-  if (!request->csv || (int)request->pores.gates + (int)request->pores.regions + (int)pockets + (int)from < 2)
-    return true;
-  return failure_in_usage(failure, "--csv prints one table: either --gates, --regions, --pockets or --tunnels-from");
+  const struct pores_request *const pores = &request->pores;
+  const bool pockets = pores->pockets >= 0.0, from = pores->tunnels_from.point.given;
+  const int lists = (int)pores->gates + (int)pores->regions + (int)pockets + (int)from;
+  const struct usage_rule rules[] = {
+      {pores->tunnels > 0 && !from, "--tunnels needs --tunnels-from"},
+      {pores->tunnels_to.point.given && !from, "--tunnels-to needs --tunnels-from"},
+      {pores->cheapest && !from, "--cheapest needs --tunnels-from"},
+      {pockets && pores->pockets < request->probe, "--pockets: W must not be less than --probe"},
+      {pores->tunnels_out != NULL && !from, "--tunnels-out needs --tunnels-from"},
+      {pores->profile != NULL && !from, "--profile needs --tunnels-from"},
+      {pores->balls && !pockets && !from, "--balls needs --pockets or --tunnels-from"},
+      {request->csv && lists > 1, "--csv prints one table: either --gates, --regions, --pockets or --tunnels-from"},
+  };
+  return usage_rules_hold(rules, sizeof rules / sizeof rules[0], failure);
 }
 
 void describe_pores(const struct request *request, struct record *record) {

@@ -46,7 +46,7 @@ struct drawing {
   int outline_colour;
   int text_colour; /* of what is written over the picture; < 0: that of lines */
   int fog_colour;  /* of what lies behind a picture without a background */
-  int spin;        /* pictures of one turn */
+  uint32_t spin;   /* pictures of one turn; 0: not said */
   double width;
   double height;
   double outline;
@@ -78,11 +78,10 @@ struct drawing {
 
 #define DRAWING_NO_BACKGROUND 0x1000000
 
-#define DRAWING_DEFAULT                                                                                               \
-  {                                                                                                                   \
-    .format = -1, .style = -1, .palette = -1, .colour = -1, .unit = -1, .pieces = -1, .as = -1, .label = -1,          \
-    .background = -1, .outline_colour = -1, .text_colour = -1, .fog_colour = -1, .spin = -1, .width = -1.0,           \
-    .height = -1.0, .outline = -1.0, .fog = -1.0, .fog_of_many = -1.0, .margin = -1.0, .scale = -1.0,                 \
-    .occlusion = -1.0, .ball_size = -1.0, .stick = -1.0, .ink_width = {-1.0, -1.0, -1.0}, .ink_colour = {-1, -1, -1}, \
-    .look = -1                                                                                                        \
+#define DRAWING_DEFAULT                                                                                         \
+  {                                                                                                             \
+    .format = -1, .style = -1, .palette = -1, .colour = -1, .unit = -1, .pieces = -1, .as = -1, .label = -1,    \
+    .background = -1, .outline_colour = -1, .text_colour = -1, .fog_colour = -1, .width = -1.0, .height = -1.0, \
+    .outline = -1.0, .fog = -1.0, .fog_of_many = -1.0, .margin = -1.0, .scale = -1.0, .occlusion = -1.0,        \
+    .ball_size = -1.0, .stick = -1.0, .ink_width = {-1.0, -1.0, -1.0}, .ink_colour = {-1, -1, -1}, .look = -1   \
   }

@@ -20,7 +20,7 @@ struct excluded_surface {
 };
 
 /* Measure it over the boundary, which is computed, or its outer region alone. share [atoms] gets each ball's part of
- * the area; NULL: nobody asks. */
+ * the area; NULL: not asked for. */
 bool excluded_surface_measure(bool outer, uint32_t atoms, struct geometry *geometry, struct excluded_surface *surface,
                               double *share, struct failure *failure);
 

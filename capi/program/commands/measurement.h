@@ -1,4 +1,4 @@
-/* The findings of `hardsphere measure` about a molecule: the numbers, before anybody prints them. */
+/* The findings of `hardsphere measure` about a molecule: the numbers, before they are printed. */
 #pragma once
 
 #include <stdbool.h>

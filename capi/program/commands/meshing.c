@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "read/fields.h"
+#include "read/file_format.h"
 #include "write/output_file.h"
 
 static const char *const extensions[] = {"PLY", "OBJ", "STL", "VERT", "SVG"};
@@ -12,18 +12,9 @@ static const char *const surface_names[] = {"vdw", "sas", "ses"};
 /* The format that --triangles asks for, or the name; PLY for what goes to standard output. */
 static bool find_format(struct meshing *meshing) {
   if (meshing->format >= 0) return true;
-  const char *slash = strrchr(meshing->out, '/');
-  const char *dot = strrchr(slash == NULL ? meshing->out : slash + 1, '.');
-  const char *end = dot == NULL ? "" : dot + 1;
-  const struct field extension = {end, strlen(end)};
-  for (int i = 0; i < FORMATS; ++i) {
-    if (!field_is(extension, extensions[i])) continue;
-    meshing->format = i;
-    return true;
-  }
-  if (!output_is_standard(meshing->out)) return false;
-  meshing->format = MESH_PLY;
-  return true;
+  meshing->format = file_extension_among(meshing->out, extensions, FORMATS);
+  if (meshing->format < 0 && output_is_standard(meshing->out)) meshing->format = MESH_PLY;
+  return meshing->format >= 0;
 }
 
 const char *meshing_surface_name(const struct meshing *meshing) {

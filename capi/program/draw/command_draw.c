@@ -301,7 +301,7 @@ static bool compute(const struct request *request, const struct molecule *molecu
 /* The pictures of one turn, each a request of its own. */
 static bool draw_turn(const struct request *request, const struct molecule *molecule, const uint32_t *colour,
                       struct geometry *geometry, struct drawn *drawn, struct failure *failure) {
-  const int pictures = request->drawing.spin;
+  const int pictures = (int)request->drawing.spin;
   struct request one = *request;
   const int32_t status = spinning_fix_frame(&one.drawing, molecule, request->probe);
   if (status != HSP_OK) return failure_in_library(failure, status);
@@ -363,7 +363,7 @@ static void print(struct record *record, const void *of) {
   const struct drawn *const drawn = &((const struct found *)of)->drawn;
   const struct ball_palette *const palette = &drawn->palette;
   const bool of_map = drawing_is_of_map(&request->drawing), of_sticks = drawing_is_of_sticks(&request->drawing);
-  const int pictures = request->drawing.spin;
+  const int pictures = (int)request->drawing.spin;
   char value[160], remark[80], occlusion[NUMBER_BYTES], towards[DIRECTION_BYTES], up[DIRECTION_BYTES];
   snprintf(value, sizeof value, "%s, %s, %.6g x %.6g %s", drawing_format_name(drawn->options.format),
            drawing_style_name(drawn->options.style), drawn->options.width, drawn->options.height,

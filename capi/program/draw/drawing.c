@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "hardsphere.h"
-#include "read/fields.h"
+#include "read/file_format.h"
 #include "write/output_file.h"
 
 enum { FORMATS = 3, STYLES = 3, PALETTES = 3 };
@@ -30,19 +30,9 @@ static const double px_per_millimetre = 96.0 / 25.4;
 /* The format that --picture asks for, or the name; SVG for what goes to standard output. */
 static bool find_format(struct drawing *drawing) {
   if (drawing->format >= 0) return true;
-  const char *slash = strrchr(drawing->out, '/');
-  const char *dot = strrchr(slash == NULL ? drawing->out : slash + 1, '.');
-  const char *end = dot == NULL ? "" : dot + 1;
-  const struct field extension = {end, strlen(end)};
-  for (int i = 0; i < FORMATS; ++i) {
-    if (field_is(extension, format_names[i])) {
-      drawing->format = i;
-      return true;
-    }
-  }
-  if (!output_is_standard(drawing->out)) return false;
-  drawing->format = (int)HSP_FORMAT_SVG;
-  return true;
+  drawing->format = file_extension_among(drawing->out, format_names, FORMATS);
+  if (drawing->format < 0 && output_is_standard(drawing->out)) drawing->format = (int)HSP_FORMAT_SVG;
+  return drawing->format >= 0;
 }
 
 bool drawing_check(struct drawing *drawing, struct failure *failure) {
@@ -52,46 +42,36 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
     return failure_in_usage(failure, "-o: '%s' is no .svg, .eps or .pdf file",
                             excerpt(shown, drawing->out, strlen(drawing->out)));
   }
-  if (drawing->centre.given && drawing->scale < 0.0) return failure_in_usage(failure, "--centre needs --scale");
-  if (drawing->margin >= 0.0 && drawing->scale >= 0.0) {
-    return failure_in_usage(failure, "either --margin around all that is seen, or --scale");
-  }
-  if (drawing->spin > 0 && output_is_standard(drawing->out)) {
-    return failure_in_usage(failure, "--spin writes several files: standard output is one");
-  }
-  if (drawing->range_given && (!drawing_is_of_values(drawing) || drawing->colour == COLOUR_PLDDT)) {
-    return failure_in_usage(failure,
-                            "--range is for colours that stand for numbers: it needs --colour area, bfactor, "
-                            "charge or a file");
-  }
+  const bool sticks = drawing_is_of_sticks(drawing), of_map = drawing_is_of_map(drawing);
+  const bool bare = drawing->background == DRAWING_NO_BACKGROUND, svg = drawing->format == (int)HSP_FORMAT_SVG;
+  const struct usage_rule frame[] = {
+      {drawing->centre.given && drawing->scale < 0.0, "--centre needs --scale"},
+      {drawing->margin >= 0.0 && drawing->scale >= 0.0, "either --margin around all that is seen, or --scale"},
+      {drawing->spin > 0 && output_is_standard(drawing->out), "--spin writes several files: standard output is one"},
+      {drawing->range_given && (!drawing_is_of_values(drawing) || drawing->colour == COLOUR_PLDDT),
+       "--range is for colours that stand for numbers: it needs --colour area, bfactor, charge or a file"},
+  };
+  const struct usage_rule others[] = {
+      {drawing->classes && !svg, "--classes is for .svg: other formats have none"},
+      {drawing->tooltips && !svg, "--tooltips is for .svg: other formats have none"},
+      {drawing->fog_colour >= 0 && !bare,
+       "--fog-colour is for --background none: fog has the colour of the background"},
+      {drawing->fog > 0.0 && drawing->fog_colour < 0 && bare,
+       "--fog with --background none needs --fog-colour, the colour of what lies behind"},
+      {drawing->all_balls && of_map, "either --all-balls, hidden ones too, or --pieces visible"},
+      {sticks && drawing->pieces >= 0 && !of_map, "--as ball-and-stick has no --pieces but visible"},
+      {sticks && (drawing->all_balls || drawing->occlusion > 0.0),
+       "--all-balls and --occlusion are not for --as ball-and-stick"},
+      {!sticks && (drawing->ball_size >= 0.0 || drawing->stick >= 0.0),
+       "--ball-size and --stick are for --as ball-and-stick"},
+  };
+  if (!usage_rules_hold(frame, sizeof frame / sizeof frame[0], failure)) return false;
   const int palette_of = drawing->palette == (int)HSP_PALETTE_CHAIN ? COLOUR_CHAIN : COLOUR_ELEMENT;
   if (drawing->palette >= 0 && drawing->colour >= 0 && drawing->colour != palette_of) {
     return failure_in_usage(failure, "--palette %s is of colours by %s", palette_names[drawing->palette],
                             colour_names[palette_of]);
   }
-  if ((drawing->classes || drawing->tooltips) && drawing->format != (int)HSP_FORMAT_SVG) {
-    return failure_in_usage(failure, "%s is for .svg: other formats have none",
-                            drawing->classes ? "--classes" : "--tooltips");
-  }
-  if (drawing->fog_colour >= 0 && drawing->background != DRAWING_NO_BACKGROUND) {
-    return failure_in_usage(failure, "--fog-colour is for --background none: fog has the colour of the background");
-  }
-  if (drawing->fog > 0.0 && drawing->fog_colour < 0 && drawing->background == DRAWING_NO_BACKGROUND) {
-    return failure_in_usage(failure, "--fog with --background none needs --fog-colour, the colour of what lies behind");
-  }
-  if (drawing->all_balls && drawing_is_of_map(drawing)) {
-    return failure_in_usage(failure, "either --all-balls, hidden ones too, or --pieces visible");
-  }
-  if (drawing_is_of_sticks(drawing) && drawing->pieces >= 0 && !drawing_is_of_map(drawing)) {
-    return failure_in_usage(failure, "--as ball-and-stick has no --pieces but visible");
-  }
-  if (drawing_is_of_sticks(drawing) && (drawing->all_balls || drawing->occlusion > 0.0)) {
-    return failure_in_usage(failure, "--all-balls and --occlusion are not for --as ball-and-stick");
-  }
-  if (!drawing_is_of_sticks(drawing) && (drawing->ball_size >= 0.0 || drawing->stick >= 0.0)) {
-    return failure_in_usage(failure, "--ball-size and --stick are for --as ball-and-stick");
-  }
-  return true;
+  return usage_rules_hold(others, sizeof others / sizeof others[0], failure);
 }
 
 bool drawing_is_of_sticks(const struct drawing *drawing) {

@@ -11,7 +11,7 @@
 #include "draw/view_axes.h"
 
 #if !HSP_HAS_SPACE
-#define mesh_pockets_find(...) false /* nobody asks: the option is refused then */
+#define mesh_pockets_find(...) false /* never called: the option is refused then */
 #endif
 
 /* Voids are small, and shown whole: of shorter triangles than what is cut. */

@@ -19,7 +19,7 @@ static const double contour_share = 0.0048, thinnest_contour = 6.0, widest_conto
  * contour of the strip. In widths. */
 static const double narrowest_strip = 3.0, larger_gap = 4.0;
 
-/* Mean radii, up to which gaps are told apart. */
+/* Mean radii: larger gaps count as so many. */
 static const double largest_gap = 3.0;
 
 /* Contours that end alone are specks if they are no more than a line of full width as long as so many widths. */

@@ -30,6 +30,13 @@ bool failure_in_usage(struct failure *failure, const char *format, ...) {
   return false;
 }
 
+bool usage_rules_hold(const struct usage_rule *rule, size_t count, struct failure *failure) {
+  for (size_t k = 0; k < count; ++k) {
+    if (rule[k].broken) return failure_in_usage(failure, "%s", rule[k].reason);
+  }
+  return true;
+}
+
 bool failure_of_memory(struct failure *failure) {
   return failure_in_input(failure, 0, "out of memory");
 }

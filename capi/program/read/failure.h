@@ -39,6 +39,15 @@ bool failure_in_input(struct failure *failure, uint64_t line, const char *format
 /* Record a fault of the command line. Always false. */
 bool failure_in_usage(struct failure *failure, const char *format, ...) FAILURE_FORMAT(2, 3);
 
+/* A rule of usage: whether it is broken, and the text for that. */
+struct usage_rule {
+  bool broken;
+  const char *reason;
+};
+
+/* False where a rule is broken, and the failure says the first one. */
+bool usage_rules_hold(const struct usage_rule *rule, size_t count, struct failure *failure);
+
 /* Record that memory is short. Always false. */
 bool failure_of_memory(struct failure *failure);
 

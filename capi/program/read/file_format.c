@@ -89,6 +89,14 @@ const char *file_extension(const char *path) {
   return dot == NULL ? "" : dot + 1;
 }
 
+int file_extension_among(const char *path, const char *const *names, int count) {
+  const char *const text = file_extension(path);
+  const struct field extension = {text, strlen(text)};
+  int place = count - 1;
+  while (place >= 0 && !field_is(extension, names[place])) --place;
+  return place;
+}
+
 const struct file_format *file_format_of(const char *path, struct failure *failure) {
   const char *const extension = file_extension(path);
   const struct file_format *format = file_format_named(extension, FILE_ATOMS);

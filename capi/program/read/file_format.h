@@ -69,5 +69,8 @@ const struct file_format *file_format_named(const char *name, unsigned features)
 /* The part of a file's name after the last dot; "" if there is none. */
 const char *file_extension(const char *path);
 
+/* Its place among some names, in any case of its letters; -1: it is none of them. */
+int file_extension_among(const char *path, const char *const *names, int count);
+
 /* The format of molecules that a file name's extension asks for; NULL if there is none. */
 const struct file_format *file_format_of(const char *path, struct failure *failure);

@@ -71,11 +71,12 @@ struct atom_label {
   bool by_number : 1;            /* the file has the atomic number of the element */
   bool by_letters : 1;           /* its element is a guess by the letters of its name */
   bool contradicted : 1;         /* the file states another element than the name begins with */
-  bool bead : 1; /* no atom, but several of a coarse-grained model, which needs a radius by residue and atom */
-  bool
-      virtual_site : 1; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
-  bool polar : 1;       /* polarity.h */
-  bool apolar : 1;      /* likewise */
+  /* No atom, but several of a coarse-grained model, which needs a radius by residue and atom. */
+  bool bead : 1;
+  /* No atom, but a position beside one; becomes a ball only if the user gives its symbol a radius. */
+  bool virtual_site : 1;
+  bool polar : 1;            /* polarity.h */
+  bool apolar : 1;           /* likewise */
   unsigned char decimals[3]; /* digits behind the points of its coordinates if they are fractions of a cell; else 0 */
 };
 

@@ -3,7 +3,7 @@
 
 #include "caller_executor.hpp"
 #include "conversion.hpp"
-#include "measure/totals.hpp"
+#include "measure/energy.hpp"
 
 namespace hsp::capi {
 

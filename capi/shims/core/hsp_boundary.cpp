@@ -1,3 +1,11 @@
+// hsp_boundary: computing it, its counts and its records.
+//
+// An arc has two half-edges, one on each of its balls, and its id is the rank of its lower half-edge among all lower
+// ones. As an example the three balls of lib/union/boundary/boundary.hpp, with half-edges 0 and 1 on ball 0, 2 and 3 on
+// ball 1, 4 and 5 on ball 2:
+//   half-edges of ball 0     both are the lower ones of their arcs: arcs 0 and 1, with balls 1 and 2 in some order
+//   half-edges of ball 1     one is the twin of one of ball 0, the other one lower than its twin: arc 2, with ball 2
+//   half-edges of ball 2     both are twins
 #include "hsp_boundary.hpp"
 #include "boundary_records.hpp"
 #include "caller_executor.hpp"
@@ -134,6 +142,7 @@ int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_count
   counts->faces = structure.face_count();
   counts->loops = structure.loop_count();
   counts->shells = structure.shell_count();
+  // One look at each ball and vertex, here and not at the end of each computation: few callers ask for it.
   for (uint32_t i = 0; i < counts->balls; ++i) {
     counts->contained_balls += structure.is_contained(i) ? 1U : 0U;
     counts->exposed_balls += structure.is_exposed(i) ? 1U : 0U;

@@ -1,3 +1,10 @@
+// hsp_contacts: contacts, shares, groups and simplices, in the caller's order.
+//
+// As an example the balls of radius 5 at (0,0,0), (6,0,0) and (0,6,0), which make seven simplices:
+//   balls 0, 1, 2            each has a face and contacts: HSP_SIMPLEX_REGULAR
+//   edges 01, 02, 12         each has an arc, and not its whole circle: HSP_SIMPLEX_REGULAR
+//   triangle 012             both ends of its chord are free: HSP_SIMPLEX_SINGULAR
+// Balls of a record ascend in the caller's order, whatever that of the grid is.
 #include "hsp_contacts.hpp"
 
 #include "caller_executor.hpp"
@@ -62,8 +69,7 @@ int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_si
     return status;
   if (!boundary->has_results()) return HSP_E_STATE;
   hsp::ContactLimits defaults;
-  const hsp::Status status =
-      hsp::default_contact_limits(boundary->balls().n, boundary->builder.needed().neighbours, defaults);
+  const hsp::Status status = hsp::default_limits(boundary->balls().n, boundary->builder.needed().neighbours, defaults);
   if (status == hsp::Status::ok) hsp_contacts::Limits::write(defaults, limits, struct_size);
   return hsp::capi::to_c(status);
 }

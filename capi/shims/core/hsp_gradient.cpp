@@ -1,7 +1,7 @@
 #include "gradient_arrays.hpp"
 #include "hsp_boundary.hpp"
+#include "measure/energy.hpp"
 #include "measure/tangency.hpp"
-#include "measure/totals.hpp"
 
 using hsp::capi::GradientArrays;
 using hsp::capi::is_tangency;

@@ -18,8 +18,8 @@
 namespace hsp::capi {
 
 // Of each processor: how its registers are read and set, and which of their bits are controls, of rounding, flushing
-// and traps; set in the library's environment; and results of comparisons and of the last operation, which nobody
-// keeps.
+// and traps; set in the library's environment; and results of comparisons and of the last operation, which are
+// not kept.
 #if defined(__SSE2__)
 struct FloatingPointRegisters {
   using Word = uint32_t;

@@ -166,6 +166,7 @@ int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, h
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(model, scratch == nullptr && words > 0); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = model->grid;
+  // Neighbours alone, first: nothing is written to `of_ball` unless the scratch memory suffices for all balls.
   uint64_t needed = 0;
   for (uint32_t i = 0; i < grid.balls().n; ++i) {
     uint64_t own = 0;

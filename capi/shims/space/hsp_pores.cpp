@@ -13,7 +13,7 @@ using hsp::capi::get_list;
 using hsp::capi::highest_level;
 using hsp::capi::is_level;
 using hsp::capi::LibraryArithmetic;
-using hsp::capi::put_place;
+using hsp::capi::put_position;
 using hsp::capi::put_shift;
 using hsp::capi::round_point;
 using hsp::capi::winding_of;
@@ -131,7 +131,7 @@ hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined,
 }
 
 // Where a point is; of a handle with results.
-int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PorePlace &place) {
+int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PoreLocation &place) {
   hsp::exact::Vector point;
   if (const int32_t status = round_point(pores.lattice(), xyz, point); status != HSP_OK) return status;
   return hsp::capi::to_c(hsp::locate(pores.builder.pores(), pores.balls_around(), point, pores.builder.floor(), place));
@@ -209,9 +209,7 @@ int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodi
 
 int32_t hsp_pores_get_counts(const hsp_pores *pores, hsp_pores_counts *counts) {
   if (const int32_t status = check_results(pores, counts == nullptr); status != HSP_OK) return status;
-  uint32_t merges = 0;
-  for (const hsp::PoreGate &gate : pores->gates()) merges += gate.merges ? 1 : 0;
-  const uint32_t maxima = pores->maxima().size();
+  const uint32_t merges = pores->builder.pores().mergers(), maxima = pores->maxima().size();
   *counts = {maxima, pores->gates().size(), merges, maxima - merges, pores->builder.pores().outer_balls(), 0};
   return HSP_OK;
 }
@@ -224,7 +222,7 @@ int32_t hsp_pores_get_maxima(const hsp_pores *pores, uint32_t first, uint32_t co
   for (uint32_t k = 0; k < count; ++k) {
     const hsp::PoreMaximum &maximum = pores->maxima()[first + k];
     hsp_pore_maximum &record = out[k];
-    put_place(*pores, maximum.point.place, record.xyz);
+    put_position(*pores, maximum.point.position, record.xyz);
     record.radius = pores->lattice().length(maximum.point.level);
     record.death = maximum.gate == hsp::no_id ? floor_of(*pores)
                                               : pores->lattice().length(pores->gates()[maximum.gate].point.level);
@@ -243,7 +241,7 @@ int32_t hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint32_t cou
   for (uint32_t k = 0; k < count; ++k) {
     const hsp::PoreGate &gate = pores->gates()[first + k];
     hsp_pore_gate &record = out[k];
-    put_place(*pores, gate.point.place, record.xyz);
+    put_position(*pores, gate.point.position, record.xyz);
     record.radius = pores->lattice().length(gate.point.level);
     for (int b = 0; b < 3; ++b) record.ball[b] = gate.point.ball[b];
     for (int side = 0; side < 2; ++side) record.end[side] = gate.end[side];
@@ -359,7 +357,7 @@ int32_t hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, 
   LibraryArithmetic arithmetic;
   const int32_t refused = check_results(pores, xyz == nullptr || place == nullptr || shifts == nullptr);
   if (refused != HSP_OK) return refused;
-  hsp::PorePlace found;
+  hsp::PoreLocation found;
   if (const int32_t status = locate(*pores, xyz, found); status != HSP_OK) return status;
   *place = {pores->lattice().length(found.level), found.ball, found.maximum};
   put_shift(pores->image_shift(found.ball, found.ball_shift), shifts->ball);
@@ -418,7 +416,7 @@ int32_t hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *po
       [](const hsp_pores &handle) { return handle.builder.tunnel().points(); },
       [pores](const hsp::TunnelPoint &point) {
         hsp_tunnel_point record;
-        put_place(*pores, point.place, record.xyz);
+        put_position(*pores, point.position, record.xyz);
         record.radius = pores->lattice().length(point.level);
         for (int b = 0; b < 4; ++b) record.ball[b] = point.ball[b];
         record.gate = point.gate;

@@ -14,7 +14,7 @@ using hsp::capi::highest_level;
 using hsp::capi::is_level;
 using hsp::capi::LibraryArithmetic;
 using hsp::capi::PluggedBalls;
-using hsp::capi::put_place;
+using hsp::capi::put_position;
 using hsp::capi::winding_of;
 
 namespace {
@@ -203,7 +203,7 @@ int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hs
     status = pores->builder.match_pockets(
         plugged->builder, plugged->balls_around(), [&](uint32_t maximum, hsp::exact::Vector &point) {
           double xyz[3];
-          put_place(*pores, pores->maxima()[maximum].point.place, xyz);
+          put_position(*pores, pores->maxima()[maximum].point.position, xyz);
           return plugged->lattice().round(xyz, point) ? hsp::Status::ok : hsp::Status::range;
         });
   }

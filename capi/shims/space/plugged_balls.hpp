@@ -17,7 +17,7 @@ class PluggedBalls {
   // In lengths.
   void put(uint32_t k, double xyz[3], double &radius) const {
     const exact::LatticeBall ball = (*this)[k];
-    put_place(pores_, exact::to_double(ball.centre), xyz);
+    put_position(pores_, exact::to_double(ball.centre), xyz);
     radius = pores_.lattice().length(static_cast<double>(ball.radius));
   }
   // Whether other pores were computed of these balls, rounded to the same lattice or a coarser one, and perhaps of

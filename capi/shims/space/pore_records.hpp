@@ -14,7 +14,7 @@ inline double floor_of(const hsp_pores &pores) {
   return pores.lattice().length(static_cast<double>(pores.builder.floor()));
 }
 
-inline void put_place(const hsp_pores &pores, const Vec3 &place, double xyz[3]) {
+inline void put_position(const hsp_pores &pores, const Vec3 &place, double xyz[3]) {
   const exact::Lattice &lattice = pores.lattice();
   to_array({lattice.length(place.x), lattice.length(place.y), lattice.length(place.z)}, xyz);
 }

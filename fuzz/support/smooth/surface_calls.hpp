@@ -24,7 +24,13 @@ class SurfaceCalls {
                  "hsp_surface_limits_init");
     if (suited != HSP_OK || bytes_.below(3) == 0) {
       const uint32_t n = bytes_.below(28);
-      limits = {sizeof limits, 8 * n, 4 * n + 1, n, 8 * n, 30 * n, 2 * n};
+      limits = {.struct_size = sizeof limits,
+                .vertices = 8 * n,
+                .faces = 4 * n + 1,
+                .neighbours = n,
+                .pieces = 8 * n,
+                .arcs = 30 * n,
+                .cusped_circles = 2 * n};
     }
     if (bytes_.one_in(16)) limits.arcs = 0xFFFFFFFF;
     StructVersion<hsp_surface_limits> version(limits, bytes_);

@@ -1,5 +1,8 @@
 // The balls on their lattice. Coordinates and radii are integers stored in doubles (exact below 2^53), because the hot
 // loops subtract and square them; the exact predicates get them as int64.
+//
+// As an example a step of 1e-3 and a probe of 1.4: the caller's ball of radius 1.7 at (0.5, -1.25, 2) has x = 500, y =
+// -1250, z = 2000 and r = 1700 + 1400 = 3100.
 #pragma once
 
 #include "core/small_code.hpp"

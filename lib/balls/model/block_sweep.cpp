@@ -1,3 +1,10 @@
+// Blocks of neighbouring cubes, from one cube to the next.
+//
+// As an example a row with cubes at x = 0, 1, 2, 5 and 6, and what belongs to it in blocks of cubes in the same row:
+//   block of the cube at 1     0, 1 and 2
+//   block of the cube at 2     1 and 2: 0 has dropped out, and no cube is at 3
+//   block of the cube at 5     5 and 6
+// Both ends only move up, so that along a whole row they take as many steps as it has cubes.
 #include "model/block_sweep.hpp"
 
 #include "core/first_index.hpp"

@@ -10,7 +10,7 @@ namespace hsp {
 
 class BlockSweep {
  public:
-  explicit BlockSweep(const CubeGrid &grid) : grid_(&grid), cubes_(&grid.cube_list()) {}
+  explicit BlockSweep(const CubeGrid &grid) : grid_(&grid), cubes_(&grid.cube_list()) { block_.levels = grid.levels(); }
   // No grid: one block is around all balls.
   explicit BlockSweep(const CubeBlock &everything) : block_(everything) {}
 

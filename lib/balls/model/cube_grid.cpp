@@ -1,5 +1,7 @@
 #include "model/cube_grid.hpp"
 
+#include "core/small_code.hpp"
+
 namespace hsp {
 
 CubeGrid::CubeGrid() = default;
@@ -8,22 +10,40 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   target_ = workspace.target();
   OrderedBalls::carve(workspace, n);
   index_.carve(workspace, n);
+  levels_.use(target_, in_lanes());
+}
+
+void CubeGrid::build_index() {
+  index_.build(*this, in_lanes());
+  build_levels();
+}
+
+void CubeGrid::use_no_levels() {
+  levels_.clear();
+  index_.build_rows(*this, in_lanes());
+}
+
+void CubeGrid::build_levels() {
+  levels_.clear();
+  if (small_code || !RadiusLevels::may_save_work(*this)) return;
+  levels_.build(*this, index_.end_rows());
+  if (!levels_.is_there()) index_.build_rows(*this, in_lanes());
 }
 
 Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   const Status status = sort(input, index_.end(), first_bad);
-  index_.build(*this, in_lanes());
+  build_index();
   return status;
 }
 
 void CubeGrid::build(const BallSet &given, uint32_t own) {
   sort(given, own, index_.end());
-  index_.build(*this, in_lanes());
+  build_index();
 }
 
 void CubeGrid::build(const BallSet &balls, Span<const uint32_t> slot, int64_t side) {
   sort(balls, slot, side, index_.end());
-  index_.build(*this, in_lanes());
+  build_index();
 }
 
 BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const {
@@ -59,6 +79,7 @@ void CubeGrid::add_rows(const CubeCoordinates &low, const CubeCoordinates &high,
 
 CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
   CubeBlock block;
+  block.levels = levels();
   CubeCoordinates low{centre.x - 1, centre.y - 1, centre.z - 1};
   CubeCoordinates high{centre.x + 1, centre.y + 1, centre.z + 1};
   if (!has_images() || halo().is_far_from(centre)) {

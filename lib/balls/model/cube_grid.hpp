@@ -1,4 +1,11 @@
 // The balls of a set in the order of their cubes, and an index of these.
+//
+// As an example a plane, letters being balls; the block of the cube in the middle, which has D:
+//    F  |  G  |          Rows are in the order of y, the lowest first, and so are the numbers of balls: A to G. So each
+//   ----+-----+----      row of the block is one range, A to C, D to E and F to G, which two numbers tell. In space
+//       |  D  |  E       there are nine rows.
+//   ----+-----+----
+//    A  | B C |
 #pragma once
 
 #include "model/cube_index.hpp"
@@ -10,6 +17,7 @@ namespace hsp {
 struct CubeBlock {
   BallRange range[18];
   uint32_t ranges = 0;
+  const RadiusLevels *levels = nullptr;  // tell which of these meet a ball sooner, if there are such
 };
 
 class CubeGrid : public OrderedBalls {
@@ -29,6 +37,8 @@ class CubeGrid : public OrderedBalls {
   const CubeSlots &slots() const { return index_.slots(); }
   const RowDirectory &rows() const { return index_.rows(); }
   const QueryGrid *queries() const { return index_.queries(); }
+  // Null if there are none.
+  const RadiusLevels *levels() const { return levels_.is_there() ? &levels_ : nullptr; }
   // The balls of the cubes (x_low .. x_high, y, z).
   BallRange balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const;
   CubeBlock block_around(const CubeCoordinates &centre) const;
@@ -40,19 +50,25 @@ class CubeGrid : public OrderedBalls {
   void use(Target target, bool lanes) {
     target_ = target;
     in_lanes_ = lanes;
+    levels_.use(target, lanes);
   }
+  void use_no_levels();
 
   // Calls use(slots) for another grouping of the same balls, with as many slots as there may be cubes.
   template <class Use>
   void lend_slots(Use use) {
     use(index_.cells());
     index_.build_rows(*this, in_lanes());
+    build_levels();
   }
 
  private:
+  void build_index();
+  void build_levels();
   void add_rows(const CubeCoordinates &low, const CubeCoordinates &high, CubeBlock &block) const;
 
   CubeIndex index_;
+  RadiusLevels levels_;
   Target target_ = Target::baseline;
   bool in_lanes_ = has_lanes;
 };

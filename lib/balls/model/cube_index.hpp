@@ -5,6 +5,7 @@
 
 #include "model/ordered_balls.hpp"
 #include "model/query_hits.hpp"
+#include "model/radius_levels.hpp"
 #include "model/row_directory.hpp"
 
 namespace hsp {
@@ -34,6 +35,12 @@ class CubeIndex {
 
   // rounds: whether queries are in lanes.
   void build(const OrderedBalls &order, bool rounds);
+  // All but the table is over until build_rows().
+  IndexMemory end_rows() {
+    rows_.clear();
+    if (QueryGrid *const grid = queries_.get()) *grid = {};
+    return {cells_, rounded_};
+  }
   // All but the table, whose memory the others do not share.
   void build_rows(const OrderedBalls &order, bool rounds);
 
@@ -49,7 +56,7 @@ class CubeIndex {
   const QueryGrid *queries() const { return queries_.get(); }
 
  private:
-  static constexpr bool rounds_balls = has_lanes && has_row_directories;
+  static constexpr bool rounds_balls = has_row_directories;
 
   CubeSlots slots_;
   RowDirectory rows_;

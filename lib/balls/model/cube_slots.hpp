@@ -9,6 +9,11 @@
 // most_probes, which independent hashes hardly ever reach, the slots become the links of a digital search tree (Knuth,
 // TAOCP 3, section 6.3, algorithm D): a node has a cube, and what lies below it shares with that cube a bit for each
 // node above. So a search looks at a slot and at 193 nodes at most, as three coordinates have 192 bits.
+//
+// As an example eight slots, and a cube whose hash says slot 5 and stride 3. It may be in slots
+//   5 0 3 6 1 4 7 2                modulo 8; as the stride is odd, all of them come, each once
+// If 5 and 0 have other cubes it goes into 3. A search for it looks at 5, 0 and 3; a search for a cube that is not
+// there and has the same hash goes on to 6, and ends if that is empty.
 #pragma once
 
 #include "core/ahead.hpp"

@@ -4,6 +4,11 @@
 //
 // Of two or three digits of many entries the highest is sorted by first, and then the entries of each of its values by
 // the others: these are so few that they stay in a near memory. The order is the same.
+//
+// As an example keys of two decimal digits:
+//   given                    21 13 11 23
+//   by the lower digit       21 11 13 23      those of one digit stay in their order
+//   then by the higher one   11 13 21 23
 #pragma once
 
 #include "core/span.hpp"

@@ -5,6 +5,15 @@
 //
 // Balls come from a source, which may compute them when they are asked for: source.centre(i) and source.ball(i) are
 // ball i on the lattice.
+//
+// In a plane, six balls by letters in cubes of side 10, of which those of one cube are in the order of their ranks:
+//       y |
+//     10  |   D   E |       |   F
+//      0  |   A   B |   C   |             order:  A B | C | D E | F      cubes (0,0) (1,0) (0,1) (2,1)
+//         +---------------------- x
+//             0        10      20
+// The neighbours of C are in the cubes from (0,-1) to (2,1): of the row y = 0 they are A to C, of the row y = 10 D to
+// F.
 #pragma once
 
 #include <bit>

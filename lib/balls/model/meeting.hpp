@@ -1,5 +1,8 @@
 // Whether two balls meet: they do if d^2 <= t^2, with d the distance of their centres and t the sum of their radii. All
 // rooms that ask it, of numbers or in lanes, have their bounds from here; exact/PROOFS.md, section 5, proves them.
+//
+// As an example balls of radius 2 and 3 with centres (3, 4, 0) apart: d^2 = 25 = t^2. They touch, and so meet; doubles
+// say that the numbers are nearly equal, and integers that they are equal.
 #pragma once
 
 #include <cmath>

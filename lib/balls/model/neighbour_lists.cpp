@@ -1,3 +1,11 @@
+// All neighbours of all balls: counted, or listed in rows.
+//
+// As an example balls 0, 1 and 2, of which 0 meets 2 and 1 meets 2. `first` has where rows begin and, at its end, where
+// the last one ends:
+//   rows of the smaller index     first   0 1 2 2       ids   2 | 2 |
+//   rows of both                  first   0 1 2 4       ids   2 | 2 | 0 1
+// The first walk over all pairs counts, and sums of the counts are ends of rows. The second one fills each row from its
+// end on, so that what was an end has become the beginning.
 #include "model/neighbour_lists.hpp"
 
 #include "core/ahead.hpp"
@@ -36,6 +44,10 @@ class PairWalk {
         largest_(static_cast<double>(grid.balls().largest_radius)) {}
 
   void run() {
+    if (const RadiusLevels *const levels = grid_.levels()) {
+      for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube_by_levels(cube, *levels);
+      return;
+    }
     if constexpr (has_lanes) {
       if (grid_.in_lanes()) {
         for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube_in_blocks(cube);
@@ -103,6 +115,31 @@ class PairWalk {
       }
     }
     look_into(block, balls, own, in_earlier_blocks);
+  }
+
+  // The same, where all balls around the cube are asked by those that meet very many alone.
+  void walk_cube_by_levels(uint32_t cube, const RadiusLevels &levels) {
+    const BallRange own = grid_.balls_in(cube);
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      uint32_t met[QueryHits::room];
+      const uint32_t count = levels.find_neighbours(balls_, i, met, QueryHits::room);
+      if (count <= QueryHits::room) {
+        uint32_t later = 0;
+        for (uint32_t k = 0; k < count; ++k) {
+          const uint32_t j = met[k];
+          met[later] = balls_.caller[j];
+          later += static_cast<uint32_t>(j > i);
+        }
+        visit(i, met, later);
+        continue;
+      }
+      const CubeBlock around = grid_.block_around(grid_.cube_list().coordinates(cube));
+      for (uint32_t k = 0; k < around.ranges; ++k) {
+        if (around.range[k].last > own.first) look_at(i, around.range[k]);
+      }
+      visit(i, met_, hits_);
+      hits_ = 0;
+    }
   }
 
   // Of the balls side by side the cube's own are the first.

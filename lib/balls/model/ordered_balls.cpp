@@ -1,3 +1,12 @@
+// Balls from the caller's order into that of the grid.
+//
+// As an example centres on the x axis, in cubes of side 5:
+//   the caller's ball     0   1   2   3
+//   x                     7   1  12   3
+//   cube                  1   0   2   0
+// Ball by ball of the grid: cube 0 has the caller's balls 1 and 3, cube 1 has 0, cube 2 has 2. So
+//   caller       1 3 0 2       of each ball of the grid its number for the caller
+//   grid_index   2 0 3 1       of each ball of the caller its number in the grid
 #include "model/ordered_balls.hpp"
 
 #include "core/ahead.hpp"
@@ -130,8 +139,8 @@ void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part
     grid_index_[part.first + order.ball(k)] = part.first + k;
     return ball;
   };
-  uint32_t settled = order.keys_tell_cubes ? 0 : n;  // before that, balls of one slice are in order
-  uint64_t last_key = ~UINT64_C(0);                  // no ball's
+  uint32_t sorted_before = order.keys_tell_cubes ? 0 : n;  // before that, balls of one slice are in order
+  uint64_t last_key = ~UINT64_C(0);                        // no ball's
   CubeCoordinates last_cube{};
   int64_t last_x = 0;
   for (uint32_t block = 0; block < n; block += balls_in_block) {
@@ -158,9 +167,9 @@ void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part
       cubes += static_cast<uint32_t>(begins);
       const bool out_of_order = static_cast<unsigned>(!begins) & static_cast<unsigned>(last_x >= ball.centre.x);
       last_x = ball.centre.x;
-      if (!small_code && out_of_order && k >= settled) {
+      if (!small_code && out_of_order && k >= sorted_before) {
         const BallRange run = sort_slice(source, order, k);
-        settled = run.last;
+        sorted_before = run.last;
         for (uint32_t again = run.first; again <= k; ++again) last_x = store(again).centre.x;
       }
     }
@@ -240,8 +249,8 @@ void OrderedBalls::sort(const BallSet &balls, Span<const uint32_t> slot, int64_t
   sort(placed, balls_, box_around(placed, {0, n}), n, idle);
 }
 
-// The box is that around the own balls. Small code needs to know the balls as they are given, too: they may be where
-// they are to be put, as the source has them once more.
+// The box is that around the own balls. `given`: the balls as they are given; with small code input and output may be
+// the same array, as `source` has them once more.
 template <class Source>
 void OrderedBalls::sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own,
                         Span<uint32_t> idle) {

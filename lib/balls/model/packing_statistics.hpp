@@ -1,4 +1,7 @@
 // The packing statistics of Section 2: k, rho, and the numbers of overlaps.
+//
+// As an example the balls of radius 5 at (0,0,0), (6,0,0) and (0,6,0): k = 1, rho = 6/5, and each overlaps the two
+// others. The bound of Theorem 2.1 is 216 / 1.2^3 = 125.
 #pragma once
 
 #include "model/cube_grid.hpp"

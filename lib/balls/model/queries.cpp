@@ -1,3 +1,11 @@
+// Balls at a point and at a ball, found in the cubes that can hold them.
+//
+// As an example cubes of side 10 and a largest radius of 5, along one axis. A ball that contains a point has its centre
+// at most 5 away:
+//   point   its cube   in it at      centres from    cubes
+//     13        1          3         8 to 18         0 and 1      3 < 10 - 5: the lower neighbour
+//     17        1          7         12 to 22        1 and 2      7 >= 5: the upper one
+// So a point has two cubes along each axis, eight in all, in four rows that the hash table is asked for.
 #include "model/queries.hpp"
 
 #include "core/extremes.hpp"
@@ -77,13 +85,23 @@ CubeBox common_cubes(const CubeGrid &grid, const CubeBox &box) {
           {smaller_of(box.high.x, high.x), smaller_of(box.high.y, high.y), smaller_of(box.high.z, high.z)}};
 }
 
+QueryBall as_doubles(const LatticeQuery &query, uint32_t excluded) {
+  return {static_cast<double>(query.centre.x), static_cast<double>(query.centre.y), static_cast<double>(query.centre.z),
+          static_cast<double>(query.radius), excluded};
+}
+
+// If none of the hits are missing, and all fit.
+void write_ascending(const CubeGrid &grid, const QueryHits &hits, QueryResult &result) {
+  if constexpr (has_lanes) {
+    if (grid.in_lanes()) return write_ascending_in_lanes(grid.target(), hits, result.ids, result.capacity);
+  }
+  write_ascending(hits, result.ids);
+}
+
 class HitFinder {
  public:
   HitFinder(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded)
-      : grid_(grid),
-        balls_(query_arrays(grid.balls())),
-        query_{static_cast<double>(query.centre.x), static_cast<double>(query.centre.y),
-               static_cast<double>(query.centre.z), static_cast<double>(query.radius), excluded} {
+      : grid_(grid), balls_(query_arrays(grid.balls())), query_(as_doubles(query, excluded)) {
     hits_.count = 0;
   }
 
@@ -114,13 +132,6 @@ class HitFinder {
     find(&range, 1);
     return hits_;
   }
-  // If none are missing.
-  void write_ascending(uint32_t *ids, [[maybe_unused]] uint32_t room) const {
-    if constexpr (has_lanes) {
-      if (grid_.in_lanes()) return write_ascending_in_lanes(grid_.target(), hits_, ids, room);
-    }
-    hsp::write_ascending(hits_, ids);
-  }
 
  private:
   void find(const BallRange *ranges, uint32_t count) {
@@ -136,16 +147,30 @@ class HitFinder {
   QueryHits hits_;
 };
 
+// By the levels of radii, if these tell all hits. Apart, as most sets have none.
+[[gnu::noinline, gnu::cold]] bool collect_by_levels(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
+                                                    QueryResult &result) {
+  QueryHits hits;
+  const uint32_t own = excluded != no_id ? grid.grid_index(excluded) : no_id;
+  hits.count = grid.levels()->find(as_doubles(query, own), hits.ids, QueryHits::room);
+  if (hits.count > QueryHits::room) return false;
+  for (uint32_t k = 0; k < hits.count; ++k) hits.ids[k] = grid.balls().caller[hits.ids[k]];
+  result.hits = hits.count;
+  if (result.hits <= result.capacity) write_ascending(grid, hits, result);
+  return true;
+}
+
 // Nothing is written to the caller's array before it is known that all hits fit. More of them than there is room for
 // are found a second time.
 void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded, const CubeBox &box,
              QueryResult &result) {
+  if (grid.levels() != nullptr && collect_by_levels(grid, query, excluded, result)) return;
   HitFinder finder(grid, query, excluded);
   finder.find(box);
   result.hits = finder.hits().count;
   if (result.hits > result.capacity) return;
   if (result.hits <= QueryHits::room) {
-    finder.write_ascending(result.ids, result.capacity);
+    write_ascending(grid, finder.hits(), result);
     return;
   }
   uint32_t stored = 0;
@@ -157,6 +182,11 @@ void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
     });
   });
   sort_ascending(result.ids, result.hits);
+}
+
+// Their number, which may be no_id.
+[[gnu::noinline, gnu::cold]] uint32_t hits_by_levels(const CubeGrid &grid, const LatticeQuery &query) {
+  return grid.levels()->find(as_doubles(query, no_id), nullptr, 0);
 }
 
 // Why a query is refused: what is no number first, then what is too large.
@@ -205,6 +235,10 @@ Status find_balls(const CubeGrid &grid, const double *xyz, double radius, QueryR
 }
 
 bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
+  if (grid.levels() != nullptr) {
+    const uint32_t hits = hits_by_levels(grid, query);
+    if (hits != no_id) return hits > 0;
+  }
   HitFinder finder(grid, query, no_id);
   bool found = false;
   visit_rows(grid, cubes_at_ball(grid, query), [&](const BallRange &row) {

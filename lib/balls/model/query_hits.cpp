@@ -20,6 +20,21 @@ void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange 
   hits.count = found;
 }
 
+uint32_t near_query(const RoundedQueryBall &query, const float *rounded, const uint32_t *ids, const BallRange *ranges,
+                    uint32_t count, uint32_t *near) {
+  uint32_t found = 0;
+  for (const BallRange *range = ranges; range < ranges + count; ++range) {
+    for (uint32_t j = range->first; j < range->last; ++j) {
+      const float *const other = rounded + 4 * size_t{j};
+      const float dx = other[0] - query.ball[0], dy = other[1] - query.ball[1], dz = other[2] - query.ball[2];
+      const float sum = other[3] + query.ball[3];
+      near[found] = ids[j];
+      found += static_cast<uint32_t>(dx * dx + dy * dy + dz * dz - sum * sum <= query.doubt);
+    }
+  }
+  return found;
+}
+
 void sort_ascending(uint32_t *ids, uint32_t count) {
   sort_in_place(Span<uint32_t>(ids, count), [](uint32_t a, uint32_t b) { return a < b; });
 }

@@ -62,6 +62,20 @@ HSP_KERNEL(bool, find_neighbours_in_lanes,
             uint32_t &hits),
            (grid, balls, rank, ids, capacity, hits))
 
+// The same in floats, from a point that is the same for balls and query.
+struct RoundedQueryBall {
+  float ball[4];  // x, y, z, r
+  float doubt;    // d^2 - t^2 up to that much may be none above 0
+};
+// Those of some ranges of rounded balls, none of them empty, that may meet the query. `rounded` is as in QueryGrid, its
+// balls have these ids, and in `near` there is room for as many, and for eight more. Returns how many there are.
+uint32_t near_query(const RoundedQueryBall &query, const float *rounded, const uint32_t *ids, const BallRange *ranges,
+                    uint32_t count, uint32_t *near);
+HSP_KERNEL(uint32_t, near_query_in_lanes,
+           (const RoundedQueryBall &query, const float *rounded, const uint32_t *ids, const BallRange *ranges,
+            uint32_t count, uint32_t *near),
+           (query, rounded, ids, ranges, count, near))
+
 void sort_ascending(uint32_t *ids, uint32_t count);
 // Writes the hits, if there are no more than the room, in ascending order.
 void write_ascending(const QueryHits &hits, uint32_t *ids);

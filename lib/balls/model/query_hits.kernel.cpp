@@ -1,4 +1,11 @@
 // As many balls at a time as a register holds floats, and their indices in order without branches on them.
+//
+// A query of radius 2 at 0 and four balls of radius 1 with centres on the x axis:
+//   x                  2    3    4    5
+//   within             9    9    9    9      the square of 2 + 1
+//   excess            -5    0    7   16      x^2 less that: below 0 the ball meets the query, above 0 it does not
+//   certain           yes   no  yes  yes     whether it is farther from 0 than meeting_doubt times `within`
+// Ball j + 1 is left to integers, which find 9 <= 9: it touches, and so meets. Hits are j and j + 1, bits 0011.
 #include "model/query_hits.hpp"
 
 #include "exact/lattice.hpp"
@@ -156,6 +163,26 @@ void add_hits_in_lanes(const QueryArrays &balls, const QueryBall &query, const B
   add_hits_by(arrays, ranges, count, hits, [&](Integers ids, uint32_t j, uint32_t last) {
     return meeting(arrays, wide, j, last) & ~equal(ids, excluded);
   });
+}
+
+uint32_t near_query_in_lanes(const RoundedQueryBall &query, const float *rounded, const uint32_t *ids,
+                             const BallRange *ranges, uint32_t count, uint32_t *near) {
+  const float *const at = query.ball;
+  const FloatBall ball{Floats::all_of(at), Floats::all_of(at + 1), Floats::all_of(at + 2), Floats::all_of(at + 3)};
+  const Floats doubt = Floats::all(query.doubt);
+  uint32_t found = 0;
+  for (const BallRange *range = ranges; range < ranges + count; ++range) {
+    uint32_t j = range->first;
+    do {
+      const FourOfEach other = FourOfEach::load(rounded + 4 * size_t{j});
+      const Floats excess = ball.excess(other.a, other.b, other.c, other.d);
+      const LaneBits may_meet = not_less(doubt, excess) & first_lanes(range->last - j);
+      store_front(near + found, Integers::load(ids + j), FrontOrder::of(may_meet));
+      found += ones(may_meet);
+      j += Floats::lanes;
+    } while (j < range->last);
+  }
+  return found;
 }
 
 void write_ascending_in_lanes(const QueryHits &hits, uint32_t *ids, uint32_t room) {

@@ -1,3 +1,13 @@
+// The first ball on a ray: which it is, and where the ray enters it.
+//
+// As an example the ray from 0 along x, and balls of radius 5:
+//   centre          along   beside^2   half chord     enters at
+//   (13, 3, 0)        13        9      sqrt(25 - 9)      9
+//   (14, 0, 0)        14        0            5           9      a tie, which the lower number of the caller's wins
+//   (12, 5, 0)        12       25            0          12      the ray touches it
+//   (11, 6, 0)        11       36            -           -      passes beside it
+// With its interval of errors `low` to `high` a ball is the first one for certain if it ends before the best one
+// begins. The tie above is left to integers, which compare both entries as roots of quadratic equations.
 #include "model/ray_query.hpp"
 
 #include <bit>

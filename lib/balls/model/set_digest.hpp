@@ -3,9 +3,9 @@
 // capacity or how often anything was computed.
 //
 // It is a sum over the balls, of 64 bits that two products mix from all that is known of each. Two different sets have
-// the same sum only by accident, with a probability of the order of 2^-64: who compares a million pairs of sets a
-// second meets one such pair in some 100,000 years. Sets that were made to collide can be found, as this is no
-// cryptographic hash.
+// the same sum only by accident, with a probability of the order of 2^-64: of a million pairs of sets that are compared
+// each second, one such pair is met in hundreds of thousands of years. Sets that were made to collide can be found, as
+// this is no cryptographic hash.
 #pragma once
 
 #include "exact/wide_integer.hpp"

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "curvature/strain.hpp"
+#include "measure/energy.hpp"
 #include "measure/tangency.hpp"
 #include "measure/totals.hpp"
 #include "periodic/periodic_union.hpp"

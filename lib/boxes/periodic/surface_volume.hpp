@@ -34,9 +34,6 @@ class SurfaceVolume {
     double moment = 0.0;  // three times what the second moments of the face lack of its area's part
     double sum = 0.0;     // of arcs and vertices
   };
-  struct Shifts {
-    double u, v;
-  };
   void add_piece(const ArcBatch &batch, uint32_t s, uint32_t own, uint32_t origin, const Vec3 &centre,
                  const BoxShift &away, Seam &seam) const;
   BoxShift shift_across(uint32_t other, uint32_t origin, const BoxShift &away) const;

@@ -18,7 +18,7 @@
 // All other pairs have the block 0, and a row sums to 0. A circle is an arc with X = Y = 0 and without ends.
 #pragma once
 
-#include "measure/totals.hpp"
+#include "measure/energy.hpp"
 
 namespace hsp {
 

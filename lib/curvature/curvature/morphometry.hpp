@@ -3,7 +3,7 @@
 #pragma once
 
 #include "curvature/curvature.hpp"
-#include "measure/totals.hpp"
+#include "measure/energy.hpp"
 
 namespace hsp {
 

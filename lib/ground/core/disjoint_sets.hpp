@@ -1,5 +1,11 @@
 // Disjoint sets of numbers over caller memory, with path halving. The smallest number represents a set, and no number
 // has a larger parent.
+//
+// As an example five numbers:
+//   at first      parents 0 1 2 3 4
+//   join(3, 4)            0 1 2 3 3
+//   join(0, 4)            0 1 2 0 3      the root of 4 is 3, which gets the smaller root 0 as its parent
+//   find(4) = 0           0 1 2 0 0      on its way the path of 4 is halved
 #pragma once
 
 #include "core/span.hpp"

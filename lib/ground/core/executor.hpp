@@ -1,5 +1,8 @@
 // A loop of the caller's, which does the tasks of a piece of work, side by side if it likes; and the caller's word on
 // whether to go on. Nothing here starts a thread.
+//
+// As an example ten tasks and a loop of two threads: run() calls task(data, 0) to task(data, 9), the even ones on one
+// thread and the odd ones on the other, say, and returns when both are done.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +12,7 @@
 
 namespace hsp {
 
-// The most tasks of one loop, and the most workers that anybody asks for.
+// The most tasks of one loop, and the most workers that a loop is shared out among.
 inline constexpr uint32_t max_tasks = 1024;
 
 class Executor {
@@ -35,16 +38,16 @@ class Executor {
   // Whether work that could be done by one is worth code for several.
   bool is_parallel() const { return !small_code && workers_ > 1; }
 
-  // Whether anybody may stop the work, which takes code for asking.
+  // Whether the caller may stop the work, which takes code for asking.
   bool may_stop() const { return !small_code && proceed_ != nullptr; }
-  // Whether to go on. Nobody is asked any more who has said no.
+  // Whether to go on. Asks until the answer is no.
   bool goes_on() const { return !may_stop() || ask(); }
   bool is_stopped() const { return may_stop() && __atomic_load_n(&stopped_, __ATOMIC_RELAXED) != 0; }
   // Of what was left off.
   Status failure() const { return is_stopped() ? Status::stopped : Status::executor; }
 
-  // Does work(0) .. work(tasks - 1), side by side; false unless each was done once, or if somebody has stopped it: each
-  // then asks itself whether to go on. A task that is called a second time, or is none of them, is not done.
+  // Does work(0) .. work(tasks - 1), side by side; false unless each was done once, or if the caller has stopped it:
+  // each then asks itself whether to go on. A task that is called a second time, or is none of them, is not done.
   // tasks <= max_tasks.
   template <class Work>
   bool for_each(uint32_t tasks, const Work &work) const {

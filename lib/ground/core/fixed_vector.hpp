@@ -1,5 +1,8 @@
 // A vector over memory of fixed capacity. It keeps counting when it is full, so that an overflow reports the number
 // that would have sufficed.
+//
+// As an example room for two records: after push(a), push(b) and push(c) it holds a and b, overflowed() is true, and
+// required() is 3, which is the limit to try again with.
 #pragma once
 
 #include "core/span.hpp"

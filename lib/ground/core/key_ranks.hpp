@@ -1,5 +1,7 @@
 // The ranks of a few keys in ascending order, by counting the smaller ones: no branch depends on a key, as none could
 // be predicted.
+//
+// As an example keys 30 10 20 10: of them 3, 0, 2 and 0 are smaller, so that the ranks are 3 0 2 0.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,7 @@
 // Limits of structures: records of numbers that say how much there is room for.
+//
+// As an example limits of 100 vertices and 3 circles suffice for one set, and 80 and 5 for another one: 100 and 5
+// suffice for either.
 #pragma once
 
 #include <bit>

@@ -1,5 +1,10 @@
 // Items in rows of one array, by a counting sort: row k has items first[k] to first[k + 1] - 1, in the order in which
 // they are given.
+//
+// As an example three items of rows 1, 0 and 1:
+//   counted                     first  1 2
+//   end_rows(first, 2) = 3      first  1 3 3
+//   items 2, 1 and 0 are put at 2, 0 and 1, and  first  0 1 3:  row 0 has item 1, row 1 has items 0 and 2
 #pragma once
 
 #include "core/span.hpp"

@@ -1,4 +1,10 @@
 // Sorting in place without recursion and without heap memory (std::sort recurses, std::stable_sort allocates).
+//
+// As an example a heap, in which no item is less than those below it, 2 k + 1 and 2 k + 2 of item k:
+//          9
+//        7   5          as an array   9 7 5 3 6
+//       3 6
+// With 2 in place of the 9, sift_down() moves 7 up, then 6, and puts 2 there: 7 6 5 3 2.
 #pragma once
 
 #include "core/span.hpp"

@@ -1,5 +1,8 @@
 // Sums whose order is fixed by the number of terms alone: a binary tree over the terms in the order they are added. The
 // error grows with log2(n) instead of n (Higham, Accuracy and Stability of Numerical Algorithms, section 4.2).
+//
+// As an example five terms a to e: ((a + b) + (c + d)) + e. With `rest`, the sum of further terms that another task has
+// added: ((a + b) + (c + d)) + (e + rest).
 #pragma once
 
 #include <cstdint>

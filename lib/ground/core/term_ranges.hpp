@@ -1,5 +1,8 @@
 // The terms of a sum in ranges, for tasks of which each adds one. All but the last are the leaves of a complete subtree
 // of TreeSum, so that the sum over their sums is that over all terms, bit for bit.
+//
+// As an example 300 terms for two workers: ranges of 64, of which four are complete, 0 to 63, 64 to 127, 128 to 191 and
+// 192 to 255, and a last one of 44 terms.
 #pragma once
 
 #include "core/id_range.hpp"

@@ -4,6 +4,10 @@
 // q x n = alpha u + beta v with alpha = h_P v.v - h_Q u.v and beta = h_Q u.u - h_P u.v, so that a third plane meets the
 // line where t = -A/B, with A = (q x n).z - h_R N = alpha u.z + beta v.z - h_R N. Bits: alpha, beta, N <= 2 L^4, so A
 // and each of its terms are below 5 L^6: 192 bits. Everything follows from products of 128 and 64 bits.
+//
+// As an example u = (6,0,0) and v = (0,6,0) with h_P = h_Q = 36: n = (0,0,36), N = 1296 and alpha = beta = 36 * 36, so
+// that the line is (6,6,0) + t (0,0,1/36). A third plane z = (0,0,6) with h_R = 36 has A = -36 * 1296 and B = 216, so
+// that it meets the line where t = 216, in (6,6,6).
 #pragma once
 
 #include "exact/discriminant.hpp"

@@ -3,6 +3,9 @@
 // Let the circles lie in the planes u.p = a and v.p = b, and put n = u x v, q = a v - b u. They cross iff
 //   D = W n.n - q.q > 0,   in the points   p+- = (q x n +- sqrt(D) n) / n.n.
 // q is orthogonal to n, so that q x n has no cancellation. Vector and Real are Vec3 and double, or their lanes.
+//
+// As an example W = 25 and the planes x = 3 and y = 3: n = (0, 0, 1), q = (-3, 3, 0) and D = 25 - 18 = 7, so that the
+// circles cross in (3, 3, +-sqrt(7)).
 #pragma once
 
 #include "core/vec3.hpp"

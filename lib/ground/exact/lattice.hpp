@@ -1,6 +1,8 @@
 // The decimal lattice: lengths are rounded to integers once, on input. A step that is a power of ten represents text
 // input exactly. Multiplying or dividing by a power of ten that is a double is one IEEE operation, so rounding is the
 // same everywhere.
+//
+// As an example a step of 0.1: 1.25 is 12.5 steps, which become 13, and -1.25 becomes -13.
 #pragma once
 
 #include "core/decimal.hpp"

@@ -5,6 +5,9 @@
 // at t = (B - sqrt(B^2 - D C)) / D. D is one for all balls. With |u_k| <= 2^51, |d_k| < 2^53 and r < 2^30 all of B, C
 // and D are below 2^108. A discriminant that is not negative is at most D r^2 < 2^168 (Lagrange's identity); others
 // are above -2^217. Sums of two square roots are compared by squaring twice.
+//
+// As an example the ray from 0 along d = (1,0,0) and the ball of radius 5 at (13,3,0): D = 1, B = 13, C = 178 - 25 =
+// 153, and it enters at t = 13 - sqrt(169 - 153) = 9.
 #pragma once
 
 #include "core/small_code.hpp"

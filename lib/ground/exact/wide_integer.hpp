@@ -1,6 +1,11 @@
 // Signed integers of a fixed number of bits, two's complement, little-endian limbs. No heap, no exceptions; the caller
 // guarantees that values fit (the bit bounds are in plane.hpp). 32-bit limbs run everywhere; 64-bit limbs need the
 // compiler's 128-bit product.
+//
+// As an example numbers of 64 bits in limbs of 32, the lowest first:
+//   2^40      0x00000000 0x00000100
+//   -1        0xFFFFFFFF 0xFFFFFFFF
+//   -2^40     0x00000000 0xFFFFFF00      the highest bit of the last limb is the sign
 #pragma once
 
 #include <bit>

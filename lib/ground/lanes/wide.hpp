@@ -3,6 +3,15 @@
 // the vector types of GCC and clang, with their operators; what these lack is here, by instructions of the target
 // where the compiler's own code is worse. Everything here has internal linkage, so that kernels have their own copy
 // for each target (target.hpp).
+//
+// Two doubles at a time, p[0] = 3 and p[1] = 4:
+//   using L = Wide<double, 2>;
+//   const L::Real a = L::load(p);                 3  4
+//   const L::Real b = a * a + L::all(1.0);       10 17     two roundings in each lane, as of one number
+//   const L::Mask large = b > L::all(12.0);       0 -1     all bits where it is true
+//   L::any(large)                                true
+//   L::store(q, b);                              q[0] = 10, q[1] = 17
+// With n = 1 the same lines are the plain loop, which is what targets without registers of several numbers have.
 #pragma once
 
 // The header of all instructions takes most of a second to read: where those of SSE2 do, theirs.

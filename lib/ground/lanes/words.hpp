@@ -35,8 +35,6 @@ struct LaneCounts;
 namespace hsp {
 namespace {
 
-constexpr LaneBits all_lanes = (1U << Floats::lanes) - 1U;
-
 // How many lanes of one Floats are chosen.
 #if defined(__POPCNT__) || defined(__wasm_simd128__)
 inline uint32_t ones(LaneBits bits) {

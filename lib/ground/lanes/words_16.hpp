@@ -1,6 +1,16 @@
 // The words of words.hpp for registers of 16 bytes: four floats, two doubles, eight fractions. By instructions of SSE2,
 // of its followers up to x86-64-v2, of NEON and of WebAssembly where the compiler's own code is worse; without any of
 // them it is right as well.
+//
+// Four floats, lanes 0 to 3, and what some of the words make of them:
+//   a                           5   1   7   3
+//   b                           4   4   4   4
+//   greater(a, b)               1   0   1   0     as LaneBits 5, lane 0 being the lowest bit; ones(5) = 2
+//   larger(a, b)                5   4   7   4
+//   fused_minus(a, b, b)       16   0  24   8     a b - b
+//   store_front(p, a, FrontOrder::of(5))          p[0] = 5, p[1] = 7, and anything in p[2] and p[3]
+// So the numbers above a limit are picked from an array without a branch on them: four are loaded, stored in this way,
+// and p moves on by ones().
 #pragma once
 
 #if defined(__SSE4_1__)

@@ -1,4 +1,11 @@
 // The words of words.hpp for registers of 32 bytes: eight floats, four doubles, eight integers, sixteen fractions.
+//
+// As an example the order that brings lanes 1 and 3 of four doubles to the front. Permutations are of words of 32 bits,
+// so that a double is a pair of them: pairs 1 and 3 are words 2, 3 and 6, 7.
+//   front_orders.of_four[0b1010]           2  3  6  7  0  0  0  0
+//   doubles                               10    11    12    13
+//   in that order                         11    13    and anything in the other two lanes
+// Of eight floats lanes 1 and 3 are words 1 and 3: front_orders.of_eight[0b1010] is 1 3 0 0 0 0 0 0.
 #pragma once
 
 #include <immintrin.h>

@@ -223,13 +223,13 @@ Status MovingBalls::update(uint32_t former) {
     return Status::capacity;
   }
   components_.apply(records_, cells_, former);
-  settle(affected);
+  sum_up(affected);
   if (counts_.contained != 0) group_.flag_inner_contacts(records_, cells_, affected);
   return Status::ok;
 }
 
 // Counts and sums, once everything else is known.
-void MovingBalls::settle(uint32_t affected) {
+void MovingBalls::sum_up(uint32_t affected) {
   const BallSet &balls = records_.balls;
   changed_count_ = 0;
   for (uint32_t k = 0; k < records_.noted(); ++k) {

@@ -5,6 +5,7 @@
 // records are not kept.
 #pragma once
 
+#include "measure/energy.hpp"
 #include "measure/totals.hpp"
 #include "moving/ball_group.hpp"
 #include "moving/component_update.hpp"
@@ -97,7 +98,7 @@ class MovingBalls : public Limited<MovingLimits> {
   void note_meeting(const exact::LatticeBall &ball);
   void note_what_meets(uint32_t i);
   Status update(uint32_t former);
-  void settle(uint32_t affected);
+  void sum_up(uint32_t affected);
   void put_back();
   Sums::Term term_of(uint32_t i) const;
   AreaWeights weights() const { return {weighted_ ? weight_.data() : nullptr, touching_balls_}; }

@@ -55,8 +55,6 @@ class MovingRecords {
   // Those noted, in this order.
   uint32_t noted() const { return count_; }
   const JournalEntry &entry(uint32_t k) const { return journal_[k]; }
-  // The index of ball i in the journal, no_id if it is not there.
-  uint32_t entry_of(uint32_t i) const { return entry_[i]; }
   // Forgets the journal.
   void begin() {
     for (uint32_t k = 0; k < count_; ++k) entry_[journal_[k].ball] = no_id;

@@ -35,7 +35,6 @@ class SphereTree {
 
   bool empty() const { return nodes_.size() == 0; }
   uint32_t ball_count() const { return empty() ? 0 : nodes_[0].last; }
-  uint32_t node_count() const { return nodes_.size(); }
   const TreeNode &node(uint32_t k) const { return nodes_[k]; }
   // Balls in the order of the tree: integers, in steps.
   Vec3 centre(uint32_t i) const { return {x_[i], y_[i], z_[i]}; }

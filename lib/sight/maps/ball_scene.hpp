@@ -126,8 +126,7 @@ struct BallScene {
     return largest;
   }
 
-  // A common vertex has the number of its group, and before all T.
-  static constexpr bool corners_first = true;
+  // Of corners: each is in that of its first ball.
   uint32_t groups() const { return balls.size(); }
   // Of an end of an arc that is no T; false if it is none.
   bool name(const MapArc &arc, uint32_t end, CornerName &name) const {

@@ -54,7 +54,7 @@ double swept_twice(const Map &map, uint32_t e, double x, double y) {
          (ellipse.first[0] * ellipse.second[1] - ellipse.first[1] * ellipse.second[0]) * (curve.to - curve.from);
 }
 
-// The cosine and sine of 1: a direction in which no two vertices of a scene that somebody has made up lie. A vertex on
+// The cosine and sine of 1: a direction in which no two vertices of a scene that was made up by hand lie. A vertex on
 // the ray may count for both of its edges, or for none, as roundings will have it.
 inline constexpr double ray_x = 0.5403023058681398, ray_y = 0.8414709848078965;
 

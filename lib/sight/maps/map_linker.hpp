@@ -99,9 +99,8 @@ class MapLinker {
   bool link(Map &map) {
     if (!all_named_) return false;
     sort_named_ends(map.scene);
-    if (!Scene::corners_first) add_landings(map);
     if (!add_corners(map)) return false;
-    if (Scene::corners_first) add_landings(map);
+    add_landings(map);
     return add_edges(map) && link_half_edges(map);
   }
 
@@ -166,14 +165,11 @@ class MapLinker {
       if (ball[0] == ball[1] || ball[1] == ball[2] || ball[0] == ball[2]) return false;
     }
     const MapArc &arc = arcs_[crease / 2];
-    const uint32_t v =
-        add_vertex(Scene::corners_first ? name.end : crease, kind, triple ? arc.end[crease % 2].body : no_id, map);
-    if (Scene::corners_first) {
-      MapVertex &vertex = map.vertices[v];
-      vertex.body[0] = triple ? group : arc.body;
-      vertex.body[1] = triple ? name.middle : arc.nearer;
-      vertex.body[2] = name.last;
-    }
+    const uint32_t v = add_vertex(name.end, kind, no_id, map);
+    MapVertex &vertex = map.vertices[v];
+    vertex.body[0] = triple ? group : arc.body;
+    vertex.body[1] = triple ? name.middle : arc.nearer;
+    vertex.body[2] = name.last;
     for (uint32_t k = 0; k < count; ++k) {
       end_at_[3 * v + k] = ends[k].end;
       vertex_at_[ends[k].end] = v;
@@ -192,11 +188,9 @@ class MapLinker {
     return true;
   }
 
-  // Vertices at ends on contours, by the bodies of these; where they come first, in the order of the arcs.
+  // Vertices at ends on contours: behind the corners, from the last arc to the first, as rows fill up from their ends.
   void add_landings(Map &map) {
-    const uint32_t ends = 2 * arcs_.size();
-    for (uint32_t k = 0; k < ends; ++k) {
-      const uint32_t end = Scene::corners_first ? ends - 1 - k : k;
+    for (uint32_t end = 2 * arcs_.size(); end-- > 0;) {
       const ArcEnd &label = arcs_[end / 2].end[end % 2];
       if (label.kind != MapVertexKind::t) continue;
       const uint32_t v = add_vertex(end, MapVertexKind::t, label.body, map);

@@ -108,10 +108,8 @@ struct StickScene : BallScene {
     return at(edge.body, edge.nearer, 0.5 * (edge.from + edge.to));
   }
 
-  // A common vertex comes behind all T, where a crease or half circle ends. Groups are those of triple points and of
-  // tangencies by their first ball, and of the ends of half circles by their stick: those of all at the foot, then in
-  // the middle, then at the top.
-  static constexpr bool corners_first = false;
+  // Of corners: triple points and tangencies by their first ball, and ends of half circles by their stick: those of all
+  // at the foot, then in the middle, then at the top.
   uint32_t groups() const { return 2 * balls.size() + 3 * sticks.size(); }
   uint32_t group_of(StickRing ring, uint32_t stick) const {
     return 2 * balls.size() + static_cast<uint32_t>(ring) * sticks.size() + stick;

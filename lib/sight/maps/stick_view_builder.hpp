@@ -11,7 +11,7 @@
 //     ball's front is inside it, in the cap that is left out.
 //   all others are disjoint, so that one of two is over the other wherever they overlap.
 // Where balls meet, or bodies cover each other around a circle, there is no such order. Then what is seen of each body
-// is found instead, from the same pairs (stick_map_builder.hpp); also where somebody wants to know that as a map.
+// is found instead, from the same pairs (stick_map_builder.hpp); also where the caller wants that as a map.
 #pragma once
 
 #include "maps/stick_map_builder.hpp"

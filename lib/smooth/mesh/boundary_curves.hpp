@@ -47,8 +47,6 @@ class BoundaryCurves {
   MeshCurve &curve(uint32_t c) { return curve_[c]; }
   // The memory of all curves, for callers that have others.
   Span<MeshCurve> room() { return curve_; }
-  // Points besides the vertices of the boundary.
-  uint32_t samples(uint32_t c) const { return is_circle(c) ? curve_[c].segments : curve_[c].segments - 1; }
 
  private:
   Span<uint32_t> curve_of_;  // [half-edges]

@@ -23,7 +23,7 @@
 #pragma once
 
 #include "core/summation.hpp"
-#include "measure/totals.hpp"
+#include "measure/energy.hpp"
 #include "surface/surface_areas.hpp"
 #include "surface/weighted_joints.hpp"
 

@@ -15,7 +15,7 @@ struct AdjacentCells {
 
 class CellContacts {
  public:
-  // Memory for as many portals as pairs, or for none if nobody asks for them.
+  // Memory for as many portals as pairs, or for none if they are not asked for.
   void carve(Workspace &workspace, uint32_t pairs, bool with_portals) {
     pairs_ = FixedVector<AdjacentCells>(workspace.take<AdjacentCells>(pairs));
     portals_ = workspace.take<exact::Vector>(with_portals ? pairs : 0);

@@ -7,7 +7,6 @@
 // where a plane that meets the cube has |h| < 4 s. So v.y - h is off by less than 512 u s at a point that is known
 // exactly. A point of three planes is y = H / B, where B is off by less than 32 u and each part of H by less than 1024
 // u s: y by less than 4096 u s / |B|, its doubt.
-//
 #pragma once
 
 #include "core/decimal.hpp"

@@ -122,7 +122,7 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
     const uint32_t number = cube_sides + m;
     const UnitPlane S{{of_planes_.x[m], of_planes_.y[m], of_planes_.z[m]}, of_planes_.h[m]};
     planes_[number] = S;
-    const CutOff beyond = polytope_.settle(S, frame_, [&](const PolytopeVertex &vertex) {
+    const CutOff beyond = polytope_.decide_sides(S, frame_, [&](const PolytopeVertex &vertex) {
       return PowerPredicates(*balls_, ball(), frame_)
           .side_of(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]), plane(number));
     });

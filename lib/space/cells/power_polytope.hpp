@@ -13,7 +13,7 @@
 
 namespace hsp {
 
-// Its planes come in one order around every vertex, seen from outside. So who goes around a facet in that order comes
+// Its planes come in one order around every vertex, seen from outside. So a walk around a facet in that order gets
 // to a vertex along the edge opposite to plane[k], finds the facet as plane[k + 1], and goes on along the edge opposite
 // to plane[k + 2], modulo 3.
 struct PolytopeVertex {
@@ -53,8 +53,8 @@ class PowerPolytope {
   // After find_cut(), which said what it knows: which vertices are beyond plane S. exact_side(vertex), +1 near or -1
   // beyond, is asked where doubles do not tell. Returns how much is beyond.
   template <class ExactSide>
-  CutOff settle(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side);
-  // Cuts off the vertices that are beyond plane number `plane`, that of the last settle(), which are some of them;
+  CutOff decide_sides(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side);
+  // Cuts off the vertices beyond plane number `plane`, that of the last decide_sides(), which are some of them;
   // `planes` are all planes. The part beyond a plane is connected, and so is the rest.
   void cut(uint32_t plane, const UnitPlane *planes, const CubeFrame &frame);
   void make_empty() { count_ = 0; }
@@ -95,7 +95,7 @@ class PowerPolytope {
 };
 
 template <class ExactSide>
-CutOff PowerPolytope::settle(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side) {
+CutOff PowerPolytope::decide_sides(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side) {
   bool any_near = false, any_beyond = false;
   for (uint32_t first = 0; first < count_; first += 64) {
     uint64_t beyond = beyond_[first / 64];

@@ -29,7 +29,7 @@ uint32_t count_not_below(Span<const Record> records, double level) {
 // of levels and of distances up to 2^50 steps; of a longer distance a part in 2^52 may be a step by itself, for which
 // there is the factor.
 void find_nearest(const PoresBuilder &pores, const PeriodicBox *box, const Vec3 &at, const Ascent &way,
-                  PorePlace &place) {
+                  PoreLocation &location) {
   const double lowest = way.level() - below_end;
   double least = std::numeric_limits<double>::infinity();
   const auto is_too_high = [&](const CriticalPoint &point) {
@@ -37,7 +37,7 @@ void find_nearest(const PoresBuilder &pores, const PeriodicBox *box, const Vec3 
   };
   // Of those that are equally far the highest one counts, and maxima before gates.
   const auto is_nearer = [&](const CriticalPoint &point, bool or_as_near, BoxShift &shift) {
-    Vec3 d = at - point.place;
+    Vec3 d = at - point.position;
     shift = box == nullptr ? BoxShift{} : box->centre(d);
     const double squared = dot(d, d);
     if (or_as_near ? squared > least : squared >= least) return false;
@@ -47,16 +47,16 @@ void find_nearest(const PoresBuilder &pores, const PeriodicBox *box, const Vec3 
   BoxShift shift;
   for (uint32_t k = count_not_below(pores.maxima(), lowest); k > 0 && !is_too_high(pores.maxima()[k - 1].point); --k) {
     if (!is_nearer(pores.maxima()[k - 1].point, true, shift)) continue;
-    place.maximum = k - 1;
-    place.maximum_shift = shift;
+    location.maximum = k - 1;
+    location.maximum_shift = shift;
   }
   bool has_gate = false;
   for (uint32_t k = count_not_below(pores.gates(), lowest); k > 0 && !is_too_high(pores.gates()[k - 1].point); --k) {
     const PoreGate &gate = pores.gates()[k - 1];
     if (!is_nearer(gate.point, has_gate, shift)) continue;
     has_gate = true;
-    place.maximum = gate.end[0];
-    place.maximum_shift = shift + gate.end_shift[0].shift();
+    location.maximum = gate.end[0];
+    location.maximum_shift = shift + gate.end_shift[0].shift();
   }
 }
 
@@ -98,26 +98,26 @@ uint32_t ClassTree::gate_to_copy(uint32_t maximum) const {
 }
 
 Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &point, int64_t floor,
-              PorePlace &place) {
-  place = {std::numeric_limits<double>::infinity(), no_id, pore_outside, {}, {}};
+              PoreLocation &location) {
+  location = {std::numeric_limits<double>::infinity(), no_id, pore_outside, {}, {}};
   if (balls.are_none()) return Status::ok;
   exact::Vector wrapped = point;
   BoxShift home;
   if (balls.box() != nullptr && balls.box()->wrap(wrapped, home) != Status::ok) return Status::range;
   Ascent way(balls, point);
-  place.level = way.level();
-  place.ball = way.nearest_ball().ball;
-  place.ball_shift = way.nearest_ball().shift;
-  place.maximum = no_id;
+  location.level = way.level();
+  location.ball = way.nearest_ball().ball;
+  location.ball_shift = way.nearest_ball().shift;
+  location.maximum = no_id;
   // Whether it is in a ball integers decide.
   const bool blocked =
-      floor == 0 ? balls.find({point, 0}, nullptr, 0) > 0 : !(place.level > static_cast<double>(floor));
+      floor == 0 ? balls.find({point, 0}, nullptr, 0) > 0 : !(location.level > static_cast<double>(floor));
   if (blocked) return Status::ok;
-  return follow_up(pores, balls, way, point, floor, place);
+  return follow_up(pores, balls, way, point, floor, location);
 }
 
 Status follow_up(const PoresBuilder &pores, const BallsAround &balls, Ascent &way, const exact::Vector &start,
-                 int64_t floor, PorePlace &place) {
+                 int64_t floor, PoreLocation &location) {
   while (way.step()) {
   }
   // So far from all balls a way may be too flat for the steps that there are.
@@ -127,17 +127,17 @@ Status follow_up(const PoresBuilder &pores, const BallsAround &balls, Ascent &wa
   const Vec3 at{static_cast<double>(start.x) + offset.x, static_cast<double>(start.y) + offset.y,
                 static_cast<double>(start.z) + offset.z};
   if (way.is_outside()) {
-    place.maximum = pore_outside;
+    location.maximum = pore_outside;
   } else {
-    find_nearest(pores, balls.box(), at, way, place);
+    find_nearest(pores, balls.box(), at, way, location);
   }
   // A maximum as low as the floor is not in the list.
-  return place.maximum == no_id && way.level() > static_cast<double>(floor) + below_end ? lost : Status::ok;
+  return location.maximum == no_id && way.level() > static_cast<double>(floor) + below_end ? lost : Status::ok;
 }
 
 Status find_passage(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &from,
                     const exact::Vector *to, int64_t floor, PorePassage &passage) {
-  PorePlace ends[2];
+  PoreLocation ends[2];
   ends[1] = {std::numeric_limits<double>::infinity(), no_id, pore_outside, {}, {}};
   Status status = locate(pores, balls, from, floor, ends[0]);
   if (status == Status::ok && to != nullptr) status = locate(pores, balls, *to, floor, ends[1]);
@@ -150,7 +150,7 @@ Status find_passage(const PoresBuilder &pores, const BallsAround &balls, const e
   const ClassTree tree(pores);
   const uint32_t gate = to_copy ? tree.gate_to_copy(a) : tree.gate_between(a, b);
   if ((a != b || to_copy) && gate == no_id) return Status::ok;
-  const PorePlace &tighter = ends[ends[0].level <= ends[1].level ? 0 : 1];
+  const PoreLocation &tighter = ends[ends[0].level <= ends[1].level ? 0 : 1];
   const bool at_gate = gate != no_id && pores.gates()[gate].point.level < tighter.level;
   passage.passes = true;
   passage.level = at_gate ? pores.gates()[gate].point.level : tighter.level;

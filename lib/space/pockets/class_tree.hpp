@@ -29,7 +29,7 @@ class ClassTree {
 };
 
 // Where a point is.
-struct PorePlace {
+struct PoreLocation {
   double level;                        // f there; infinite without balls
   uint32_t ball;                       // a nearest one; no_id without balls
   uint32_t maximum;                    // above it, or pore_outside; no_id if the point is not above the floor
@@ -40,10 +40,10 @@ struct PorePlace {
 // that fits at the point and is narrower by a lattice step or more. Status::range: too many boxes away, or a way is
 // lost between balls that are more than 2^35 steps apart. Status::check cannot happen.
 Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &point, int64_t floor,
-              PorePlace &place);
-// The rest of that, for a way up that has begun at `start`: sets the maximum of the place and its copy.
+              PoreLocation &location);
+// The rest of that, for a way up that has begun at `start`: sets the maximum of the location and its copy.
 Status follow_up(const PoresBuilder &pores, const BallsAround &balls, Ascent &way, const exact::Vector &start,
-                 int64_t floor, PorePlace &place);
+                 int64_t floor, PoreLocation &location);
 
 // The widest probe from one point to another, or to the outside, which is null. In a periodic box any copy of the other
 // one will do, and instead of the outside another copy of the first one.

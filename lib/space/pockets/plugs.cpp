@@ -44,8 +44,8 @@ double squared_reach(const Disc &one, const Disc &other) {
 exact::LatticeBall plug_of(const PoresBuilder &pores, const BallsAround &balls, const PoreGate &mouth, int64_t grown) {
   const Span<const uint32_t> tied = pores.tied(mouth.point);
   const Span<const SmallShift> shifts = pores.tied_shifts(mouth.point);
-  const Vec3 &place = mouth.point.place;
-  const exact::Vector centre{nearest(place.x), nearest(place.y), nearest(place.z)};
+  const Vec3 &position = mouth.point.position;
+  const exact::Vector centre{nearest(position.x), nearest(position.y), nearest(position.z)};
   const auto disc = [&](uint32_t k) {
     const exact::LatticeBall ball = balls.ball({tied[k], shifts[k].shift()});
     const Vec3 from{static_cast<double>(ball.centre.x - centre.x), static_cast<double>(ball.centre.y - centre.y),

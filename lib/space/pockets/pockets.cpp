@@ -91,7 +91,7 @@ void PocketFinder::number_maxima(const PoresBuilder &pores, double narrow) {
   }
 }
 
-// Numbers become places: each list has as many entries of a pocket as were counted before it is written.
+// Counts become slots: each list has as many entries of a pocket as were counted before it is written.
 void PocketFinder::gather(const PoresBuilder &pores, double narrow) {
   const auto for_maxima = [&](auto visit) {
     for (uint32_t k = 0; k < known_; ++k) {

@@ -74,9 +74,9 @@ class PocketFinder {
       if (region.owner != no_id && !is_open(region)) add(region.owner, region);
     }
   }
-  // Of pores with plugs: forgets pockets and mouths. A maximum that something of a pocket leads up to is then marked
-  // with the pocket's number, one that anything else leads up to with no_id. Mouths become the gates, above the level
-  // 0, where a part with the mark of a pocket meets one with another mark.
+  // Of pores with plugs: forgets pockets and mouths. Then marks each maximum with the pocket whose ascents reach it,
+  // and with no_id where any other ascent does. Mouths become the gates, above the level 0, where a part with the mark
+  // of a pocket meets one with another mark.
   void begin_leaks(const PoresBuilder &pores);
   void mark(uint32_t maximum, uint32_t pocket);
   void find_leaks(const PoresBuilder &pores);

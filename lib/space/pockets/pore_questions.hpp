@@ -52,12 +52,12 @@ class PoreQuestions {
     if (others) plugged.pockets_.begin_leaks(plugged.builder_);
     const auto region_at = [&](uint32_t maximum, uint32_t &region) {
       exact::Vector point;
-      PorePlace place;
+      PoreLocation location;
       Status status = point_of(maximum, point);
-      if (status == Status::ok) status = locate(plugged.builder_, balls, point, plugged.floor_, place);
-      const bool is_free = status == Status::ok && place.maximum != no_id && place.level > 0.0;
-      if (is_free) region = plugged.regions_.region_of(plugged.builder_, place.maximum);
-      if (region != no_id && others) plugged.pockets_.mark(place.maximum, pockets_.pocket_of(maximum));
+      if (status == Status::ok) status = locate(plugged.builder_, balls, point, plugged.floor_, location);
+      const bool is_free = status == Status::ok && location.maximum != no_id && location.level > 0.0;
+      if (is_free) region = plugged.regions_.region_of(plugged.builder_, location.maximum);
+      if (region != no_id && others) plugged.pockets_.mark(location.maximum, pockets_.pocket_of(maximum));
       return status;
     };
     const Status status = pockets_.match(builder_, plugged.regions_, region_at);

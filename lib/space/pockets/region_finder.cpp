@@ -97,20 +97,20 @@ Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &b
   for (uint32_t face = 0; face < boundary.face_count() && left > 0; ++face) {
     uint32_t &region = region_of_shell_[boundary.face(face).shell];
     if (region != no_id) continue;
-    PorePlace place{};
-    place.maximum = no_id;
+    PoreLocation location{};
+    location.maximum = no_id;
     const bool found = visit_points(balls, boundary, face, [&](const Position &position) {
       const exact::Vector start = rounded(balls.set(), position);
       Ascent way(balls, start);
       const bool certain = way.is_outside() ||
                            (way.step() && !way.has_left_saddle() && (way.is_outside() || way.level() > certain_level));
       if (!certain) return false;
-      status = follow_up(pores, balls, way, start, floor, place);
-      return status != Status::ok || place.maximum != no_id;
+      status = follow_up(pores, balls, way, start, floor, location);
+      return status != Status::ok || location.maximum != no_id;
     });
     if (!found) continue;
     if (status != Status::ok) return status;
-    region = region_of(pores, place.maximum);
+    region = region_of(pores, location.maximum);
     if (region == no_id) return Status::check;
     if (regions_[region].shells++ == 0) regions_[region].origin = boundary.face(face).ball;
     --left;

@@ -8,7 +8,7 @@
 namespace hsp {
 namespace {
 
-Vec3 place_of(const exact::Vector &point) {
+Vec3 position_of(const exact::Vector &point) {
   return {static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
 }
 
@@ -63,7 +63,7 @@ double TunnelFinder::cost_of_half(const PoresBuilder &pores, uint32_t gate, uint
   const PoreGate &passed = pores.gates()[gate];
   if (passed.end[end] == pore_outside) return 0.0;
   const CriticalPoint &top = pores.maxima()[passed.end[end]].point;
-  const Vec3 d = top.place + translation(pores, passed.end_shift[end].shift()) - passed.point.place;
+  const Vec3 d = top.position + translation(pores, passed.end_shift[end].shift()) - passed.point.position;
   const double length = std::sqrt(dot(d, d));
   if (by_length) return length;
   return passed.point.level > 0.0 ? length / (passed.point.level * top.level) : std::numeric_limits<double>::infinity();
@@ -168,7 +168,7 @@ void TunnelFinder::close_route(const PoresBuilder &pores, uint32_t from, Step cl
 
 void TunnelFinder::add_point(const PoresBuilder &pores, const CriticalPoint &point, const BoxShift &copy, uint32_t gate,
                              uint32_t maximum) {
-  TunnelPoint added{point.place + translation(pores, copy), point.level, {}, {}, copy, gate, maximum};
+  TunnelPoint added{point.position + translation(pores, copy), point.level, {}, {}, copy, gate, maximum};
   for (int b = 0; b < 4; ++b) {
     added.ball[b] = point.ball[b];
     added.shift[b] = point.shift[b];
@@ -194,17 +194,17 @@ void TunnelFinder::leave_out_near_points() {
     const TunnelPoint point = points_[k];
     const bool named = is_named(point), last = k + 1 == count;
     const auto is_within = [&](double distance) {
-      const Vec3 d = point.place - points_[kept - 1].place;
+      const Vec3 d = point.position - points_[kept - 1].position;
       return dot(d, d) < distance * distance;
     };
     const double near = nearness * std::fabs(point.level);
     while ((named || last) && kept > 1 && !is_named(points_[kept - 1]) && is_within(near)) --kept;
     if (kept == 1 && named && !is_named(points_[0]) && is_within(rounding)) {
-      const Vec3 start = points_[0].place;
+      const Vec3 start = points_[0].position;
       points_[0] = point;
-      points_[0].place = start;
+      points_[0].position = start;
     } else if (kept > 0 && last && is_named(points_[kept - 1]) && is_within(rounding)) {
-      points_[kept - 1].place = point.place;
+      points_[kept - 1].position = point.position;
     } else if (kept == 0 || named || last || !is_within(near)) {
       points_[kept++] = point;
     }
@@ -222,12 +222,12 @@ Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &s
     const NearImage near = at.nearest_ball();
     return near.ball == no_id ? at.level() : at.level() + static_cast<double>(balls.ball(near).radius);
   };
-  const auto put = [&](const Ascent &at, const Vec3 &place) {
+  const auto put = [&](const Ascent &at, const Vec3 &position) {
     const NearImage near = at.nearest_ball();
-    points_.push({place, at.level(), {near.ball, no_id, no_id, no_id}, {}, near.shift + copy, no_id, no_id});
+    points_.push({position, at.level(), {near.ball, no_id, no_id, no_id}, {}, near.shift + copy, no_id, no_id});
   };
   Ascent way(balls, start);
-  const Vec3 origin = place_of(start) + by;
+  const Vec3 origin = position_of(start) + by;
   put(way, origin + way.offset());
   for (;;) {
     const Vec3 before = way.offset();
@@ -244,7 +244,7 @@ Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &s
         const Vec3 off = before + (k / static_cast<double>(parts)) * step;
         const exact::Vector at{start.x + nearest(off.x), start.y + nearest(off.y), start.z + nearest(off.z)};
         const Ascent between(balls, at);
-        put(between, place_of(at) + by);
+        put(between, position_of(at) + by);
         reach = smaller_of(reach, reach_of(between));
       }
     }
@@ -260,7 +260,7 @@ Status TunnelFinder::add_way(PoresBuilder &pores, uint32_t gate, uint32_t end, c
   if (status != Status::ok) return status;
   const Vec3 by = translation(pores, copy);
   for (const WayPoint &point : way_.items()) {
-    points_.push({point.place + by,
+    points_.push({point.position + by,
                   point.level,
                   {point.ball[0], point.ball[1], point.ball[2], no_id},
                   {point.shift[0], point.shift[1], point.shift[2], {}},
@@ -276,7 +276,7 @@ Status TunnelFinder::add_way(PoresBuilder &pores, uint32_t gate, uint32_t end, c
 }
 
 Status TunnelFinder::follow_route(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends) {
-  const PorePlace &start = summary_.ends[0], &end = summary_.ends[1];
+  const PoreLocation &start = summary_.ends[0], &end = summary_.ends[1];
   bool at_maximum = start.maximum != pore_outside;
   BoxShift copy = start.maximum_shift;
   Status status = add_way_up(balls, ends.from, {0.0, 0.0, 0.0}, {});
@@ -322,7 +322,7 @@ Status TunnelFinder::find(PoresBuilder &pores, const BallsAround &balls, const T
   Status status = locate(pores, balls, ends.from, ends.floor, found.ends[0]);
   if (to_copy) found.ends[1] = found.ends[0];
   if (status == Status::ok && ends.to != nullptr) status = locate(pores, balls, *ends.to, ends.floor, found.ends[1]);
-  const PorePlace start = found.ends[0], end = found.ends[1];
+  const PoreLocation start = found.ends[0], end = found.ends[1];
   Step closing{};
   if (status == Status::ok && start.maximum != no_id && end.maximum != no_id) {
     const uint32_t from = node_of(start.maximum), to = to_copy ? no_id : node_of(end.maximum);
@@ -350,7 +350,7 @@ Status TunnelFinder::find(PoresBuilder &pores, const BallsAround &balls, const T
   const double tightest = found.gate == no_id ? found.level : pores.gates()[found.gate].point.level;
   found.level = tightest < found.level ? tightest : found.level;
   for (uint32_t k = 1; k < points_.size(); ++k) {
-    const Vec3 d = points_[k].place - points_[k - 1].place;
+    const Vec3 d = points_[k].position - points_[k - 1].position;
     found.length += std::sqrt(dot(d, d));
   }
   summary = found;

@@ -1,4 +1,4 @@
-// A path from one place to another, or to the outside, through maxima and gates, with the points that it leads through.
+// A path from one point to another, or to the outside, through maxima and gates, with the points that it leads through.
 //
 // From the maximum above the start a tree of maxima grows, by the widest gate first that leads out of it, of gates as
 // wide the one that makes the shorter way. So the tightest gate on the way to each of them is as wide as that of any
@@ -6,7 +6,7 @@
 // costs the integral of 1 / radius^2 along it, if the radius changes evenly: its length over the product of both radii.
 // Gates may be avoided: without the tightest ones of paths before, the next one is the best that gets by elsewhere.
 //
-// In a periodic box the end may be any copy of the place, and instead of to the outside the path leads to another copy
+// In a periodic box the end may be any copy of the point, and instead of to the outside the path leads to another copy
 // of its start: the first gate, in the order of the tree's, that joins two maxima of the tree, but for a copy, closes
 // it. It is the best one, since of two ways to one copy that differ in nothing but a copy one is at least as good as
 // the other.
@@ -17,7 +17,7 @@
 namespace hsp {
 
 struct TunnelPoint {
-  Vec3 place;
+  Vec3 position;
   double level;
   uint32_t ball[4];     // nearest ones, of the caller; no_id behind the last one
   SmallShift shift[4];  // in a box: of their images, from the copy on
@@ -37,23 +37,23 @@ struct TunnelEnds {
 
 struct TunnelSummary {
   bool there;
-  bool outside;       // whether it comes to the outside; from there to where it comes back no points are known
-  double level;       // of the widest probe that gets through; infinite without balls
-  double length;      // of the polyline
-  double cost;        // of its gates; infinite if one is no wider than 0
-  uint32_t gate;      // the tightest one; no_id without gates
-  uint32_t gates;     // that it passes
-  BoxShift shift;     // in a box: so many vectors from the end that was given
-  PorePlace ends[2];  // where it begins and ends; of the outside the place of one
+  bool outside;          // whether it comes to the outside; from there to where it comes back no points are known
+  double level;          // of the widest probe that gets through; infinite without balls
+  double length;         // of the polyline
+  double cost;           // of its gates; infinite if one is no wider than 0
+  uint32_t gate;         // the tightest one; no_id without gates
+  uint32_t gates;        // that it passes
+  BoxShift shift;        // in a box: so many vectors from the end that was given
+  PoreLocation ends[2];  // where it begins and ends; of the outside the point of one
 };
 
 class TunnelFinder {
  public:
   void carve(Workspace &workspace, uint32_t maxima, uint32_t gates, uint32_t points);
   // Points of a way that are nearer to the one before than nearness of its level are left out, but for gates, maxima
-  // and ends; an end that is a maximum or gate, but for rounding, is that, in its own place.
+  // and ends; an end that is a maximum or gate, but for rounding, is that, at its own position.
   // Status::capacity: there is no room for so many points; needed_points() would have sufficed. Status::range: so many
-  // boxes away that there are no places there.
+  // boxes away that there are no positions there.
   Status find(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary);
   void forget() {
     points_.clear();

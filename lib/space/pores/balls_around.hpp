@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-// A ball of the caller, so many boxes from its place.
+// A ball of the caller, so many boxes from where it is listed.
 struct NearImage {
   uint32_t ball;
   BoxShift shift;

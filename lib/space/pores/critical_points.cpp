@@ -153,11 +153,11 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     const uint32_t part = cube.next_part++;
     const int64_t step = cube.half / 2;
     const auto moved = [&](int64_t at, uint32_t axis) { return (part >> axis & 1) != 0 ? at + step : at - step; };
-    Cube &child = cubes_[depth];  // in its place, should it be halved
+    Cube &child = cubes_[depth];  // that replaces it, should it be halved
     child.centre = {moved(cube.centre.x, 0), moved(cube.centre.y, 1), moved(cube.centre.z, 2)};
     child.half = step;
-    child.settled_centre = cube.settled_centre;
-    child.settled_half = cube.settled_half;
+    child.searched_centre = cube.searched_centre;
+    child.searched_half = cube.searched_half;
     child.next_part = 0;
     child.first = cube.last;
     child.last = enter(child, cube, part);
@@ -169,16 +169,16 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
       continue;
     }
     const Span<const uint32_t> near = candidates_.part(child.first, child.last);
-    if (near.size() <= few || child.half <= least_half) {
+    if (near.size() <= most_tried_whole || child.half <= least_half) {
       const Block own{child.centre, static_cast<double>(child.half + 1)};
       try_leaf(near, own, own, PointKind::passing, child.last);
       if (needed_.near > limits_.near || needed_.candidates > limits_.candidates) return Status::capacity;
       continue;
     }
     // Ties do not become fewer.
-    if (9 * near.size() >= 8 * (cube.last - cube.first)) settle_ties(child);
+    if (9 * near.size() >= 8 * (cube.last - cube.first)) search_ties(child);
     if (needed_.near > limits_.near || needed_.candidates > limits_.candidates) return Status::capacity;
-    if (!is_settled(child)) ++depth;
+    if (!is_searched(child)) ++depth;
   }
   needed_.maxima = clamped_count(maxima_.required());
   needed_.gates = clamped_count(gates_.required());
@@ -187,8 +187,8 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
   return beyond_reach_ ? Status::range : Status::ok;
 }
 
-bool CriticalPoints::is_settled(const Cube &cube) const {
-  return cube.settled_half != 0 && contains(cube.settled_centre, cube.settled_half, cube.centre, cube.half);
+bool CriticalPoints::is_searched(const Cube &cube) const {
+  return cube.searched_half != 0 && contains(cube.searched_centre, cube.searched_half, cube.centre, cube.half);
 }
 
 NearArrays CriticalPoints::near_arrays(Span<const uint32_t> ids) const {
@@ -234,7 +234,7 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
   const double x = static_cast<double>(cube.centre.x), y = static_cast<double>(cube.centre.y),
                z = static_cast<double>(cube.centre.z), side = static_cast<double>(cube.half + 1);
   if (x - side > high_.x || x + side < low_.x || y - side > high_.y || y + side < low_.y || z - side > high_.z ||
-      z + side < low_.z || is_settled(cube)) {
+      z + side < low_.z || is_searched(cube)) {
     return last;
   }
   const uint32_t most = last - first;
@@ -260,7 +260,7 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
   const Vec3 at{x, y, z};
   const double reach_along = static_cast<double>(cube.half + 3);
   if (count <= CubeDirections::room)
-    return last + leave_few(at, reach_along, last, count, count == most && count > few);
+    return last + leave_few(at, reach_along, last, count, count == most && count > most_tried_whole);
   // More become fewer, as a rule.
   return last + (9 * count < 8 * most ? count : leave_many(at, reach_along, last, count));
 }
@@ -273,7 +273,7 @@ uint32_t CriticalPoints::leave_many(const Vec3 &at, double half, uint32_t first,
   return lead_up_at_all(count, half, a, inverse) ? 0 : count;
 }
 
-// From the centres of balls to a place.
+// From the centres of balls to a point.
 void CriticalPoints::see_directions(Span<const uint32_t> near, const Vec3 &at) {
   for (uint32_t k = 0; k < near.size(); ++k) {
     const Vec3 y = at - centre_of(*balls_, near[k]);
@@ -299,12 +299,12 @@ uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
 }
 
 // Where all of a cube's candidates tie, or nearly: tries their sets at once.
-void CriticalPoints::settle_ties(Cube &cube) {
+void CriticalPoints::search_ties(Cube &cube) {
   const BallSet &balls = *balls_;
   const Span<const uint32_t> near = candidates_.part(cube.first, cube.last);
   const uint32_t count = near.size();
   if (count > most_led_up) return;
-  // Near the centres of balls nothing can be settled that is as large as a part of the cube.
+  // Near the centres of balls nothing can be searched that is as large as a part of the cube.
   for (const uint32_t ball : near) {
     if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
   }
@@ -318,11 +318,11 @@ void CriticalPoints::settle_ties(Cube &cube) {
     const bool rising = attempt == 1, flat = attempt == 2;
     TangentPoint point(lines());
     if ((!solid && !flat) || !point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising)) continue;
-    const Vec3 at = point.place_estimate();
+    const Vec3 at = point.position_estimate();
     if (!(std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z) < 0x1p52)) continue;
     const Vector x{nearest(at.x), nearest(at.y), nearest(at.z)};
     if (!contains(cube.centre, 2 * cube.half, x, 0)) continue;
-    if (cube.settled_half != 0 && contains(cube.settled_centre, cube.settled_half, x, 0)) return;
+    if (cube.searched_half != 0 && contains(cube.searched_centre, cube.searched_half, x, 0)) return;
     const auto gap_of = [&](uint32_t ball) { return distance(balls, ball, x) - balls.r[ball]; };
     for (uint32_t k = 0; k < count; ++k) cluster_[k] = near[k];
     sort_in_place(cluster_.part(0, count), [&](uint32_t a, uint32_t b) { return gap_of(a) < gap_of(b); });
@@ -349,11 +349,11 @@ void CriticalPoints::settle_ties(Cube &cube) {
     if (!(depth > 0.0)) continue;
     spread += 4.0 * off_plane;
     const double delta = smaller_of(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
-    const double settled = delta / root_of_three - 4.0;
+    const double searched = delta / root_of_three - 4.0;
     const double around = spread / (0.45 * depth) + 4.0;  // beyond which no point is critical
-    if (!(settled > around) || settled < 0.125 * static_cast<double>(cube.half)) continue;
-    cube.settled_centre = x;
-    cube.settled_half = static_cast<int64_t>(settled);
+    if (!(searched > around) || searched < 0.125 * static_cast<double>(cube.half)) continue;
+    cube.searched_centre = x;
+    cube.searched_half = static_cast<int64_t>(searched);
     sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
     const Block left{x, static_cast<double>(static_cast<int64_t>(around)) + 1.0},
         own{cube.centre, static_cast<double>(cube.half + 1)};

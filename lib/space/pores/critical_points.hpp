@@ -7,11 +7,11 @@
 //
 // Many balls that tie, or nearly, never become fewer. Where all in a cube tie at one point, that is its one critical
 // point, if it is one, but for sets that are nearly flat. Those that tie nearly become fewer in parts of a step. Larger
-// cubes are settled at once by this: let all balls within 2 delta of the nearest one at a point x be
-// within eps of it, and 0 be inside the hull of their directions by eta. At a distance d < delta from x no point is
-// critical if eps / d + 1.5 d / (D - d) < eta, D the least distance of the centres: what is nearest there all lies
-// ahead, so that the way back leads up. So a cube around x is settled at once where its sets are tried. Only balls that
-// can be nearest in the cube that is halved count for that; what is found outside it is left to other cubes.
+// cubes are searched at once by this: let all balls within 2 delta of the nearest one at a point x be within eps of it,
+// and 0 be inside the hull of their directions by eta. At a distance d < delta from x no point is critical if eps / d +
+// 1.5 d / (D - d) < eta, D the least distance of the centres: what is nearest there all lies ahead, so that the way
+// back leads up. So a cube around x is searched at once where its sets are tried. Only balls that can be nearest in the
+// cube that is halved count for that; what is found outside it is left to other cubes.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -50,8 +50,7 @@ class CriticalPoints {
   // small, needed() tells what suffices as far as it is known. Status::range: an image is too many boxes away.
   Status find(PoreBalls &balls, int64_t floor);
 
-  // Room for records, whose points alone are set. To be brought into order. Of a gate `directions` is the translation
-  // by which it comes from the last one before it for which that is 0.
+  // Unsorted records with only `point` set, and `translation` of gates.
   FixedVector<PoreMaximum> &maxima() { return maxima_; }
   FixedVector<PoreGate> &gates() { return gates_; }
   const FixedVector<PoreMaximum> &maxima() const { return maxima_; }
@@ -71,17 +70,17 @@ class CriticalPoints {
   TangentLines &lines() const { return lines_[0]; }
 
  private:
-  static constexpr uint32_t few = 5;    // balls all sets of which are tried
-  static constexpr uint32_t many = 12;  // balls for which a leaf is divided further
+  static constexpr uint32_t most_tried_whole = 5;  // balls of a cube that is not halved: all their sets are tried
+  static constexpr uint32_t most_in_leaf = 12;     // of more the leaf is divided further
 
   struct Cube {
     exact::Vector centre;
     int64_t half;
     uint32_t first, last;  // of candidates_
     uint32_t next_part;
-    double most_level[8];          // of its parts
-    exact::Vector settled_centre;  // of a cube in which all sets have been tried
-    int64_t settled_half;          // 0: there is none
+    double most_level[8];           // of its parts
+    exact::Vector searched_centre;  // of a cube in which all sets have been tried
+    int64_t searched_half;          // 0: there is none
   };
   // A part of a leaf, as far as its middle from that of the leaf.
   struct FineCube {
@@ -96,8 +95,8 @@ class CriticalPoints {
   NearArrays near_arrays(Span<const uint32_t> ids) const;
   void halve(Cube &cube);
   uint32_t enter(const Cube &cube, const Cube &whole, uint32_t part);
-  bool is_settled(const Cube &cube) const;
-  void settle_ties(Cube &cube);
+  bool is_searched(const Cube &cube) const;
+  void search_ties(Cube &cube);
   uint32_t drop_farther(uint32_t first, uint32_t count);
   uint32_t leave_few(const Vec3 &at, double half, uint32_t first, uint32_t count, bool thoroughly);
   uint32_t leave_many(const Vec3 &at, double half, uint32_t first, uint32_t count);
@@ -113,7 +112,7 @@ class CriticalPoints {
   void try_flat_sets(const TangentPoint &common, Span<const uint32_t> near, const Block &block, const Block &other,
                      double flat);
   void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone);
-  // Sets of balls that tie at points which were found in one cube: bits of places among those that are near.
+  // Sets of balls that tie at points which were found in one cube: bits of ranks among those that are near.
   struct KnownTies {
     static constexpr uint32_t room = 8;
     uint64_t set[room];
@@ -153,7 +152,7 @@ class CriticalPoints {
   Span<uint32_t> at_point_, cluster_;
   Span<TangentLines> lines_;         // [1]
   Span<CubeDirections> directions_;  // [1]
-  Span<Vec3> hull_, room_;           // [near] directions to a place; vectors to it, or directions to balls that tie
+  Span<Vec3> hull_, room_;           // [near] directions to a point; vectors to it, or directions to balls that tie
   Span<double> inverse_;             // [near] of the lengths of these vectors, or gaps
   Span<FineCube> fine_cubes_;
   CriticalLimits limits_, needed_;

@@ -51,29 +51,29 @@ class CubeDirections {
   static_assert(room <= 64 && room % 4 == 0);
 
   void set(Target target, const NearArrays &near, const Vec3 &middle, double half) {
-    const double place[3] = {middle.x, middle.y, middle.z};
+    const double position[3] = {middle.x, middle.y, middle.z};
     seen.side = half;
-    see(target, near, place, seen);
-    for (uint32_t k = 0; k < near.count; ++k) place_[k] = static_cast<uint8_t>(k);
+    see(target, near, position, seen);
+    for (uint32_t k = 0; k < near.count; ++k) slot_[k] = static_cast<uint8_t>(k);
   }
   // Finds which of `count` balls are farther than others in all of the cube. A bit for each that is farther than any.
   uint64_t compare(Target target, uint32_t count) { return find_farther(target, seen, count); }
   // From now on ball `to` is that which `from` was, which is no less.
-  void move(uint32_t from, uint32_t to) { place_[to] = place_[from]; }
+  void move(uint32_t from, uint32_t to) { slot_[to] = slot_[from]; }
   // Whether two balls may be as near somewhere in the cube.
   bool may_tie(uint32_t k, uint32_t m) const {
-    return ((seen.farther[place_[k]] >> place_[m] | seen.farther[place_[m]] >> place_[k]) & 1) == 0;
+    return ((seen.farther[slot_[k]] >> slot_[m] | seen.farther[slot_[m]] >> slot_[k]) & 1) == 0;
   }
 
   Vec3 y(uint32_t ball) const {
-    const uint32_t k = place_[ball];
+    const uint32_t k = slot_[ball];
     return {seen.x[k], seen.y[k], seen.z[k]};
   }
   Vec3 a(uint32_t ball) const {
-    const uint32_t k = place_[ball];
+    const uint32_t k = slot_[ball];
     return {seen.ax[k], seen.ay[k], seen.az[k]};
   }
-  double inverse(uint32_t ball) const { return seen.inverse[place_[ball]]; }
+  double inverse(uint32_t ball) const { return seen.inverse[slot_[ball]]; }
 
   // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull of the
   // a that is nearest to 0.
@@ -151,7 +151,7 @@ class CubeDirections {
   static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
  private:
-  uint8_t place_[room];  // in the arrays
+  uint8_t slot_[room];  // in the arrays
 };
 
 }  // namespace hsp

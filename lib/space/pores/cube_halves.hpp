@@ -40,7 +40,7 @@ struct ViewedBalls {
 inline constexpr double slack_of_seen = 1e-12;
 inline constexpr double root_of_three = 1.7320508075688774;
 
-// Sets all numbers of balls around a place, for `side`.
+// Sets all numbers of balls around a point, for `side`.
 HSP_KERNEL(void, see, (const NearArrays &near, const double *at, ViewedBalls &seen), (near, at, seen))
 // Returns a bit for each of `count` balls that is farther than any other one. Sets `farther`: 0 of balls that are found
 // to be farther before their turn.

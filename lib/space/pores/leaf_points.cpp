@@ -19,11 +19,11 @@ void CriticalPoints::try_leaf(Span<const uint32_t> near, const Block &block, con
                               uint32_t last) {
   needed_.near = larger_count(needed_.near, near.size());
   if (near.size() > limits_.near) return;
-  if (near.size() <= few) return try_sets(near, block, other, alone);
+  if (near.size() <= most_tried_whole) return try_sets(near, block, other, alone);
   if (try_common_point(near, block, other)) return;
   bool fits = longest_part(to_double(block.centre)) < 0x1p43;
   for (const uint32_t ball : near) fits = fits && distance(*balls_, ball, block.centre) < 0x1p40;
-  if (near.size() <= many || !fits) return try_sets(near, block, other, alone);
+  if (near.size() <= most_in_leaf || !fits) return try_sets(near, block, other, alone);
   try_finely(near, block, other, last);
 }
 
@@ -60,13 +60,13 @@ void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, c
     if (here.empty()) continue;
     // Of balls that all tie at one point none becomes farther.
     const bool least = child.half <= least_fine, stay = here.size() == cube.last - cube.first;
-    if (here.size() > few && (least || stay) && try_common_point(here, own, other)) continue;
-    if (here.size() > few && !least) {
+    if (here.size() > most_tried_whole && (least || stay) && try_common_point(here, own, other)) continue;
+    if (here.size() > most_tried_whole && !least) {
       ++depth;
       continue;
     }
     // try_common_point() sees other balls.
-    if (here.size() > few && here.size() <= CubeDirections::room) {
+    if (here.size() > most_tried_whole && here.size() <= CubeDirections::room) {
       directions_[0].set(target_, near_arrays(here), to_double(own.centre) + own.off, own.half);
       static_cast<void>(directions_[0].compare(target_, here.size()));
     }
@@ -122,8 +122,8 @@ bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &bl
     const bool rising = attempt == 1, flat = attempt == 2;
     TangentPoint point(lines());
     if ((!solid && !flat) || !point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising)) continue;
-    const Vec3 to = point.place_estimate() - middle;
-    const double apart = std::sqrt(dot(to, to)) + point.place_error() + root_of_three * block.half;
+    const Vec3 to = point.position_estimate() - middle;
+    const double apart = std::sqrt(dot(to, to)) + point.position_error() + root_of_three * block.half;
     if (!(16.0 * apart < nearest_centre)) continue;
     bool tie = true;
     for (uint32_t k = 0; tie && k < near.size(); ++k) tie = point.nearness(near[k]) == 0;
@@ -273,19 +273,19 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
   }
   const auto tie = [&](uint32_t i, uint32_t j) { return !directed || (ties[i] >> j & 1) != 0; };
   // Faces of few balls are kept, each being that of several tetrahedra.
-  CubeDirections::Face faces[few * (few - 1) * (few - 2) / 6];
-  const auto place = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
-  const bool kept = n <= few;
+  CubeDirections::Face faces[most_tried_whole * (most_tried_whole - 1) * (most_tried_whole - 2) / 6];
+  const auto index = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
+  const bool kept = n <= most_tried_whole;
   for (uint32_t i = 0; kept && i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
       for (uint32_t k = j + 1; k < n; ++k) {
-        if (tie(i, j) && tie(i, k) && tie(j, k)) faces[place(i, j, k)] = directions.face(i, j, k);
+        if (tie(i, j) && tie(i, k) && tie(j, k)) faces[index(i, j, k)] = directions.face(i, j, k);
       }
     }
   }
   CubeDirections::Face made[4];
   const auto face = [&](uint32_t i, uint32_t j, uint32_t k, uint32_t corner) -> const CubeDirections::Face & {
-    if (kept) return faces[place(i, j, k)];
+    if (kept) return faces[index(i, j, k)];
     made[corner] = directions.face(i, j, k);
     return made[corner];
   };

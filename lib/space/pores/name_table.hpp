@@ -35,13 +35,13 @@ class NameTable {
   // The number of a name; no_id if there is none. records[number].point has it.
   template <class Records>
   uint32_t find(const PointName &name, const Records &records) const {
-    return entries_[place_of(name, records)];
+    return entries_[slot_of(name, records)];
   }
   // Of a name that is new. Without room it does nothing.
   template <class Records>
   void add(const PointName &name, uint32_t number, const Records &records) {
     if (count_ == capacity_) return;
-    entries_[place_of(name, records)] = number;
+    entries_[slot_of(name, records)] = number;
     ++count_;
   }
 
@@ -53,16 +53,16 @@ class NameTable {
     return slots;
   }
   template <class Records>
-  uint32_t place_of(const PointName &name, const Records &records) const {
+  uint32_t slot_of(const PointName &name, const Records &records) const {
     uint64_t hash = 0;
     for (uint32_t k = 0; k < 4; ++k) {
       const uint64_t part = name.ball[k] | static_cast<uint64_t>(name.shift[k].bits) << 32;
       hash = (hash ^ part) * UINT64_C(0x9E3779B97F4A7C15) ^ hash >> 29;
     }
     const uint32_t mask = entries_.size() - 1;
-    for (uint32_t place = static_cast<uint32_t>(hash >> 32) & mask;; place = (place + 1) & mask) {
-      const uint32_t number = entries_[place];
-      if (number == no_id || name_of(records[number].point) == name) return place;
+    for (uint32_t slot = static_cast<uint32_t>(hash >> 32) & mask;; slot = (slot + 1) & mask) {
+      const uint32_t number = entries_[slot];
+      if (number == no_id || name_of(records[number].point) == name) return slot;
     }
   }
 

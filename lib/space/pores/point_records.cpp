@@ -33,7 +33,7 @@ void CriticalPoints::add(TangentPoint &point, const uint32_t *ids, PointKind kin
   CriticalPoint record{};
   record.tied = tied.size();
   Vec3 off{};
-  record.doubt = point.settle_from_base(off, record.level);
+  record.doubt = point.refine_from_base(off, record.level);
   const BoxShift home = all_->shift_of(set[0]);
   for (uint32_t k = 0; k < all_->translations(); ++k) add_moved(record, off, name, kind, tied, home, k);
 }
@@ -54,7 +54,7 @@ void CriticalPoints::add_moved(CriticalPoint record, const Vec3 &off, const Poin
     record.shift[k] = own.shift[k];
   }
   const uint32_t first = own.ball[0];
-  record.place = Vec3{balls.x[first], balls.y[first], balls.z[first]} + off;
+  record.position = Vec3{balls.x[first], balls.y[first], balls.z[first]} + off;
   if (kind == PointKind::gate) {
     gates_.push({record, {no_id, no_id}, {}, false, false, translation});
     gate_names_.add(own, clamped_count(gates_.required() - 1), gates_);

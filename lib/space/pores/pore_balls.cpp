@@ -58,8 +58,8 @@ Status PoreBalls::take(const PeriodicImages &images) {
 }
 
 // The one whose centre is there; no_id for none. They are in the order of their centres.
-uint32_t PoreBalls::ball_at(const exact::Vector &place) const {
-  const Vec3 at = to_double(place);
+uint32_t PoreBalls::ball_at(const exact::Vector &position) const {
+  const Vec3 at = to_double(position);
   uint32_t first = 0, last = own_;
   while (first < last) {
     const uint32_t k = first + (last - first) / 2;
@@ -85,9 +85,9 @@ bool PoreBalls::note_translation(const exact::Vector &by, uint64_t &left) {
     if (other == no_id || set_.r[other] != set_.r[i]) return true;
   }
   if (translation_count_ == most_translations) return false;
-  exact::Vector place = by;
+  exact::Vector position = by;
   BoxShift away;
-  if (box_->wrap(place, away) == Status::ok) translation_[translation_count_++] = place;
+  if (box_->wrap(position, away) == Status::ok) translation_[translation_count_++] = position;
   return true;
 }
 

@@ -11,7 +11,7 @@ namespace hsp {
 
 class PoreBalls {
  public:
-  // balls: with as many images as surround() makes; near: how many may be around one place.
+  // balls: with as many images as surround() makes; near: how many may be around one point.
   void carve(Workspace &workspace, uint32_t balls, uint32_t near);
 
   // Status::capacity: needed_balls() or needed_near() is more than there is room for. Status::range: a box that is more
@@ -78,7 +78,7 @@ class PoreBalls {
     return true;
   }
   Status keep_outer();
-  uint32_t ball_at(const exact::Vector &place) const;
+  uint32_t ball_at(const exact::Vector &position) const;
   void find_translations();
   bool note_translation(const exact::Vector &by, uint64_t &left);
 

@@ -17,8 +17,8 @@
 // A probe fits at a point, or passes a gate, if it is narrower than f there. Ids of balls are the caller's. Levels are
 // radii of probes beyond the one that is in the model, in lattice steps.
 //
-// In a periodic box every point is there once for all its copies. Balls of a point are then images: a ball in its place
-// in the box, moved by a shift. Points have their first ball in its place.
+// In a periodic box every point is there once for all its copies. Balls of a point are then images: a ball of the box,
+// moved by a shift. The first ball of a point is not moved.
 #pragma once
 
 #include "core/span.hpp"
@@ -59,7 +59,7 @@ struct SmallShift {
 // A maximum or a gate as it is found. Its first three or four balls span it; all that tie follow in a list of their own
 // if they are more.
 struct CriticalPoint {
-  Vec3 place;
+  Vec3 position;
   double level;         // rounded to a power of two, the same for all steps of symmetry
   double doubt;         // how far the level may be off
   uint32_t ball[4];     // in the order of positions; no_id behind the last one
@@ -76,12 +76,15 @@ struct PoreMaximum {
 
 struct PoreGate {
   CriticalPoint point;
-  uint32_t
-      end[2];  // maxima that its two sides lead up to, or pore_outside; first where its balls turn counter-clockwise
+  // Maxima that its two sides lead up to, or pore_outside; first where its balls turn counter-clockwise.
+  uint32_t end[2];
   SmallShift end_shift[2];  // in a box: which of their copies
   bool merges;              // two classes, rather than two ends of one
-  bool winds;           // in a box: its class can be gone along in a direction, or to a copy, that it could not before
-  uint32_t directions;  // in which its class goes on for ever, from here on
+  bool winds;  // in a box: its class can be gone along in a direction, or to a copy, that it could not before
+  union {
+    uint32_t translation;  // until ways up are known: by which it comes from the last gate before it where that is 0
+    uint32_t directions;   // then: in which its class goes on for ever, from here on
+  };
 
   // From the copy of its first end to that of the second.
   BoxShift way() const { return end_shift[1].shift() - end_shift[0].shift(); }
@@ -89,7 +92,7 @@ struct PoreGate {
 
 // Of a way up from a gate: a point of the curve on which three balls, or two, are nearest.
 struct WayPoint {
-  Vec3 place;
+  Vec3 position;
   double level;
   uint32_t ball[3];  // no_id behind the last one
   SmallShift shift[3];

@@ -31,7 +31,7 @@ PoreLimits PoresBuilder::retry_limits() const {
 }
 
 void PoresBuilder::begin(uint32_t balls) {
-  maximum_count_ = gate_count_ = 0;
+  maximum_count_ = gate_count_ = merger_count_ = 0;
   needed_ = {balls, 0, 0, 0, 0, 0};
   passages_ = {};
 }
@@ -166,7 +166,7 @@ void PoresBuilder::sort_points() {
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = maxima_[k].into = no_id;
 }
 
-// In the order in which gates are found, which is that of places: what is near one is near the next one.
+// In the order in which gates are found, which is that of positions: what is near one is near the next one.
 Status PoresBuilder::climb_from_gates() {
   tied_shifts_ = critical_.tied_shifts().items();
   maximum_count_ = critical_.maxima().size();
@@ -176,7 +176,7 @@ Status PoresBuilder::climb_from_gates() {
   uint32_t first = 0;
   for (uint32_t k = 0; k < gate_count_; ++k) {
     PoreGate &gate = gates_[k];
-    const uint32_t moved = gate.directions;
+    const uint32_t moved = gate.translation;
     gate.directions = 0;
     if (moved == 0) first = k;
     for (const uint32_t side : {0U, 1U}) {
@@ -195,7 +195,7 @@ Status PoresBuilder::climb_from_gates() {
   return Status::ok;
 }
 
-// Where a way from a gate ends, after a translation; as seen from the place of the gate's first ball.
+// Where a way from a gate ends, after a translation; as seen from the centre of the gate's first ball.
 WayUp::End PoresBuilder::moved_end(const WayUp::End &end, uint32_t gates_ball, uint32_t translation) {
   WayUp::End moved = end;
   moved.name = critical_.moved_name(end.name, translation);
@@ -210,6 +210,7 @@ uint32_t PoresBuilder::note_merger(uint32_t gate, uint32_t a, uint32_t b, uint32
   if (a == b) return a;
   const uint32_t older = a < b ? a : b, younger = a < b ? b : a;
   gates_[gate].merges = true;
+  ++merger_count_;
   maxima_[younger - first].gate = gate;
   maxima_[younger - first].into = older < first ? pore_outside : older - first;
   return older;

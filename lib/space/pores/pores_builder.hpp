@@ -47,6 +47,8 @@ class PoresBuilder {
   // In descending order of levels; equal ones by their first balls, in the order of positions (exact/rank.hpp).
   Span<const PoreMaximum> maxima() const { return maxima_.part(0, maximum_count_); }
   Span<const PoreGate> gates() const { return gates_.part(0, gate_count_); }
+  // Of gates how many merge two classes.
+  uint32_t mergers() const { return merger_count_; }
   // All nearest balls of a point; in the order of positions.
   Span<const uint32_t> tied(const CriticalPoint &point) const {
     const uint32_t named = point.ball[3] == no_id ? 3 : 4;
@@ -108,7 +110,7 @@ class PoresBuilder {
   Span<const SmallShift> tied_shifts_;
   Windings windings_;
   PorePassages passages_;
-  uint32_t maximum_count_ = 0, gate_count_ = 0;
+  uint32_t maximum_count_ = 0, gate_count_ = 0, merger_count_ = 0;
 };
 
 }  // namespace hsp

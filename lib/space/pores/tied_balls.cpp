@@ -37,7 +37,7 @@ PointKind kind_in_plane(const TangentPoint &point, Span<const uint32_t> tied, co
 class PlainSides {
  public:
   PlainSides(const BallSet &balls, const TangentPoint &point, double scale)
-      : balls_(balls), at_(point.place_estimate()), error_(point.place_error()), scale_(scale) {}
+      : balls_(balls), at_(point.position_estimate()), error_(point.position_error()), scale_(scale) {}
   // Of a plane through a centre; 0 if that is not certain. length: the product of the lengths that the normal is of,
   // but for the common ones.
   int side(const Vec3 &normal, double length, uint32_t centre) const {
@@ -56,11 +56,7 @@ class PlainSides {
 constexpr double clear_of_rounding = 1e-9, clear_of_slivers = 1e-5;
 // Balls are nearly in a plane up to that, which two of them give that are so far apart.
 constexpr double nearly_in_plane = 1e-8, far_apart = 0.02;
-constexpr uint32_t many_tied = 9;
-
-}  // namespace
-
-namespace {
+constexpr uint32_t fewest_clustered = 9;
 
 // The plane through three of some unit vectors that bounds the hull of all, and is nearest to 0 or farthest beyond it.
 struct HullSide {
@@ -233,7 +229,7 @@ bool find_far_apart(const BallSet &balls, Span<const uint32_t> near, uint32_t *s
 TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied,
                                Span<Vec3> room)
     : balls_(balls), point_(point), tied_(tied) {
-  if (tied.size() < 4 || tied.size() > room.size() || take(point, room) || tied.size() < many_tied) return;
+  if (tied.size() < 4 || tied.size() > room.size() || take(point, room) || tied.size() < fewest_clustered) return;
   uint32_t four[4];
   if (!take(point.sharpened(), room) && find_far_apart(balls, tied, four)) {
     static_cast<void>(take(point.found_by(four), room));
@@ -242,8 +238,8 @@ TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, 
 
 // As doubles see them from a point. False if they do not know it well.
 bool TiedDirections::take(const TangentPoint &point, Span<Vec3> room) {
-  const Vec3 at = point.place_estimate();
-  const double error = point.place_error();
+  const Vec3 at = point.position_estimate();
+  const double error = point.position_error();
   for (uint32_t k = 0; k < tied_.size(); ++k) {
     const Vec3 y = at - Vec3{balls_.x[tied_[k]], balls_.y[tied_[k]], balls_.z[tied_[k]]};
     const double length = std::sqrt(dot(y, y));

@@ -79,7 +79,7 @@ class TiedDirections {
 // A lower bound of how far 0 is inside the hull of unit vectors; not positive if it is outside or nearly. outward: if
 // not null, becomes the normal of the side that is nearest to 0, or 0.
 double depth_of_hull(Span<const Vec3> a, Vec3 *outward = nullptr);
-// The same in a plane, of a place that is nearly in it: of unit vectors from centres to the place. off_plane: how far
+// The same in a plane, of a point that is nearly in it: of unit vectors from centres to the point. off_plane: how far
 // it is from planes through centres at most, where y are the vectors.
 double depth_in_plane(Span<const Vec3> a, Span<const Vec3> y, double &off_plane);
 

@@ -11,7 +11,7 @@ namespace {
 constexpr uint32_t most_steps = 100000;
 constexpr int most_windows = 400;
 constexpr uint32_t most_passed = 16;
-constexpr uint32_t few_tied = 8;
+constexpr uint32_t most_tied_tried = 8;
 constexpr uint32_t known_ends = 256;  // a power of two
 
 bool is_of_curve(const TangentCurve &curve, uint32_t ball) {
@@ -114,7 +114,7 @@ bool WayUp::find_lowest(const TangentCurve &named, int side, Way &way) {
 // The side is that of the gate's first three balls. All that stay as near as the lowest three, and these alone, are on
 // the way.
 bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
-  const bool many = tied_.size() > few_tied, known = many && find_lowest(named, side, way);
+  const bool many = tied_.size() > most_tied_tried, known = many && find_lowest(named, side, way);
   near_.clear();
   for (uint32_t k = 0; many && k < tied_.size(); ++k) {
     const uint32_t ball = tied_[k];
@@ -146,12 +146,12 @@ bool WayUp::leave(Way &way) {
   const Span<const uint32_t> tied = tied_.items();
   TiedDirections directions(*balls_, point_, tied, directions_);
   if (directions.surround() ||
-      (tied.size() > few_tied && kind_of(*balls_, point_, tied, directions) == PointKind::maximum)) {
+      (tied.size() > most_tied_tried && kind_of(*balls_, point_, tied, directions) == PointKind::maximum)) {
     return false;
   }
   // Of many most are on no curve that leads up, and most pairs. Those that may be are noted where the balls near the
   // way were, which are no longer needed.
-  const bool many = tied.size() > few_tied;
+  const bool many = tied.size() > most_tied_tried;
   bool in_one_plane = true;
   near_.clear();
   for (uint32_t k = 0; many && k < tied.size(); ++k) {
@@ -327,9 +327,9 @@ Status WayUp::follow(const Way &way, bool &outside) {
   if (!unbounded && !top.find(balls, way.curve, no_id, true)) return Status::check;
   if (way.side < 0) shape.e = -shape.e;
   const double radius = balls.r[way.curve.base];
-  Vec3 place{};
+  Vec3 position{};
   double start = point_.level_estimate(), doubt = point_.level_error();
-  if (trace_ != nullptr || !(doubt < 4.0)) doubt = point_.settle(place, start);
+  if (trace_ != nullptr || !(doubt < 4.0)) doubt = point_.refine(position, start);
   const double from = 2.0 * (radius + start - doubt);
   double window = larger_of(0.12 * (radius + start), 16.0);
   for (int turn = 0; turn < most_windows; ++turn, window *= 1.7) {
@@ -354,7 +354,7 @@ Status WayUp::follow(const Way &way, bool &outside) {
     point_ = met ? event : top;
     if (trace_ != nullptr) {
       double end = 0.0;
-      static_cast<void>(point_.settle(place, end));
+      static_cast<void>(point_.refine(position, end));
       trace(way, shape, start, end);
     }
     tied_.clear();
@@ -407,7 +407,7 @@ void WayUp::trace(const Way &way, const CurveShape &shape, double from, double t
     const double pairs = 0.5 * u / part;
     if (part < longest_part && pairs == static_cast<double>(static_cast<uint32_t>(pairs))) part *= 2.0;
     if (!(shape.error_at(z) < 64.0)) continue;
-    point.place = centre + y;
+    point.position = centre + y;
     point.level = level_at(u);
     trace_->push(point);
   }

@@ -54,9 +54,9 @@ class WayUp {
   // Ways that have met go on alike: where some of those before have ended.
   struct KnownEnd {
     Vertex vertex;
-    End end;  // for the vertex whose first ball is in its place
+    End end;  // for the vertex whose first ball is not moved
   };
-  // One on the way, whose first ball is so many boxes from its place.
+  // One on the way, whose first ball is moved by so many boxes.
   struct Passed {
     Vertex vertex;
     BoxShift shift;

@@ -139,8 +139,8 @@ TangentPoint TangentPoint::found_by(const uint32_t *four) const {
     TangentPoint point(*lines_);
     point.begin(*balls_, {four[0], four[1], four[2]}, four[3], rising);
     const int known = point.estimate(line);
-    const Vec3 off = point.place_estimate() - place_estimate();
-    if (known < 0 || longest_part(off) > place_error() + point.place_error()) continue;
+    const Vec3 off = point.position_estimate() - position_estimate();
+    if (known < 0 || longest_part(off) > position_error() + point.position_error()) continue;
     ++found;
     best = point;
   }
@@ -171,7 +171,7 @@ int TangentPoint::estimate(const RoughLines &line) {
   if (!is_steep_) return 0;
   if (!find_z(line, rising_, z_)) return -1;
   if (z_.sign() <= 0) return z_.sign();
-  y_ = line.place(z_);
+  y_ = line.position_at(z_);
   return 1;
 }
 
@@ -316,14 +316,14 @@ int TangentPoint::compare_levels(const TangentPoint &other) const {
   return below ? -1 : 1;
 }
 
-Vec3 TangentPoint::place_estimate() const {
+Vec3 TangentPoint::position_estimate() const {
   const BallSet &balls = *balls_;
   const uint32_t base = curve_.base;
   return {balls.x[base] + 0.5 * y_.x.value, balls.y[base] + 0.5 * y_.y.value, balls.z[base] + 0.5 * y_.z.value};
 }
 
-double TangentPoint::place_error() const {
-  const Vec3 at = place_estimate();
+double TangentPoint::position_error() const {
+  const Vec3 at = position_estimate();
   const double rounding = unit_roundoff * (std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z));
   return (0.5 * (y_.x.error + y_.y.error + y_.z.error) + rounding) * (1.0 + 0x1p-50);
 }
@@ -335,7 +335,7 @@ double TangentPoint::estimate_closely(Vec3 &off, double &level) {
     level = level_estimate();
     tolerable = 0x1p-42 * (std::fabs(z_.value) + std::fabs(level));
     doubt = level_error();
-    return place_error() <= tolerable + 0x1p-20 && doubt <= tolerable;
+    return position_error() <= tolerable + 0x1p-20 && doubt <= tolerable;
   };
   if (is_good()) return doubt;
   const CurveRows<Bounded> rows(*balls_, curve_);
@@ -417,7 +417,7 @@ double TangentPoint::rounded_level(double level, double doubt, double unit) cons
   return multiple * unit;
 }
 
-double TangentPoint::settle_from_base(Vec3 &off, double &level) {
+double TangentPoint::refine_from_base(Vec3 &off, double &level) {
   const double doubt = estimate_closely(off, level);
   // 2^-40 of the largest radius, or 2^-20 of a step.
   double unit = 0x1p-20;
@@ -434,9 +434,9 @@ double TangentPoint::settle_from_base(Vec3 &off, double &level) {
   return doubt + unit;
 }
 
-double TangentPoint::settle(Vec3 &place, double &level) {
-  const double doubt = settle_from_base(place, level);
-  place = Vec3{balls_->x[curve_.base], balls_->y[curve_.base], balls_->z[curve_.base]} + place;
+double TangentPoint::refine(Vec3 &position, double &level) {
+  const double doubt = refine_from_base(position, level);
+  position = Vec3{balls_->x[curve_.base], balls_->y[curve_.base], balls_->z[curve_.base]} + position;
   return doubt;
 }
 

@@ -129,17 +129,17 @@ class TangentPoint {
   // Of the filter stage, in steps; the error is infinite if it knows nothing.
   double level_estimate() const { return 0.5 * z_.value - balls_->r[curve_.base]; }
   double level_error() const { return 0.5 * z_.error + unit_roundoff * std::fabs(level_estimate()); }
-  Vec3 place_estimate() const;
-  double place_error() const;
+  Vec3 position_estimate() const;
+  double position_error() const;
   // The same, by sharper bounds or by the exact stage where the filter's error is large; returns how far the level may
   // be off. The level is rounded to a power of two that depends on the largest radius alone, by integers where it is
   // near the middle between two: symmetric points have the same, whatever balls they are computed from. It is 0 if that
   // is what it is, and else has its sign.
-  double settle(Vec3 &place, double &level);
-  // The same with the place as seen from the first ball of the curve.
-  double settle_from_base(Vec3 &off, double &level);
+  double refine(Vec3 &position, double &level);
+  // The same with the position as seen from the first ball of the curve.
+  double refine_from_base(Vec3 &off, double &level);
 
-  // Whether it is certainly one of four balls whose centres are in no plane, and then which of their two.
+  // True if four balls whose centres are in no plane certainly define it; then which of their two points it is.
   bool is_of_four() const { return is_steep_ && last_ != no_id && !curve_.in_plane; }
   bool is_rising() const { return rising_; }
 

@@ -94,7 +94,7 @@ struct SteepLine {
   Number A() const { return dot(Q, Q) - D * D; }
   Number b() const { return dot(P, Q); }
   Number c() const { return dot(P, P); }
-  Triple<Number> place(const Number &z) const {
+  Triple<Number> position_at(const Number &z) const {
     return {(P.x + Q.x * z) / D, (P.y + Q.y * z) / D, (P.z + Q.z * z) / D};
   }
 
@@ -158,7 +158,7 @@ struct RoughLine {
   Bounded b() const { return product; }
   Bounded c() const { return square_P; }
   // (P + Q z) / D, all components with one bound.
-  Triple<Bounded> place(const Bounded &z) const {
+  Triple<Bounded> position_at(const Bounded &z) const {
     const double inverse = 1.0 / D.value;
     const Vec3 y = combine(inverse, P, inverse * z.value, Q);
     const double size = std::fabs(z.value) + z.error;

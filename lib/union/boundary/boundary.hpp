@@ -6,6 +6,12 @@
 //
 // All ids of balls are the grid's. Readers use the accessors of class Boundary; only the files of this room that
 // build a boundary know its arrays.
+//
+// As an example the balls of radius 5 at (0,0,0), (6,0,0) and (0,6,0). All three spheres meet in (3, 3, +-2.65), and
+// nothing else covers these points:
+//   vertices 2     arcs 3, one for each pair of balls     half-edges 6, two on each ball
+//   loops 3        faces 3, one on each ball              shells 1      components 1      voids 0
+// Euler's relation: vertices - arcs + 2 faces - loops = 2 - 3 + 6 - 3 = 2, that of one sphere.
 #pragma once
 
 #include <cstdint>
@@ -73,7 +79,7 @@ struct FaceRecord {
   uint32_t shell;
 };
 
-// Where the parts of a ball begin. Those of the next ball follow. Together, since who reads one reads most of them.
+// Where the parts of a ball begin. Those of the next ball follow. Together, since where one is read most of them are.
 struct FirstParts {
   uint32_t half_edge, closed_half_edge, loop, face;
 };

@@ -1,3 +1,13 @@
+// The boundary, stage by stage, by one worker or several. All of them end a stage before the next one begins.
+//
+//   search         each worker its cubes: vertices and circles, each found at the first of its balls
+//   placing        those of worker 0, then of 1, and so on in one array: ids do not depend on how many there are
+//   counting       of each ball its half-edges, also those of records that another worker has found
+//   distributing   3 half-edges a vertex, 2 a circle, to where their balls have them
+//   linking        next of each half-edge; loops and faces, numbered with gaps between workers
+//   closing_gaps   numbers without the gaps
+//   joining        faces that share an arc, to shells
+//   numbering      shells, and components of balls
 #include "boundary/boundary_builder.hpp"
 
 #include "boundary/components.hpp"
@@ -6,7 +16,7 @@ namespace hsp {
 namespace {
 
 // The stages after the search. Each reads what all workers have done in those before.
-enum Stage : uint32_t { placing, counting, distributing, linking, settling, joining, numbering };
+enum Stage : uint32_t { placing, counting, distributing, linking, closing_gaps, joining, numbering };
 
 }  // namespace
 
@@ -109,8 +119,8 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
     case linking:
       link(worker);
       break;
-    case settling:
-      settle(worker);
+    case closing_gaps:
+      close_gaps(worker);
       break;
     case joining:
       if (shares_shells() && whole_) {
@@ -188,7 +198,7 @@ void BoundaryBuilder::link(uint32_t worker) {
 // Without gaps between those of workers, loops and faces have the numbers that one worker would give them. Their
 // records are all moved by worker 0, in order, as they may go where others come from. Wherever else their numbers are
 // stored is left to whom it belongs. Every face becomes a shell by itself, if all workers are to join them.
-void BoundaryBuilder::settle(uint32_t worker) {
+void BoundaryBuilder::close_gaps(uint32_t worker) {
   BoundaryArrays &a = arrays();
   uint32_t loops = 0;
   uint32_t faces = 0;

@@ -72,7 +72,7 @@ class BoundaryBuilder : public Limited<BoundaryLimits> {
   void leave_out_components();
   void distribute(uint32_t worker);
   void link(uint32_t worker);
-  void settle(uint32_t worker);
+  void close_gaps(uint32_t worker);
   // Whether all workers join faces to shells; else one of them does.
   bool shares_shells() const { return count_ > 1 && SharedDisjointSets::available; }
 

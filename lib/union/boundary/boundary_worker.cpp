@@ -1,3 +1,12 @@
+// One worker's part of the boundary: from the balls of its cubes to half-edges, loops and faces.
+//
+// As an example ten balls in three cubes, 0 to 3, 4 and 5, 6 to 9, for three workers. Worker w begins with the first
+// cube that begins at or behind ball 10 w / 3:
+//   worker     10 w / 3      cubes     balls
+//      0          0            0       0 to 3
+//      1          3            1       4 and 5
+//      2          6            2       6 to 9
+// A cube is never shared: its neighbours are looked up once for all of its balls. A worker may be left without any.
 #include "boundary/boundary_worker.hpp"
 
 #include "core/first_index.hpp"
@@ -41,7 +50,11 @@ uint32_t largest_ball(const BallSet &balls, BallRange range, uint32_t largest) {
   return largest;
 }
 
-uint32_t largest_ball(const BallSet &balls, const CubeBlock &block) {
+// Of those around a cube; none if they are so many that to look at them takes longer than it saves.
+uint32_t largest_ball(const BallSet &balls, const CubeBlock &block, BallRange own) {
+  uint32_t all = 0;
+  for (uint32_t k = 0; k < block.ranges; ++k) all += block.range[k].last - block.range[k].first;
+  if (block.levels != nullptr && all / 16 > own.last - own.first) return no_id;
   uint32_t largest = block.range[0].first;
   for (uint32_t k = 0; k < block.ranges; ++k) largest = largest_ball(balls, block.range[k], largest);
   return largest;
@@ -56,76 +69,6 @@ BallRange concentric(const BallSet &balls, uint32_t i, uint32_t end_of_cube) {
   while (last < end_of_cube && has_centre(last)) ++last;
   return {i, last};
 }
-
-// Where a few balls are much larger than the others, cubes are wide, and most of the balls around are too far away. The
-// balls of a row of cubes are in the order of x, so that those near to some of them follow each other. The large
-// ones are always among those near.
-class UnequalBalls {
- public:
-  static constexpr uint32_t fewest = 1024;  // balls around a cube
-  static constexpr uint32_t at_once = 32;   // balls of a cube
-
-  UnequalBalls(const BallSet &balls, const CubeBlock &block, double side) : balls_(balls), block_(block) {
-    uint32_t all = 0;
-    for (const BallRange &range : ranges()) all += range.last - range.first;
-    if (all < fewest || block.ranges > most_large) return;
-    for (double radius = side / 16; radius >= 1.0 && find_larger(radius); radius *= 0.5) common_ = radius;
-    if (common_ > 0.0) find_larger(common_);
-  }
-
-  bool are_there() const { return common_ > 0.0; }
-  // Of balls of one row, from `first` on: how many are looked at at once. A large one is alone.
-  uint32_t last_of(uint32_t first, uint32_t end) const {
-    uint32_t last = first;
-    while (last < end && last - first < at_once && !(balls_.r[last] > common_)) ++last;
-    return last > first ? last : first + 1;
-  }
-  // All that may meet these, in the order of the block.
-  CubeBlock around(BallRange own) const {
-    if (balls_.r[own.first] > common_) return block_;
-    const double low = balls_.x[own.first] - 2 * common_, high = balls_.x[own.last - 1] + 2 * common_;
-    CubeBlock near;
-    uint32_t next = 0;  // of the large ones
-    const auto add = [&near](uint32_t first, uint32_t last) {
-      if (first < last) near.range[near.ranges++] = {first, last};
-    };
-    const auto add_large = [&](uint32_t end) {
-      for (; next < larger_ && large_[next] < end; ++next) add(large_[next], large_[next] + 1);
-    };
-    for (const BallRange &range : ranges()) {
-      const uint32_t first = first_index(range.first, range.last, [&](uint32_t j) { return balls_.x[j] >= low; });
-      const uint32_t last = first_index(first, range.last, [&](uint32_t j) { return balls_.x[j] > high; });
-      add_large(first);
-      add(first, last);
-      while (next < larger_ && large_[next] < last) ++next;
-      add_large(range.last);
-    }
-    return near;
-  }
-
- private:
-  static constexpr uint32_t most_large = 9;
-  static_assert(sizeof(CubeBlock::range) / sizeof(BallRange) == 2 * most_large);
-
-  Span<const BallRange> ranges() const { return {block_.range, block_.ranges}; }
-  // Finds those larger than that; false if they are many.
-  bool find_larger(double radius) {
-    larger_ = 0;
-    for (const BallRange &range : ranges()) {
-      for (uint32_t j = range.first; j < range.last; ++j) {
-        if (!(balls_.r[j] > radius)) continue;
-        if (larger_ == most_large) return false;
-        large_[larger_++] = j;
-      }
-    }
-    return true;
-  }
-
-  const BallSet &balls_;
-  const CubeBlock &block_;
-  double common_ = 0.0;  // no less than the radius of the others
-  uint32_t large_[most_large] = {}, larger_ = 0;
-};
 
 }  // namespace
 
@@ -205,7 +148,7 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
     cover(block);
     const bool in_lanes = lanes.start_cube(grid, cube, block);
     if (may_be_nested(balls, own)) {
-      search_crowded(grid, cube, block, in_lanes, joined, ball_state);
+      search_nested(balls, block, own, in_lanes, joined, ball_state);
     } else {
       for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, joined, ball_state);
     }
@@ -213,26 +156,11 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
   lanes.end();
 }
 
-// One cube, some of its balls at a time where not all balls around are near to them.
-void BoundaryWorker::search_crowded(const CubeGrid &grid, uint32_t cube, const CubeBlock &block, bool in_lanes,
-                                    DisjointSets *components, uint8_t *ball_state) {
-  const BallSet &balls = grid.balls();
-  const BallRange own = grid.balls_in(cube);
-  const UnequalBalls unequal(balls, block, static_cast<double>(grid.side()));
-  if (!unequal.are_there()) return search_nested(balls, block, own, in_lanes, components, ball_state);
-  for (BallRange some{own.first, own.first}; some.last < own.last;) {
-    some = {some.last, unequal.last_of(some.last, own.last)};
-    const CubeBlock near = unequal.around(some);
-    const bool near_in_lanes = lanes.start_cube(grid, cube, some.first, near);
-    search_nested(balls, near, some, near_in_lanes, components, ball_state);
-  }
-}
-
 // Balls of one cube, of which those inside a ball with the same centre leave at once, and where there are many,
 // those inside the largest ball around.
 void BoundaryWorker::search_nested(const BallSet &balls, const CubeBlock &block, BallRange own, bool in_lanes,
                                    DisjointSets *components, uint8_t *ball_state) {
-  const uint32_t largest = own.last - own.first >= many_in_a_cube ? largest_ball(balls, block) : no_id;
+  const uint32_t largest = own.last - own.first >= many_in_a_cube ? largest_ball(balls, block, own) : no_id;
   for (uint32_t i = own.first; i < own.last;) {
     const BallRange around_centre = concentric(balls, i, own.last);
     const uint32_t outermost = largest_ball(balls, around_centre, i);
@@ -307,7 +235,7 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
   if (by_lanes) {
     clusters = lanes.find(balls, caps, finder_, face_finder_.idle_while_searching(), vertices_, circles_);
   } else if (finder_.keep_exposed(caps)) {
-    if (NearCaps::are_many(caps)) {
+    if (NearCaps::are_many(caps, caps.b.data())) {
       finder_.find(balls, caps, face_finder_.idle_while_searching().near_caps(), vertices_, circles_);
     } else {
       finder_.find(balls, caps, vertices_, circles_);

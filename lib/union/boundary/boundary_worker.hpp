@@ -23,8 +23,8 @@ class alignas(64) BoundaryWorker {
  public:
   BoundaryWorker();  // out of line: it is large
 
-  // Worker 0 finds into the boundary's own arrays; the others have copies of them. scratch: nobody needs it while balls
-  // are searched.
+  // Worker 0 writes into the boundary's own arrays; the others have copies of them. scratch: memory that is free while
+  // balls are searched.
   void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
              Span<uint32_t> scratch);
 
@@ -76,8 +76,6 @@ class alignas(64) BoundaryWorker {
   void search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes, DisjointSets *components,
                    uint8_t *ball_state);
 
-  void search_crowded(const CubeGrid &grid, uint32_t cube, const CubeBlock &block, bool in_lanes,
-                      DisjointSets *components, uint8_t *ball_state);
   void search_nested(const BallSet &balls, const CubeBlock &block, BallRange own, bool in_lanes,
                      DisjointSets *components, uint8_t *ball_state);
 

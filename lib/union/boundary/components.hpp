@@ -1,4 +1,7 @@
 // Components: the connected parts of the union. Two balls belong together if they meet.
+//
+// As an example balls 0 to 3 of the grid, of which 0 meets 2 and 1 meets 3: two components. If the caller has given
+// ball 3 first, that of 1 and 3 is component 0, and its origin is the ball of lower rank of the two.
 #pragma once
 
 #include "boundary/boundary.hpp"

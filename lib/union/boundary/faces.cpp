@@ -1,3 +1,9 @@
+// Faces of one ball, from its loops.
+//
+// As an example a ball with loops 4, 5 and 6, of which the first and the last bound one free piece, as those of a band
+// around the ball do:
+//   numbered in the order of first loops     face 0: loops 4 and 6      face 1: loop 5
+//   loops sorted by face                     4 6 5, with new numbers 4 5 6, so that those of a face are consecutive
 #include "boundary/faces.hpp"
 
 #include "boundary/point_location.hpp"
@@ -9,7 +15,7 @@ namespace {
 
 // With few caps, as on van der Waals surfaces, most balls have several loops and counting the clusters at once is
 // cheaper than gathering the caps again; with many caps few balls have several loops.
-constexpr uint32_t few_caps = 16;
+constexpr uint32_t most_counted_caps = 16;
 
 // Numbers the faces of one ball from the partition of its loops, in the order of their first loops and from face_count
 // on, which counts them. Returns whether the loops of every face are consecutive.
@@ -81,9 +87,9 @@ void FaceFinder::carve(Workspace &workspace, uint32_t neighbours) {
 }
 
 uint32_t FaceFinder::count_clusters(const Caps &caps, uint32_t known) {
-  return known == not_counted && caps.count <= few_caps ? clusters_.find(caps) : known;
+  return known == not_counted && caps.count <= most_counted_caps ? clusters_.find(caps) : known;
 }
-static_assert((few_caps + 1) * BoundaryArrays::one_cluster <= 256);
+static_assert((most_counted_caps + 1) * BoundaryArrays::one_cluster <= 256);
 
 // If a sphere has a free point, its free faces and its clusters alternate around the loops as the nodes of a tree whose
 // edges are the loops (the sphere less disjoint closed curves). Hence #faces = #loops - #clusters + 1.
@@ -112,7 +118,7 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
     for (uint32_t loop = 1; loop < loops.size(); ++loop) loops.join(0, loop);
   } else if (clusters > 1) {
     if (counted_clusters != not_counted) gather_again();
-    join_loops_by_meridians(caps, boundary, first_loop, loops);
+    join_loops_by_meridians(caps, boundary, first_loop, clusters - 1, loops);
   }
 }
 
@@ -148,12 +154,14 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
 //
 // This joins all loops l_1 .. l_r of a face f: the sphere minus f is r discs. The meridian from a cluster in disc a to
 // the pole leaves the disc through l_a, and each further disc it enters it leaves through that disc's loop, so the
-// chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free.
-void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop,
+// chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free. As many joins as there are
+// clusters but one leave as many sets as there are faces: after these no further meridian is looked at.
+void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, uint32_t joins,
                                          DisjointSets &loops) {
   const exact::Predicates predicates = caps.predicates();
   uint32_t pole_loop = no_id;
-  for (uint32_t representative = 0; representative < caps.count; ++representative) {
+  const auto join = [&](uint32_t p, uint32_t q) { joins -= static_cast<uint32_t>(loops.join(p, q)); };
+  for (uint32_t representative = 0; representative < caps.count && joins > 0; ++representative) {
     if (!clusters_.is_representative(representative)) continue;
     const exact::Plane meridian = meridian_through(caps.direction(representative));
     intervals_.find(caps, predicates, meridian);
@@ -163,10 +171,10 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, u
       };
       const uint32_t exit_loop = loop_at(interval.exit_cap, +1);
       const uint32_t entry_loop = loop_at(interval.entry_cap, -1);
-      loops.join(exit_loop, entry_loop);
+      join(exit_loop, entry_loop);
       if (contains_pole(caps, predicates, meridian, interval, +1)) {
         if (pole_loop == no_id) pole_loop = exit_loop;
-        loops.join(pole_loop, exit_loop);
+        join(pole_loop, exit_loop);
       }
     });
   }

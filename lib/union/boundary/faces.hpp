@@ -32,9 +32,11 @@ class FaceFinder {
   void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball, uint32_t first_loop,
                   uint32_t counted_clusters, Caps &caps, const VertexFinder &finder, DisjointSets &loops);
   uint32_t find_clusters(const Caps &caps) {
-    return NearCaps::are_many(caps) ? clusters_.find(caps, intervals_.near_caps()) : clusters_.find(caps);
+    return NearCaps::are_many(caps, caps.b.data()) ? clusters_.find(caps, intervals_.near_caps())
+                                                   : clusters_.find(caps);
   }
-  void join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, DisjointSets &loops);
+  void join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, uint32_t joins,
+                               DisjointSets &loops);
 
   CapClusters clusters_;
   FreeIntervals intervals_;

@@ -1,3 +1,13 @@
+// Half-edges of all balls in rows, and each chained to the next one.
+//
+// As an example three balls whose spheres meet in vertices 0 and 1 (boundary.hpp). Each vertex starts a half-edge on
+// each of its three balls, a counting sort of six:
+//   ball                    0         1         2
+//   its half-edges        0   1     2   3     4   5
+//   which starts at       0   1     0   1     0   1     half_edge_at[3 v + t]: 0 2 4 of vertex 0, 1 3 5 of vertex 1
+// On ball 0 one of them, from vertex 0 say, leaves along the circle of ball 1, and at vertex 1 the loop arrives along
+// that circle: so the half-edge there is the next one. It leaves along the circle of ball 2, along which the loop
+// arrives at vertex 0: both are one loop.
 #include "boundary/half_edge_links.hpp"
 
 #include "core/key_ranks.hpp"
@@ -184,8 +194,7 @@ void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts befor
   distribute_sides<&FirstParts::half_edge, VertexRecord>(
       a.vertices.items(), touching.vertices, touching.balls, before.half_edges, a.first,
       [&a](uint32_t to, const VertexRecord &vertex, uint32_t v, uint32_t t) {
-        // Which of the other two comes first cannot be predicted: an index tells, not a
-        // branch.
+        // Which of the other two comes first cannot be predicted: an index tells, not a branch.
         const uint32_t preceding = vertex.positive() ? 1 : 2;
         a.half_edges[to] = {v, vertex.ball[(t + 3 - preceding) % 3], 3 * v + t, vertex.ball[(t + preceding) % 3]};
       });

@@ -1,22 +1,39 @@
 #include "boundary/point_location.hpp"
 
+#include "core/first_index.hpp"
+#include "core/small_code.hpp"
+
 namespace hsp {
 
 using exact::Plane;
 
 namespace {
 
+// From so many circles, or half-edges, on one is not looked for from the first one on: both are in the order of the
+// ranks of their neighbours.
+constexpr uint32_t many = small_code ? no_id : 32;
+
 // The arc or free circle of ball i that lies on the sphere of `neighbour` and contains a free point. plane_of(j) is the
 // plane of ball j as seen from ball i.
 template <class PlaneOf>
-LoopElement element_at(const Boundary &boundary, const exact::Predicates &predicates, uint32_t i, uint32_t neighbour,
-                       PlaneOf plane_of, const Plane &other, int sign) {
-  for (const ClosedHalfEdge e : boundary.circles(i)) {
-    if (boundary.neighbour(e) == neighbour) return LoopElement::circle(e);
+LoopElement element_at(const BallSet &balls, const Boundary &boundary, const exact::Predicates &predicates, uint32_t i,
+                       uint32_t neighbour, PlaneOf plane_of, const Plane &other, int sign) {
+  const Span<const ClosedHalfEdge> circles = boundary.circles(i);
+  uint32_t circle = 0, end = circles.size();
+  if (end >= many) {
+    circle = first_index(0, end - 1,
+                         [&](uint32_t k) { return !balls.ranks_before(boundary.neighbour(circles[k]), neighbour); });
+    end = circle + 1;
   }
-  // Half-edges are sorted by their circles, so the arcs of one circle are consecutive.
+  for (; circle < end; ++circle) {
+    if (boundary.neighbour(circles[circle]) == neighbour) return LoopElement::circle(circles[circle]);
+  }
   const IdRange all = boundary.half_edges(i);
   uint32_t first = all.first;
+  if (all.size() >= many) {
+    first = first_index(first, all.last,
+                        [&](uint32_t e) { return !balls.ranks_before(boundary.half_edge(e).circle, neighbour); });
+  }
   while (boundary.half_edge(first).circle != neighbour) ++first;
   uint32_t last = first + 1;
   while (last < all.last && boundary.half_edge(last).circle == neighbour) ++last;
@@ -83,7 +100,7 @@ class SeveralFaces {
     });
     if (nearest == no_id) return no_id;
     const auto plane_of = [this](uint32_t neighbour) { return plane(neighbour); };
-    return boundary_.face_of(element_at(boundary_, predicates, i_, nearest, plane_of, circle, +1));
+    return boundary_.face_of(element_at(balls_, boundary_, predicates, i_, nearest, plane_of, circle, +1));
   }
 
   // The face of the highest (+1) or lowest (-1) point. The great circle through the pole and the axis of a cap crosses
@@ -107,7 +124,7 @@ class SeveralFaces {
 LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predicates, const Boundary &boundary,
                                uint32_t cap, const Plane &other, int sign) {
   const auto plane_of = [&caps](uint32_t neighbour) { return caps.plane_of_ball(neighbour); };
-  return element_at(boundary, predicates, caps.origin, caps.ball[cap], plane_of, other, sign);
+  return element_at(caps.balls(), boundary, predicates, caps.origin, caps.ball[cap], plane_of, other, sign);
 }
 
 uint32_t face_of_top(const BallSet &balls, const Boundary &boundary, uint32_t i) {

@@ -1,4 +1,7 @@
 // Shells: the connected components of the boundary. Two faces belong together if they share an arc or a free circle.
+//
+// As an example a hollow ball of many balls with two more balls far away, which meet each other: three shells, the
+// outer and the inner one of the first component, and one of two faces.
 #pragma once
 
 #include "boundary/boundary.hpp"

@@ -1,3 +1,10 @@
+// Chords, clipped by one cap after the other.
+//
+// As an example the balls of radius 6 at 0, (6,0,0), (0,6,0) and (0,0,6), and at the first of them the chord of the
+// second and the third. It runs from p- = (3, 3, -4.24) to p+ = (3, 3, 4.24). The cap of the fourth ball is z >= 3: it
+// holds p+ and not p-, so that it clips that end, in (3, 3, 3). Left is the chord from (3, 3, -4.24) to (3, 3, 3), with
+// one free end.
+//   clipper      no_id, and the number of the fourth ball's cap
 #include "contacts/chord_clipper.hpp"
 
 #include "lanes/wide.hpp"

@@ -1,3 +1,12 @@
+// The walk along chords from end to end.
+//
+// As an example the balls of radius 6 at 0, (6,0,0), (0,6,0) and (0,0,6), from 0 to 3. Planes of equal power to ball 0
+// are x = 3, y = 3 and z = 3. They meet in (3, 3, 3), which is in all balls, as 27 < 36: a power vertex.
+//   at ball 0     from the free end (3, 3, -4.24) the chord of 1 and 2 leads up to z = 3, where ball 3 cuts it
+//                 there begin the chords of 1 and 3 and of 2 and 3, which lead to free ends
+//                 and that of 1, 2 and 3, which ball 0 does not have: it is kept for ball 1
+//   at ball 1     it leads from (3, 3, 3) along x = y = z to the free end (4, 4, 4), as (4-6)^2 + 4^2 + 4^2 = 36
+// So one search finds 4 chords, each with one free end, and 1 power vertex: 4 triangles and a tetrahedron.
 #include "contacts/chord_walk.hpp"
 
 #include "contacts/chord_cuts.hpp"

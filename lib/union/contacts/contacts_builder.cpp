@@ -1,3 +1,12 @@
+// Contacts, triangles and tetrahedra, ball after ball.
+//
+// As an example the balls of radius 5 at (0,0,0), (6,0,0) and (0,6,0). They come in this order:
+//   ball 0    its later caps are those of 1 and 2. One chord, with two free ends: triangle 0 1 2, which is singular.
+//             Contacts of 0 with 1 and of 0 with 2
+//   ball 1    its later cap is that of 2, with the chord that is known: the contact of 1 and 2
+//   ball 2    nothing later is left
+// Then arcs add their parts, and shares are cones over faces and contacts: 3 balls, 3 contacts, 1 triangle, no
+// tetrahedron, and 3 - 3 + 1 = 1, Euler's number of a union that can be shrunk to a point.
 #include "contacts/contacts_builder.hpp"
 
 #include <cstring>
@@ -12,6 +21,7 @@ namespace {
 CubeBlock part_from(const CubeBlock &block, uint32_t i) {
   CubeBlock part;
   part.ranges = 0;
+  part.levels = block.levels;
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange &range = block.range[k];
     if (range.last > i) part.range[part.ranges++] = {range.first > i ? range.first : i, range.last};
@@ -112,7 +122,7 @@ void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary
 }
 
 bool ContactsBuilder::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block, uint32_t first) {
-  return candidates_.start_cube(grid, cube, first, part_from(block, first));
+  return block.levels == nullptr && candidates_.start_cube(grid, cube, first, part_from(block, first));
 }
 
 void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,
@@ -182,8 +192,7 @@ Status ContactsBuilder::check_capacity() {
 
 // Areas, and shares as cones over their faces and contacts. The order of the sums is that in which contacts are found,
 // which does not depend on the order of the input.
-bool ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] const Boundary &boundary,
-                                       Patience &patience) {
+bool ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] Target target, Patience &patience) {
   ContactArrays &a = contacts_.a_;
   ContactMeasures measures;
   for (uint32_t first = 0; first < a.contacts.size(); first += ContactMeasures::capacity) {
@@ -198,7 +207,7 @@ bool ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] co
       measures.rim[s] = contact.rim;
     }
     bool certain = false;
-    if constexpr (has_lanes) certain = measure_contacts_in_lanes(boundary.target(), arrays_of(balls), measures);
+    if constexpr (has_lanes) certain = measure_contacts_in_lanes(target, arrays_of(balls), measures);
     for (uint32_t s = 0; s < count; ++s) {
       ContactRecord &contact = a.contacts[first + s];
       if (!certain && measure_contact_in_integers(balls, measures, s)) contact.code |= ContactRecord::touching_bit;

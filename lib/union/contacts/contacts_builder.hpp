@@ -1,6 +1,14 @@
 // Fills contacts: two passes over all balls of a boundary. The first one finds power vertices, each at the first of its
 // four balls in the grid's order, the second one arcs and circles. Both add to the areas of contacts as chord_ends.hpp
 // says.
+//
+// As an example the balls of radius 5 at (0,0,0), (6,0,0) and (0,6,0), with one chord, from (3, 3, -2.65) to (3, 3,
+// 2.65):
+//   contact of 0 and 1     in the plane x = 3: the disc of radius 4 around (3, 0, 0), as far as y <= 3
+//   its border             the chord, 5.29 long and 3 from the centre; an arc of 2 pi - 2 acos(3/4) = 4.838
+//   its area               half the sum of distance times length: (3 * 5.29 + 4 * 4 * 4.838) / 2 = 46.64
+//   contact of 1 and 2     half of the disc of radius 2.65 in the plane x = y, x >= 3: 7 pi / 2 = 11.00
+// Both ends of the chord are free, so that each adds half of 3 * 5.29 / 2 to the first area, and nothing to the second.
 #pragma once
 
 #include "contacts/chord_ends.hpp"
@@ -14,7 +22,7 @@ namespace hsp {
 
 // Limits that suffice for most molecules, for a boundary whose balls meet at most so many others. Status::range if one
 // would be larger than max_count.
-constexpr Status default_contact_limits(uint32_t balls, uint32_t neighbours, ContactLimits &limits) {
+constexpr Status default_limits(uint32_t balls, uint32_t neighbours, ContactLimits &limits) {
   if (balls > (max_count - 64) / 12) return Status::range;
   limits = {balls, neighbours, 12 * balls + 64, 0, 0};
   return Status::ok;
@@ -93,7 +101,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
       if (!patience.allows(2000)) return Status::stopped;
       add_free_edges(grid.balls(), boundary, i, images);
     }
-    if (!measure_contacts(grid.balls(), boundary, patience)) return Status::stopped;
+    if (!measure_contacts(grid.balls(), boundary.target(), patience)) return Status::stopped;
     if (!add_other_sides(images)) return Status::check;
     if (const Status status = check_capacity(); status != Status::ok) return status;
     close_shares();
@@ -137,7 +145,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
   uint32_t find_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
   uint32_t add_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
   Status check_capacity();
-  bool measure_contacts(const BallSet &balls, const Boundary &boundary, Patience &patience);
+  bool measure_contacts(const BallSet &balls, Target target, Patience &patience);
   void close_shares();
   void make_rows(const CubeGrid &grid);
   void count_simplices(const Boundary &boundary);

@@ -1,3 +1,7 @@
+// The invariants of contacts, one after the other.
+//
+// As an example the three balls of contacts_builder.hpp: rows have 2 + 2 + 2 entries, twice the number of contacts.
+// Their simplices have Euler's number 3 - 3 + 1 = 1, and twice that is 2, that of the boundary, which is one sphere.
 #include "contacts/contacts_check.hpp"
 
 #include "core/summation.hpp"

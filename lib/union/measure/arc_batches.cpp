@@ -1,3 +1,12 @@
+// Batches of arcs, filled loop by loop.
+//
+// As an example a ball with one loop of two half-edges, on the circles of balls 1 and 2:
+//   slot        0    1
+//   other       1    2           the ball of the circle
+//   next        1    0
+//   previous    1    0
+// A loop of 40 half-edges does not fit into 32 slots. The first batch has slot 0 for the circle before it, arcs in
+// slots 1 to 30, and slot 31 for the circle after them; the second one has the other ten arcs, in slots 1 to 10.
 #include "measure/arc_batches.hpp"
 
 #include "measure/areas.hpp"
@@ -176,11 +185,8 @@ void ArcBatches::circle_from_integers(uint32_t s) {
   const exact::Plane P = exact::plane_of(own, other);
   const int64_t U = dot(P.v, P.v);
   const int64_t sum = own.radius + other.radius;
-  const int64_t difference = own.radius - other.radius;
   batch_.twice_height[s] = static_cast<double>(P.h) * batch_.inverse_distance[s];
-  batch_.touching[s] = U == sum * sum                 ? Touching::from_outside
-                       : U == difference * difference ? Touching::from_inside
-                                                      : Touching::no;
+  batch_.touching[s] = U == sum * sum ? Touching::yes : Touching::no;
   batch_.any_touching = batch_.any_touching || batch_.touching[s] != Touching::no;
 }
 

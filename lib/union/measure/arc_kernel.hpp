@@ -1,5 +1,11 @@
 // The kernels of arc_sums.hpp for registers of n doubles. Like everything in kernels they have internal
 // linkage.
+//
+// As an example two balls of radius 5 whose centres are 8 apart: d = 8, |v|^2 = 64, and the plane of their circle is at
+//   h = (64 + 25 - 25) / (2 * 8) = 4        rho^2 = 25 - 16 = 9
+// a circle with a whole turn of angle, 2 pi, and no vertices. Its term of the area over r^2 is cos(cap) angle = 4/5 * 2
+// pi, so that with one face and one loop area / r^2 = 2 pi (2 - 1) + 8/5 pi = 18/5 pi: 90 pi, the sphere's 100 pi less
+// the cap's 2 pi r (r - h) = 10 pi.
 #pragma once
 
 #include "core/elementary.hpp"

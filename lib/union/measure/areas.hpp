@@ -1,4 +1,11 @@
 // Areas and volume of the union: Gauss-Bonnet on each sphere, and the divergence theorem over all of them.
+//
+// As an example two balls of radius 5 at 0 and (8,0,0), with u = x and a common circle of radius 3 in the plane x = 4.
+// Each has one face and one loop, so that its area is 25 (2 pi (2 - 1) + 4/5 * 2 pi) = 90 pi. Its vector area is that
+// of the disc, turned around: N = -9 pi u for the first ball and 9 pi u for the second one. Terms of the volume are (r
+// area + c.N) / 3 with the centre c from the origin of the component, here that of the first ball:
+//   first    5 * 90 pi / 3 = 150 pi
+//   second   (5 * 90 pi + 8 * 9 pi) / 3 = 174 pi         sum 324 pi: twice a ball less a cap, (500 - 14) pi / 3
 #pragma once
 
 #include "measure/arc_batches.hpp"

@@ -7,6 +7,13 @@
 //   dA_j/dc_k = R_j [ -phi (h/d) u - X/d ],                              dA_k/dc_k = - sum over j of dA_k/dc_j
 //   dA_k/dR_k = 2 A_k/R_k + sum over arcs of phi (R_k^2 + R_j^2 - d^2)/(2 d)
 // and dV/dc_k is the vector area of ball k's faces, dV/dR_k = A_k.
+//
+// As an example two balls of radius 5 whose centres are 8 apart: h = 4, their circle has radius 3, and phi is a whole
+// turn with X = 0. The areas are 2 pi R (R + h) = 90 pi each.
+//   dA_k/dc_j = 5 * 2 pi (1 - 4/8) u = 5 pi u        as h = d/2 here, and 2 pi R h grows by pi R with each unit of d
+//   dA_k/dR_k = 2 * 90 pi / 5 + 2 pi (25 + 25 - 64) / 16 = 36 pi - 1.75 pi = 34.25 pi
+//   dV/dc_k   = -9 pi u, the flat disc that a ball opens as it moves away
+//   dV/dR_k   = 90 pi
 #pragma once
 
 #include "core/first_index.hpp"
@@ -17,11 +24,10 @@ namespace hsp {
 
 enum class TouchingBalls : uint8_t { meet, apart };
 
-// Whether the derivatives count the free arcs of this circle. Spheres that touch from outside meet in one of radius 0,
-// which counts as the caller wants it. A ball that touches another from inside counts as lying inside it, whatever the
-// symbolic perturbation made of it.
+// Whether the derivatives count the free arcs of this circle. Spheres that touch meet in one of radius 0, which counts
+// as the caller wants it.
 constexpr bool counts(Touching touching, TouchingBalls touching_balls) {
-  return touching == Touching::no || (touching == Touching::from_outside && touching_balls == TouchingBalls::meet);
+  return touching == Touching::no || touching_balls == TouchingBalls::meet;
 }
 
 // The sum that is differentiated: S = sum over the balls of weight * area.

@@ -15,7 +15,7 @@ template <class Sum>
   return all.sums(of_range[ranges.complete()]);
 }
 
-// Calls visit(part) for a range, some balls at a time where somebody may stop it.
+// Calls visit(part) for a range, some balls at a time where the caller may stop it.
 template <class Visit>
 void visit_patiently(const Executor &executor, IdRange range, Visit visit) {
   if (!executor.may_stop()) return visit(range);

@@ -1,3 +1,8 @@
+// Clusters of caps, one after the other.
+//
+// As an example caps 0 to 3, from large to small, of which 0 meets 2 and 2 meets 3. The first cluster begins with 0,
+// which takes 2, and 2 takes 3. None of the others is left that meets 3, so that the second cluster begins, with 1, and
+// ends with it. Caps are taken in the order 0 2 3 1.
 #include "sphere/cap_clusters.hpp"
 
 #include "sphere/cap_pair.hpp"

@@ -1,4 +1,7 @@
 // Clusters of the caps of one sphere: the connected components of their union.
+//
+// As an example caps around directions at 0, 30 and 90 degrees on a great circle, of 20, 15 and 10 degrees. The first
+// two overlap, as 30 < 20 + 15; the third is 60 degrees from the second and meets neither: two clusters.
 #pragma once
 
 #include "sphere/near_caps.hpp"

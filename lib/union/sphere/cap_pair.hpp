@@ -30,6 +30,10 @@
 // As s >= 1, all stays below e s (346 s + 154/sqrt(q)); used are 512 and 240. With q > 2^-12 the relative errors of q
 // and S are below 0.076 and 0.009, which raise 154 by less than a tenth; what is left of the slack absorbs terms in e^2
 // and the rounding of the bound.
+//
+// As an example the ball of radius 5 at 0 with the caps of balls of radius 5 at (6,0,0) and (0,6,0): u_j = x, u_k = y,
+// b_j = b_k = 3/5. Then g = 0, S = 1 and q = 1 - 0.36 - 0.36 = 0.28 > 0: the circles cross. alpha = beta = 0.6 and
+// gamma = sqrt(0.28) = 0.529, so that the points are (0.6, 0.6, +-0.529), 5 times of which is (3, 3, +-2.65).
 #pragma once
 
 #include <cstdint>
@@ -101,7 +105,7 @@ struct LaneCaps {
   Lanes dot(const LaneCaps &other) const { return fused(x, other.x, fused(y, other.y, z * other.z)); }
 };
 
-// One cap with several. Comparisons are false for NaN (radius 0), so that such pairs are certain of nothing.
+// One cap with several.
 template <class Lanes>
 struct LanePairs {
   using Bounds = CapPairBounds<typename Lanes::Real>;

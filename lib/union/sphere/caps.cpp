@@ -1,3 +1,12 @@
+// The caps of one ball, gathered from the balls around it.
+//
+// As an example the ball of radius 5 at 0 and other balls. With d the distance of the centres and R the other radius
+// the cap is u.x >= b on the unit sphere, b = (d^2 + 25 - R^2) / (2 * 5 d):
+//   R = 5 at (6,0,0)      36 / 60 =  0.6      a cap: the part x >= 3 of the sphere
+//   R = 1 at (3,0,0)      33 / 30 =  1.1      above 1: the other ball is inside this one, and has no cap
+//   R = 10 at (3,0,0)    -66 / 30 = -2.2      below -1: this ball is contained in the other one
+//   R = 4 at (9,0,0)      90 / 90 =  1        they touch, which integers say, and the perturbation says what that is
+//   R = 1 at (9,0,0)     105 / 90 =  1.2      too far away
 #include "sphere/caps.hpp"
 
 #include "core/first_index.hpp"
@@ -101,7 +110,6 @@ struct Caps::Distance {
   ux[count] = v.x * inverse;
   uy[count] = v.y * inverse;
   uz[count] = v.z * inverse;
-  // Infinite for radius 0, whose caps are decided by the planes alone.
   b[count] = static_cast<double>(cap.h) * inverse * (0.5 / balls.r[i]);
   ++count;
   return true;
@@ -110,6 +118,16 @@ struct Caps::Distance {
 void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components) {
   start(balls, i);
   Joining joining(i, components);
+  if (!small_code && block.levels != nullptr && block.ranges > 0) {
+    uint32_t found = block.levels->find_neighbours(balls, i, ball.data(), capacity());
+    if (found <= capacity()) {
+      // Of a part of a block the others come first.
+      uint32_t others = 0;
+      while (others < found && ball[others] < block.range[0].first) ++others;
+      for (uint32_t k = others; k < found; ++k) ball[k - others] = ball[k];
+      return take_given<true>(found - others, joining);
+    }
+  }
   if constexpr (has_lanes) {
     if (lanes) return gather_in_lanes(block, joining);
   }
@@ -137,19 +155,22 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, Disj
 void Caps::gather_given(const BallSet &balls, uint32_t i, uint32_t n) {
   start(balls, i);
   Joining joining(i, nullptr);
-  take_given(n, joining);
+  take_given<false>(n, joining);
 }
 
 // No cap comes behind its ball.
+template <bool ranked>
 void Caps::take_given(uint32_t n, Joining &joining) {
   if constexpr (has_lanes) {
     if (lanes) {
-      take_all<false>(ball.data(), n, joining);
+      take_all<ranked>(ball.data(), n, joining);
       return;
     }
   }
   const exact::LatticeBall own = balls_->ball(origin);
-  for (uint32_t k = 0; k < n; ++k) take(own, ball[k], {*balls_, origin, ball[k]}, joining);
+  for (uint32_t k = 0; k < n; ++k) {
+    if (!take(own, ball[k], {*balls_, origin, ball[k]}, joining)) return;
+  }
 }
 
 void Caps::put_selected_first(const uint32_t *selected) {
@@ -169,7 +190,7 @@ void Caps::make_doubles() {
   const uint32_t n = count, later = first_later;
   count = met = 0;
   Joining joining(origin, nullptr);
-  take_given(n, joining);
+  take_given<false>(n, joining);
   first_later = later;
 }
 
@@ -214,8 +235,8 @@ bool Caps::take_near(Span<uint32_t> near, Joining &joining) {
   return take_all<true>(near.data(), hits, joining);
 }
 
-// There may be read and written spare ids behind `near`. Unless the caps are `ranked`, nothing is joined and nobody
-// asks where later balls begin.
+// May read and write four ids past the end of `near`. Unless the caps are `ranked`, nothing is joined, and where later
+// balls begin is not asked.
 template <bool ranked>
 bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
   const BallArrays arrays = arrays_of(*balls_);
@@ -228,12 +249,10 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
       if constexpr (has_lanes) {
         circles = caps_of_circles(target, arrays, origin, near + k, hits - k, to, length_squared);
       }
-      for (uint32_t n = 0; ranked && n < circles; ++n) {
-        if (near[k + n] > origin) {
-          joining.join(near[k + n]);
-        } else {
-          first_later = count + n + 1;
-        }
+      if (ranked && circles > 0) {
+        const uint32_t later = first_index(0, circles, [&](uint32_t n) { return to.ball[n] > origin; });
+        if (later > 0) first_later = c + later;
+        joining.join_all(to.ball, later, circles);
       }
       k += circles;
       count += circles;

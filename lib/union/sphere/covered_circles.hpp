@@ -32,6 +32,14 @@
 //   u.v         2 sqrt(3) + 1.5                5
 //   b u.v       1 + 5 + 0.5                    6.5
 //   b u.v - c   1 more                         7.5
+//
+// As an example the circle z = 0, so that u = z and b = 0, with E = x and F = y, and the caps x >= 0, y >= 0, -x >= 0
+// and -y >= 0, each half of the sphere. The depth of the point at t in the first one is cos t:
+//   arc            depth at its ends
+//   -45 to 0        0.71   1             inside the first cap
+//     0 to 45       1      0.71          inside it, too
+//    45 to 90       0.71   0             not certainly: 0 is not above the margin. It is inside y >= 0 as a whole
+// Each cap has two of the eight arcs, and the four have all: the circle is covered.
 #pragma once
 
 #include "sphere/crossing_pairs.hpp"

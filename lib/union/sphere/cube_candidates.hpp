@@ -12,7 +12,7 @@ class CandidatesInLanes {
  public:
   static constexpr uint32_t number_of_arrays = 5;  // that the memory is shared out among
 
-  // Somebody's memory is theirs from start to end.
+  // From start to end this memory holds candidates, and its owner leaves it alone.
   void start(Span<uint32_t> memory, Target target);
   void end();
 

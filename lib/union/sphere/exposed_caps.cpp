@@ -1,4 +1,14 @@
+// Caps that may touch what is free, of a ball that has hundreds of them.
+//
+// As an example the unit sphere and the caps
+//   A   x >= 0.5                     60 degrees around x
+//   B   x >= 0.9                     26 degrees around x: inside A, hence discarded
+//   C   0.6 x + 0.8 y >= 0.95        18 degrees around a direction 53 degrees from x: up to 71 degrees from x, out of
+//                                    A, so that it stays
+// Copies of A are dropped but one. Most discarded caps are inside one that is much larger: large ones are tried first.
 #include "sphere/exposed_caps.hpp"
+
+#include <cstring>
 
 #include "sphere/outer_cell.hpp"
 
@@ -43,10 +53,12 @@ Span<const uint32_t> ExposedCaps::order_by_size(const Real *b, uint32_t count, u
     least = b[k] < least ? b[k] : least;
     most = b[k] > most ? b[k] : most;
   }
-  const double scale = 2.0 / static_cast<double>(most - least);
-  for (uint32_t k = 0; k < count; ++k) state_[k] = not_tried;
+  const Real scale = classes / (most - least);
+  std::memset(state_.data(), not_tried, count);
   for (uint32_t k = 0; k < count; k += step) {
-    const uint32_t size = size_class(static_cast<double>(b[k] - least) * scale - 1.0, classes);
+    // The last class has the smallest, and NaN where all are of one size.
+    const Real scaled = (b[k] - least) * scale;
+    const uint32_t size = scaled < classes ? static_cast<uint32_t>(scaled) : classes - 1;
     state_[k] = static_cast<uint8_t>(not_tried + size);
     ++start[size + 1];
   }

@@ -1,3 +1,9 @@
+// All pairs of up to 16 caps of one ball, with a bit for each cap.
+//
+// As an example caps 0 and 1 whose circles cross, and cap 2, which lies in cap 1 and apart from cap 0:
+//   of cap 0     cross 010      separate 100
+//   of cap 1     cross 001      contains 100
+//   of cap 2     inside 010     separate 001
 #include "sphere/few_caps.hpp"
 #include "sphere/crossing_pairs.hpp"
 

@@ -2,6 +2,12 @@
 //
 // A half-edge is a directed arc. Its loop keeps the free part on its left, so it runs clockwise about the axis towards
 // the ball whose sphere cuts out its circle.
+//
+// As an example the ball of radius 5 at 0 beside those at (6,0,0) and (0,6,0). Its free part has x <= 3 and y <= 3, and
+// one loop of two half-edges:
+//   on the circle x = 3     from (3, 3, -2.65), by way of y < 3, to (3, 3, 2.65)
+//   on the circle y = 3     from there, by way of x < 3, back to (3, 3, -2.65)
+// The vertex at 2.65 is positive, the one at -2.65 is not: n = (6,0,0) x (0,6,0) points up.
 #pragma once
 
 #include "core/sorting.hpp"

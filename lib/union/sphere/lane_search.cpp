@@ -1,3 +1,8 @@
+// One ball's search with several caps at a time.
+//
+// As an example of the memory, for 100 neighbours: rows of 100 numbers and some spare ones, up to a multiple of 8,
+// behind each other in one array. Four rows x, y, z and b are caps. There are four such sets, caps, by_size, large and
+// exposed, and two rows of numbers of caps: 18 rows in all.
 #include "sphere/lane_search.hpp"
 
 namespace hsp {
@@ -65,12 +70,15 @@ Span<uint32_t> SearchInLanes::take_candidates(Workspace &workspace, uint32_t nei
   return workspace.take<uint32_t>(CandidatesInLanes::number_of_arrays * room);
 }
 
-bool SearchInLanes::start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block) {
-  return enabled && candidates_.start_cube(grid, cube, first_own, block);
+bool SearchInLanes::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
+  levels_ = block.levels;
+  if (levels_ != nullptr) return enabled;
+  return enabled && candidates_.start_cube(grid, cube, grid.balls_in(cube).first, block);
 }
 
 bool SearchInLanes::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
                                 const double (&centre)[3], double side) {
+  levels_ = nullptr;
   return enabled && candidates_.start_block(balls, block, first_own, centre, side);
 }
 
@@ -78,8 +86,11 @@ bool SearchInLanes::gather(const BallSet &balls, uint32_t i, Caps &caps, Disjoin
                            const uint32_t *selected) {
   uint32_t *const near = caps.ball.data();
   uint32_t earlier = 0;
-  const uint32_t found = candidates_.near(i, near, caps.capacity(), earlier);
+  const uint32_t found = levels_ != nullptr ? levels_->find_neighbours(balls, i, near, caps.capacity())
+                                            : candidates_.near(i, near, caps.capacity(), earlier);
   if (found > caps.capacity()) return false;
+  for (; levels_ != nullptr && earlier < found && near[earlier] < i; ++earlier) {
+  }
   if (selected != nullptr) earlier = put_selected_first(earlier, selected, caps.ball);
   if (!make_float_caps(target_, arrays_of(balls), i, near, found, sweep_.caps)) return false;
   caps.take_circles(balls, i, found, earlier, components);
@@ -118,7 +129,7 @@ bool SearchInLanes::keep_exposed(Caps &caps, ExposedCaps exposed) {
 uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &finder, const FreeIntervals &idle,
                              FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
   if (ExposedCaps::are_many(caps) && !keep_exposed(caps, finder.exposed_caps())) return 0;
-  if (NearCaps::are_many(caps)) {
+  if (NearCaps::are_many(caps, sweep_.caps.b)) {
     caps.make_doubles();
     finder.find(balls, caps, idle.near_caps(), vertices, circles);
     return 0;

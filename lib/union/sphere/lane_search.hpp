@@ -19,11 +19,7 @@ class SearchInLanes {
   void end() { candidates_.end(); }
 
   // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
-  bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
-    return start_cube(grid, cube, grid.balls_in(cube).first, block);
-  }
-  // For those from `first_own` on.
-  bool start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block);
+  bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
   // The same for balls from `first_own` on that are at most 1.5 sides from a centre along each axis, and whose
   // neighbours lie in the block.
   bool start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own, const double (&centre)[3],
@@ -57,6 +53,7 @@ class SearchInLanes {
 
   Target target_ = Target::baseline;
   CandidatesInLanes candidates_;
+  const RadiusLevels *levels_ = nullptr;  // instead of candidates, if the grid has levels
   PairSweep sweep_;
   Span<uint32_t> uncrossed_;
 };
@@ -70,7 +67,6 @@ class NoSearchInLanes {
   void start(Span<uint32_t>) {}
   void end() {}
   bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
-  bool start_cube(const CubeGrid &, uint32_t, uint32_t, const CubeBlock &) { return false; }
   bool start_block(const BallSet &, const CubeBlock &, uint32_t, const double (&)[3], double) { return false; }
   bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *, const uint32_t *) { return false; }
   uint32_t find(const BallSet &, Caps &, VertexFinder &, const FreeIntervals &, FixedVector<VertexRecord> &,

@@ -14,9 +14,14 @@ namespace hsp {
 
 class NearCaps {
  public:
-  // Fewer are compared each with each: that is as quick. Spheres without a radius have no angles.
-  static constexpr uint32_t fewest = 1024;
-  static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest && caps.sphere.W > 0; }
+  // Fewer, and large ones up to so many, are compared each with each: that is as quick. b: of the
+  // caps, as Caps or FloatCaps have it.
+  static constexpr uint32_t fewest = 128, fewest_large = 1024;
+  template <class Real>
+  static bool are_many(const Caps &caps, const Real *b) {
+    if (small_code || caps.count < fewest) return false;
+    return caps.count >= fewest_large || are_small(b, caps.count);
+  }
 
   // Memory, [caps] each.
   struct Memory {
@@ -31,6 +36,14 @@ class NearCaps {
   Span<const uint32_t> around(const Caps &caps, uint32_t j) const;
 
  private:
+  // Whether one meets few of them: on average they are a 32nd of the sphere at most.
+  template <class Real>
+  static bool are_small(const Real *b, uint32_t count) {
+    Real parts = 0;
+    for (uint32_t k = 0; k < count; ++k) parts += 1 - b[k];
+    return parts < static_cast<Real>(count) * Real{0.0625};
+  }
+
   uint32_t square_of(double coordinate) const;
 
   Memory memory_;

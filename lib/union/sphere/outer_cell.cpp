@@ -1,3 +1,8 @@
+// The polyhedron around what caps leave, cut by one plane after the other.
+//
+// As an example the cube at first: 6 planes and 8 vertices, each a triple of planes. A plane that has one vertex beyond
+// it takes that away and brings three, on the edges that met there: 7 planes, 10 vertices. With f planes that all bound
+// it there are 2 f - 4 vertices, by Euler's relation, as each has three edges.
 #include "sphere/outer_cell.hpp"
 
 #include "lanes/floating_point.hpp"

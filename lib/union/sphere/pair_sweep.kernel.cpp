@@ -1,3 +1,10 @@
+// Pairs of many caps in floats: those with a point that no large cap certainly covers.
+//
+// As an example caps with b = 0.8, 0.3, 0.6, 0.9 and 0.1; a cap is the larger the smaller its b is:
+//   class 0, b < 0.5      0.3  0.1        class_end[0] = 2
+//   class 1, b < 0.75     0.6             class_end[1] = 3
+// so that by_size is 0.3 0.1 0.6: in a class they stay in their order, and the others, which cover little, are left
+// out. Points of a batch of pairs are tried against these three first. Those that are left are tried against all five.
 #include "sphere/pair_sweep.hpp"
 #include "sphere/covered_circles.hpp"
 
@@ -15,11 +22,11 @@ CapPointers<float> pointers(const FloatCaps &caps) {
   return {caps.x, caps.y, caps.z, caps.b};
 }
 
-void store_chosen(const FloatCaps &to, uint32_t place, const SomeCaps &caps, const FrontOrder &order) {
-  store_front(to.x + place, caps.x, order);
-  store_front(to.y + place, caps.y, order);
-  store_front(to.z + place, caps.z, order);
-  store_front(to.b + place, caps.b, order);
+void store_chosen(const FloatCaps &to, uint32_t slot, const SomeCaps &caps, const FrontOrder &order) {
+  store_front(to.x + slot, caps.x, order);
+  store_front(to.y + slot, caps.y, order);
+  store_front(to.z + slot, caps.z, order);
+  store_front(to.b + slot, caps.b, order);
 }
 
 void sort_by_size(PairSweep &sweep) {

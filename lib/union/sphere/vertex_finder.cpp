@@ -1,3 +1,12 @@
+// Free vertices and free circles of one ball, by pairs of its caps.
+//
+// As an example the ball of radius 5 at 0 with the caps of balls of radius 5 at (6,0,0) and (0,6,0), whose circles
+// cross at (0.6, 0.6, +-0.529) on the unit sphere (cap_pair.hpp), and a third cap z >= b:
+//   third ball                   b       depth of the upper point, 0.529 - b
+//   radius 5 at (0,0,6)         0.6      -0.071      outside, if the error bound is less: the point is free so far
+//   radius 5 at (0,0,4)         0.4       0.129      inside: covered, and the pair is done with that point
+//   radius 5 at (0,0,5.2915)   0.529       0         near 0: uncertain, and integers decide
+// A point that is outside all other caps is a vertex of the union, of these two balls and the one at hand.
 #include "sphere/vertex_finder.hpp"
 
 #include "lanes/wide.hpp"

@@ -1,3 +1,12 @@
+// Cut arcs of one face after the other.
+//
+// As an example the balls of radius 5 at (-8,0,0), (0,0,0) and (8,0,0). The face of the middle one is a band between
+// the planes x = -4 and x = 4, with two loops, which are free circles of radius 3. The great circle through the axis of
+// the first cap and the poles is in the plane y = 0, and its free pieces are
+//   from (-4, 0, 3) over the top, (0, 0, 5), to (4, 0, 3)           passes the north pole
+//   from (4, 0, -3) under the bottom, (0, 0, -5), to (-4, 0, -3)    passes the south pole
+// The first joins the two loops: both are cut arcs, and the second loop brings no more. Only one arc passes each pole,
+// so that no vertex is made there. The band falls into two simple faces, each with one loop of four edges.
 #include "topology/cut_arcs.hpp"
 
 #include "model/block_sweep.hpp"

@@ -3,6 +3,12 @@
 // An edge has four directed forms, its quarter-edges 4 e + k: k = 0 the edge, k = 2 the edge the other way, k = 1 and 3
 // the dual edges from its right to its left face and back. One table, onext, holds the rings of quarter-edges about
 // their origins, vertices for even k and faces for odd k; every other step is a few rotations around it.
+//
+// As an example edge 1, from vertex s to vertex t with face L on its left and R on its right:
+//   4      from s to t, L on its left            sym(4) = 6, rot(4) = 5, inverse_rot(4) = 7
+//   5      from R to L, s on its left
+//   6      from t to s, R on its left
+//   7      from L to R, t on its left            rot(7) = 4
 #pragma once
 
 #include "core/span.hpp"

@@ -4,6 +4,13 @@
 // component lies in the region that the vertical ray from its highest point meets first: in a void, if the face it
 // enters belongs to the shell of a void, else in the region of the component it enters, whose highest point is higher
 // still. This is the case of a union in several pieces, which the paper leaves to the reader.
+//
+// As an example, seen from the side, a hollow component A with a ball B in its hollow, and C beside it:
+//       .---------.
+//      /  .-----.  \           the ray from the top of B meets A first, at a face of the shell of its void: B lies in
+//     |  (   B   )  |    C     that void. The rays from the tops of A and C meet nothing: both lie in the outer region
+//      \  '-----'  /
+//       '---------'            regions 2: the outer one, the void       shells 4: A's outer one, its void, B, C
 #pragma once
 
 #include "boundary/point_location.hpp"

@@ -1,3 +1,12 @@
+// Quad-edges of the boundary, linked around their faces.
+//
+// As an example two balls that meet in one free circle, which two subdivision vertices halve:
+//        0 ---- e0 ---> 1         quarter-edge 0 is e0 with the face of the first ball on its left, sym(0) = 2 is the
+//        ^              |         same edge with that of the second ball on its left; 4 and 6 are those of e1
+//        +----- e1 -----+
+//   on the first ball     lnext(0) = 4, lnext(4) = 0
+//   on the second ball    lnext(6) = 2, lnext(2) = 6, the other way round
+//   vertices - edges + faces = 2 - 2 + 2 = 2
 #include "topology/simple_faces.hpp"
 
 namespace hsp {
@@ -140,15 +149,48 @@ class SimpleFaceBuilder {
     }
   }
 
-  // A piece of a cut arc that leaves a pole, by its direction in the plane z = 0.
+  // A piece of a cut arc that leaves a pole, by its direction in the plane z = 0: about the normal m of its plane the
+  // arc passes the highest point in the direction m x z and the lowest one in the opposite direction.
   struct Ray {
     int64_t x, y;
     uint32_t q;
   };
+  Ray ray_of(uint32_t q, uint32_t lowest) const {
+    const CutArc &arc = topology_.cut_arcs[topology_.edge_source[edge_of(q)]];
+    const exact::Vector m = plane_of_cut(balls_, arc.ball, arc.ball, arc.cap).v;
+    const bool arrives = (q & 2U) != 0;
+    return arrives == (lowest == 0) ? Ray{-m.y, m.x, q} : Ray{m.y, -m.x, q};
+  }
   static bool lies_below(const Ray &a) { return a.y < 0 || (a.y == 0 && a.x < 0); }
   static bool turns_before(const Ray &a, const Ray &b) {
     if (lies_below(a) != lies_below(b)) return lies_below(b);
     return a.x * b.y - a.y * b.x > 0;
+  }
+  // The rays of a pole are a list, whose links are where faces will be numbered.
+  uint32_t &next_ray(uint32_t q) { return quads_.start[rot(q)]; }
+  // Sorts the list counter-clockwise, by merging runs of one, two, four rays (Knuth, TAOCP 3, section 5.2.4).
+  uint32_t sorted_rays(uint32_t list, uint32_t lowest) {
+    for (uint32_t length = 1, runs = 2; runs > 1; length *= 2) {
+      uint32_t rest = list, last = no_id;
+      list = no_id;
+      for (runs = 0; rest != no_id; ++runs) {
+        uint32_t run[2] = {rest, rest}, left[2] = {0, length};
+        for (; left[0] < length && run[1] != no_id; ++left[0]) run[1] = next_ray(run[1]);
+        for (;;) {
+          if (run[1] == no_id) left[1] = 0;
+          if (left[0] + left[1] == 0) break;
+          const uint32_t from =
+              left[0] == 0 || (left[1] > 0 && turns_before(ray_of(run[1], lowest), ray_of(run[0], lowest))) ? 1 : 0;
+          (last == no_id ? list : next_ray(last)) = run[from];
+          last = run[from];
+          run[from] = next_ray(last);
+          --left[from];
+        }
+        rest = run[1];
+      }
+      next_ray(last) = no_id;
+    }
+    return list;
   }
 
   // The cut arcs of one ball, from number `first` on: their vertices, and the order of the pieces about the poles.
@@ -180,37 +222,30 @@ class SimpleFaceBuilder {
     return last;
   }
 
-  // About the normal m of its plane a cut arc passes the highest point in the direction m x z and the lowest one in
-  // the opposite direction. Each arrival is followed, about the face on its left, by the next ray clockwise as seen
-  // from outside the ball, which is clockwise in the plane z = 0 above and counter-clockwise below.
+  // Each arrival is followed, about the face on its left, by the next ray clockwise as seen from outside the ball,
+  // which is clockwise in the plane z = 0 above and counter-clockwise below.
   void link_pole(Span<const CutArc> arcs, uint32_t first, uint32_t lowest) {
     const uint32_t at_vertex = lowest == 1 ? CutArc::vertex_at_south : CutArc::vertex_at_north;
-    const int64_t direction = lowest == 1 ? -1 : 1;
-    const auto visit_rays = [&](auto visit) {
-      for (uint32_t k = 0; k < arcs.size(); ++k) {
-        if ((arcs[k].poles & at_vertex) == 0) continue;
-        const exact::Vector m = plane_of_cut(balls_, arcs[k].ball, arcs[k].ball, arcs[k].cap).v;
-        const bool second = arcs[k].pieces() == 3 && ((arcs[k].poles & CutArc::south_first) != 0) == (lowest == 0);
-        const uint32_t arriving = quarter_edge(topology_.cut_first_edge[first + k] + (second ? 1U : 0U));
-        visit(Ray{-direction * m.y, direction * m.x, sym(arriving)});
-        visit(Ray{direction * m.y, -direction * m.x, arriving + 4});
-      }
-    };
-    // The rays are few; each looks for its predecessor, and the last of all comes before the first.
-    visit_rays([&](const Ray &ray) {
-      Ray before{0, 0, no_id};
-      Ray last = ray;
-      visit_rays([&](const Ray &other) {
-        if (turns_before(other, ray) && (before.q == no_id || turns_before(before, other))) before = other;
-        if (turns_before(last, other)) last = other;
-      });
-      if (before.q == no_id) before = last;
+    uint32_t list = no_id;
+    for (uint32_t k = 0; k < arcs.size(); ++k) {
+      if ((arcs[k].poles & at_vertex) == 0) continue;
+      const bool second = arcs[k].pieces() == 3 && ((arcs[k].poles & CutArc::south_first) != 0) == (lowest == 0);
+      const uint32_t arriving = quarter_edge(topology_.cut_first_edge[first + k] + (second ? 1U : 0U));
+      next_ray(sym(arriving)) = list;
+      next_ray(arriving + 4) = sym(arriving);
+      list = arriving + 4;
+    }
+    list = sorted_rays(list, lowest);
+    for (uint32_t before = list; before != no_id;) {
+      const uint32_t following = next_ray(before), ray = following != no_id ? following : list;
       if (lowest == 0) {
-        quads_.link_lnext(sym(ray.q), before.q);
+        quads_.link_lnext(sym(ray), before);
       } else {
-        quads_.link_lnext(sym(before.q), ray.q);
+        quads_.link_lnext(sym(before), ray);
       }
-    });
+      next_ray(before) = no_id;
+      before = following;
+    }
   }
 
   // Whole spheres: the great circle across x, from the highest point to the lowest and back, counter-clockwise about x.

@@ -1,3 +1,10 @@
+// Subdivision vertices, and their order along the arcs and circles that they lie on.
+//
+// As an example two balls of radius 5 at 0 and (8,0,0), with a free circle of radius 3 around (4,0,0). The plane
+// through both centres that contains the direction z is y = 0. It halves the circle:
+//   subdivision vertices     (4,0,3) and (4,0,-3)
+//   host edges               the halves between them, y > 0 and y < 0
+// Cut arcs of both balls that go through the axis of the circle are in that plane as well, and end in these two points.
 #include "topology/subdivision.hpp"
 
 #include <initializer_list>

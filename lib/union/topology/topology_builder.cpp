@@ -64,7 +64,7 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
   needed_.edges = clamped_count(count_edges(balls, boundary, structure_));
   if (needed_.edges > limits_.edges) return Status::capacity;
 
-  const uint64_t of_a_step = 300 * uint64_t{needed_.edges};
+  const uint64_t of_a_step = 600 * uint64_t{needed_.edges};
   if (!patience.allows(of_a_step)) return Status::stopped;
   assemble_simple_faces(balls, boundary, structure_);
   if (!patience.allows(of_a_step)) return Status::stopped;

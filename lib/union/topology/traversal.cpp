@@ -1,3 +1,9 @@
+// All faces of each shell, depth first, without a stack.
+//
+// As an example a tetrahedron with faces A to D, each next to the three others, traversed from A. From A across its
+// first edge to B; from B across the edge behind the one that leads back to A, to C; from C to D. All neighbours of D
+// have been entered, so that the walk goes around it and back by its entry to C, and so on to B and A. The order is A B
+// C D.
 #include "topology/traversal.hpp"
 
 namespace hsp {

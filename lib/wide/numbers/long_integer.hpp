@@ -75,13 +75,13 @@ class LongInteger {
     uint64_t mantissa = 0;
     bool more_follows = false;
     for (uint32_t k = 0; k < length_; ++k) {
-      const int place = static_cast<int>(k * limb_bits) - exponent;
+      const int position = static_cast<int>(k * limb_bits) - exponent;
       const uint64_t limb = limb_[k];
-      if (place >= 0) {
-        mantissa |= limb << place;
-      } else if (place > -static_cast<int>(limb_bits)) {
-        mantissa |= limb >> -place;
-        more_follows = more_follows || limb << (64 + place) != 0;
+      if (position >= 0) {
+        mantissa |= limb << position;
+      } else if (position > -static_cast<int>(limb_bits)) {
+        mantissa |= limb >> -position;
+        more_follows = more_follows || limb << (64 + position) != 0;
       } else {
         more_follows = more_follows || limb != 0;
       }

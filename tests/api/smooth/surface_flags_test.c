@@ -71,7 +71,7 @@ static const jump_case cases[] = {{"probes on both sides of a plane touch each o
 static double energy_of(uint32_t n, const double *xyz, const double *radius, double probe, const double *sigma,
                         double tension, double pressure, uint32_t *flags) {
   const hsp_model_options options = options_with_probe(probe);
-  hsp_energy energy = {0, 0, 0, 0};
+  hsp_energy energy = {0};
   computed c;
   surface_result s;
   CHECK_EQUAL(computed_make(n, xyz, radius, &options, &c), HSP_OK);

@@ -315,7 +315,7 @@ static int32_t compute_in_parts(hsp_boundary *boundary, const hsp_model *model) 
   loop own = loop_of(LOOP_SHUFFLED);
   const hsp_executor executor = executor_of(&own, 2);
   hsp_boundary_request request = {.struct_size = sizeof request};
-  hsp_boundary_limits limits = {sizeof limits, 0, 0, 0, 0, 0};
+  hsp_boundary_limits limits = {.struct_size = sizeof limits};
   int32_t status;
   request.executor = &executor;
   status = hsp_boundary_compute_with(boundary, model, &request, &limits);

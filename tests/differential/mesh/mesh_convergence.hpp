@@ -37,7 +37,7 @@ class SquareErrors {
   }
 
  private:
-  // Errors of parts that bulge and of hollow ones may cancel: nobody asks how such a sum falls.
+  // Errors of parts that bulge and of hollow ones may cancel: how such a sum falls is not asked.
   double fell_to(const double (&error)[2]) const {
     const double least = 1e-3 * area_;
     return std::fabs(error[1]) / std::max(std::fabs(error[0]), least);

@@ -185,26 +185,27 @@ TEST(BoundaryWorker, CopiesAndConcentricBallsChangeNothing) {
   EXPECT_GT(records, 2000U);
 }
 
-// Wide cubes of small balls, as there are a few large ones: not all around are looked at. With copies of a large one
-// there are too many of these, and all are.
+// Wide cubes of small balls, as there are a few large ones: levels of radii, and the boundary, contacts' caps and all
+// records are those without.
 TEST(BoundaryWorker, FewLargeBallsChangeNothing) {
   oracle::RandomSource random(34);
-  for (const size_t large : {size_t{1}, size_t{3}}) {
+  for (const size_t large : {size_t{1}, size_t{3}, size_t{40}}) {
     oracle::Balls balls;
     for (size_t k = 0; k < large; ++k) balls.push_back({random.in(-9000, 9000), random.in(-9000, 9000), 0, 20000});
-    while (balls.size() < 1300) {
+    while (balls.size() < 2600) {
       const oracle::LatticeBall ball = oracle::ball_in_box(random, 26000, 300, 1400);
       if (balls.size() % 4 == 0 || std::hypot(ball.x, ball.y, ball.z) > 21000) balls.push_back(ball);
+      if (balls.size() % 50 == 0) balls.push_back(ball);
     }
-    oracle::Balls with_copies = balls;
-    for (int copy = 0; copy < 9; ++copy) with_copies.push_back(balls[0]);
-    const BuiltBoundary some(balls), all(with_copies);
-    ASSERT_EQ(some.status(), hsp::Status::ok);
-    ASSERT_EQ(all.status(), hsp::Status::ok);
-    const auto expected = records_of(all);
-    EXPECT_EQ(records_of(some), expected);
+    const BuiltBoundary by_levels(balls), by_cubes(balls, false);
+    ASSERT_EQ(by_levels.status(), hsp::Status::ok);
+    ASSERT_EQ(by_cubes.status(), hsp::Status::ok);
+    ASSERT_NE(by_levels.grid().levels(), nullptr);
+    ASSERT_EQ(by_cubes.grid().levels(), nullptr);
+    const auto expected = records_of(by_cubes);
+    EXPECT_EQ(records_of(by_levels), expected);
     EXPECT_GT(expected.size(), 1200U);
-    EXPECT_LE(some.neighbours(), all.neighbours());
+    EXPECT_EQ(by_levels.neighbours(), by_cubes.neighbours());
   }
 }
 

@@ -376,4 +376,38 @@ TEST(Contacts, ReportLimitsThatSuffice) {
   }
 }
 
+// All that is found over a grid: pairs, area and volume by their last bits.
+std::vector<std::pair<std::array<uint32_t, 2>, double>> contacts_over(const hsp::CubeGrid &grid) {
+  const uint32_t n = grid.balls().n;
+  CarvedMemory boundary_memory, contacts_memory;
+  hsp::BoundaryBuilder boundary;
+  hsp::ContactsBuilder builder;
+  EXPECT_EQ(boundary_memory.build(boundary, hsp::BoundaryLimits{n, 8, 8, 8, 0}, grid), hsp::Status::ok);
+  const uint32_t neighbours = boundary.needed().neighbours;
+  EXPECT_EQ(
+      contacts_memory.build(builder, hsp::ContactLimits{n, neighbours, 4, 0, 0}, grid, boundary.boundary(), neighbours),
+      hsp::Status::ok);
+  const hsp::Contacts &contacts = builder.contacts();
+  std::vector<std::pair<std::array<uint32_t, 2>, double>> found;
+  for (uint32_t id = 0; id < contacts.contact_count(); ++id) {
+    const hsp::ContactRecord &contact = contacts.contact(id);
+    found.push_back({{contact.ball[0], contact.ball[1]}, contact.area});
+  }
+  for (uint32_t i = 0; i < n; ++i) found.push_back({{i, i}, contacts.share_volume(i)});
+  return found;
+}
+
+// Small ones in wide cubes are found by levels of radii.
+TEST(Contacts, FewLargeBallsChangeNothing) {
+  oracle::RandomSource random(35);
+  oracle::Balls balls = oracle::balls_in_box(random, 1700, 26000, 300, 1800);
+  for (int k = 0; k < 3; ++k) balls.push_back(oracle::ball_in_box(random, 20000, 15000, 20000));
+  BuiltGrid built(oracle::in_lengths(balls, 1));
+  ASSERT_NE(built.grid().levels(), nullptr);
+  const auto by_levels = contacts_over(built.grid());
+  built.grid().use_no_levels();
+  EXPECT_EQ(by_levels, contacts_over(built.grid()));
+  EXPECT_GT(by_levels.size(), balls.size() + 300);
+}
+
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "measure/energy.hpp"
 #include "measure/totals.hpp"
 #include "small_union.hpp"
 

@@ -32,16 +32,16 @@ void compare_places(oracle::RandomSource &random, const oracle::Balls &balls, in
   ASSERT_EQ(pores.status(), hsp::Status::ok);
   const hsp::ClassTree tree(pores.builder());
   std::vector<hsp::exact::Vector> points;
-  std::vector<hsp::PorePlace> places;
+  std::vector<hsp::PoreLocation> places;
   for (int k = 0; k < 12; ++k) {
     const auto along = [&] { return random.in(-spread / unit, spread / unit) * unit; };
     points.push_back({along(), along(), along()});
     if (k % 2 == 0 && !pores.maxima().empty()) {
       const auto last = static_cast<int64_t>(pores.maxima().size()) - 1;
-      const hsp::Vec3 &at = pores.maxima()[static_cast<uint32_t>(random.in(0, last))].point.place;
+      const hsp::Vec3 &at = pores.maxima()[static_cast<uint32_t>(random.in(0, last))].point.position;
       points.back() = {std::llround(at.x), std::llround(at.y), std::llround(at.z)};
     }
-    hsp::PorePlace place{};
+    hsp::PoreLocation place{};
     ASSERT_EQ(locate(pores.builder(), pores.grid(), points.back(), 0, place), hsp::Status::ok)
         << oracle::to_text(balls) << points.back().x << ' ' << points.back().y << ' ' << points.back().z;
     ASSERT_EQ(place.maximum == no_id, any_ball_meets(pores.grid(), {points.back(), 0}));
@@ -49,7 +49,7 @@ void compare_places(oracle::RandomSource &random, const oracle::Balls &balls, in
     ++seen.points;
   }
   for (int turn = 0; turn < 6; ++turn) {
-    const hsp::PorePlace &one = places[static_cast<size_t>(random.in(0, 5)) * 2];
+    const hsp::PoreLocation &one = places[static_cast<size_t>(random.in(0, 5)) * 2];
     if (one.level < 10.0 || one.level > 9e8) continue;
     const auto level =
         static_cast<int64_t>(one.level) - (turn % 2 == 0 ? 4 : random.in(4, static_cast<int64_t>(one.level)));
@@ -127,7 +127,7 @@ TEST(ClassTree, GatesBetweenAreTheTightestOfTheWidestPath) {
 
 TEST(ClassTree, WithoutBallsAllIsOutside) {
   const BuiltPores pores(oracle::Balls{}, 0);
-  hsp::PorePlace place{};
+  hsp::PoreLocation place{};
   ASSERT_EQ(locate(pores.builder(), pores.grid(), {5, 6, 7}, 0, place), hsp::Status::ok);
   EXPECT_EQ(place.maximum, pore_outside);
   EXPECT_EQ(place.ball, no_id);

@@ -20,7 +20,7 @@ using Point = std::array<double, 3>;
 using Flat = std::array<double, 2>;
 
 Point place_of(const hsp::CriticalPoint &point) {
-  return {point.place.x, point.place.y, point.place.z};
+  return {point.position.x, point.position.y, point.position.z};
 }
 
 // The nearest balls of a mouth as discs of its plane, around its point.
@@ -151,7 +151,7 @@ bool find_sizes(const BuiltPores &pores, hsp::PocketFinder &finder, BuiltPores &
   status = finder.match(pores.builder(), regions, [&](uint32_t maximum, uint32_t &region) {
     const Point at = place_of(pores.maxima()[maximum].point);
     const hsp::exact::Vector point{std::llround(at[0]), std::llround(at[1]), std::llround(at[2])};
-    hsp::PorePlace place;
+    hsp::PoreLocation place;
     const hsp::Status found = hsp::locate(plugged.builder(), around, point, 0, place);
     if (found != hsp::Status::ok || place.maximum == no_id) return found;
     region = regions.region_of(plugged.builder(), place.maximum);

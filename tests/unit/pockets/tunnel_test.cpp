@@ -65,12 +65,12 @@ void check_points(const oracle::Balls &balls, const BuiltPores &pores, const hsp
   for (uint32_t k = 0; k < finder.points().size(); ++k) {
     const hsp::TunnelPoint &point = finder.points()[k];
     double level = INFINITY;
-    for (uint32_t b = 0; b < balls.size(); ++b) level = std::min(level, distance_at(balls, point.place, b));
+    for (uint32_t b = 0; b < balls.size(); ++b) level = std::min(level, distance_at(balls, point.position, b));
     ASSERT_NEAR(point.level, level, 4.0) << oracle::to_text(balls);
     ASSERT_GE(level, found.level - 4.0);
     for (const uint32_t ball : point.ball) {
       if (ball != no_id) {
-        ASSERT_NEAR(distance_at(balls, point.place, ball), level, 8.0);
+        ASSERT_NEAR(distance_at(balls, point.position, ball), level, 8.0);
       }
     }
     if (point.gate != no_id) {
@@ -83,7 +83,7 @@ void check_points(const oracle::Balls &balls, const BuiltPores &pores, const hsp
     }
     if (k == 0) continue;
     const hsp::TunnelPoint &before = finder.points()[k - 1];
-    const hsp::Vec3 d = point.place - before.place;
+    const hsp::Vec3 d = point.position - before.position;
     length += std::sqrt(dot(d, d));
     // Two ways that meet at a maximum have it once.
     ASSERT_TRUE(point.maximum == no_id || point.maximum != before.maximum) << oracle::to_text(balls);
@@ -101,9 +101,9 @@ void check_points(const oracle::Balls &balls, const BuiltPores &pores, const hsp
     const bool shared = reach < INFINITY;
     if (!shared) reach = of_any;
     const bool leaps = std::sqrt(dot(d, d)) > 0.1 * reach;
-    unknown_parts += leaps && !(is_outside(balls, before.place) && is_outside(balls, point.place)) ? 1 : 0;
+    unknown_parts += leaps && !(is_outside(balls, before.position) && is_outside(balls, point.position)) ? 1 : 0;
     for (uint32_t b = 0; b < balls.size(); ++b) {
-      halfway = std::min(halfway, distance_at(balls, before.place + 0.5 * d, b));
+      halfway = std::min(halfway, distance_at(balls, before.position + 0.5 * d, b));
     }
     const double mean = 0.5 * (before.level + point.level);
     if (shared && !leaps) {
@@ -128,7 +128,7 @@ double cost_of(const BuiltPores &pores, const hsp::PoreGate &gate) {
   for (const uint32_t end : gate.end) {
     if (end == pore_outside) continue;
     const hsp::CriticalPoint &top = pores.maxima()[end].point;
-    const hsp::Vec3 d = top.place - gate.point.place;
+    const hsp::Vec3 d = top.position - gate.point.position;
     sum += std::sqrt(dot(d, d)) / (top.level * gate.point.level);
   }
   return gate.point.level > 0.0 ? sum : INFINITY;
@@ -186,7 +186,7 @@ TEST(Tunnel, IsTheWidestThatAvoidsGates) {
     memory.carve(limited, uint32_t{20000});
     const auto any_place = [&] {
       const auto last = static_cast<int64_t>(pores.maxima().size()) - 1;
-      const hsp::Vec3 &at = pores.maxima()[static_cast<uint32_t>(random.in(0, last))].point.place;
+      const hsp::Vec3 &at = pores.maxima()[static_cast<uint32_t>(random.in(0, last))].point.position;
       return hsp::exact::Vector{std::llround(at.x), std::llround(at.y), std::llround(at.z)};
     };
     const hsp::exact::Vector from = any_place(), to = any_place();

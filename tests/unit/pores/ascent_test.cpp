@@ -57,7 +57,7 @@ TEST(Ascent, TheDistanceNeverFalls) {
       // There is a maximum, or nearly.
       double nearest = INFINITY;
       for (const auto &maximum : pores.maxima()) {
-        const hsp::Vec3 p = maximum.point.place, o = way.offset();
+        const hsp::Vec3 p = maximum.point.position, o = way.offset();
         const hsp::Vec3 d{p.x - o.x - static_cast<double>(start.x), p.y - o.y - static_cast<double>(start.y),
                           p.z - o.z - static_cast<double>(start.z)};
         nearest = std::min(nearest, std::sqrt(dot(d, d)));
@@ -91,7 +91,7 @@ TEST(Ascent, TiesThatAreClosedOnOneSideAreLeftOnTheOther) {
     for (const int which : {0, 1}) {
       const BuiltPores pores(sets[which], 0);
       ASSERT_EQ(pores.status(), hsp::Status::ok);
-      hsp::PorePlace place{};
+      hsp::PoreLocation place{};
       EXPECT_EQ(hsp::locate(pores.builder(), pores.grid(), starts[which], 0, place), hsp::Status::ok) << scale;
       EXPECT_EQ(place.maximum, hsp::pore_outside) << scale << ' ' << which;
       EXPECT_EQ(pores.maxima().size(), 0U);

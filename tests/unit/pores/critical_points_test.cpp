@@ -60,7 +60,7 @@ TEST(CriticalPoints, ACubeThatTies) {
   const hsp::CriticalPoint &middle = found.points().maxima()[0].point;
   EXPECT_EQ(middle.tied, 8U);
   EXPECT_NEAR(middle.level, 500.0 * std::sqrt(3.0) - 300.0, 1e-6);
-  EXPECT_NEAR(middle.place.x, 500.0, 1e-9);
+  EXPECT_NEAR(middle.position.x, 500.0, 1e-9);
   EXPECT_EQ(found.points().tied().size(), 8U + 6 * 4);
   ASSERT_EQ(found.points().gates().size(), 6U);
   for (const hsp::PoreGate &gate : found.points().gates().items()) {

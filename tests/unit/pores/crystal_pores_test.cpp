@@ -182,8 +182,9 @@ TEST(CrystalPores, BallsOfMovedPointsTouchThem) {
         const hsp::BoxShift shift = point.shift[k].shift();
         const oracle::LatticeBall ball =
             oracle::moved_by(balls[point.ball[k]], box, {shift.k[0], shift.k[1], shift.k[2]});
-        const double x = point.place.x - static_cast<double>(ball.x), y = point.place.y - static_cast<double>(ball.y),
-                     z = point.place.z - static_cast<double>(ball.z);
+        const double x = point.position.x - static_cast<double>(ball.x),
+                     y = point.position.y - static_cast<double>(ball.y),
+                     z = point.position.z - static_cast<double>(ball.z);
         ASSERT_NEAR(std::hypot(x, y, z) - static_cast<double>(ball.radius), point.level, 1e-3);
       }
     };
@@ -205,9 +206,9 @@ TEST(CrystalPores, PlacesAtGates) {
     const BuiltPeriodic periodic(BuiltPores::listed(balls), {80, 0, 0, 0, 100, 0, 0, 0, 60});
     ASSERT_EQ(pores.gates().size(), 6U);
     for (const auto &gate : pores.gates()) {
-      const hsp::Vec3 &at = gate.point.place;
+      const hsp::Vec3 &at = gate.point.position;
       const hsp::exact::Vector point{std::llround(at.x), std::llround(at.y), std::llround(at.z)};
-      hsp::PorePlace place{};
+      hsp::PoreLocation place{};
       ASSERT_EQ(locate(pores.builder(), hsp::BallsAround(periodic.get()), point, 0, place), hsp::Status::ok);
       const auto is_end = [&](uint32_t side) {
         return place.maximum == gate.end[side] && place.maximum_shift == gate.end_shift[side].shift();

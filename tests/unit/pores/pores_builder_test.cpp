@@ -89,9 +89,9 @@ TEST(PoresBuilder, TheOrderOfTheBallsChangesNothing) {
     ASSERT_EQ(first.gates().size(), second.gates().size());
     const auto same = [&](const hsp::CriticalPoint &a, const hsp::CriticalPoint &b) {
       ASSERT_EQ(a.level, b.level);
-      ASSERT_EQ(a.place.x, b.place.x);
-      ASSERT_EQ(a.place.y, b.place.y);
-      ASSERT_EQ(a.place.z, b.place.z);
+      ASSERT_EQ(a.position.x, b.position.x);
+      ASSERT_EQ(a.position.y, b.position.y);
+      ASSERT_EQ(a.position.z, b.position.z);
       ASSERT_EQ(a.tied, b.tied);
       for (uint32_t k = 0; k < a.tied; ++k) {
         // Of equal balls the one with the lower index is taken.

@@ -96,8 +96,8 @@ TEST(TiedBalls, KindsAndNames) {
             for (const bool rising : {false, true}) {
               TangentPoint point(lines);
               if (!point.find(balls, {i, j, k}, l == n ? no_id : l, rising)) continue;
-              const hsp::Vec3 at = point.place_estimate();
-              if (point.place_error() > 1e-3 || std::fabs(at.x - static_cast<double>(set.point[0])) > 0.1 ||
+              const hsp::Vec3 at = point.position_estimate();
+              if (point.position_error() > 1e-3 || std::fabs(at.x - static_cast<double>(set.point[0])) > 0.1 ||
                   std::fabs(at.y - static_cast<double>(set.point[1])) > 0.1 ||
                   std::fabs(at.z - static_cast<double>(set.point[2])) > 0.1) {
                 continue;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "built_grid.hpp"
@@ -164,6 +165,23 @@ TEST(NearCaps, AreFew) {
       for (uint32_t j = 0; j < search.caps.count; ++j) all += near.around(search.caps, j).size();
       EXPECT_LT(all, (size < 0.001 ? 16U : 40U) * search.caps.count);
     }
+  }
+}
+
+// Hundreds of small caps are compared with those near them alone; hundreds of large ones each with each.
+TEST(NearCaps, AreAskedForSmallOnes) {
+  oracle::RandomSource random(64);
+  for (const auto &[count, size, expected] : {std::tuple{300U, 0.01, true}, std::tuple{300U, 0.6, false},
+                                              std::tuple{100U, 0.01, false}, std::tuple{1100U, 0.6, true}}) {
+    Search search(bumps(random, count + 1, size, size));
+    uint32_t asked = 0;
+    for (uint32_t i = 0; i < search.size(); ++i) {
+      if (search.balls().r[i] < 1e6 || !search.gather(i)) continue;
+      EXPECT_EQ(search.caps.count, count);
+      EXPECT_EQ(hsp::NearCaps::are_many(search.caps, search.caps.b.data()), expected) << count << " of " << size;
+      ++asked;
+    }
+    EXPECT_EQ(asked, 1U);
   }
 }
 

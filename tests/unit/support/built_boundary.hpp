@@ -10,7 +10,7 @@
 class BuiltBoundary {
  public:
   // Lattice step 1, so that the numbers stand for themselves.
-  explicit BuiltBoundary(const oracle::Balls &balls);
+  explicit BuiltBoundary(const oracle::Balls &balls, bool with_levels = true);
 
   const hsp::CubeGrid &grid() const { return built_.grid(); }
   const hsp::BallSet &balls() const { return grid().balls(); }

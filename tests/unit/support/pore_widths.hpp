@@ -55,7 +55,7 @@ inline void compare_with_gates(oracle::RandomSource &random, int kind, int pairs
     const auto b = random.one_in(3) ? hsp::pore_outside : static_cast<uint32_t>(random.in(0, count - 1));
     if (a == b) continue;
     const auto place = [&](uint32_t end) {
-      const hsp::Vec3 &at = pores.maxima()[end].point.place;
+      const hsp::Vec3 &at = pores.maxima()[end].point.position;
       return hsp::exact::Vector{std::llround(at.x), std::llround(at.y), std::llround(at.z)};
     };
     const auto level = [&](uint32_t end) {

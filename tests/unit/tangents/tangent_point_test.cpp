@@ -35,7 +35,7 @@ bool at_point(const hsp::BallSet &balls, const TiedSet &set, const TangentCurve 
     if (!point.find(balls, curve, last, rising)) continue;
     hsp::Vec3 place{};
     double level = 0.0;
-    point.settle(place, level);
+    point.refine(place, level);
     const double off =
         std::hypot(place.x - static_cast<double>(set.point[0]), place.y - static_cast<double>(set.point[1]),
                    place.z - static_cast<double>(set.point[2]));
@@ -186,7 +186,7 @@ TEST(TangentPoint, LevelsHalfWayBetweenUnitsAreRoundedUp) {
         ASSERT_TRUE(point.find(balls.set(), curve, no_id, false));
         hsp::Vec3 place{};
         double level = 0.0;
-        point.settle(place, level);
+        point.refine(place, level);
         EXPECT_EQ(level, std::ldexp(static_cast<double>(half_units + 1), -21)) << a << ' ' << radius;
         ++(level < 0.0 ? below : above);
       }

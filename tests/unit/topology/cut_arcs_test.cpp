@@ -179,6 +179,17 @@ TEST(CutArcs, CutBallsWithBumps) {
   EXPECT_GT(seen.pole_vertices, 50);
 }
 
+// Arcs of so many loops are not looked for one after the other, and many pass a pole.
+TEST(CutArcs, CutBallsWithHundredsOfBumps) {
+  oracle::RandomSource random(4);
+  Seen seen;
+  for (int k = 0; k < 6; ++k) {
+    ASSERT_NO_FATAL_FAILURE(check(bumps(random, 300, k % 2 == 0 ? 5000 : 60000), true, seen));
+  }
+  EXPECT_GT(seen.arcs, 500);
+  EXPECT_GT(seen.pole_vertices, 50);
+}
+
 TEST(CutArcs, CutFacesInSetsWithTies) {
   oracle::RandomSource random(3);
   Seen seen;

@@ -1,0 +1,107 @@
+// Sets of more and more neighbours a ball, beside CGAL and FreeSASA: balls at random places, and copies of one
+// molecule, each atom moved a little, as models of an ensemble are. All take turns.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "alternation.hpp"
+#include "suite.hpp"
+#ifdef BENCH_CGAL
+#include "peers/cgal_alpha_complex.hpp"
+#endif
+#ifdef BENCH_FREESASA
+#include "peers/freesasa_areas.hpp"
+#endif
+
+namespace bench {
+namespace {
+
+constexpr int turns = 3;
+
+// Of radius 1, in a cube in which one that is not at its border has so many neighbours.
+Balls random_balls(uint32_t n, double neighbours) {
+  constexpr double pi = 3.14159265358979323846;
+  const double side = std::cbrt(n * 8 * (4 * pi / 3) / neighbours);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> coordinate(0, side);
+  Balls balls;
+  for (uint32_t k = 0; k < n; ++k) {
+    const double x = coordinate(random), y = coordinate(random);
+    balls.add(x, y, coordinate(random), 1);
+  }
+  return balls;
+}
+
+// The first 60 atoms of crambin so many times, each coordinate moved by a normal of 0.5.
+Balls ensemble(uint32_t models) {
+  constexpr uint32_t atoms = 60;
+  const std::vector<Molecule> molecules = paper_molecules();
+  const auto crambin =
+      std::find_if(molecules.begin(), molecules.end(), [](const Molecule &one) { return one.name == "crambin"; });
+  const Balls whole = with_radii(*crambin, Radii::van_der_waals);
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> moved(0, 0.5);
+  Balls balls;
+  for (uint32_t k = 0; k < models * atoms; ++k) {
+    const double *const xyz = &whole.xyz[3 * size_t{k % atoms}];
+    const double x = xyz[0] + moved(random), y = xyz[1] + moved(random);
+    balls.add(x, y, xyz[2] + moved(random), whole.radius[k % atoms]);
+  }
+  return balls;
+}
+
+double neighbours_a_ball(const Model &model) {
+  std::vector<uint32_t> first, ids;
+  query_all_pairs(model, first, ids);
+  return static_cast<double>(first.back()) / model.size();
+}
+
+// Beyond so many pairs FreeSASA takes minutes.
+[[maybe_unused]] constexpr double most_pairs_of_freesasa = 6e6;
+
+void dense_by_turns(benchmark::State &state, Subject &subject) {
+  const double neighbours = neighbours_a_ball(*subject.model);
+  state.counters["neighbours"] = neighbours;
+  std::vector<Part> parts{{"library", [&] {
+                             subject.model->set();
+                             subject.boundary->compute();
+                             benchmark::DoNotOptimize(subject.boundary->measure());
+                           }}};
+  parts.front().run();
+#ifdef BENCH_CGAL
+  if (cgal_alpha_complex(subject.balls, 0).boundary_vertices != subject.boundary->counts().vertices) {
+    throw std::runtime_error("CGAL finds other vertices");
+  }
+  parts.push_back({"cgal_alpha", [&] { benchmark::DoNotOptimize(cgal_alpha_complex(subject.balls, 0)); }});
+#endif
+#ifdef BENCH_FREESASA
+  if (neighbours * subject.model->size() < most_pairs_of_freesasa) {
+    parts.push_back({"freesasa_lr20", [&] {
+                       benchmark::DoNotOptimize(freesasa_areas(subject.balls, 0, FreesasaMethod::lee_richards_20));
+                     }});
+  }
+#endif
+  alternate(state, subject.model->size(), parts);
+}
+
+void register_set(const std::string &kind, uint32_t size, std::function<Balls()> balls) {
+  const std::string key = kind + '/' + std::to_string(size);
+  register_case("peers/dense/" + key, {key, std::move(balls), 0, Stage::boundary}, dense_by_turns)
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(turns);
+}
+
+}  // namespace
+
+void register_suite() {
+  for (const uint32_t neighbours : {10, 30, 100, 300, 1000, 3000, 10000}) {
+    const uint32_t n = neighbours < 5000 ? 5000 : 20000;
+    register_set("random", neighbours, [n, neighbours] { return random_balls(n, neighbours); });
+  }
+  for (const uint32_t models : {1, 3, 10, 30, 80, 250}) {
+    register_set("ensemble", models, [models] { return ensemble(models); });
+  }
+}
+
+}  // namespace bench
