@@ -121,7 +121,8 @@ bool void_spheres_find(const struct geometry *geometry, const struct molecule *m
   for (uint32_t i = 0; i < list->count; ++i) most = most > list->voids[i].ball_count ? most : list->voids[i].ball_count;
   const int32_t status = hsp_model_get_info(geometry->work.model, &info);
   bool done = (status == HSP_OK || failure_in_library(failure, status)) && make_wall(most, &wall, failure);
-  for (uint32_t i = 0; done && i < list->count; ++i) {
+  /* Small ones first, whose pores take little memory: there is more of that to clear once there is more. */
+  for (uint32_t i = list->count; done && i-- > 0;) {
     take_wall(molecule, &list->voids[i], &wall);
     done = find_sphere(geometry, &around, &wall, probe, info.step, &list->voids[i], failure);
   }

@@ -2,7 +2,6 @@
 
 #include "caller_executor.hpp"
 #include "model/queries.hpp"
-#include "rounded_point.hpp"
 #include "topology/positions.hpp"
 #include "topology/shell_volumes.hpp"
 
@@ -169,10 +168,12 @@ int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uin
   if (const int32_t status = check_results(topology, xyz == nullptr || region == nullptr); status != HSP_OK)
     return status;
   const hsp::CubeGrid &grid = topology->boundary->model->grid;
-  hsp::exact::Vector point;
-  if (const int32_t status = hsp::capi::round_point(grid.balls().lattice, xyz, point); status != HSP_OK) return status;
-  *region = hsp::any_ball_meets(grid, {point, 0})
+  // As a query of radius 0, which is there: on microcontrollers round_point would be code of its own.
+  hsp::LatticeQuery point;
+  const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);
+  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
+  *region = hsp::any_ball_meets(grid, point)
                 ? HSP_NONE
-                : hsp::region_of_point(grid, topology->boundary->structure(), topology->structure(), point);
+                : hsp::region_of_point(grid, topology->boundary->structure(), topology->structure(), point.centre);
   return HSP_OK;
 }
