@@ -10,7 +10,9 @@
  *   face     a maximal free piece of one sphere; it may have several boundary loops, or none (a whole sphere)
  *   shell    a connected component of the boundary;  void: a bounded component of the complement
  * Everything is as if ties were broken by infinitesimally inflated balls: components, voids and Euler number are those
- * of the balls as given, vertices are always on exactly three spheres, arcs and faces may be infinitesimally small. */
+ * of the balls as given, vertices are always on exactly three spheres, arcs and faces may be infinitesimally small.
+ * Every ball grows in proportion: one that touches another from outside meets it in a circle, one that touches it from
+ * inside, or a point on its sphere, is contained in it. Of equal balls the one of lowest index contains the others. */
 #ifndef HARDSPHERE_BOUNDARY_H
 #define HARDSPHERE_BOUNDARY_H
 

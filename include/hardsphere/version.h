@@ -47,10 +47,10 @@ extern "C" {
 #define HSP_PROVISIONAL_NUMBER 2
 
 /** The bits of the results that stable functions of the library of this header give. */
-#define HSP_NUMERICS_NUMBER 2
+#define HSP_NUMERICS_NUMBER 3
 
 /** The bits of the results that its provisional functions give. */
-#define HSP_PROVISIONAL_NUMERICS_NUMBER 2
+#define HSP_PROVISIONAL_NUMERICS_NUMBER 3
 
 /** HSP_VERSION_NUMBER of the library that was linked. */
 HSP_API uint32_t HSP_CALL hsp_version(void);

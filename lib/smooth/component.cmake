@@ -1,19 +1,23 @@
 # The surface that a rolling probe leaves, and triangles.
 hsp_part(smooth
-  STANDS_ON union
+  STANDS_ON union wide
   HEADERS surface mesh
   SOURCES
+    surface/actual_balls.cpp
     surface/arc_parts.cpp
     surface/coincident_patches.cpp
     surface/concave_patches.cpp
     surface/covered_gaps.cpp
     surface/crease_lengths.cpp
+    surface/creased_patches.cpp
+    surface/creases.cpp
     surface/cusped_circles.cpp
     surface/cut_patches.cpp
     surface/degenerate_balls.cpp
     surface/flat_patches.cpp
     surface/near_probes.kernel.cpp
     surface/patch_corners.cpp
+    surface/patch_loops.cpp
     surface/probe_caps.cpp
     surface/probe_grid.cpp
     surface/probe_positions.cpp

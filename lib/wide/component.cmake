@@ -1,3 +1,3 @@
-# Numbers beyond those of the core: integers of many limbs, doubles with bounds.
+# Numbers beyond those of the core: integers and floats of many limbs, doubles with bounds.
 hsp_part(wide
   STANDS_ON ground)

@@ -6,9 +6,9 @@
 
 namespace oracle {
 
-// The boundary of the balls inflated by infinitesimals, ranked by tie_ranks. Cost: at least n^4 for n balls that all
-// meet. Throws std::logic_error where the result would contradict itself (an arc seen from one ball only, a vertex
-// without three arcs, an open loop, more shells missing than components allow): that is a bug of the oracle.
+// The boundary of the balls inflated by infinitesimals as in sphere_predicates.hpp. Cost: at least n^4 for n balls
+// that all meet. Throws std::logic_error where the result would contradict itself (an arc seen from one ball only, a
+// vertex without three arcs, an open loop, more shells missing than components allow): that is a bug of the oracle.
 BoundaryRecord brute_boundary(const Balls &balls);
 
 }  // namespace oracle

@@ -11,7 +11,7 @@ Infinitesimal::Infinitesimal(Int128 value) {
 Infinitesimal Infinitesimal::epsilon(unsigned k) {
   if (k >= variables) throw std::out_of_range("no such infinitesimal");
   Infinitesimal result;
-  result.terms_.emplace(Monomial{1} << (8 * k), BigInteger(1));
+  result.terms_.emplace(Monomial{1} << (6 * k), BigInteger(1));
   return result;
 }
 

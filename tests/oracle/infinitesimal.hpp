@@ -1,5 +1,5 @@
-// Numbers of the ordered ring Z[eps_0, eps_1, eps_2, eps_3] with 1 >> eps_0 >> eps_1 >> eps_2 >> eps_3 > 0, each
-// infinitely small against every power of the one before.
+// Numbers of the ordered ring Z[eps_0, ..., eps_9] with 1 >> eps_0 >> eps_1 >> ... > 0, each infinitely small against
+// every power of the one before.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace oracle {
 
-// A polynomial in the four infinitesimals.
+// A polynomial in the ten infinitesimals.
 class Infinitesimal {
  public:
-  static constexpr unsigned variables = 4;
+  static constexpr unsigned variables = 10;
 
   Infinitesimal() = default;
   explicit Infinitesimal(Int128 value);
@@ -28,10 +28,10 @@ class Infinitesimal {
   [[nodiscard]] int sign() const { return terms_.empty() ? 0 : terms_.begin()->second.sign(); }
 
  private:
-  // The exponent of eps_k in byte k. Of two monomials that one is larger which has the smaller exponent in the smallest
-  // infinitesimal where they differ, so ascending keys are descending monomials; multiplication adds keys. Exponents
-  // stay below 256: no predicate has a degree above 4.
-  using Monomial = uint32_t;
+  // The exponent of eps_k in the bits from 6 k on. Of two monomials that one is larger which has the smaller exponent
+  // in the smallest infinitesimal where they differ, so ascending keys are descending monomials; multiplication adds
+  // keys. Exponents stay below 64: no predicate has a degree above 4.
+  using Monomial = uint64_t;
   void add_term(Monomial monomial, const BigInteger &coefficient);
 
   std::map<Monomial, BigInteger> terms_;  // no zero coefficients

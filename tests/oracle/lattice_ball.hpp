@@ -61,8 +61,7 @@ inline int sign_of(Int128 value) {
   return (value > 0) - (value < 0);
 }
 
-// rank[i] = place of ball i in the lexicographic order of (x, y, z, radius, index). Lower ranks are inflated by
-// infinitely larger amounts.
+// rank[i] = place of ball i in the lexicographic order of (x, y, z, radius, index).
 std::vector<uint32_t> tie_ranks(const Balls &balls);
 
 // "{x, y, z, radius}, ..." for messages: a failing set can be pasted into a test.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "big_integer.hpp"
 #include "brute_boundary.hpp"
 #include "sphere_predicates.hpp"
 
@@ -33,6 +34,12 @@ bool is_nearer(const TiedBalls &set, const Four &four, uint32_t fifth) {
   Int128 value = 0;
   for (size_t k = 0; k < 4; ++k) value += cofactor[k] * (dot(row[k], row[k]) - weight(four[k]) + weight(fifth));
   if (value != 0) return sign_of(value) * orientation > 0;
+  for (unsigned level = 0; level < TiedBalls::levels; ++level) {
+    BigInteger sum;
+    for (size_t k = 0; k < 4; ++k)
+      sum = sum + BigInteger(cofactor[k]) * BigInteger(set.growth(level, fifth) - set.growth(level, four[k]));
+    if (sum.sign() != 0) return sum.sign() * orientation > 0;
+  }
   std::vector<std::pair<uint32_t, Int128>> terms = {
       {set.rank(fifth), cofactor[0] + cofactor[1] + cofactor[2] + cofactor[3]}};
   for (size_t k = 0; k < 4; ++k) terms.emplace_back(set.rank(four[k]), -cofactor[k]);

@@ -11,10 +11,10 @@
 
 namespace oracle {
 
-// The simplices of the dual complex of the balls inflated by infinitesimals, ranked by tie_ranks: ball, edge, triangle,
-// tetrahedron, each ascending. It is the closure of what the boundary shows (whole spheres, free circles and free
-// vertices) and of the points of equal power of four balls that lie in them and have no less power to a fifth. Every
-// four balls and every fifth are tried. Centres within 2^19 steps of each other and radii of at most 2^20 steps.
+// The simplices of the dual complex of the balls inflated by infinitesimals as in sphere_predicates.hpp: ball, edge,
+// triangle, tetrahedron, each ascending. It is the closure of what the boundary shows (whole spheres, free circles and
+// free vertices) and of the points of equal power of four balls that lie in them and have no less power to a fifth.
+// Every four balls and every fifth are tried. Centres within 2^19 steps of each other and radii of at most 2^20 steps.
 struct DualSimplices {
   std::set<uint32_t> balls;
   std::set<std::array<uint32_t, 2>> edges;

@@ -24,23 +24,30 @@ class GivenWeights {
   const Balls &balls_;
 };
 
-// The inflated weights of the few balls of one question.
+// The inflated weights of the few balls of one question, up to the first few infinitesimals.
 class InflatedWeights {
  public:
   using Number = Infinitesimal;
-  InflatedWeights(const TiedBalls &set, std::initializer_list<uint32_t> balls) : set_(set) {
+  InflatedWeights(const TiedBalls &set, std::initializer_list<uint32_t> balls, unsigned infinitesimals)
+      : set_(set), infinitesimals_(infinitesimals) {
     for (const uint32_t ball : balls)
       if (ball != no_ball) balls_.push_back(ball);
     std::sort(balls_.begin(), balls_.end(), [&](uint32_t a, uint32_t b) { return set_.rank(a) < set_.rank(b); });
-    if (balls_.size() > Infinitesimal::variables) throw std::logic_error("too many balls in one question");
+    if (TiedBalls::levels + balls_.size() > Infinitesimal::variables)
+      throw std::logic_error("too many balls in one question");
   }
   Number operator()(uint32_t ball) const {
+    Infinitesimal weight = GivenWeights<Infinitesimal>(set_.balls())(ball);
+    for (unsigned level = 0; level < TiedBalls::levels && level < infinitesimals_; ++level)
+      weight = weight + Infinitesimal(set_.growth(level, ball)) * Infinitesimal::epsilon(level);
     const auto place = std::find(balls_.begin(), balls_.end(), ball) - balls_.begin();
-    return GivenWeights<Infinitesimal>(set_.balls())(ball) + Infinitesimal::epsilon(static_cast<unsigned>(place));
+    const unsigned own = TiedBalls::levels + static_cast<unsigned>(place);
+    return own < infinitesimals_ ? weight + Infinitesimal::epsilon(own) : weight;
   }
 
  private:
   const TiedBalls &set_;
+  unsigned infinitesimals_;
   std::vector<uint32_t> balls_;
 };
 
@@ -135,11 +142,14 @@ int sign_as_given(const TiedBalls &set, bool fits, const Formula &formula) {
   return fits ? formula(GivenWeights<Int128>(set.balls())) : formula(GivenWeights<BigInteger>(set.balls()));
 }
 
-// The sign of a formula for the inflated balls; 0 only if inflation does not change a value of 0.
+// The sign of a formula for the inflated balls; 0 only if inflation does not change a value of 0. Numbers that further
+// infinitesimals are added to keep their sign, unless they are 0.
 template <class Formula>
 int sign_with_ties(const TiedBalls &set, bool fits, std::initializer_list<uint32_t> balls, const Formula &formula) {
-  if (const int sign = sign_as_given(set, fits, formula); sign != 0) return sign;
-  return formula(InflatedWeights(set, balls));
+  int sign = sign_as_given(set, fits, formula);
+  for (const unsigned infinitesimals : {1U, 5U, 6U, Infinitesimal::variables})
+    if (sign == 0) sign = formula(InflatedWeights(set, balls, infinitesimals));
+  return sign;
 }
 
 // The same where inflation must break every tie.
@@ -151,6 +161,13 @@ bool is_positive(const TiedBalls &set, bool fits, std::initializer_list<uint32_t
 }
 
 }  // namespace
+
+Int128 TiedBalls::growth(unsigned level, uint32_t ball) const {
+  const Int128 x = balls_[ball].x, y = balls_[ball].y, z = balls_[ball].z, r = balls_[ball].radius;
+  const std::array<Int128, levels> amounts = {
+      r * r, 1, x, y, z, 1009 * x * x + 757 * x * y + 499 * x * z + 331 * y * y + 211 * y * z + 113 * z * z};
+  return amounts[level];
+}
 
 PairRelation TiedBalls::pair(uint32_t a, uint32_t b) const {
   const Cap seen_from_a = cap(a, b);

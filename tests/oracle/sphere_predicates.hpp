@@ -1,6 +1,7 @@
 // The geometric questions that decide the boundary of a union of balls, answered naively: determinants without any
 // factoring, in integers of any size, and where the value for the balls as given is zero, once more with every squared
-// radius enlarged by an infinitesimal of its own.
+// radius w enlarged: by w eps_0 + eps_1 + x eps_2 + y eps_3 + z eps_4 + M(x, y, z) eps_5, where M is a quadratic form,
+// and last by an infinitesimal of its own, the larger the lower its rank.
 //
 // Everything is seen from one ball a. With y = x - c_a its sphere is |y|^2 = w_a (w = radius squared), and a ball b
 // contains the points of that sphere with 2 v.y > g, where v = c_b - c_a and g = |v|^2 + w_a - w_b.
@@ -28,7 +29,7 @@ struct Crossing {
 
 enum class PairRelation { disjoint, circle, first_inside_second, second_inside_first };
 
-// A set of balls whose weights w_i are enlarged by infinitesimals eps_i, the larger the lower the rank.
+// A set of balls whose weights are enlarged so.
 class TiedBalls {
  public:
   explicit TiedBalls(Balls balls) : balls_(std::move(balls)), rank_(tie_ranks(balls_)) {}
@@ -36,6 +37,10 @@ class TiedBalls {
   [[nodiscard]] const Balls &balls() const { return balls_; }
   [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(balls_.size()); }
   [[nodiscard]] uint32_t rank(uint32_t ball) const { return rank_[ball]; }
+
+  // The factor of eps_level in a ball's weight.
+  static constexpr unsigned levels = 6;
+  [[nodiscard]] Int128 growth(unsigned level, uint32_t ball) const;
 
   // The cap that ball b cuts off the sphere of ball a.
   [[nodiscard]] Cap cap(uint32_t a, uint32_t b) const { return {centre_difference(balls_[a], balls_[b]), b}; }

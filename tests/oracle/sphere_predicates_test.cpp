@@ -25,16 +25,22 @@ Triple combination(const BigInteger &s, const Triple &a, const BigInteger &t, co
   return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }
 
-// Up to four balls, scaled by 2^600 and with weights enlarged by 2^1200 / 2^80, / 2^240, / 2^560, / 2^1200 by rank:
-// each far below the square of the one before times any coefficient that balls of a few steps can produce.
+// Up to four balls, scaled by 2^640 and with weights enlarged by 2^1280 times w / 2^90, M / 2^270 and, by rank, 2^-360,
+// 2^-450, 2^-540 or 2^-630: what decides alone is far below the square of the first, and what decides what is linear
+// far below the one before, times any coefficient that balls of a few steps can produce.
 class ExplicitBalls {
  public:
   explicit ExplicitBalls(const TiedBalls &set) {
-    constexpr std::array<unsigned, 4> exponent = {1120, 960, 640, 0};
+    constexpr std::array<unsigned, 4> exponent = {920, 830, 740, 650};
     for (uint32_t i = 0; i < set.size(); ++i) {
       const LatticeBall &ball = set.balls()[i];
-      centre_.push_back({scaled(ball.x, 600), scaled(ball.y, 600), scaled(ball.z, 600)});
-      weight_.push_back(scaled(Int128{ball.radius} * ball.radius, 1200) + scaled(1, exponent[set.rank(i)]));
+      centre_.push_back({scaled(ball.x, 640), scaled(ball.y, 640), scaled(ball.z, 640)});
+      const Int128 weight = Int128{ball.radius} * ball.radius;
+      const Int128 form = Int128{1009} * ball.x * ball.x + Int128{757} * ball.x * ball.y +
+                          Int128{499} * ball.x * ball.z + Int128{331} * ball.y * ball.y +
+                          Int128{211} * ball.y * ball.z + Int128{113} * ball.z * ball.z;
+      weight_.push_back(scaled(weight, 1280) + scaled(weight, 1190) + scaled(form, 1010) +
+                        scaled(1, exponent[set.rank(i)]));
     }
   }
 

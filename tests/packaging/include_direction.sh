@@ -12,7 +12,7 @@ readme=lib/README.md
 rooms="lanes core exact model sphere boundary measure topology contacts curvature poses moving periodic numbers tangents cells paths pores pockets surface mesh"
 rooms+=" view picture maps capi"
 declare -A stands_on=([lanes]="" [core]="lanes" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
-  [boundary]="sphere" [measure]="boundary" [topology]="measure" [contacts]="measure" [curvature]="measure" [moving]="measure" [periodic]="contacts curvature" [numbers]="exact" [tangents]="numbers model" [pores]="periodic tangents" [pockets]="pores" [surface]="measure" [mesh]="surface"
+  [boundary]="sphere" [measure]="boundary" [topology]="measure" [contacts]="measure" [curvature]="measure" [moving]="measure" [periodic]="contacts curvature" [numbers]="exact" [tangents]="numbers model" [pores]="periodic tangents" [pockets]="pores" [surface]="measure numbers" [mesh]="surface"
   [view]="boundary" [picture]="view" [maps]="picture"
   [capi]="pockets paths poses topology moving periodic mesh maps")
 # The program's folders, from the command line down to the files that are read. Drawing knows tables, which do not know it.

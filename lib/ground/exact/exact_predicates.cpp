@@ -59,41 +59,66 @@ struct Evaluation {
   }
 };
 
-enum class Owner { origin, P, Q, R };
+// How a predicate changes as the balls in it grow, up to one positive factor.
+template <class Limb>
+class Growth {
+ public:
+  using I128 = WideInteger<Limb, 128>;
+  using I192 = WideInteger<Limb, 192>;
 
-// The ball of lowest rank among the origin and up to three planes.
-Owner lowest(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane *R) {
-  Owner owner = Owner::origin;
-  Plane best = origin_plane(sphere);
-  if (ranks_before(P, best)) {
-    owner = Owner::P;
-    best = P;
+  // `alike`: if all of them grow by the same amount.
+  Growth(const Sphere &sphere, const I192 &alike)
+      : origin_(origin_plane(sphere)), weight_(sphere.W / 4), ball_{&origin_}, change_{alike} {}
+  // If the ball behind a plane grows alone. That of a virtual plane does not.
+  void add(const Plane &plane, const I192 &change) {
+    if (plane.perturbed == 0) return;
+    ball_[balls_] = &plane;
+    change_[balls_++] = change;
+    change_[0] = change_[0] - change;
   }
-  if (ranks_before(Q, best)) {
-    owner = Owner::Q;
-    best = Q;
-  }
-  if (R != nullptr && ranks_before(*R, best)) owner = Owner::R;
-  return owner;
-}
 
-// The first non-zero coefficient in the order of ranks. It decides the linear predicates, side and A, where their value
-// is 0.
-struct Term {
-  Plane rank;
-  int coefficient;
+  // If they grow by the amounts of a level.
+  int sign(int level) const {
+    WideInteger<Limb, 256> sum{};
+    for (int k = 0; k < balls_; ++k) sum = sum + product<256>(change_[k], amount(level, *ball_[k]));
+    return sum.sign();
+  }
+  // At the first level where they change it, which decides what is linear in the weights.
+  int sign() const {
+    for (int level = 0; level < levels; ++level) {
+      if (const int of_level = sign(level); of_level != 0) return of_level;
+    }
+    int first = -1;
+    for (int k = 0; k < balls_; ++k) {
+      if (change_[k].sign() != 0 && (first < 0 || ranks_before(*ball_[k], *ball_[first]))) first = k;
+    }
+    return first < 0 ? 0 : change_[first].sign();
+  }
+
+ private:
+  static constexpr int levels = 6;
+
+  // The weight; 1; the centre's coordinates; a quadratic form of the centre. Seen from the origin ball: where the sums
+  // of the levels before are 0, those of other origins are the same.
+  I128 amount(int level, const Plane &ball) const {
+    const auto &[x, y, z] = ball.v;
+    if (level == levels - 1) {
+      return Evaluation<Limb>::dot128({1009 * x + 757 * y + 499 * z, 331 * y + 211 * z, 113 * z}, ball.v);
+    }
+    const int64_t amounts[] = {weight_ + dot(ball.v, ball.v) - ball.h, 1, x, y, z};
+    return I128::from(amounts[level]);
+  }
+
+  Plane origin_;
+  int64_t weight_;
+  const Plane *ball_[5];
+  I192 change_[5];
+  int balls_ = 1;
 };
-template <int count>
-int first_in_rank(const Term (&terms)[count]) {
-  int best = -1;
-  for (int k = 0; k < count; ++k) {
-    if (terms[k].coefficient != 0 && (best < 0 || ranks_before(terms[k].rank, terms[best].rank))) best = k;
-  }
-  return best < 0 ? 0 : terms[best].coefficient;
-}
 
-int sign_of(int64_t value) {
-  return (value > 0) - (value < 0);
+template <class Limb>
+WideInteger<Limb, 192> to_192_bits(const WideInteger<Limb, 128> &value) {
+  return product<192>(value, WideInteger<Limb, 64>::from(1));
 }
 
 }  // namespace
@@ -108,26 +133,11 @@ Sign ExactPredicates<Limb>::crossing(const Sphere &sphere, const Plane &P, const
   const int value = E::D_of(sphere, n, q).sign();
   if (value != 0) return {value, false};
 
-  // Half of dD/dw: alpha = q.v for P, beta = -q.u for Q, and for the origin 2N less alpha and beta, each only if its
-  // plane is that of a ball.
-  const auto alpha = E::template dot_long<128>(q, Q.v);
-  const auto minus_beta = E::template dot_long<128>(q, P.v);
-  int derivative = 0;
-  switch (lowest(sphere, P, Q, nullptr)) {
-    case Owner::P:
-      derivative = alpha.sign();
-      break;
-    case Owner::Q:
-      derivative = -minus_beta.sign();
-      break;
-    default: {
-      const auto N = E::dot128(n, n);
-      auto sum = N + N;
-      if (P.perturbed != 0) sum = sum - alpha;
-      if (Q.perturbed != 0) sum = sum + minus_beta;
-      derivative = sum.sign();
-    }
-  }
+  // Half of dD/dw: alpha = q.v for P, beta = -q.u for Q, 2N if all grow alike.
+  Growth<Limb> growth(sphere, product<192>(E::dot128(n, n), E::I64::from(2)));
+  growth.add(P, E::template dot_long<192>(q, Q.v));
+  growth.add(Q, -E::template dot_long<192>(q, P.v));
+  const int derivative = growth.sign(0);
   return {derivative != 0 ? derivative : -1, true};
 }
 
@@ -139,9 +149,10 @@ Sign ExactPredicates<Limb>::side(const Sphere &sphere, const Plane &P, const Pla
   const int64_t uz = dot(P.v, R.v);
   const int value = (E::times(R.h, uu) - E::times(P.h, uz)).sign();
   if (value != 0) return {-value, false};
-  const Term terms[] = {
-      {origin_plane(sphere), sign_of(R.perturbed * uu - P.perturbed * uz)}, {R, -1}, {P, sign_of(uz)}};
-  return {-first_in_rank(terms), true};
+  Growth<Limb> growth(sphere, {});
+  growth.add(P, to_192_bits(E::times(uz, 1)));
+  growth.add(R, -to_192_bits(E::times(uu, 1)));
+  return {-growth.sign(), true};
 }
 
 template <class Limb>
@@ -154,18 +165,15 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
   const Vector qr = cross(Q.v, R.v);
   const Vector rp = cross(R.v, P.v);
 
-  // A = -H.n, its perturbation in rank order: origin -T.n, P (v x z).n, Q (z x u).n, R +N > 0.
+  // A = -H.n changes by (v x z).n with P, (z x u).n with Q and N > 0 with R.
   const int value_A = -E::template dot_long<192>(H, n).sign();
   const auto perturbed_A = [&]() {
     if (value_A != 0) return value_A;
-    const auto a = E::dot128(qr, n);
-    const auto b = E::dot128(rp, n);
-    auto minus_T_n = WideInteger<Limb, 128>{};
-    if (P.perturbed != 0) minus_T_n = minus_T_n - a;
-    if (Q.perturbed != 0) minus_T_n = minus_T_n - b;
-    if (R.perturbed != 0) minus_T_n = minus_T_n - E::dot128(n, n);
-    const Term terms[] = {{origin_plane(sphere), minus_T_n.sign()}, {P, a.sign()}, {Q, b.sign()}, {R, 1}};
-    return first_in_rank(terms);
+    Growth<Limb> growth(sphere, {});
+    growth.add(P, to_192_bits(E::dot128(qr, n)));
+    growth.add(Q, to_192_bits(E::dot128(rp, n)));
+    growth.add(R, to_192_bits(E::dot128(n, n)));
+    return growth.sign();
   };
   if (sign_B == 0) {  // four coplanar centres: both points are on the same side of R
     const int side = perturbed_A();
@@ -180,25 +188,12 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
     const int on = -value_A * sign_B;
     tied[0] = on <= 0;
     tied[1] = on >= 0;
-    switch (lowest(sphere, P, Q, &R)) {
-      case Owner::P:
-        sign_F = E::template dot_long<192>(H, qr).sign();
-        break;
-      case Owner::Q:
-        sign_F = E::template dot_long<192>(H, rp).sign();
-        break;
-      case Owner::R:
-        sign_F = E::template dot_long<192>(H, n).sign();
-        break;
-      default: {
-        const auto square = product<192>(B, B);
-        auto sum = square + square;
-        if (P.perturbed != 0) sum = sum - E::template dot_long<192>(H, qr);
-        if (Q.perturbed != 0) sum = sum - E::template dot_long<192>(H, rp);
-        if (R.perturbed != 0) sum = sum - E::template dot_long<192>(H, n);
-        sign_F = sum.sign();
-      }
-    }
+    const auto square = product<192>(B, B);
+    Growth<Limb> growth(sphere, square + square);
+    growth.add(P, E::template dot_long<192>(H, qr));
+    growth.add(Q, E::template dot_long<192>(H, rp));
+    growth.add(R, E::template dot_long<192>(H, n));
+    sign_F = growth.sign(0);
     if (sign_F == 0) sign_F = -1;
   }
   if (sign_F > 0) return {{-sign_B, sign_B}, {tied[0], tied[1]}};
@@ -215,13 +210,12 @@ Sign ExactPredicates<Limb>::near(const Sphere &sphere, const Plane &P, const Pla
   const int sign_B = B.sign();
   const int value = (product<192>(B, E::I64::from(S.h)) - E::template dot_long<192>(H, S.v)).sign();
   if (value != 0) return {value * sign_B, false};
-  // The origin's coefficient is minus the sum of the others.
-  const auto a = E::dot128(cross(Q.v, R.v), S.v);
-  const auto b = E::dot128(cross(R.v, P.v), S.v);
-  const auto c = E::dot128(n, S.v);
-  const Term terms[] = {
-      {origin_plane(sphere), (B - a - b - c).sign()}, {P, a.sign()}, {Q, b.sign()}, {R, c.sign()}, {S, -sign_B}};
-  return {first_in_rank(terms) > 0 ? sign_B : -sign_B, true};
+  Growth<Limb> growth(sphere, {});
+  growth.add(P, to_192_bits(E::dot128(cross(Q.v, R.v), S.v)));
+  growth.add(Q, to_192_bits(E::dot128(cross(R.v, P.v), S.v)));
+  growth.add(R, to_192_bits(E::dot128(n, S.v)));
+  growth.add(S, -to_192_bits(B));
+  return {growth.sign() > 0 ? sign_B : -sign_B, true};
 }
 
 template <class Limb>

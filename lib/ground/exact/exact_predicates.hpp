@@ -1,8 +1,9 @@
 // The exact stage of the predicates, with the symbolic perturbation. Source: Simulation of Simplicity (Edelsbrunner and
-// Muecke, ACM TOG 9, 1990) applied to the weights alone: w_i -> w_i + eps_i, where the eps of lower rank is infinitely
-// larger. Every predicate is a polynomial of degree at most 2 in the eps. Its sign is that of the value; if this is 0,
-// that of the derivative by the eps of lowest rank; if this is 0 too, that of the second derivative, which is constant.
-// The proofs are in PROOFS.md, sections 1 to 3.
+// Muecke, ACM TOG 9, 1990) applied to the weights alone: each ball grows in proportion, and infinitely less by other
+// amounts. Every predicate is a polynomial of degree at most 2 in the weights. Its sign is that of the value; if this
+// is 0, that of its change as balls grow in proportion; if this is 0 too, that of the second derivative, which is
+// negative, or, of linear predicates, that of the changes with the other amounts. The proofs are in PROOFS.md, sections
+// 1 to 3.
 #pragma once
 
 #include "exact/plane.hpp"

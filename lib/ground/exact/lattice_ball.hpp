@@ -36,18 +36,11 @@ constexpr PairRelation pair_relation(const LatticeBall &a, const LatticeBall &b)
   const uint64_t sum_squared = static_cast<uint64_t>(sum * sum);
   const uint64_t difference_squared = static_cast<uint64_t>(difference * difference);
   if (U > sum_squared) return PairRelation::disjoint;
-  if (U < difference_squared) {
-    return difference < 0 ? PairRelation::first_in_second : PairRelation::second_in_first;
-  }
-  if (U != sum_squared && U != difference_squared) return PairRelation::circle;
-  // Tangent (or equal): the derivative of Delta by the weight of the ball of lower rank is U + w_higher - w_lower, the
-  // second is negative. Positive: an infinitesimal circle. Else the ball of lower rank, which is inflated more,
-  // contains the other.
-  const bool a_first = ranks_before(a, b);
-  const int64_t w_lower = a_first ? a.radius * a.radius : b.radius * b.radius;
-  const int64_t w_higher = a_first ? b.radius * b.radius : a.radius * a.radius;
-  if (static_cast<int64_t>(U) + w_higher - w_lower > 0) return PairRelation::circle;
-  return a_first ? PairRelation::second_in_first : PairRelation::first_in_second;
+  if (U > difference_squared) return PairRelation::circle;
+  // One is inside the other. Where they touch, too: each grows in proportion, the larger one by more. So points on a
+  // sphere are inside, though their distance is also the sum of the radii.
+  if (difference != 0) return difference < 0 ? PairRelation::first_in_second : PairRelation::second_in_first;
+  return ranks_before(a, b) ? PairRelation::second_in_first : PairRelation::first_in_second;
 }
 
 // Ball b as a plane seen from ball a, for two balls that meet in a circle.

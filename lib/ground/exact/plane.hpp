@@ -47,7 +47,7 @@ inline Vec3 to_double(const Vector &a) {
 // The sphere of the origin ball.
 struct Sphere {
   int64_t W;       // 4 r^2
-  uint32_t index;  // the caller's index, the last resort of the rank
+  uint32_t index;  // the caller's index, for the rank
 };
 
 struct Plane {

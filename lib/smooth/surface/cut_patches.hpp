@@ -67,6 +67,10 @@ class CutPatches {
   void begin_patch(const ConcavePatch &patch) {
     if (pieces_.required() < patch_.size()) patch_[pieces_.size()] = patch;
   }
+  // The same, after all of them.
+  void set_patch(uint32_t vertex, const ConcavePatch &patch) {
+    if (first_piece_[vertex] < patch_.size()) patch_[first_piece_[vertex]] = patch;
+  }
   void begin_piece(uint32_t vertex, double area, double volume, const CreaseSums &creases = {});
   void add_arc(uint32_t across, double angle, bool last_of_loop);
   // The pieces of the last vertex come from a probe that is a little smaller (settled_circles.hpp): what their sums
@@ -80,6 +84,7 @@ class CutPatches {
 
   uint32_t piece_count() const { return pieces_.size(); }
   uint32_t arc_count() const { return arcs_.size(); }
+  uint32_t arc_capacity() const { return arcs_.capacity(); }
   // None for a patch that is whole.
   IdRange pieces(uint32_t vertex) const { return {first_piece_[vertex], first_piece_[vertex + 1]}; }
   bool is_cut(uint32_t vertex) const { return first_piece_[vertex] < first_piece_[vertex + 1]; }

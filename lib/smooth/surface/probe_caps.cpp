@@ -11,10 +11,6 @@ double squared(const Vec3 &a) {
   return dot(a, a);
 }
 
-void to_floats(const double (&a)[3][ProbeTriangles::lanes], uint32_t lane, float (&floats)[3]) {
-  for (int axis = 0; axis < 3; ++axis) floats[axis] = static_cast<float>(a[axis][lane]);
-}
-
 }  // namespace
 
 void ProbeCaps::carve(Workspace &workspace, uint32_t neighbours) {
@@ -35,11 +31,7 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   hidden_ = false;
   ProbeSearch search;
   grid.start_search(balls, vertex, search);
-  for (int k = 0; k < 3; ++k) {
-    to_floats(triangles_.inward[k], lane_, search.inward[k]);
-    to_floats(triangles_.corner[k], lane_, search.corner[k]);
-    search.cosine[k] = static_cast<float>(triangles_.cosine[k][lane_]);
-  }
+  aim(triangles_, lane_, search);
   uint32_t found[ProbeSearch::room + ProbeSearch::spare];
   while (!search.done()) {
     const uint32_t count = find_near_probes(boundary.target(), search, found);

@@ -129,6 +129,16 @@ void measure_triangles(const BallSet &balls, const Boundary &boundary, const Pro
   }
 }
 
+void aim(const ProbeTriangles &triangles, uint32_t lane, ProbeSearch &search) {
+  for (int k = 0; k < 3; ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      search.inward[k][axis] = static_cast<float>(triangles.inward[k][axis][lane]);
+      search.corner[k][axis] = static_cast<float>(triangles.corner[k][axis][lane]);
+    }
+    search.cosine[k] = static_cast<float>(triangles.cosine[k][lane]);
+  }
+}
+
 void ProbeGrid::carve(Workspace &workspace, uint32_t vertices, uint64_t shared) {
   const auto at_least = [shared](uint64_t count) { return count > shared ? count : shared; };
   position_.offset = workspace.take<Vec3>(vertices);

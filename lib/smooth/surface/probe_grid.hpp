@@ -90,5 +90,7 @@ void gather_triangles(const Boundary &boundary, const ProbePositions &positions,
                       ProbeTriangles &triangles);
 void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
                        const FourVertices &vertices, ProbeTriangles &triangles);
+// The triangle in this lane as that of a search.
+void aim(const ProbeTriangles &triangles, uint32_t lane, ProbeSearch &search);
 
 }  // namespace hsp

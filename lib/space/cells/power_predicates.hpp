@@ -1,5 +1,5 @@
-// Questions about power cells in a cube, decided by integers with the symbolic perturbation of
-// exact/exact_predicates.hpp.
+// Questions about power cells in a cube, decided by integers with a symbolic perturbation by ranks alone
+// (exact/PROOFS.md, section 3).
 //
 // One ball is the origin: y = 2 (x - c), its sphere is |y|^2 = W, and the plane of balls a and b is v.y = h with v =
 // c_b - c_a and h = h_b - h_a, where h_j = |c_j - c|^2 + w - w_j: what is nearer to a, by power, has v.y <= h. Under

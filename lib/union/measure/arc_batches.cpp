@@ -185,11 +185,8 @@ void ArcBatches::circle_from_integers(uint32_t s) {
   const exact::Plane P = exact::plane_of(own, other);
   const int64_t U = dot(P.v, P.v);
   const int64_t sum = own.radius + other.radius;
-  const int64_t difference = own.radius - other.radius;
   batch_.twice_height[s] = static_cast<double>(P.h) * batch_.inverse_distance[s];
-  batch_.touching[s] = U == sum * sum                 ? Touching::from_outside
-                       : U == difference * difference ? Touching::from_inside
-                                                      : Touching::no;
+  batch_.touching[s] = U == sum * sum ? Touching::yes : Touching::no;
   batch_.any_touching = batch_.any_touching || batch_.touching[s] != Touching::no;
 }
 

@@ -13,8 +13,8 @@
 
 namespace hsp {
 
-// Two spheres that touch meet in a circle of radius 0, exactly known from integers.
-enum class Touching : uint8_t { no, from_outside, from_inside };
+// Two spheres that touch from outside meet in a circle of radius 0, exactly known from integers.
+enum class Touching : uint8_t { no, yes };
 
 // One ball of a set, for kernels: arrays of the set, and its own centre and radius.
 struct BallOfSet {

@@ -24,11 +24,10 @@ namespace hsp {
 
 enum class TouchingBalls : uint8_t { meet, apart };
 
-// Whether the derivatives count the free arcs of this circle. Spheres that touch from outside meet in one of radius 0,
-// which counts as the caller wants it. A ball that touches another from inside counts as lying inside it, whatever the
-// symbolic perturbation made of it.
+// Whether the derivatives count the free arcs of this circle. Spheres that touch meet in one of radius 0, which counts
+// as the caller wants it.
 constexpr bool counts(Touching touching, TouchingBalls touching_balls) {
-  return touching == Touching::no || (touching == Touching::from_outside && touching_balls == TouchingBalls::meet);
+  return touching == Touching::no || touching_balls == TouchingBalls::meet;
 }
 
 // The sum that is differentiated: S = sum over the balls of weight * area.

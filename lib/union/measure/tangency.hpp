@@ -1,4 +1,4 @@
-// Balls that touch another ball from inside. Such a ball may have no face, so that the boundary holds nothing of the
+// Balls that touch another ball from inside. Such a ball counts as inside, so that the boundary holds nothing of the
 // touching; but moved outward it would poke out.
 //
 // As an example a ball of radius 2 at (3,0,0) and one of radius 5 at 0: the first touches the second from inside, at

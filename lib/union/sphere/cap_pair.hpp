@@ -105,7 +105,7 @@ struct LaneCaps {
   Lanes dot(const LaneCaps &other) const { return fused(x, other.x, fused(y, other.y, z * other.z)); }
 };
 
-// One cap with several. Comparisons are false for NaN (radius 0), so that such pairs are certain of nothing.
+// One cap with several.
 template <class Lanes>
 struct LanePairs {
   using Bounds = CapPairBounds<typename Lanes::Real>;

@@ -110,7 +110,6 @@ struct Caps::Distance {
   ux[count] = v.x * inverse;
   uy[count] = v.y * inverse;
   uz[count] = v.z * inverse;
-  // Infinite for radius 0, whose caps are decided by the planes alone.
   b[count] = static_cast<double>(cap.h) * inverse * (0.5 / balls.r[i]);
   ++count;
   return true;

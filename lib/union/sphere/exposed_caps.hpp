@@ -13,10 +13,10 @@ namespace hsp {
 
 class ExposedCaps {
  public:
-  // Fewer are searched as they are: that is as quick. Spheres without a radius have no directions in doubles. Small
-  // code does without: where flash counts, balls have few caps.
+  // Fewer are searched as they are: that is as quick. Small code does without: where flash counts, balls
+  // have few caps.
   static constexpr uint32_t fewest = 160;
-  static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest && caps.sphere.W > 0; }
+  static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest; }
 
   // Memory, [caps] each.
   ExposedCaps(Span<uint32_t> order, Span<uint8_t> state) : order_(order), state_(state) {}

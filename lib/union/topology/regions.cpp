@@ -7,7 +7,8 @@
 namespace hsp {
 namespace {
 
-// Of two balls with equally high tops the one of lower rank is higher: it is inflated more.
+// Of two balls with equally high tops the one of lower rank counts as higher. If their tops are one point, this one is
+// the larger, which the other is inside, or they are equal and so is it.
 bool reaches_higher(const exact::LatticeBall &a, const exact::LatticeBall &b) {
   const int64_t top_a = a.centre.z + a.radius;
   const int64_t top_b = b.centre.z + b.radius;

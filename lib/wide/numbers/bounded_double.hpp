@@ -22,6 +22,11 @@ struct BoundedDouble {
   int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
 
   BoundedDouble operator-() const { return {-value, error}; }
+  // This number times 2^k, k of one digit or two.
+  BoundedDouble scaled(int32_t k) const {
+    const double factor = k < 0 ? 1.0 / static_cast<double>(UINT64_C(1) << -k) : static_cast<double>(UINT64_C(1) << k);
+    return {value * factor, error * factor};
+  }
   friend BoundedDouble operator+(const BoundedDouble &a, const BoundedDouble &b) {
     const double sum = a.value + b.value;
     return {sum, covered(a.error + b.error + unit_roundoff * std::fabs(sum))};

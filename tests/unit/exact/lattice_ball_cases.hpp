@@ -19,8 +19,8 @@ constexpr RelatedPair related_pairs[] = {
     {{{0, 0, 0}, 2, 0}, {{5, 0, 0}, 3, 1}, PairRelation::circle},
     {{{5, 0, 0}, 3, 0}, {{0, 0, 0}, 2, 1}, PairRelation::circle},
     {{{0, 0, 0}, 2, 0}, {{6, 0, 0}, 3, 1}, PairRelation::disjoint},
-    // From inside: the small ball pokes out if it ranks first (smaller x), else it is swallowed.
-    {{{-1, 0, 0}, 2, 0}, {{0, 0, 0}, 3, 1}, PairRelation::circle},
+    // From inside: the small ball is inside, whichever ranks first.
+    {{{-1, 0, 0}, 2, 0}, {{0, 0, 0}, 3, 1}, PairRelation::first_in_second},
     {{{1, 0, 0}, 2, 0}, {{0, 0, 0}, 3, 1}, PairRelation::first_in_second},
     // Equal balls: the lower index contains the other.
     {{{1, 2, 3}, 4, 0}, {{1, 2, 3}, 4, 1}, PairRelation::second_in_first},
@@ -28,7 +28,7 @@ constexpr RelatedPair related_pairs[] = {
     // Points.
     {{{1, 2, 3}, 0, 0}, {{1, 2, 3}, 0, 1}, PairRelation::second_in_first},
     {{{1, 2, 3}, 0, 0}, {{1, 2, 4}, 0, 1}, PairRelation::disjoint},
-    {{{-5, 0, 0}, 0, 0}, {{0, 0, 0}, 5, 1}, PairRelation::circle},
+    {{{-5, 0, 0}, 0, 0}, {{0, 0, 0}, 5, 1}, PairRelation::first_in_second},
     {{{5, 0, 0}, 0, 0}, {{0, 0, 0}, 5, 1}, PairRelation::first_in_second},
     // The largest values.
     {{{farthest, farthest, farthest}, largest_radius, 0},
@@ -51,7 +51,7 @@ inline uint32_t largest_planes_do_not_overflow() {
 }
 
 // All pairs of balls with coordinates and radii up to 3: exchanged, they contain each other the other way round. Two
-// that are apart or one strictly inside the other are what their distance says.
+// of different radii are what their distance says, touching or not.
 inline uint32_t relations_are_exchanged_with_the_balls() {
   for (uint32_t pair = 0; pair < 1U << 16; ++pair) {
     const auto number = [&](uint32_t k) { return static_cast<int64_t>(pair >> 2 * k & 3U); };
@@ -64,9 +64,8 @@ inline uint32_t relations_are_exchanged_with_the_balls() {
     const int64_t dx = a.centre.x - b.centre.x, dy = a.centre.y - b.centre.y, dz = a.centre.z - b.centre.z;
     const int64_t square = dx * dx + dy * dy + dz * dz, sum = a.radius + b.radius, less = a.radius - b.radius;
     if (backward != exchanged || (forward == PairRelation::disjoint) != (square > sum * sum)) return pair;
-    if (square < less * less && forward != (less > 0 ? PairRelation::second_in_first : PairRelation::first_in_second)) {
-      return pair;
-    }
+    const PairRelation nested = less > 0 ? PairRelation::second_in_first : PairRelation::first_in_second;
+    if (square <= less * less && less != 0 && forward != nested) return pair;
     if (square > less * less && square <= sum * sum && forward != PairRelation::circle) return pair;
   }
   return all_hold;

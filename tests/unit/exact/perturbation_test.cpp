@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "big_integer.hpp"
 #include "exact/filter.hpp"
@@ -294,7 +295,10 @@ uint64_t count(int number) {
 }
 
 TEST(TieRule, SmallSetsAgreeWithATinyInflation) {
-  const Tally tally = compare_sets(Size::small, 2, part_of(30000), 101);
+  Tally tally = compare_sets(Size::small, 3, part_of(30000), 101);
+  EXPECT_EQ(tally.disagreements, 0U) << tally.first;
+  // As much again with a much smaller one.
+  tally = compare_sets(Size::small, 5, part_of(30000), 104);
   EXPECT_EQ(tally.disagreements, 0U) << tally.first;
   EXPECT_GT(tally.calls(), count(1000000));
   EXPECT_GT(tally.tied(), count(100000));
@@ -306,10 +310,28 @@ TEST(TieRule, SmallSetsAgreeWithATinyInflation) {
 }
 
 TEST(TieRule, SetsNearTheLimitAgreeWithATinyInflation) {
-  const Tally tally = compare_sets(Size::near_limit, 6, part_of(10000), 102);
+  const Tally tally = compare_sets(Size::near_limit, 7, part_of(10000), 102);
   EXPECT_EQ(tally.disagreements, 0U) << tally.first;
   EXPECT_GT(tally.calls(), count(200000));
   EXPECT_GT(tally.tied(), count(20000));
+}
+
+// Equal balls at the corners of rectangles whose sides the quadratic form of the tie rule sets at right angles, too.
+TEST(TieRule, RanksDecideWhatNoLevelDoes) {
+  oracle::RandomSource random(105);
+  Tally tally;
+  for (int k = 0; k < 200; ++k) {
+    const int64_t x = random.in(1, 900), times = random.in(1, 2);
+    TiedBalls four{};
+    const std::vector<uint32_t> corner = random.permutation(4), index = random.permutation(4);
+    for (size_t b = 0; b < 4; ++b) {
+      const int64_t along = corner[b] % 2 == 0 ? 0 : x, across = corner[b] < 2 ? 0 : times;
+      four.ball[b] = {{along, -499 * across, 757 * across}, 1100 + 13 * (k % 3), index[b]};
+    }
+    Comparison(four, 7, random, tally).run();
+  }
+  EXPECT_EQ(tally.disagreements, 0U) << tally.first;
+  EXPECT_GT(tally.tied_points, 2000U);
 }
 
 // The integers these tests rely on.

@@ -2,8 +2,9 @@
 // that are really inflated by tiny amounts, with both limb widths; the filter against the exact stage; the filter's
 // error and the largest value at the worst inputs that a search finds, in units of their bounds.
 //
-// G is linear in the weights. They become w + 2^-128(rank + 1): with coefficients below 2^97 the first that is not 0
-// outweighs all later ones, and the value as given, an integer, all of them.
+// G is linear in the weights. They become w + sum of a_k 2^-192k with the amounts w, 1, the centre's coordinates, a
+// quadratic form of them, and 1 at k = 7 + rank: with coefficients below 2^97 and amounts below 2^76 the first sum that
+// is not 0 outweighs all later ones, and the value as given, an integer, all of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,15 +34,21 @@ using Wide = Narrow;
 
 using FiveBalls = std::array<LatticeBall, 5>;
 
-constexpr int gap = 128;
-constexpr int unit_bits = 5 * gap;
+constexpr int gap = 192;
+constexpr int unit_bits = 11 * gap;
 
 Integer weight(const FiveBalls &balls, size_t k, bool inflated) {
-  const Integer given = Integer(static_cast<Int128>(balls[k].radius) * balls[k].radius).times_power_of_two(unit_bits);
-  if (!inflated) return given;
+  const Integer given(static_cast<Int128>(balls[k].radius) * balls[k].radius);
+  const auto scaled = [](const Integer &amount, int level) {
+    return amount.times_power_of_two(unit_bits - gap * level);
+  };
+  if (!inflated) return scaled(given, 0);
+  const Int128 x = balls[k].centre.x, y = balls[k].centre.y, z = balls[k].centre.z;
+  const Int128 form = 1009 * x * x + 757 * x * y + 499 * x * z + 331 * y * y + 211 * y * z + 113 * z * z;
   int rank = 0;
   for (const LatticeBall &other : balls) rank += exact::ranks_before(other, balls[k]) ? 1 : 0;
-  return given + Integer(1).times_power_of_two(unit_bits - gap * (rank + 1));
+  return scaled(given, 0) + scaled(given, 1) + scaled(Integer(1), 2) + scaled(Integer(x), 3) + scaled(Integer(y), 4) +
+         scaled(Integer(z), 5) + scaled(Integer(form), 6) + scaled(Integer(1), 7 + rank);
 }
 
 // The determinant of the rows (v, h), by its last column, and that of the first three v.
@@ -146,6 +153,25 @@ TEST(PowerVertex, IsNearAsAfterATinyInflation) {
   EXPECT_GT(tally.asked, 8000U);
   EXPECT_GT(tally.tied, 1000U);
   EXPECT_GT(tally.sure, 2000U);
+}
+
+// Four equal balls at the corners of a rectangle that no level of the tie rule tells apart, and one beside them.
+TEST(PowerVertex, RanksDecideWhatNoLevelDoes) {
+  oracle::RandomSource random(605);
+  Tally tally;
+  for (int k = 0; k < 500; ++k) {
+    const int64_t x = random.in(1, 900);
+    const std::vector<uint32_t> corner = random.permutation(4), index = random.permutation(5);
+    FiveBalls balls;
+    for (size_t b = 0; b < 4; ++b) {
+      const int64_t across = corner[b] < 2 ? 0 : 1;
+      balls[b < 3 ? b : 4] = {{corner[b] % 2 == 0 ? 0 : x, -499 * across, 757 * across}, 1000, 0};
+    }
+    balls[3] = {{random.in(0, x), random.in(1, 500), random.in(1, 500)}, 1000, 0};
+    for (size_t b = 0; b < 5; ++b) balls[b].index = index[b];
+    if (all_meet_the_first(balls)) compare(balls, tally);
+  }
+  EXPECT_GT(tally.tied, 300U);
 }
 
 // A hill climb over five balls: the first four by the search of the other filters' tests, the fifth beside them.

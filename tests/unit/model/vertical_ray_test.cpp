@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
+#include <vector>
 
+#include "big_integer.hpp"
 #include "grids_of_sets.hpp"
 #include "root_sums.hpp"
 
 namespace {
 
 using oracle::Balls;
+using oracle::BigInteger;
 using oracle::LatticeBall;
 
 struct Point {
@@ -34,8 +36,44 @@ bool contains(const LatticeBall &ball, const Point &point) {
   return dx * dx + dy * dy + dz * dz <= oracle::Int128{ball.radius} * ball.radius;
 }
 
+// Sign of z + sqrt(b) - sqrt(a).
+int sign_of_roots(const BigInteger &z, const BigInteger &b, const BigInteger &a) {
+  if (z.sign() < 0) return -sign_of_roots(-z, a, b);
+  const BigInteger rest = z * z + b - a;
+  const BigInteger mixed = BigInteger(4) * z * z * b;  // the square of what is missing
+  if (rest.sign() >= 0) return rest.sign() + mixed.sign() > 0 ? 1 : 0;
+  return (mixed - rest * rest).sign();
+}
+
+// Whether ball a is entered before ball b, in one point as given, if both really grow by tiny amounts, as in
+// exact/PROOFS.md, section 3: in proportion by 2^-400, and so on by powers of that.
+bool grows_to_be_first(const Balls &balls, uint32_t a, uint32_t b, const Point &point) {
+  constexpr unsigned step = 400, places = 4 * step;
+  const std::vector<uint32_t> rank = oracle::tie_ranks(balls);
+  const auto power = [&](uint32_t k, bool lower) {
+    const LatticeBall &ball = balls[k];
+    const oracle::Int128 x = ball.x - point.x, y = ball.y - point.y, z = ball.z - point.z, r = ball.radius;
+    const oracle::Int128 form = 1009 * x * x + 757 * x * y + 499 * x * z + 331 * y * y + 211 * y * z + 113 * z * z;
+    BigInteger sum = BigInteger(line_power(ball, point)).times_power_of_two(2 * places);
+    const auto grow = [&](const oracle::Int128 &amount, unsigned level) {
+      sum = sum + BigInteger(amount).times_power_of_two(2 * places - step * level);
+    };
+    grow(r * r, 1);
+    grow(1, 3);
+    grow(x, 4);
+    grow(y, 5);
+    grow(z, 6);
+    grow(form, 7);
+    grow(lower ? 1 : 0, 8);
+    return sum;
+  };
+  const bool a_lower = rank[a] < rank[b];
+  const BigInteger z = BigInteger(balls[a].z - balls[b].z).times_power_of_two(places);
+  return sign_of_roots(z, power(b, !a_lower), power(a, a_lower)) < 0;
+}
+
 // By the definition: of all balls that the line meets above the point, the one that is entered lowest, and of several
-// in one place the first in the order (x, y, z, radius, index).
+// in one place the one that is if they grow.
 std::optional<uint32_t> first_above(const Balls &balls, const Point &point) {
   std::optional<uint32_t> first;
   for (uint32_t j = 0; j < balls.size(); ++j) {
@@ -43,7 +81,7 @@ std::optional<uint32_t> first_above(const Balls &balls, const Point &point) {
     if (power < 0 || balls[j].z <= point.z) continue;
     if (first) {
       const int order = sign_of_root_difference(balls[j].z - balls[*first].z, line_power(balls[*first], point), power);
-      if (order > 0 || (order == 0 && balls[*first] <= balls[j])) continue;
+      if (order > 0 || (order == 0 && !grows_to_be_first(balls, j, *first, point))) continue;
     }
     first = j;
   }
@@ -136,7 +174,7 @@ TEST(FirstBallAbove, InColumns) {
   EXPECT_GT(seen.something, 1000);
 }
 
-TEST(FirstBallAbove, BreaksTiesByRank) {
+TEST(FirstBallAbove, BreaksTiesAsBallsGrow) {
   Seen seen;
   for_balls_entered_in_one_point(100, [&](int, const Balls &balls, const BuiltGrid &built, int64_t z) {
     check(balls, built, {0, 0, z}, seen);

@@ -51,8 +51,17 @@ Balls::Balls(const Ball (&four)[4], int gap) : gap_(gap) {
 Integer Balls::weight(int k) const {
   const Integer given = Integer(static_cast<Int128>(ball_[k].radius) * ball_[k].radius);
   if (gap_ == 0) return given;
-  const int exponent = (2 << rank_[k]) - 1;
-  return given.times_power_of_two(unit_bits()) + Integer(1).times_power_of_two(unit_bits() - 64 * exponent * gap_);
+  // Seen from the first ball: whatever meets is near enough.
+  Int128 x[3];
+  for (int axis = 0; axis < 3; ++axis) x[axis] = static_cast<Int128>(ball_[k].centre[axis]) - ball_[0].centre[axis];
+  const Int128 form =
+      x[0] * (1009 * x[0] + 757 * x[1] + 499 * x[2]) + x[1] * (331 * x[1] + 211 * x[2]) + 113 * x[2] * x[2];
+  const auto scaled = [this](const Integer &amount, int exponent) {
+    return amount.times_power_of_two(unit_bits() - 64 * exponent * gap_);
+  };
+  return scaled(given, 0) + scaled(given, 1) + scaled(Integer(1), 3) + scaled(Integer(x[0]), 4) +
+         scaled(Integer(x[1]), 5) + scaled(Integer(x[2]), 6) + scaled(Integer(form), 7) +
+         scaled(Integer(1), 8 + rank_[k]);
 }
 
 Relation relation(const Balls &balls, int a, int b) {

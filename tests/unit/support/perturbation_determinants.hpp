@@ -2,17 +2,14 @@
 // for the balls as given or for balls that are really inflated by tiny amounts. Shares no formula and no code with
 // lib/: neither the factored sign of A^2 - B^2 D nor a derivative occurs here.
 //
-// The inflation. Weights become w + eps_rank with eps_0 = 2^-64g, eps_1 = 2^-3*64g, eps_2 = 2^-7*64g, eps_3 =
-// 2^-15*64g for a gap of g limbs. All values are polynomials in the eps with integer coefficients and of degree at most
-// 2: h and W are linear in the weights, A and beta are linear in h, D is quadratic in h and linear in W, and so A^2 -
-// B^2 D has degree 2. The 15 monomials of degree at most 2 in the order of infinitely small numbers are
-//   1 > e0 > e0^2 > e1 > e1 e0 > e1^2 > e2 > e2 e0 > e2 e1 > e2^2 > e3 > ...
-// with exponents 0 1 2 3 4 6 7 8 10 14 15 16 18 22 30 times 64g bits: neighbours differ by a factor of at least 2^64g.
-// If all coefficients stay below 2^c and 64g >= c + 4, then the first non-zero coefficient, at least 1 in absolute,
-// outweighs the at most 14 others together, and the sign is that of infinitesimal inflation. With |v| <= L, W <= L^2
-// and |h| <= L^2 the largest are those of A^2 and B^2 D, together below 9 L^12 + 4 L^12 for the constant and less than
-// 2^6 L^10 for the others:
-//   L <= 2^31: c = 376, g = 6;       L <= 2^9: c = 112, g = 2.
+// The inflation. With e = 2^-64 and a gap of g, weights become w + sum of a_k e^(g k) with the amounts a_1 = w, a_3 =
+// 1, a_4 to a_6 the centre's coordinates, a_7 a quadratic form of them, and 1 at k = 8 + rank. Linear polynomials, beta
+// and A, get the sign of their first coefficient that is not 0, if all coefficients stay below 2^c and 64g >= c + 4.
+// Quadratic ones, D and A^2 - B^2 D, are decided by their terms in e^0, e^g and e^2g, or the answers differ: the next
+// term is below these three. With |v| <= L, W <= L^2 and |h| <= L^2 the largest coefficients are those of A^2 and B^2
+// D, together below 9 L^12 + 4 L^12 for the constant, and with amounts below 2^12 L^2 less than 2^18 L^12 for the
+// others:
+//   L <= 2^31: c = 390, g = 7;       L <= 2^9: c = 126, g = 3.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +32,7 @@ class Balls {
 
   const Ball &operator[](int k) const { return ball_[k]; }
   // Weights and everything that is linear in them are in units of 2^-unit_bits.
-  int unit_bits() const { return 64 * 15 * gap_; }
+  int unit_bits() const { return 64 * 11 * gap_; }
   Integer weight(int k) const;
   int rank(int k) const { return rank_[k]; }
 

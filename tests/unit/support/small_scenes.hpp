@@ -90,13 +90,14 @@ constexpr Scene scenes[] = {
 constexpr Scene special_scenes[] = {
     {0, {}, 0, 0, 0, 0, 0, "", {0, 0, 0, 0, 0, 0}},
     {1, {{1, 2, 3, 0}}, 0, 0, 1, 1, 1, "w", {2, 2, 2, 0, 0, 0}},
-    // Of equal balls the first is inflated more. Balls of one centre are no tie.
+    // Of equal balls the first contains the other. Balls of one centre are no tie.
     {2, {{0, 0, 0, 5}, {0, 0, 0, 5}}, 0, 0, 1, 1, 1, "wc", {2, 2, 2, 0, 0, 0}},
     {2, {{0, 0, 0, 3}, {0, 0, 0, 5}}, 0, 0, 1, 1, 1, "cw", {2, 2, 2, 0, 0, 0}},
-    // Balls that touch meet in a circle, from inside only if the small one is inflated more.
+    // Balls that touch from outside meet in a circle. From inside the small one is inside, and so is a point.
     {2, {{0, 0, 0, 5}, {10, 0, 0, 5}}, 0, 1, 2, 1, 1, "ee", {2, 2, 2, 0, 0, 0}},
     {2, {{0, 0, 0, 5}, {3, 0, 0, 2}}, 0, 0, 1, 1, 1, "wc", {2, 2, 2, 0, 0, 0}},
-    {2, {{0, 0, 0, 5}, {-3, 0, 0, 2}}, 0, 1, 2, 1, 1, "ee", {2, 2, 2, 0, 0, 0}},
+    {2, {{0, 0, 0, 5}, {-3, 0, 0, 2}}, 0, 0, 1, 1, 1, "wc", {2, 2, 2, 0, 0, 0}},
+    {2, {{0, 0, 0, 5}, {-5, 0, 0, 0}}, 0, 0, 1, 1, 1, "wc", {2, 2, 2, 0, 0, 0}},
     // Half the ball in either of two others.
     {3, {{0, 0, 0, 5}, {4, 0, 0, 7}, {-4, 0, 0, 7}}, 0, 1, 2, 1, 1, "bee", {2, 2, 2, 0, 0, 0}},
     {3, {{0, 0, 0, 10}, {1, 0, 0, 2}, {20, 0, 0, 4}}, 0, 0, 2, 2, 2, "wcw", {4, 4, 4, 0, 0, 0}},

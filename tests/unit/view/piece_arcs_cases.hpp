@@ -79,10 +79,12 @@ constexpr HandPiece hand_pieces[] = {
      1,
      2,
      {{nothing, 4.837716811552756, {37.5, y_75}}, {1, 1.946779820, {37.5, -y_75}}}},
-    // Circles that touch the silhouette: by the symbolic perturbation they cross it if their ball ranks first. The arc
-    // behind is no more than the point.
-    {2, {{0, 0, 0, 50}, {36, 0, 48, 50}}, 2, 2, {{nothing, whole, {-50, 0}}, {1, -whole, {18, -40}}}},
-    {2, {{0, 0, 0, 50}, {36, 0, -48, 50}}, 1, 1, {{nothing, whole, {-50, 0}}}},
+    // Circles that touch the silhouette: by the symbolic perturbation those of equal balls cross it. The arc behind is
+    // no more than the point. Those of a small ball nearby move away.
+    {2, {{0, 0, 0, 50}, {36, 0, 48, 50}}, 1, 2, {{nothing, whole, {50, 0}}, {1, -whole, {50, 0}}}},
+    {2, {{0, 0, 0, 50}, {36, 0, -48, 50}}, 1, 2, {{nothing, whole, {50, 0}}, {1, 0, {50, 0}}}},
+    {2, {{0, 0, 0, 150}, {33, 0, 44, 125}}, 2, 2, {{nothing, whole, {-150, 0}}, {1, -whole, {54, -120}}}},
+    {2, {{0, 0, 0, 150}, {33, 0, -44, 125}}, 1, 1, {{nothing, whole, {-150, 0}}}},
     {2, {{0, 0, 0, 50}, {-36, 0, 48, 50}}, 1, 2, {{nothing, whole, {-50, 0}}, {1, -whole, {-50, 0}}}},
     {2, {{0, 0, 0, 50}, {-36, 0, -48, 50}}, 1, 2, {{nothing, whole, {-50, 0}}, {1, 0, {-50, 0}}}}};
 

@@ -1,0 +1,146 @@
+#include "surface/actual_balls.hpp"
+
+#include "surface/actual_decisions.hpp"
+
+namespace hsp {
+namespace {
+
+constexpr int32_t proportion = -192, of_the_form = -460, of_centres = -600;
+
+// 61 bits of a number without a pattern.
+int64_t mixed(uint64_t &state) {
+  state += UINT64_C(0x9E3779B97F4A7C15);
+  uint64_t x = state;
+  x = (x ^ (x >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+  x = (x ^ (x >> 27)) * UINT64_C(0x94D049BB133111EB);
+  return static_cast<int64_t>((x ^ (x >> 31)) >> 3);
+}
+
+uint64_t key_of(const exact::Vector &at) {
+  uint64_t state = static_cast<uint64_t>(at.x);
+  state = static_cast<uint64_t>(mixed(state)) ^ static_cast<uint64_t>(at.y);
+  state = static_cast<uint64_t>(mixed(state)) ^ static_cast<uint64_t>(at.z);
+  return state;
+}
+
+}  // namespace
+
+// Exact, but for what moves the two.
+void ActualNumbers<WideFloat>::find_difference(uint32_t i, uint32_t j, NumberVector<WideFloat> &v) const {
+  const uint32_t origin = boundary.component_origin(i);
+  const exact::Vector between = balls.exact_difference(i, j);
+  uint64_t from = key_of(balls.exact_difference(origin, i)), to = key_of(balls.exact_difference(origin, j));
+  const auto moved = [&](int64_t x) {
+    const int64_t start = mixed(from), end = mixed(to);
+    return number(x) + WideFloat(end - start, bits, of_centres - 61);
+  };
+  v.x = moved(between.x);
+  v.y = moved(between.y);
+  v.z = moved(between.z);
+}
+
+WideFloat ActualNumbers<WideFloat>::weight(uint32_t i) const {
+  const exact::Vector c = balls.exact_difference(boundary.component_origin(i), i);
+  WideFloat weight = number(static_cast<int64_t>(balls.r[i]));
+  weight = weight * weight;
+  weight = weight + weight.scaled(proportion);
+  struct Term {
+    int64_t coefficient, first, second;
+  };
+  const Term terms[] = {{1009, c.x, c.x}, {757, c.x, c.y}, {499, c.x, c.z},
+                        {331, c.y, c.y},  {211, c.y, c.z}, {113, c.z, c.z}};
+  for (const Term &term : terms) {
+    WideFloat product = number(term.coefficient);
+    product = product * number(term.first);
+    product = product * number(term.second);
+    weight = weight + product.scaled(of_the_form);
+  }
+  return weight;
+}
+
+WideFloat ActualNumbers<WideFloat>::root_discriminant(uint32_t v, const NumberVector<WideFloat> &n,
+                                                      const NumberVector<WideFloat> &q) const {
+  return square_root(ActualPoints<WideFloat>::discriminant(n, q, weight(boundary.vertex(v).ball[0])));
+}
+
+int ActualBalls::overlap(uint32_t v, uint32_t w) const {
+  return decide_at(v, [&](const auto &actual) {
+    auto u = vector_of(actual);
+    actual.find_arm_to_vertex(v, w, u);
+    return (actual.probe_weight().scaled(2) - dot(u, u)).sign();
+  });
+}
+
+int ActualBalls::have_corners(uint32_t a, uint32_t b, uint32_t c) const {
+  return decide_at(a, [&](const auto &actual) { return actual.discriminant(a, b, c).sign(); });
+}
+
+int ActualBalls::inside_of_side(const BorderPoint &point, uint32_t v, uint32_t slot) const {
+  const VertexRecord &record = boundary_.vertex(v);
+  const SideOfPatch side = side_of_patch(record, slot);
+  return decide_at(v, [&](const auto &actual) {
+    auto arm = vector_of(actual), inward = arm;
+    actual.find_arm(v, point, arm);
+    actual.find_inward(v, record.ball[side.first], record.ball[side.second], inward);
+    return dot(arm, inward).sign();
+  });
+}
+
+int ActualBalls::in_probe(const BorderPoint &point, uint32_t vertex) const {
+  return decide_at(vertex, [&](const auto &actual) {
+    auto arm = vector_of(actual);
+    actual.find_arm(vertex, point, arm);
+    return (actual.probe_weight() - dot(arm, arm)).sign();
+  });
+}
+
+int ActualBalls::starts_at_corner(const BorderPoint &corner, uint32_t v, uint32_t w, uint32_t x) const {
+  return decide_at(v, [&](const auto &actual) {
+    auto axis = vector_of(actual), arm = axis, other = axis;
+    actual.find_arm_to_vertex(v, w, axis);
+    actual.find_arm(v, corner, arm);
+    actual.find_arm(x, corner, other);
+    return determinant(axis, arm, other).sign();
+  });
+}
+
+// Going away from the cusp along the crease, one is on the inner side of the side of v that leads to it.
+int ActualBalls::starts_at_cusp(const BorderPoint &cusp, uint32_t v, uint32_t w) const {
+  const VertexRecord &record = boundary_.vertex(v);
+  uint32_t slot = 0;
+  while (record.ball[slot] == cusp.id[0] || record.ball[slot] == cusp.id[1]) ++slot;
+  const SideOfPatch side = side_of_patch(record, slot);
+  return decide_at(v, [&](const auto &actual) {
+    auto axis = vector_of(actual), arm = axis, inward = axis;
+    actual.find_arm_to_vertex(v, w, axis);
+    actual.find_arm(v, cusp, arm);
+    actual.find_inward(v, record.ball[side.first], record.ball[side.second], inward);
+    return determinant(inward, axis, arm).sign();
+  });
+}
+
+int ActualBalls::turn(uint32_t v, uint32_t w, const BorderPoint &first, const BorderPoint &second) const {
+  return decide_at(v, [&](const auto &actual) {
+    auto axis = vector_of(actual), start = axis, end = axis;
+    actual.find_arm_to_vertex(v, w, axis);
+    actual.find_arm(v, first, start);
+    actual.find_arm(v, second, end);
+    return determinant(axis, start, end).sign();
+  });
+}
+
+bool ActualBalls::has_cusps(uint32_t a, uint32_t b) const {
+  const auto height_of_circle = [&](uint32_t i, uint32_t j) {
+    return decide_about(i, [&](const auto &actual) { return actual.height_of_circle(i, j).sign(); });
+  };
+  return decide_about(a, [&](const auto &actual) { return actual.height_over_axis(a, b).sign(); }) < 0 &&
+         height_of_circle(a, b) > 0 && height_of_circle(b, a) > 0;
+}
+
+// p+ of the circles of balls 1 and 2 on ball 0 sees them clockwise.
+SideOfPatch side_of_patch(const VertexRecord &vertex, uint32_t slot) {
+  const uint32_t next = (slot + 1) % 3, last = (slot + 2) % 3;
+  return vertex.positive() ? SideOfPatch{last, next} : SideOfPatch{next, last};
+}
+
+}  // namespace hsp

@@ -1,0 +1,72 @@
+// One actual set of balls in general position, very near the input: every decision about creases of the smooth surface
+// is the sign of a number of this set, so that none of them contradict each other, and the surface is closed. Doubles
+// with a bound answer if they are certain, else floats of 384 bits, else such of 2,048.
+//
+// With c the centre of a ball seen from the origin of its component, w = R^2 its weight, and M the quadratic form of
+// the boundary's symbolic perturbation (exact/PROOFS.md, section 3), the actual ball has
+//   the weight  w (1 + 2^-192) + 2^-460 M(c)    so that the boundary of the actual set is that of the perturbed one
+//   the centre  c + 2^-600 (three numbers of c, less than 1, without a pattern)
+// in lattice steps. Centres have to move, too: for centres in a plane vertices come in pairs, and two such pairs always
+// lie on one circle; but so little that no decision of the boundary changes.
+#pragma once
+
+#include "boundary/boundary.hpp"
+#include "surface/border_points.hpp"
+
+namespace hsp {
+
+class ActualBalls {
+ public:
+  // The floats that are asked where doubles are not certain. Between them lies what an exact tie needs.
+  static constexpr uint32_t middle_bits = 384, most_bits = 2048;
+
+  ActualBalls(const BallSet &balls, const Boundary &boundary) : balls_(balls), boundary_(boundary) {}
+
+  // Each of them is 1 or -1; 0 only where no width decides, which has not been seen.
+
+  // Whether the probes at two vertices overlap; whether those at three, that do so in pairs, have two points in common.
+  int overlap(uint32_t v, uint32_t w) const;
+  int have_corners(uint32_t a, uint32_t b, uint32_t c) const;
+  // Whether a point is where the patch of vertex v is, as seen from its side opposite ball number slot.
+  int inside_of_side(const BorderPoint &point, uint32_t v, uint32_t slot) const;
+  // Whether the probe at a vertex contains a point.
+  int in_probe(const BorderPoint &point, uint32_t vertex) const;
+  // Whether the crease of vertices v and w, counter-clockwise about the axis from v to w, starts where it meets the
+  // probe at x, rather than ends; and in a cusp, where v is the vertex at one end of a covered gap of this circle.
+  int starts_at_corner(const BorderPoint &corner, uint32_t v, uint32_t w, uint32_t x) const;
+  int starts_at_cusp(const BorderPoint &cusp, uint32_t v, uint32_t w) const;
+  // Of two points on the crease of v and w: whether the second follows the first within half a turn.
+  int turn(uint32_t v, uint32_t w, const BorderPoint &first, const BorderPoint &second) const;
+  // Whether the saddles of two balls' circle reach its axis.
+  bool has_cusps(uint32_t a, uint32_t b) const;
+
+  // How many questions were answered by doubles, by either width of floats, and by none.
+  struct Answers {
+    uint64_t by_doubles = 0, by_middle = 0, by_most = 0, by_none = 0;
+  };
+  const Answers &answers() const { return answers_; }
+
+  const BallSet &balls() const { return balls_; }
+  const Boundary &boundary() const { return boundary_; }
+
+  // The first answer of question(points) that is not 0, in all widths from doubles on. Points are seen from the centre
+  // of a ball, or of the first ball of a vertex (actual_decisions.hpp).
+  template <class Question>
+  int decide_about(uint32_t ball, Question question) const;
+  template <class Question>
+  int decide_at(uint32_t vertex, Question question) const;
+
+ private:
+  const BallSet &balls_;
+  const Boundary &boundary_;
+  mutable Answers answers_;
+};
+
+// The two balls of a vertex that are not number slot, such that they and that one are counter-clockwise about the way
+// from the vertex to all three.
+struct SideOfPatch {
+  uint32_t first, second;  // slots
+};
+SideOfPatch side_of_patch(const VertexRecord &vertex, uint32_t slot);
+
+}  // namespace hsp

@@ -1,0 +1,40 @@
+// Asks a question in numbers of one width after the other (actual_balls.hpp).
+#pragma once
+
+#include "surface/actual_balls.hpp"
+#include "surface/actual_points.hpp"
+
+namespace hsp {
+
+// A vector of the numbers that points are in.
+template <class Number>
+NumberVector<Number> vector_of(const ActualPoints<Number> &) {
+  return {};
+}
+
+template <class Question>
+int ActualBalls::decide_about(uint32_t ball, Question question) const {
+  const int sure = question(ActualPoints<BoundedDouble>({balls_, boundary_}, ball));
+  if (sure != 0) {
+    ++answers_.by_doubles;
+    return sure;
+  }
+  const auto in_bits = [&](uint32_t bits) {
+    return question(ActualPoints<WideFloat>({balls_, boundary_, bits}, ball));
+  };
+  const int fine = in_bits(middle_bits);
+  if (fine != 0) {
+    ++answers_.by_middle;
+    return fine;
+  }
+  const int last = in_bits(most_bits);
+  ++(last != 0 ? answers_.by_most : answers_.by_none);
+  return last;
+}
+
+template <class Question>
+int ActualBalls::decide_at(uint32_t vertex, Question question) const {
+  return decide_about(boundary_.vertex(vertex).ball[0], question);
+}
+
+}  // namespace hsp

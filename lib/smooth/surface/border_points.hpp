@@ -1,0 +1,20 @@
+// The points where borders of concave patches end or are looked at, by name: where they lie follows from balls alone.
+#pragma once
+
+#include <cstdint>
+
+namespace hsp {
+
+struct BorderPoint {
+  enum class Kind : uint8_t {
+    corner,        // of the creases of vertices id[0] < id[1] < id[2]; one of two, by the sign
+    cusp,          // of the circle of balls id[0] < id[1], on the side of the second one if the sign is positive
+    towards_ball,  // where the patch of vertex id[0] meets that of its ball id[1]
+    on_crease      // anywhere on the circle in which the probes at vertices id[0] and id[1] meet
+  };
+  Kind kind;
+  int8_t sign;
+  uint32_t id[3];
+};
+
+}  // namespace hsp

@@ -1,0 +1,185 @@
+#include "surface/creased_patches.hpp"
+
+namespace hsp {
+
+void CreasedPatches::carve(Workspace &workspace, uint32_t creases, uint32_t arcs) {
+  arcs_ = FixedVector(workspace.take<BorderArc>(arcs));
+  angle_ = workspace.take<double>(arcs);
+  crease_ = workspace.take<uint32_t>(creases);
+}
+
+void CreasedPatches::push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end, uint32_t crease) {
+  BorderArc arc{across, start, end, no_id, no_id, no_id, crease, {}, {}};
+  if (start != no_id) {
+    arc.from = in.creases.point(start);
+    arc.to = in.creases.point(end);
+  }
+  arcs_.push(arc);
+}
+
+// From the second ball of a side to the first, and to its cusp and from the other one where there are such.
+void CreasedPatches::add_sides(const Inputs &in, uint32_t v) {
+  const VertexRecord &record = in.actual.boundary().vertex(v);
+  const uint32_t first_cusp = 3 * in.actual.boundary().vertex_count();
+  for (uint32_t slot = 0; slot < 3; ++slot) {
+    const SideOfPatch side = side_of_patch(record, slot);
+    const uint32_t start = 3 * v + side.second, end = 3 * v + side.first;
+    const uint32_t a = record.ball[side.first], b = record.ball[side.second];
+    const uint32_t k = a < b ? in.cusped.of_arc(a, b) : in.cusped.of_arc(b, a);
+    if (k == no_id) {
+      push(in, PatchArc::side(slot), start, end, no_id);
+      continue;
+    }
+    const auto cusp_of = [&](uint32_t ball) { return first_cusp + 2 * k + (ball == in.cusped.ball(k, 1) ? 1 : 0); };
+    push(in, PatchArc::side(slot), start, cusp_of(b), no_id);
+    push(in, PatchArc::side(slot), cusp_of(a), end, no_id);
+  }
+}
+
+void CreasedPatches::add_creases(const Inputs &in, uint32_t v) {
+  for (const uint32_t k : in.creases.near(v)) {
+    const uint32_t p = in.creases.pair_of_near(k);
+    if (p == no_id) continue;
+    const CreasePair &pair = in.creases.pair(p);
+    for (const uint32_t c : in.creases.creases_of(p)) {
+      const Crease &crease = in.creases.creases()[c];
+      if (v == pair.low) {
+        push(in, pair.high, crease.start, crease.end, c);
+      } else {
+        push(in, pair.low, crease.end, crease.start, c);
+      }
+    }
+  }
+}
+
+Status CreasedPatches::fill(const ActualBalls &actual, const Creases &creases, const CuspedCircles &cusped,
+                            const ProbeGrid &grid, CutPatches &cut) {
+  const Inputs in{actual, creases, cusped, grid};
+  const uint32_t vertices = actual.boundary().vertex_count();
+  most_arcs_ = 0;
+  cut.clear();
+  for (uint32_t &first : crease_) first = no_id;
+  for (uint32_t v = 0; v < vertices; ++v) {
+    cut.begin_vertex(v);
+    arcs_.clear();
+    add_creases(in, v);
+    if (arcs_.required() == 0) continue;
+    add_sides(in, v);
+    most_arcs_ = larger_count(most_arcs_, clamped_count(arcs_.required()));
+    if (arcs_.overflowed()) continue;
+    const Status status = store_patch(in, v, cut);
+    if (status != Status::ok) return status;
+  }
+  cut.finish(vertices);
+  if (most_arcs_ > arcs_.capacity() || cut.overflowed()) return Status::capacity;
+  number_corners(in, cut);
+  return Status::ok;
+}
+
+// The loops of a piece one after the other. Of two solid angles that differ by the whole sphere's one is that of a part
+// of the patch.
+bool CreasedPatches::measure_piece(PatchLoops &loops, uint32_t piece, double &steradians, Vec3 &vector_area,
+                                   CreaseSums &sums) {
+  Span<BorderArc> arcs = arcs_.items();
+  steradians = 4 * pi;
+  vector_area = {0.0, 0.0, 0.0};
+  sums = {};
+  for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
+    if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
+    steradians -= 2 * pi;
+    uint32_t k = loop;
+    do {
+      ArcFigures figures;
+      if (!loops.measure(k, figures)) return false;
+      const double c = figures.height;
+      angle_[k] = figures.angle;
+      steradians += c * figures.angle - figures.exterior;
+      const Vec3 along =
+          combine(c, cross(figures.axis, figures.chord), (1.0 - c) * (1.0 + c) * figures.angle, figures.axis);
+      vector_area = combine(1.0, vector_area, -0.5, along);
+      if (arcs[k].crease != no_id) {
+        sums.directions = combine(1.0, sums.directions, c * c * figures.angle, figures.axis);
+        sums.directions = combine(1.0, sums.directions, c, cross(figures.chord, figures.axis));
+        sums.angle += c * figures.angle;
+      }
+      k = arcs[k].next;
+    } while (k != loop);
+  }
+  if (!(steradians > 0.0)) steradians = 0.0;
+  return true;
+}
+
+Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut) {
+  Span<BorderArc> arcs = arcs_.items();
+  PatchLoops loops(in.actual, v, arcs);
+  if (!loops.chain() || !loops.group()) return Status::degenerate;
+  const ConcaveScale scale(in.actual.balls(), in.actual.boundary(), in.grid.position(v));
+  double whole = 0.0;
+  Vec3 whole_vector{0.0, 0.0, 0.0};
+  for (uint32_t piece = 0; piece < arcs.size(); ++piece) {
+    if (arcs[piece].piece != piece) continue;
+    double steradians = 0.0;
+    Vec3 vector_area{0.0, 0.0, 0.0};
+    CreaseSums sums;
+    if (!measure_piece(loops, piece, steradians, vector_area, sums)) return Status::degenerate;
+    whole += steradians;
+    whole_vector = whole_vector + vector_area;
+    const ConcavePatch measured = scale.patch(steradians, vector_area);
+    cut.begin_piece(v, measured.area, measured.volume, sums);
+    for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
+      if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
+      uint32_t k = loop;
+      do {
+        store_arc(k, cut);
+        k = arcs[k].next;
+      } while (k != loop);
+    }
+  }
+  cut.set_patch(v, scale.patch(whole, whole_vector));
+  return Status::ok;
+}
+
+// The second of the two arcs of a crease meets the first.
+void CreasedPatches::store_arc(uint32_t k, CutPatches &cut) {
+  const BorderArc &arc = arcs_[k];
+  const uint32_t stored = clamped_count(cut.required_arcs());
+  cut.add_arc(arc.across, angle_[k], arc.next == arc.loop);
+  if (stored >= cut.arc_capacity()) return;
+  cut.arc(stored).corner = arc.start;
+  if (arc.crease == no_id) return;
+  uint32_t &first = crease_[arc.crease];
+  if (first == no_id) {
+    first = stored;
+    return;
+  }
+  cut.arc(stored).twin = first;
+  cut.arc(first).twin = stored;
+}
+
+// Corners of three creases get the numbers of the arcs that start there in the first patch.
+void CreasedPatches::number_corners(const Inputs &in, CutPatches &cut) {
+  const uint32_t first_corner = 3 * in.actual.boundary().vertex_count() + 2 * in.cusped.count();
+  const auto corner_at = [&](uint32_t arc) {
+    const uint32_t corner = cut.arc(arc).corner;
+    return corner == no_id || corner < first_corner ? no_id : corner - first_corner;
+  };
+  for (uint32_t v = 0; v < in.actual.boundary().vertex_count(); ++v) {
+    for (const uint32_t a : cut.arcs_of_vertex(v)) {
+      cut.creases().set_if(a, cut.arc(a).twin != no_id && cut.arc(a).twin > a);
+      const uint32_t corner = corner_at(a);
+      cut.crease_corners().set_if(a, corner != no_id && in.creases.corners()[corner].vertex[0] == v);
+    }
+  }
+  cut.creases().count();
+  cut.crease_corners().count();
+  // There are fewer corners than creases.
+  for (uint32_t a = 0; a < cut.arc_count(); ++a) {
+    if (cut.crease_corners().has(a)) crease_[corner_at(a)] = cut.crease_corners().rank(a);
+  }
+  for (uint32_t a = 0; a < cut.arc_count(); ++a) {
+    const uint32_t corner = corner_at(a);
+    if (corner != no_id) cut.arc(a).corner = first_corner + crease_[corner];
+  }
+}
+
+}  // namespace hsp

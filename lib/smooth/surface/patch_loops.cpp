@@ -1,0 +1,319 @@
+#include "surface/patch_loops.hpp"
+
+#include "core/elementary.hpp"
+#include "surface/actual_decisions.hpp"
+#include "surface/cut_patches.hpp"
+
+namespace hsp {
+namespace {
+
+// An arc as seen from its vertex: it runs about `axis`, in the plane through `middle`; its ends are as seen from there.
+template <class Number>
+struct ArcPlace {
+  NumberVector<Number> axis, middle, start, end;
+};
+
+template <class Number>
+void find_axis(const ActualPoints<Number> &actual, uint32_t vertex, uint32_t across, NumberVector<Number> &axis) {
+  if ((across & PatchArc::side_bit) == 0) return actual.find_arm_to_vertex(vertex, across, axis);
+  const VertexRecord &record = actual.boundary.vertex(vertex);
+  const SideOfPatch side = side_of_patch(record, across & ~PatchArc::side_bit);
+  actual.find_inward(vertex, record.ball[side.second], record.ball[side.first], axis);
+}
+template <class Number>
+[[gnu::noinline]] void find_place(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,
+                                  ArcPlace<Number> &place) {
+  find_axis(actual, vertex, arc.across, place.axis);
+  place.middle = place.axis;
+  place.middle *= (arc.across & PatchArc::side_bit) != 0 ? actual.number(0) : actual.number(1).scaled(-1);
+  if (arc.is_whole()) return;
+  actual.find_arm(vertex, arc.from, place.start);
+  actual.find_arm(vertex, arc.to, place.end);
+  place.start -= place.middle;
+  place.end -= place.middle;
+}
+
+// Signs, and whether all of them so far are certain.
+class CertainSigns {
+ public:
+  template <class Number>
+  bool positive(const Number &number) {
+    const int sign = number.sign();
+    if (sign == 0) all_ = false;
+    return sign > 0;
+  }
+  bool all() const { return all_; }
+  void fail() { all_ = false; }
+
+ private:
+  bool all_ = true;
+};
+
+template <class Number>
+[[gnu::noinline]] void to_unit(const ActualPoints<Number> &actual, NumberVector<Number> &a) {
+  a *= actual.number(1) / square_root(dot(a, a));
+}
+template <class Number>
+[[gnu::noinline]] void to_point_of_arc(const ActualPoints<Number> &actual, const BorderArc &arc,
+                                       ArcPlace<Number> &place, NumberVector<Number> &point) {
+  const Number radius = square_root(actual.probe_weight() - dot(place.middle, place.middle));
+  if (arc.is_whole()) {
+    actual.find_across(place.axis, point);
+  } else {
+    place.end -= place.start;
+    point = cross(place.end, place.axis);
+    to_unit(actual, point);
+    place.end *= actual.number(307 / (1 + static_cast<int64_t>(arc.loop)) + 3).scaled(-11) / radius;
+    point += place.end;
+  }
+  to_unit(actual, point);
+  point *= radius;
+  point += place.middle;
+}
+// A point of an arc. Not quite in its middle, as those of several arcs may lie in one plane.
+template <class Number>
+[[gnu::noinline]] void find_point_of_arc(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,
+                                         NumberVector<Number> &point) {
+  ArcPlace<Number> place;
+  find_place(actual, vertex, arc, place);
+  to_point_of_arc(actual, arc, place, point);
+}
+
+// Whether the great circle's piece between two points crosses an arc an odd number of times. Where one of the two is on
+// the arc's circle, it does not count.
+template <class Number>
+class Crossings {
+ public:
+  Crossings(const ActualPoints<Number> &actual, const NumberVector<Number> &from, const NumberVector<Number> &to,
+            CertainSigns &signs)
+      : actual_(actual), from_(from), to_(to), signs_(signs) {}
+
+  [[gnu::noinline]] bool odd(uint32_t vertex, const BorderArc &arc, const NumberVector<Number> *own) {
+    ArcPlace<Number> place;
+    find_place(actual_, vertex, arc, place);
+    return odd(place, arc.is_whole(), own);
+  }
+
+ private:
+  [[gnu::noinline]] bool odd(const ArcPlace<Number> &arc, bool is_whole, const NumberVector<Number> *own) {
+    NumberVector<Number> great = cross(from_, to_), n = cross(arc.axis, great);
+    const Number square = dot(n, n);
+    NumberVector<Number> foot = cross(great, n);
+    foot *= dot(arc.axis, arc.middle) / square;
+    const Number left = (actual_.probe_weight() - dot(foot, foot)) / square;
+    if (own == nullptr && !signs_.positive(left)) return false;
+    n *= square_root(left);
+    bool odd = false;
+    uint32_t seen = 0;
+    for (int turn = 0; turn < 2; ++turn) {
+      // The foot plus n, and minus n.
+      foot += n;
+      if (turn == 0) {
+        n *= actual_.number(-2);
+      }
+      if (own != nullptr && is_same(foot, *own)) continue;
+      ++seen;
+      if (signs_.positive(determinant(great, from_, foot)) && signs_.positive(determinant(great, foot, to_)) &&
+          (is_whole || is_on(arc, foot))) {
+        odd = !odd;
+      }
+    }
+    if (own != nullptr && seen != 1) signs_.fail();
+    return odd;
+  }
+
+  // One of the two points is the given one, and the other certainly is not.
+  [[gnu::noinline]] static bool is_same(const NumberVector<Number> &a, const NumberVector<Number> &b) {
+    NumberVector<Number> apart = a;
+    apart -= b;
+    return dot(apart, apart).sign() == 0;
+  }
+  [[gnu::noinline]] bool is_on(const ArcPlace<Number> &arc, const NumberVector<Number> &x) {
+    NumberVector<Number> at = x;
+    at -= arc.middle;
+    if (signs_.positive(determinant(arc.axis, arc.start, arc.end))) {
+      return signs_.positive(determinant(arc.axis, arc.start, at)) &&
+             signs_.positive(determinant(arc.axis, at, arc.end));
+    }
+    return !(signs_.positive(determinant(arc.axis, arc.end, at)) &&
+             signs_.positive(determinant(arc.axis, at, arc.start)));
+  }
+
+  const ActualPoints<Number> &actual_;
+  const NumberVector<Number> &from_, &to_;
+  CertainSigns &signs_;
+};
+
+// The angle whose sine and cosine are these, times a positive number; only if it cannot be a whole turn off.
+constexpr double least_error = 0x1p-36;
+bool has_angle(const BoundedDouble &sine, const BoundedDouble &cosine, double &angle) {
+  const double s = std::fabs(sine.value), c = std::fabs(cosine.value), larger = s > c ? s : c;
+  if (sine.sign() == 0 || !(sine.error <= least_error * larger) || !(cosine.error <= least_error * larger))
+    return false;
+  angle = arc_tangent(sine.value, cosine.value);
+  return true;
+}
+bool has_angle(const WideFloat &sine, const WideFloat &cosine, double &angle) {
+  int32_t exponent_of_sine = 0, exponent_of_cosine = 0;
+  const double s = sine.leading(exponent_of_sine), c = cosine.leading(exponent_of_cosine);
+  const int32_t larger = exponent_of_sine > exponent_of_cosine ? exponent_of_sine : exponent_of_cosine;
+  if (sine.sign() == 0 || sine.error_exponent() > larger - 50 || cosine.error_exponent() > larger - 50) return false;
+  // Below the range of doubles the sign alone matters.
+  const auto scaled = [larger](double mantissa, int32_t exponent) {
+    if (exponent - larger < -1000) return mantissa * std::numeric_limits<double>::min();
+    return mantissa * std::bit_cast<double>(static_cast<uint64_t>(exponent - larger + 1023) << 52);
+  };
+  angle = arc_tangent(scaled(s, exponent_of_sine), scaled(c, exponent_of_cosine));
+  return true;
+}
+bool has_length(const BoundedDouble &a) {
+  return a.value > 0.0 && a.error <= least_error * a.value;
+}
+bool has_length(const WideFloat &a) {
+  int32_t exponent = 0;
+  return a.leading(exponent) > 0.0 && a.error_exponent() <= exponent - 50;
+}
+
+template <class Number>
+[[gnu::noinline]] bool measure_exterior(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,
+                                        const BorderArc &next, double &angle) {
+  NumberVector<Number> at, before, after;
+  actual.find_arm(vertex, arc.to, at);
+  find_axis(actual, vertex, arc.across, before);
+  find_axis(actual, vertex, next.across, after);
+  before = cross(before, at);
+  after = cross(after, at);
+  const Number sine = -determinant(at, before, after);
+  return has_angle(sine, actual.probe() * dot(before, after), angle);
+}
+
+template <class Number>
+[[gnu::noinline]] bool measure_arc(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,
+                                   ArcFigures &figures) {
+  ArcPlace<Number> place;
+  find_place(actual, vertex, arc, place);
+  Number length = dot(place.axis, place.axis);
+  if (!has_length(length)) return false;
+  length = square_root(length);
+  figures.height = BoundedDouble(dot(place.axis, place.middle) / (length * actual.probe())).value;
+  figures.angle = 2 * pi;
+  figures.chord = {0.0, 0.0, 0.0};
+  if (!arc.is_whole()) {
+    const Number sine = determinant(place.axis, place.start, place.end);
+    if (!has_angle(sine, dot(place.start, place.end) * length, figures.angle)) return false;
+    if (figures.angle < 0.0) figures.angle += 2 * pi;
+    place.end -= place.start;
+    place.end *= actual.number(1) / actual.probe();
+    figures.chord = to_double(place.end);
+  }
+  place.axis *= actual.number(1) / length;
+  figures.axis = to_double(place.axis);
+  return true;
+}
+
+// Whether the way from x to y begins on the patch's side of an arc that x lies on.
+template <class Number>
+[[gnu::noinline]] bool begins_inside(const ActualPoints<Number> &actual, uint32_t vertex, uint32_t across,
+                                     const NumberVector<Number> &x, const NumberVector<Number> &y,
+                                     CertainSigns &signs) {
+  NumberVector<Number> axis, way = cross(x, y);
+  find_axis(actual, vertex, across, axis);
+  way = cross(way, x);
+  return !signs.positive(dot(axis, way));
+}
+
+// Two loops bound one piece iff a way between them crosses each loop so often that it is in the patch at both ends of
+// every part that it has there: an even number of times, but for the two loops themselves.
+template <class Number>
+bool group_in(const ActualPoints<Number> &actual, uint32_t vertex, Span<BorderArc> arcs) {
+  CertainSigns signs;
+  const uint32_t n = arcs.size();
+  const auto is_loop = [&](uint32_t k) { return arcs[k].loop == k; };
+  for (uint32_t k = 0; k < n; ++k) arcs[k].piece = arcs[k].loop;
+  for (uint32_t a = 0; a < n; ++a) {
+    if (!is_loop(a)) continue;
+    for (uint32_t b = a + 1; b < n; ++b) {
+      if (!is_loop(b) || arcs[a].piece == arcs[b].piece) continue;
+      uint32_t on_b = b;
+      while (arcs[on_b].across == arcs[a].across && arcs[on_b].next != b) on_b = arcs[on_b].next;
+      NumberVector<Number> from, to;
+      find_point_of_arc(actual, vertex, arcs[a], from);
+      find_point_of_arc(actual, vertex, arcs[on_b], to);
+      const bool inside_a = begins_inside(actual, vertex, arcs[a].across, from, to, signs);
+      const bool inside_b = begins_inside(actual, vertex, arcs[on_b].across, to, from, signs);
+      Crossings<Number> crossings(actual, from, to, signs);
+      bool same = true;
+      for (uint32_t c = 0; c < n && same && signs.all(); ++c) {
+        if (!is_loop(c)) continue;
+        bool odd = false;
+        uint32_t k = c;
+        do {
+          const bool starts = arcs[k].across == arcs[a].across, ends = arcs[k].across == arcs[on_b].across;
+          // On a great circle the other point is opposite.
+          if (!((starts || ends) && (arcs[k].across & PatchArc::side_bit) != 0)) {
+            odd = odd != crossings.odd(vertex, arcs[k], starts ? &from : ends ? &to : nullptr);
+          }
+          k = arcs[k].next;
+        } while (k != c);
+        same = c == a ? inside_a != odd : c == b ? inside_b != odd : !odd;
+      }
+      if (!signs.all()) return false;
+      if (!same) continue;
+      const uint32_t old = arcs[b].piece, kept = arcs[a].piece;
+      for (BorderArc &arc : arcs) {
+        if (arc.piece == old) arc.piece = kept;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool PatchLoops::chain() {
+  const uint32_t n = arcs_.size();
+  for (BorderArc &arc : arcs_) arc.next = arc.loop = no_id;
+  for (uint32_t k = 0; k < n; ++k) {
+    if (arcs_[k].is_whole()) {
+      arcs_[k].next = k;
+      continue;
+    }
+    for (uint32_t j = 0; j < n; ++j) {
+      if (arcs_[j].start != arcs_[k].end) continue;
+      if (arcs_[k].next != no_id) return false;
+      arcs_[k].next = j;
+    }
+    if (arcs_[k].next == no_id) return false;
+  }
+  // Every arc is followed by one, so it has one before it if no two are followed by the same.
+  for (uint32_t first = 0; first < n; ++first) {
+    if (arcs_[first].loop != no_id) continue;
+    uint32_t k = first;
+    do {
+      if (arcs_[k].loop != no_id) return false;
+      arcs_[k].loop = arcs_[k].piece = first;
+      k = arcs_[k].next;
+    } while (k != first);
+  }
+  return true;
+}
+
+bool PatchLoops::group() {
+  uint32_t loops = 0;
+  for (uint32_t k = 0; k < arcs_.size(); ++k) loops += arcs_[k].loop == k ? 1U : 0U;
+  if (loops < 2) return true;
+  return actual_.decide_at(vertex_, [&](const auto &actual) { return group_in(actual, vertex_, arcs_) ? 1 : 0; }) != 0;
+}
+
+bool PatchLoops::measure(uint32_t k, ArcFigures &figures) const {
+  const BorderArc &arc = arcs_[k];
+  figures.exterior = 0.0;
+  return actual_.decide_at(vertex_, [&](const auto &actual) {
+    return measure_arc(actual, vertex_, arc, figures) &&
+                   (arc.is_whole() || measure_exterior(actual, vertex_, arc, arcs_[arc.next], figures.exterior))
+               ? 1
+               : 0;
+  }) != 0;
+}
+
+}  // namespace hsp

@@ -1,0 +1,51 @@
+// The loops around what other probes leave of a concave patch: which of them bound one piece, and what the areas of
+// pieces are made of. Nothing is rounded before it is certain what comes out.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "surface/actual_balls.hpp"
+
+namespace hsp {
+
+// A part of the border of the patch of a vertex, counter-clockwise about the axis of the cap that cuts it out: seen
+// from the probe's centre the patch lies on its left.
+struct BorderArc {
+  uint32_t across;       // the other vertex of a crease, or a side, as in PatchArc
+  uint32_t start, end;   // numbers of corners (cut_patches.hpp); no_id of a whole circle
+  uint32_t next;         // in its loop
+  uint32_t loop;         // the first arc of its loop
+  uint32_t piece;        // the first arc of the first loop of its piece
+  uint32_t crease;       // its number; no_id of a side
+  BorderPoint from, to;  // where they are, but of a whole circle
+
+  bool is_whole() const { return start == no_id; }
+};
+
+// Of an arc on the unit sphere about the vertex.
+struct ArcFigures {
+  Vec3 axis;        // unit vector
+  double height;    // of its circle
+  double angle;     // (0, 2 pi]
+  Vec3 chord;       // from its start to its end
+  double exterior;  // angle at its end, positive to the right; 0 of a whole circle
+};
+
+class PatchLoops {
+ public:
+  PatchLoops(const ActualBalls &actual, uint32_t vertex, Span<BorderArc> arcs)
+      : actual_(actual), vertex_(vertex), arcs_(arcs) {}
+
+  // Chains arcs to loops: sets next and loop. False if an arc ends where none starts, or where several do.
+  bool chain();
+  // Sets piece. False if no width tells which loops bound one piece.
+  bool group();
+  // False if no width tells.
+  bool measure(uint32_t arc, ArcFigures &figures) const;
+
+ private:
+  const ActualBalls &actual_;
+  const uint32_t vertex_;
+  Span<BorderArc> arcs_;
+};
+
+}  // namespace hsp

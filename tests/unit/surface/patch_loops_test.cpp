@@ -1,0 +1,93 @@
+// Chains of borders; loops that bound one piece or two, and what they measure: in every width the same.
+#include "surface/patch_loops.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "built_creases.hpp"
+#include "core/elementary.hpp"
+#include "surface/cut_patches.hpp"
+
+namespace {
+
+using hsp::BorderArc;
+using hsp::no_id;
+
+BorderArc arc(uint32_t start, uint32_t end) {
+  return {0, start, end, no_id, no_id, no_id, no_id, {}, {}};
+}
+
+// One large ball beside a vertex without anything else to say.
+const BuiltSurface &three_balls() {
+  static const BuiltSurface *const built = [] {
+    support::BallList list;
+    list.add(0, 0, 0, 1.0);
+    list.add(2.5, 0, 0, 1.0);
+    list.add(1.25, 2.165, 0, 1.0);
+    return new BuiltSurface(list, 1.0, 1e-6);
+  }();
+  return *built;
+}
+
+bool chains(std::vector<BorderArc> &arcs) {
+  const hsp::ActualBalls actual(three_balls().balls(), three_balls().boundary());
+  return hsp::PatchLoops(actual, 0, {arcs.data(), static_cast<uint32_t>(arcs.size())}).chain();
+}
+
+TEST(PatchLoops, Chains) {
+  std::vector<BorderArc> arcs = {arc(1, 2), arc(5, 6), arc(3, 1), arc(6, 5), arc(no_id, no_id), arc(2, 3)};
+  ASSERT_TRUE(chains(arcs));
+  const uint32_t next[] = {5, 3, 0, 1, 4, 2}, loop[] = {0, 1, 0, 1, 4, 0};
+  for (uint32_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(arcs[k].next, next[k]);
+    EXPECT_EQ(arcs[k].loop, loop[k]);
+    EXPECT_EQ(arcs[k].piece, loop[k]);
+  }
+}
+
+TEST(PatchLoops, WhatDoesNotClose) {
+  std::vector<BorderArc> open = {arc(1, 2), arc(2, 3)};
+  EXPECT_FALSE(chains(open));
+  std::vector<BorderArc> forked = {arc(1, 2), arc(2, 1), arc(2, 1)};
+  EXPECT_FALSE(chains(forked));
+  std::vector<BorderArc> joined = {arc(1, 2), arc(3, 2), arc(2, 1)};
+  EXPECT_FALSE(chains(joined));
+}
+
+// A side of a triangle that nothing cuts: a part of a great circle between two balls' directions.
+TEST(PatchLoops, MeasuresSides) {
+  const BuiltSurface &built = three_balls();
+  const hsp::ActualBalls actual(built.balls(), built.boundary());
+  ASSERT_GT(built.boundary().vertex_count(), 0U);
+  const hsp::VertexRecord &record = built.boundary().vertex(0);
+  std::vector<BorderArc> arcs;
+  for (uint32_t slot = 0; slot < 3; ++slot) {
+    const hsp::SideOfPatch side = hsp::side_of_patch(record, slot);
+    const auto towards = [&](uint32_t of) {
+      return hsp::BorderPoint{hsp::BorderPoint::Kind::towards_ball, 0, {0, record.ball[of], no_id}};
+    };
+    arcs.push_back({hsp::PatchArc::side(slot), side.second, side.first, no_id, no_id, no_id, no_id,
+                    towards(side.second), towards(side.first)});
+  }
+  hsp::PatchLoops loops(actual, 0, {arcs.data(), 3});
+  ASSERT_TRUE(loops.chain());
+  ASSERT_TRUE(loops.group());
+  // The angle between two centres 2.5 apart, seen from a distance of 2, and by l'Huilier's theorem the triangle's area.
+  const double side = 2 * std::asin(1.25 / 2);
+  double area = 2 * hsp::pi;
+  for (uint32_t k = 0; k < 3; ++k) {
+    hsp::ArcFigures figures;
+    ASSERT_TRUE(loops.measure(k, figures));
+    EXPECT_NEAR(figures.angle, side, 1e-3);
+    EXPECT_EQ(figures.height, 0.0);
+    EXPECT_NEAR(dot(figures.axis, figures.axis), 1.0, 1e-12);
+    EXPECT_NEAR(dot(figures.chord, figures.chord), 1.25 * 1.25, 1e-3);
+    EXPECT_GT(figures.exterior, 0.0);
+    area -= figures.exterior;
+  }
+  const double t = std::tan(side * 3 / 4), u = std::tan(side / 4);
+  EXPECT_NEAR(area, 4 * std::atan(std::sqrt(t * u * u * u)), 1e-3);
+}
+
+}  // namespace
