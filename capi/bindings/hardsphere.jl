@@ -2,7 +2,7 @@
 # HARDSPHERE_LIBRARY names the shared library; without it the system's loader finds one.
 module HardsphereC
 
-const libhardsphere = get(ENV, "HARDSPHERE_LIBRARY", "libhardsphere.so.1")
+const libhardsphere = get(ENV, "HARDSPHERE_LIBRARY", "libhardsphere.so.2")
 
 const HSP_VERSION_MAJOR = UInt32(0)
 const HSP_VERSION_MINOR = UInt32(3)

@@ -24,7 +24,7 @@ def wheel(library, folder):
     files = {f"hardsphere/{path.name}": path.read_bytes() for path in sorted((HERE / "hardsphere").glob("*.py"))}
     files["hardsphere/lammps_fix.py"] = (ROOT / "capi/clients/lammps_fix.py").read_bytes()
     files["hardsphere/py.typed"] = b""
-    files["hardsphere/libhardsphere.so.1"] = Path(library).read_bytes()
+    files["hardsphere/libhardsphere.so.2"] = Path(library).read_bytes()
     files[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
     files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: hardsphere\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
     files[f"{info}/METADATA"] = (f"Metadata-Version: 2.1\nName: hardsphere\nVersion: {version}\nSummary: {SUMMARY}\n"

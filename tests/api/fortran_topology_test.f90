@@ -58,11 +58,11 @@ contains
     type(hsp_region) :: region
     integer(c_int32_t) :: q
     call check(c_sizeof(limits) == 24, 'size of hsp_topology_limits')
-    call check(c_sizeof(counts) == 32, 'size of hsp_topology_counts')
+    call check(c_sizeof(counts) == 48, 'size of hsp_topology_counts')
     call check(c_sizeof(vertex) == 48, 'size of hsp_topology_vertex')
     call check(c_sizeof(edge) == 96, 'size of hsp_topology_edge')
     call check(c_sizeof(face) == 24, 'size of hsp_simple_face')
-    call check(c_sizeof(shell) == 80, 'size of hsp_shell')
+    call check(c_sizeof(shell) == 88, 'size of hsp_shell')
     call check(c_sizeof(component) == 24, 'size of hsp_component')
     call check(c_sizeof(region) == 32, 'size of hsp_region')
     do q = 0, 11

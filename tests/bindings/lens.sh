@@ -39,8 +39,8 @@ RUST
     ./lens >printed
     ;;
   julia)
-    python3 "$source/tests/python/exported.py" "$archive" "$work/libhardsphere.so.1" "$cc"
-    HARDSPHERE_LIBRARY=$work/libhardsphere.so.1 julia "$here/lens.jl" "$source/capi/bindings/hardsphere.jl" \
+    python3 "$source/tests/python/exported.py" "$archive" "$work/libhardsphere.so.2" "$cc"
+    HARDSPHERE_LIBRARY=$work/libhardsphere.so.2 julia "$here/lens.jl" "$source/capi/bindings/hardsphere.jl" \
       "$source/capi/abi/structs.txt" >printed
     ;;
 esac

@@ -16,7 +16,7 @@ command -v lmp >/dev/null && grep -q python/invoke <<<"$(lmp -h)" || { echo "ski
 python3 -c "import numpy" 2>/dev/null || { echo "skipped: there is no numpy here" && exit 77; }
 mpirun -n 1 true >log 2>&1 || { echo "skipped: $(grep -m 1 . log)" && exit 77; }
 cp "$source"/capi/python/hardsphere/*.py "$source/capi/clients/lammps_fix.py" hardsphere
-python3 "$here/../python/exported.py" "$archive" hardsphere/libhardsphere.so.1 "$cc"
+python3 "$here/../python/exported.py" "$archive" hardsphere/libhardsphere.so.2 "$cc"
 export PYTHONPATH=$work PYTHONDONTWRITEBYTECODE=1
 
 # 512 atoms, with forces of Lennard-Jones or with none but those of the surface.

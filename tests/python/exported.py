@@ -34,7 +34,7 @@ def main(archive, library, compiler):
         objects = sorted(Path(folder).iterdir())
         for path in objects:
             make_visible(path)
-        subprocess.run([compiler, "-shared", "-Wl,-soname,libhardsphere.so.1", "-o", library, *objects, "-lm"], check=True)
+        subprocess.run([compiler, "-shared", "-Wl,-soname,libhardsphere.so.2", "-o", library, *objects, "-lm"], check=True)
 
 
 if __name__ == "__main__":

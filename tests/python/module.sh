@@ -26,12 +26,12 @@ for package in "${needs[@]}"; do
 done
 rm -rf "$work"
 mkdir -p "$work"
-"$python" "$here/exported.py" "$archive" "$work/libhardsphere.so.1" "$cc"
+"$python" "$here/exported.py" "$archive" "$work/libhardsphere.so.2" "$cc"
 export PYTHONDONTWRITEBYTECODE=1 HSP_SOURCE=$source HSP_PROGRAM=$program
 if [ "$variant" = wheel ]; then
-  wheel=$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.1" "$work")
+  wheel=$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work")
   mkdir "$work/again"
-  cmp "$wheel" "$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.1" "$work/again")"
+  cmp "$wheel" "$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work/again")"
   shot='import hardsphere, os
 assert os.path.dirname(hardsphere.library._name) == os.path.dirname(hardsphere.__file__), hardsphere.library._name
 print(f"{hardsphere.measure([[0, 0, 0], [1, 0, 0]], [1, 1]).area:.6f}")'
@@ -49,6 +49,6 @@ print(f"{hardsphere.measure([[0, 0, 0], [1, 0, 0]], [1, 1]).area:.6f}")'
   echo "$(basename "$wheel"): $(stat -c %s "$wheel") bytes"
   exit 0
 fi
-export HARDSPHERE_LIBRARY=$work/libhardsphere.so.1 PYTHONPATH=$source/capi/python:$here
+export HARDSPHERE_LIBRARY=$work/libhardsphere.so.2 PYTHONPATH=$source/capi/python:$here
 [ "$variant" != lists ] || export HSP_WITHOUT_NUMPY=1
 exec "$python" "$here/${test}_test.py"

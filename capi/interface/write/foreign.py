@@ -85,7 +85,7 @@ def rust_function(declared):
 def julia_declarations(interface):
     rows = [f"# The C interface of hardsphere, for Julia. {GENERATED}",
             "# HARDSPHERE_LIBRARY names the shared library; without it the system's loader finds one.",
-            "module HardsphereC", "", 'const libhardsphere = get(ENV, "HARDSPHERE_LIBRARY", "libhardsphere.so.1")', ""]
+            "module HardsphereC", "", 'const libhardsphere = get(ENV, "HARDSPHERE_LIBRARY", "libhardsphere.so.2")', ""]
     for constant in interface.constants.values():
         kind = "Int32" if constant.value < 0 or constant.name == "HSP_OK" else "UInt32"
         rows.append(f"const {constant.name} = {kind}({constant.value})")

@@ -16,7 +16,7 @@ try:
 except ImportError:
     numpy = None  # type: ignore[assignment]
 
-_NONE, _CAPACITY, _ABI = 0xFFFFFFFF, -2, 1
+_NONE, _CAPACITY, _ABI = 0xFFFFFFFF, -2, 2
 _SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, "uint8_t": C.c_uint8,
             "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
 _SINK = C.CFUNCTYPE(C.c_int32, C.c_void_p, C.POINTER(C.c_char), C.c_size_t)
