@@ -12,19 +12,14 @@ struct RegionCase {
   hsp::Vec3 vector_area;
   uint32_t arcs, cutting_arcs;
 };
-constexpr double eighth_of_a_turn = hsp::pi / 4;
+constexpr double eighth = hsp::pi / 4;
 constexpr RegionCase region_cases[] = {
     // An octant; with a cap that takes half of a spherical triangle's corner off, a hole, one that hides it.
-    {3,
-     {octant_sides[0], octant_sides[1], octant_sides[2]},
-     octant,
-     {eighth_of_a_turn, eighth_of_a_turn, eighth_of_a_turn},
-     3,
-     0},
+    {3, {octant_sides[0], octant_sides[1], octant_sides[2]}, octant, {eighth, eighth, eighth}, 3, 0},
     {4,
      {octant_sides[0], octant_sides[1], octant_sides[2], {0, 0, 1, 0.5}},
      octant / 2,
-     {eighth_of_a_turn / 2 + 0.0, 0, 0},
+     {eighth / 2 + 0.0, 0, 0},
      4,
      1},
     {4,
@@ -34,12 +29,7 @@ constexpr RegionCase region_cases[] = {
      4,
      1},
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {1, 1, 1, 0.1}}, 0, {0, 0, 0}, 0, 0},
-    {4,
-     {octant_sides[0], octant_sides[1], octant_sides[2], {-1, -1, -1, 0.5}},
-     octant,
-     {eighth_of_a_turn, eighth_of_a_turn, eighth_of_a_turn},
-     3,
-     0},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {-1, -1, -1, 0.5}}, octant, {eighth, eighth, eighth}, 3, 0},
     {5,
      {octant_sides[0], octant_sides[1], octant_sides[2], {1, 1, 1, 0.96}, {1, 1, 1, 0.98}},
      octant - 2 * hsp::pi * 0.04,
