@@ -123,8 +123,9 @@ typedef struct hsp_picture_options {
 
 /** The width of a contour before a gap, as pictures have it (HSP_INK_DEPTH), for contours that are drawn elsewhere:
  *  full_width where the gap is three mean radii or more, its share (gap / 3)^(5/8) below.
- *  @param      gap    in mean radii
- *  @param[out] width  in the unit of full_width
+ *  @param      full_width  where nothing is less in proportion
+ *  @param      gap         in mean radii
+ *  @param[out] width       in the unit of full_width
  *
  *  Cost: O(1).
  *  @retval HSP_E_ARGUMENT    width is NULL

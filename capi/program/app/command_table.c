@@ -236,9 +236,10 @@ const struct command_row command_table[COMMANDS] = {
                  "moved. Balls that\n"
                  "touch meet. The gap is the least distance between two balls; it is negative where balls overlap.\n",
          .closing = "Example: hardsphere clash 1crn.pdb caffeine.pdb --rotate 0,90,0 --translate 12,0,3.5\n",
-         .json = "JSON: <..pairs>: [[first, second], ...], <..nearest>: [first, second], <..nearest_balls>: [{ball, "
-                 "...}, {ball, ...}] with what these are called, <..fixed>: {n, input} and <>: {n, input}; balls by "
-                 "their indices in the order of their files, counted from 0.",
+         .json = "JSON: <..pairs>: [[first, second], ...], <..nearest>: [first, second], <..nearest_balls>: of each "
+                 "{ball, atom, element, chain, residue, number, insertion, xyz, radius}, as far as files have it, "
+                 "<..fixed>: {n, input} and <>: {n, input}; balls by their indices in the order of their files, "
+                 "counted from 0.",
          .describe = describe_clash},
     [COMMAND_QUERY] = {.name = "query",
                        .arguments = "FILE [options]",

@@ -267,7 +267,7 @@ class RowWalk {
 
   uint32_t ask_grid(uint32_t i, uint32_t *row, uint32_t length) const {
     QueryResult result{row, length, 0};
-    find_neighbours(grid_, i, result);
+    find_neighbours_by_cubes(grid_, i, result);
     return result.hits;
   }
 

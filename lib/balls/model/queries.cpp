@@ -161,10 +161,9 @@ class HitFinder {
 }
 
 // Nothing is written to the caller's array before it is known that all hits fit. More of them than there is room for
-// are found a second time.
-void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded, const CubeBox &box,
-             QueryResult &result) {
-  if (grid.levels() != nullptr && collect_by_levels(grid, query, excluded, result)) return;
+// are found a second time. Not inlined, so that hits of two ways do not lie on the stack together.
+[[gnu::noinline]] void collect_by_cubes(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
+                                        const CubeBox &box, QueryResult &result) {
   HitFinder finder(grid, query, excluded);
   finder.find(box);
   result.hits = finder.hits().count;
@@ -182,6 +181,12 @@ void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
     });
   });
   sort_ascending(result.ids, result.hits);
+}
+
+void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded, const CubeBox &box,
+             QueryResult &result) {
+  if (grid.levels() != nullptr && collect_by_levels(grid, query, excluded, result)) return;
+  collect_by_cubes(grid, query, excluded, box, result);
 }
 
 // Their number, which may be no_id.
@@ -258,6 +263,12 @@ void find_neighbours(const CubeGrid &grid, uint32_t rank, QueryResult &result) {
   const exact::LatticeBall ball = grid.balls().ball(rank);
   const LatticeQuery query{ball.centre, ball.radius};
   collect(grid, query, ball.index, cubes_at_ball(grid, query), result);
+}
+
+void find_neighbours_by_cubes(const CubeGrid &grid, uint32_t rank, QueryResult &result) {
+  const exact::LatticeBall ball = grid.balls().ball(rank);
+  const LatticeQuery query{ball.centre, ball.radius};
+  collect_by_cubes(grid, query, ball.index, cubes_at_ball(grid, query), result);
 }
 
 }  // namespace hsp

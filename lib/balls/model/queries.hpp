@@ -41,5 +41,7 @@ bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query);
 
 // The balls other than itself that meet ball `rank` of the grid's order.
 void find_neighbours(const CubeGrid &grid, uint32_t rank, QueryResult &result);
+// The same without levels of radii.
+void find_neighbours_by_cubes(const CubeGrid &grid, uint32_t rank, QueryResult &result);
 
 }  // namespace hsp

@@ -61,7 +61,7 @@ class Executor {
 
  private:
   bool run_all(uint32_t tasks, Task *task, void *data) const;
-  bool ask() const;
+  [[gnu::noinline]] bool ask() const;
 
   uint32_t workers_ = 1;
   mutable uint8_t stopped_ = 0;

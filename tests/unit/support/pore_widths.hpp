@@ -86,7 +86,8 @@ inline void compare_with_gates(oracle::RandomSource &random, int kind, int pairs
     ++seen.gates;
     ASSERT_NE(passage.gate, hsp::no_id);
     oracle::Balls without = balls;
-    for (const uint32_t ball : pores.gates()[passage.gate].point.ball) without[ball].radius -= 5;
+    for (const uint32_t ball : pores.gates()[passage.gate].point.ball)
+      if (ball != hsp::no_id) without[ball].radius -= 5;
     support::ProbeByCells opened(oracle::in_lengths(without, 1), 1.0);
     ASSERT_EQ(is_open(opened, std::floor(ours) + 2.0), true) << oracle::to_text(balls);
     ASSERT_FALSE(cells.has_failed() || opened.has_failed());
