@@ -12,7 +12,7 @@ struct RangesOfTerms {
 };
 constexpr RangesOfTerms ranges_of_terms[] = {{0, 4, 0},      {1, 4, 1},      {64, 1, 1},         {65, 1, 2},
                                              {256, 1, 4},    {257, 1, 3},    {4096, 4, 16},      {4097, 4, 9},
-                                             {5000, 16, 40}, {4096, 99, 64}, {268435455, 99, 64}};
+                                             {5000, 16, 40}, {4096, 99, 32}, {268435455, 99, 32}};
 
 // One after the other without a gap, and no more than there is room for.
 inline uint32_t ranges_follow_each_other() {
