@@ -11,7 +11,7 @@ namespace hsp {
 
 class TermRanges {
  public:
-  static constexpr uint32_t most = 62;         // sums of all lie on the stack together
+  static constexpr uint32_t most = 61;         // sums of all lie on the stack together
   static constexpr uint32_t least_terms = 64;  // in fewer a task is not worth its start
 
   // A few for each worker, of whom some are slower.
