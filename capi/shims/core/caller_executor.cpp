@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include "core/small_code.hpp"
+
 namespace hsp::capi {
 namespace {
 
@@ -25,8 +27,8 @@ int32_t Executor::read(const hsp_executor *given) {
   if (given == nullptr) return HSP_OK;
   if (const int32_t status = read_struct(given, {}, given_); status != HSP_OK) return status;
   if (given_.workers > 1 && given_.run == nullptr) return HSP_E_ARGUMENT;
-  static_cast<hsp::Executor &>(*this) = {given_.workers, run_given, this,
-                                         given_.proceed == nullptr ? nullptr : proceed_given};
+  const bool asks = !small_code && given_.proceed != nullptr;
+  static_cast<hsp::Executor &>(*this) = {given_.workers, run_given, this, asks ? proceed_given : nullptr};
   return HSP_OK;
 }
 

@@ -22,6 +22,10 @@ struct IndexMemory {
 
 class RadiusLevels {
  public:
+  RadiusLevels() {
+    clear();
+    use(Target::baseline, false);
+  }
   // In smaller sets all balls are looked at in no more time.
   static constexpr uint32_t fewest_balls = 1024;
 
@@ -29,10 +33,13 @@ class RadiusLevels {
   static bool may_save_work(const OrderedBalls &order);
   // There is an index afterwards if one does. It is in that memory; links are used meanwhile.
   void build(OrderedBalls &order, const IndexMemory &memory);
-  void clear() { buckets_ = 0; }
+  void clear() {
+    if (!small_code) buckets_ = 0;
+  }
   bool is_there() const { return !small_code && buckets_ != 0; }
   // Of the kernels, and whether queries are in lanes.
   void use(Target target, bool lanes) {
+    if (small_code) return;
     target_ = target;
     lanes_ = lanes;
   }
@@ -100,17 +107,17 @@ class RadiusLevels {
     return (CubeProbe(linear, buckets_).slot & ~uint32_t{in_a_row - 1}) | static_cast<uint32_t>(in_row);
   }
 
-  const BallSet *balls_ = nullptr;
-  Level *levels_ = nullptr;  // [most_levels]
-  Span<uint32_t> first_;     // [buckets + 2] the last bucket is of the largest balls
-  Span<uint32_t> ball_;      // [n and behind] by buckets, in the grid's order
-  Span<float> rounded_;      // [4 n and behind] the same from the middle of the box, x, y, z, r of each side by side
-  double middle_[3] = {};    // integers
-  double extent_ = 0.0;      // from the middle along any axis no centre is further
-  uint32_t level_count_ = 0;
-  uint32_t buckets_ = 0;  // 0: there is no index
-  Target target_ = Target::baseline;
-  bool lanes_ = false;
+  uint32_t buckets_;  // 0: there is no index, and nothing else is set
+  const BallSet *balls_;
+  Level *levels_;         // [most_levels]
+  Span<uint32_t> first_;  // [buckets + 2] the last bucket is of the largest balls
+  Span<uint32_t> ball_;   // [n and behind] by buckets, in the grid's order
+  Span<float> rounded_;   // [4 n and behind] the same from the middle of the box, x, y, z, r of each side by side
+  double middle_[3];      // integers
+  double extent_;         // from the middle along any axis no centre is further
+  uint32_t level_count_;
+  Target target_;
+  bool lanes_;
 };
 
 }  // namespace hsp
