@@ -56,7 +56,7 @@ void CriticalPoints::add_moved(CriticalPoint record, const Vec3 &off, const Poin
   const uint32_t first = own.ball[0];
   record.position = Vec3{balls.x[first], balls.y[first], balls.z[first]} + off;
   if (kind == PointKind::gate) {
-    gates_.push({record, {no_id, no_id}, {}, false, false, translation});
+    gates_.push({record, {no_id, no_id}, {}, false, false, {translation}});
     gate_names_.add(own, clamped_count(gates_.required() - 1), gates_);
   } else {
     maxima_.push({record, no_id, no_id});
