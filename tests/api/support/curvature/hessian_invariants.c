@@ -243,8 +243,8 @@ const char *hessian_difference_after_permutation(const computed *c, const comput
   const char *broken = NULL;
   hessian here, there;
   uint32_t i, k;
-  if ((hessian_make(c, &request, &here) != HSP_OK) | (hessian_make(other, &request, &there) != HSP_OK))
-    broken = "hsp_boundary_get_hessian_rows: not HSP_OK";
+  const int32_t status = hessian_make(c, &request, &here), other_status = hessian_make(other, &request, &there);
+  if (status != HSP_OK || other_status != HSP_OK) broken = "hsp_boundary_get_hessian_rows: not HSP_OK";
   for (i = 0; i < c->n && broken == NULL; ++i) {
     if (here.flags[i] != there.flags[place[i]])
       broken = "hsp_boundary_get_hessian_rows, property 4: flags by the order";
