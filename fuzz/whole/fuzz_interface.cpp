@@ -488,12 +488,12 @@ class Session {
     }
     complete_ = status == HSP_OK;
     of_ = contents_;
-    FUZZ_REQUIRE((status == HSP_E_STATE) == refused_, "hsp_boundary_compute_with of a model whose set has failed");
-    if (refused_) return;
     if (status == HSP_E_ARGUMENT) {
       FUZZ_REQUIRE(executor.run == nullptr && executor.workers > 1, "hsp_boundary_compute_with refuses an executor");
       return;
     }
+    FUZZ_REQUIRE((status == HSP_E_STATE) == refused_, "hsp_boundary_compute_with of a model whose set has failed");
+    if (refused_) return;
     if (own.runs > 0) FUZZ_REQUIRE(own.most_tasks == limits_.workers, "parts");
     if (status == HSP_E_EXECUTOR) {
       FUZZ_REQUIRE(own.way >= LOOP_RIGHT_WAYS && own.runs == own.first_wrong + 1, "a loop is refused");

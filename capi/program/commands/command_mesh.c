@@ -63,7 +63,9 @@ static bool write_file(const struct request *request, const struct molecule *mol
 
 void describe_mesh(const struct request *request, struct record *record) {
   const uint32_t pockets = request->meshing.pockets >= 0.0 ? 0 : UINT32_MAX;
-  struct found none = {.meshing = &request->meshing, .drawn = {0, pockets, pockets}};
+  struct meshing any = request->meshing;
+  any.surface = MESH_VAN_DER_WAALS; /* it is not said which */
+  struct found none = {.meshing = &any, .drawn = {0, pockets, pockets}};
   print(record, &none);
 }
 

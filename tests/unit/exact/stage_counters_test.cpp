@@ -255,7 +255,7 @@ TEST(StageCounters, ASetWithoutRule) {
   const Answers result = run_and_print("random", balls, 0.0);
   const StageCounters &counters = result.counters;
   for (const Question question : questions) {
-    EXPECT_GT(without_integers(counters, question), 500U);
+    EXPECT_GT(without_integers(counters, question), 400U);
     EXPECT_EQ(counters.of(question, Stage::perturbation), 0U);
   }
   EXPECT_EQ(counters.of(Question::vertex_pair, Stage::exact), 0U);
