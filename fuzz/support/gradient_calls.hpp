@@ -124,8 +124,8 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
                      volume_centre.data() != nullptr || volume_radius.data() != nullptr;
   const int32_t parts_expected = boundary == nullptr || tangency > HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
                                  : reader_status != HSP_OK                              ? reader_status
-                                 : parts && capacity < balls                            ? HSP_E_CAPACITY
                                  : !finite_weights                                      ? HSP_E_NOT_FINITE
+                                 : parts && capacity < balls                            ? HSP_E_CAPACITY
                                                                                         : HSP_OK;
   FUZZ_REQUIRE(parts_status == parts_expected, "hsp_boundary_get_derivatives");
   FUZZ_REQUIRE(parts_status != HSP_E_NOT_FINITE || (first_bad < balls && !std::isfinite(sigma[first_bad])),

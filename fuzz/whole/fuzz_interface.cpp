@@ -289,7 +289,7 @@ class Session {
       }
     }
     if (bad_pointer || bad_options) {
-      FUZZ_REQUIRE(status == (bad_pointer ? HSP_E_ARGUMENT : HSP_E_VERSION), "hsp_model_set, arguments");
+      FUZZ_REQUIRE(status == (no_model || !bad_options ? HSP_E_ARGUMENT : HSP_E_VERSION), "hsp_model_set, arguments");
       return;
     }
     if (n > limit_) {

@@ -285,7 +285,6 @@ TEST(StageCounters, Lattices) {
   const Answers on_fcc = run_and_print("fcc", fcc, 0.0);
   EXPECT_GT(on_fcc.counts.tied_vertices, 100U);
   EXPECT_GT(on_fcc.counters.of(Question::crossing, Stage::perturbation), 1000U);
-  EXPECT_GT(on_fcc.counters.of(Question::side, Stage::perturbation), 100U);
   EXPECT_GT(on_fcc.counters.of(Question::point_status, Stage::perturbation), 1000U);
 }
 
