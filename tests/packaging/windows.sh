@@ -29,7 +29,7 @@ build() { # folder, whether a DLL is made, targets
 } >log 2>&1 || { tail -n 40 log && exit 1; }
 dll=$(find dll -name '*hardsphere*.dll')
 x86_64-w64-mingw32-objdump -p "$dll" | sed -nE 's/^\s+\[ *[0-9]+\] (\+base\[ *[0-9]+\] +[0-9a-f]+ )?([A-Za-z_]\w*)$/\2/p' | sort >exported
-grep -ohE '\bhsp_[a-z0-9_]+\(' "$source/capi/abi/functions.txt" | tr -d '(' | grep -v '^hsp_task$' | sort >declared
+grep -ohE '\bhsp_[a-z0-9_]+\(' "$source/capi/abi/functions.txt" | tr -d '(' | grep -v '^hsp_task$' | sort -u >declared
 diff declared exported || { echo "the DLL exports other functions" && exit 1; }
 if x86_64-w64-mingw32-objdump -p "$dll" | grep -E 'DLL Name: lib(gcc|stdc|winpthread)'; then
   echo "the DLL needs a library of the compiler" && exit 1
