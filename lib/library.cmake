@@ -234,6 +234,7 @@ if(BUILD_SHARED_LIBS)
   target_compile_definitions(hardsphere_objects PRIVATE HSP_BUILD_SHARED=1)
   if(WIN32)
     target_compile_definitions(hardsphere INTERFACE HSP_USE_SHARED=1)
+    target_link_options(hardsphere PRIVATE $<$<CXX_COMPILER_ID:GNU>:-static-libgcc>) # there is none beside it
   endif()
   set_target_properties(hardsphere PROPERTIES VERSION ${PROJECT_VERSION}
     SOVERSION ${HSP_ABI_NUMBER})
