@@ -7,7 +7,7 @@
 // Balls of a record ascend in the caller's order, whatever that of the grid is.
 #include "hsp_contacts.hpp"
 
-#include "caller_executor.hpp"
+#include "compute_from_boundary.hpp"
 
 #include "contacts/contacts_check.hpp"
 #include "core/summation.hpp"
@@ -88,20 +88,7 @@ int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundar
 
 int32_t hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary,
                                   const hsp_contacts_request *request, hsp_contacts_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(contacts); status != HSP_OK) return status;
-  contacts->complete = false;
-  hsp_contacts_request asked;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits),
-                                           hsp::capi::read_request(request, asked, executor));
-      status != HSP_OK)
-    return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Status status = contacts->builder.build(boundary->model->grid, boundary->structure(),
-                                                     boundary->builder.needed().neighbours, hsp::Patience(&executor));
-  contacts->boundary.set(boundary);
-  return hsp::capi::finish(*contacts, status, limits);
+  return hsp::capi::compute_from_boundary(contacts, boundary, request, limits);
 }
 
 int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed) {

@@ -1,6 +1,6 @@
 #include "hsp_topology.hpp"
 
-#include "caller_executor.hpp"
+#include "compute_from_boundary.hpp"
 #include "model/queries.hpp"
 #include "topology/positions.hpp"
 #include "topology/shell_volumes.hpp"
@@ -47,20 +47,7 @@ int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundar
 
 int32_t hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary,
                                   const hsp_topology_request *request, hsp_topology_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(topology); status != HSP_OK) return status;
-  topology->complete = false;
-  hsp_topology_request asked;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits),
-                                           hsp::capi::read_request(request, asked, executor));
-      status != HSP_OK)
-    return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Status status = topology->builder.build(boundary->model->grid, boundary->structure(),
-                                                     boundary->builder.needed().neighbours, hsp::Patience(&executor));
-  topology->boundary.set(boundary);
-  return hsp::capi::finish(*topology, status, limits);
+  return hsp::capi::compute_from_boundary(topology, boundary, request, limits);
 }
 
 int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {

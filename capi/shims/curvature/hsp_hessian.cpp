@@ -39,11 +39,7 @@ int32_t hsp_boundary_get_hessian_product(const hsp_boundary *boundary, const hsp
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
   if (!asked.are_finite(n)) return HSP_E_NOT_FINITE;
-  for (uint32_t axis = 0; axis < 3; ++axis) {
-    const hsp::IdRange components{axis * n, (axis + 1) * n};
-    if (const int32_t status = hsp::capi::check_weights(direction, components, nullptr); status != HSP_OK)
-      return status;
-  }
+  if (const int32_t status = hsp::capi::check_weights(direction, {0, 3 * n}, nullptr); status != HSP_OK) return status;
   if (!hsp::capi::fits(true, capacity, n, needed)) return HSP_E_CAPACITY;
   if (!hsp::multiply_by_hessian(asked.executor, grid, boundary->structure(), asked.terms(), direction, product, flags))
     return asked.executor.status();

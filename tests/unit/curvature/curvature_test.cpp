@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-#include "boundary/boundary_builder.hpp"
-#include "built_grid.hpp"
+#include "built_union.hpp"
 #include "lattice_lengths.hpp"
 #include "measure/input_order.hpp"
 #include "molecule_file.hpp"
@@ -18,18 +17,9 @@ namespace {
 
 constexpr double step = 1e-8;
 
-class Built {
+class Built : public BuiltUnion {
  public:
-  explicit Built(const support::BallList &balls, double probe = 0.0, double lattice_step = step)
-      : grid_(balls, probe, lattice_step) {
-    const uint32_t n = balls.size();
-    memory_.carve(builder_, hsp::BoundaryLimits{n, n, 8 * n + 64, 2 * n + 16, 0});
-    status_ = grid_.status() == hsp::Status::ok ? builder_.build(grid_.grid()) : grid_.status();
-  }
-  hsp::Status status() const { return status_; }
-  const hsp::BallSet &balls() const { return grid_.grid().balls(); }
-  const hsp::Boundary &boundary() const { return builder_.boundary(); }
-  uint32_t ball(uint32_t i) const { return grid_.grid().grid_index(i); }
+  using BuiltUnion::BuiltUnion;
 
   double mean() const {
     double sum = 0.0;
@@ -53,12 +43,6 @@ class Built {
     for (uint32_t i = 0; i < balls().n; ++i) sum += gradient(i, weights).mean;
     return balls().lattice.length(sum);
   }
-
- private:
-  BuiltGrid grid_;
-  CarvedMemory memory_;
-  hsp::BoundaryBuilder builder_;
-  hsp::Status status_;
 };
 
 support::BallList list_of(const std::vector<std::array<double, 4>> &given) {

@@ -6,20 +6,16 @@
 #include <cmath>
 #include <vector>
 
-#include "boundary/boundary_builder.hpp"
-#include "built_grid.hpp"
+#include "built_union.hpp"
 
 namespace {
 
 TEST(HessianRows, OfAChainOfThree) {
   const support::BallList balls({0, 0, 0, 1.5, 0.25, 0, 3, 0, 0.5}, {1, 1.25, 0.75});
-  const BuiltGrid built(balls, 0.0, 1e-8);
+  const BuiltUnion built(balls);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
   const hsp::CubeGrid &grid = built.grid();
-  CarvedMemory memory;
-  hsp::BoundaryBuilder builder;
-  memory.carve(builder, hsp::BoundaryLimits{3, 3, 64, 16, 0});
-  ASSERT_EQ(builder.build(grid), hsp::Status::ok);
-  const hsp::Boundary &boundary = builder.boundary();
+  const hsp::Boundary &boundary = built.boundary();
   hsp::EnergyTerms terms;
   terms.tension = 1;
   terms.pressure = 0.5;

@@ -7,27 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "boundary/boundary_builder.hpp"
-#include "built_grid.hpp"
+#include "built_union.hpp"
 
 namespace {
-
-class Built {
- public:
-  explicit Built(const support::BallList &balls) : grid_(balls, 0.0, 1e-8) {
-    const uint32_t n = balls.size();
-    memory_.carve(builder_, hsp::BoundaryLimits{n, n, 8 * n + 64, 2 * n + 16, 0});
-    EXPECT_EQ(builder_.build(grid_.grid()), hsp::Status::ok);
-  }
-  const hsp::BallSet &balls() const { return grid_.grid().balls(); }
-  const hsp::Boundary &boundary() const { return builder_.boundary(); }
-  uint32_t place(uint32_t i) const { return grid_.grid().grid_index(i); }
-
- private:
-  BuiltGrid grid_;
-  CarvedMemory memory_;
-  hsp::BoundaryBuilder builder_;
-};
 
 // A common point of the spheres about (0, 0, 0), (2, 0, 0) and (0, 2, 0), above their plane.
 std::array<double, 3> corner(const std::array<double, 3> &radius) {
@@ -38,16 +20,17 @@ std::array<double, 3> corner(const std::array<double, 3> &radius) {
 
 TEST(VertexRates, AreDifferenceQuotientsOfVertices) {
   const std::array<double, 3> radius{1.6, 1.75, 1.5}, sigma{1, -0.5, 2};
-  const Built set({{0, 0, 0, 2, 0, 0, 0, 2, 0}, {1.6, 1.75, 1.5}});
+  const BuiltUnion set({{0, 0, 0, 2, 0, 0, 0, 2, 0}, {1.6, 1.75, 1.5}});
+  ASSERT_EQ(set.status(), hsp::Status::ok);
   const hsp::AreaWeights weights{sigma.data()};
   const auto grown = [&](double s) {
     return corner({radius[0] + s * sigma[0], radius[1] + s * sigma[1], radius[2] + s * sigma[2]});
   };
   const double s = 1e-4;
-  hsp::ArcBatches arcs(set.balls(), set.boundary(), set.place(0));
+  hsp::ArcBatches arcs(set.balls(), set.boundary(), set.ball(0));
   hsp::VertexRates rates;
   ASSERT_TRUE(arcs.next());
-  ASSERT_TRUE(rates.find(set.balls(), weights, set.place(0), arcs.batch()));
+  ASSERT_TRUE(rates.find(set.balls(), weights, set.ball(0), arcs.batch()));
   uint32_t found = 0;
   for (uint32_t slot = 0; slot < arcs.batch().count; ++slot) {
     if (arcs.batch().arc[slot] == 0) continue;
@@ -63,7 +46,8 @@ TEST(VertexRates, AreDifferenceQuotientsOfVertices) {
 }
 
 TEST(VertexRates, AreRefusedInThePlaneOfTheCentres) {
-  const Built set({{3, 4, 0, -3, 4, 0, 3, -4, 0, -3, -4, 0}, {5, 5, 5, 5}});
+  const BuiltUnion set({{3, 4, 0, -3, 4, 0, 3, -4, 0, -3, -4, 0}, {5, 5, 5, 5}});
+  ASSERT_EQ(set.status(), hsp::Status::ok);
   hsp::VertexRates rates;
   bool all = true;
   for (uint32_t i = 0; i < 4; ++i) {
@@ -75,7 +59,8 @@ TEST(VertexRates, AreRefusedInThePlaneOfTheCentres) {
 
 // The free area of two balls of radius 1 and 1.25 at a distance: its second derivative along the axis.
 TEST(HessianArcs, TwoBallsAlongTheirAxis) {
-  const Built set({{0, 0, 0, 1.5, 0, 0}, {1, 1.25}});
+  const BuiltUnion set({{0, 0, 0, 1.5, 0, 0}, {1, 1.25}});
+  ASSERT_EQ(set.status(), hsp::Status::ok);
   const auto area = [](double d) {
     const double h = (d * d + 1 - 1.25 * 1.25) / (2 * d);
     return 2 * hsp::pi * (1 + h) + 2 * hsp::pi * 1.25 * (1.25 + d - h);
@@ -85,9 +70,9 @@ TEST(HessianArcs, TwoBallsAlongTheirAxis) {
   for (uint32_t i = 0; i < 2; ++i) {
     hsp::EnergyTerms terms;
     terms.tension = 1;
-    hsp::HessianArcs arcs(set.balls(), set.boundary(), terms, set.place(i));
+    hsp::HessianArcs arcs(set.balls(), set.boundary(), terms, set.ball(i));
     ASSERT_TRUE(arcs.next());
-    EXPECT_EQ(arcs.other(), set.place(1 - i));
+    EXPECT_EQ(arcs.other(), set.ball(1 - i));
     EXPECT_NEAR(arcs.block().entry[0], -quotient, 1e-5);
     EXPECT_FALSE(arcs.next());
     EXPECT_FALSE(arcs.next());
@@ -96,12 +81,13 @@ TEST(HessianArcs, TwoBallsAlongTheirAxis) {
 }
 
 TEST(HessianArcs, BallsThatTouchCountAsTheyAreAsked) {
-  const Built set({{0, 0, 0, 2.25, 0, 0}, {1, 1.25}});
+  const BuiltUnion set({{0, 0, 0, 2.25, 0, 0}, {1, 1.25}});
+  ASSERT_EQ(set.status(), hsp::Status::ok);
   for (const hsp::TouchingBalls touching : {hsp::TouchingBalls::meet, hsp::TouchingBalls::apart}) {
     hsp::EnergyTerms terms;
     terms.pressure = 1;
     terms.weights.touching_balls = touching;
-    hsp::HessianArcs arcs(set.balls(), set.boundary(), terms, set.place(0));
+    hsp::HessianArcs arcs(set.balls(), set.boundary(), terms, set.ball(0));
     ASSERT_EQ(arcs.next(), touching == hsp::TouchingBalls::meet);
     EXPECT_EQ(arcs.flags(), hsp::one_sided_flag);
     // 2 pi R r / d along the axis, in the caller's unit, and nothing across it.
