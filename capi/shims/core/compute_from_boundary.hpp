@@ -6,7 +6,7 @@
 
 namespace hsp::capi {
 
-// What a request asks for; the handle is without results where that fails.
+// Computes the request's results. The handle is without results where that fails.
 template <class Handle, class Request>
 int32_t compute_from_boundary(Handle *handle, const hsp_boundary *boundary, const Request *request,
                               typename Handle::Given *limits) {
