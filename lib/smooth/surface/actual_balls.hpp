@@ -1,6 +1,6 @@
 // One actual set of balls in general position, very near the input: every decision about creases of the smooth surface
 // is the sign of a number of this set, so that none of them contradict each other, and the surface is closed. Doubles
-// with a bound answer if they are certain, else floats of 384 bits, else such of 2,048.
+// with a bound answer if they are certain, else floats of 384 to 2,048 bits.
 //
 // With c the centre of a ball seen from the origin of its component, w = R^2 its weight, and M the quadratic form of
 // the boundary's symbolic perturbation (exact/PROOFS.md, section 3), the actual ball has
@@ -17,8 +17,8 @@ namespace hsp {
 
 class ActualBalls {
  public:
-  // The floats that are asked where doubles are not certain. Between them lies what an exact tie needs.
-  static constexpr uint32_t middle_bits = 384, most_bits = 2048;
+  // Bits of the floats that are asked one after the other where doubles are not certain.
+  static constexpr uint32_t widths[] = {384, 768, 1024, 2048};
 
   ActualBalls(const BallSet &balls, const Boundary &boundary) : balls_(balls), boundary_(boundary) {}
 
@@ -40,9 +40,9 @@ class ActualBalls {
   // Whether the saddles of two balls' circle reach its axis.
   bool has_cusps(uint32_t a, uint32_t b) const;
 
-  // How many questions were answered by doubles, by either width of floats, and by none.
+  // How many questions were answered by doubles, by floats of some width, and by none.
   struct Answers {
-    uint64_t by_doubles = 0, by_middle = 0, by_most = 0, by_none = 0;
+    uint64_t by_doubles = 0, by_floats = 0, by_none = 0;
   };
   const Answers &answers() const { return answers_; }
 

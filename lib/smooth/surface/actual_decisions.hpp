@@ -19,17 +19,15 @@ int ActualBalls::decide_about(uint32_t ball, Question question) const {
     ++answers_.by_doubles;
     return sure;
   }
-  const auto in_bits = [&](uint32_t bits) {
-    return question(ActualPoints<WideFloat>({balls_, boundary_, bits}, ball));
-  };
-  const int fine = in_bits(middle_bits);
-  if (fine != 0) {
-    ++answers_.by_middle;
-    return fine;
+  for (const uint32_t bits : widths) {
+    const int fine = question(ActualPoints<WideFloat>({balls_, boundary_, bits}, ball));
+    if (fine != 0) {
+      ++answers_.by_floats;
+      return fine;
+    }
   }
-  const int last = in_bits(most_bits);
-  ++(last != 0 ? answers_.by_most : answers_.by_none);
-  return last;
+  ++answers_.by_none;
+  return 0;
 }
 
 template <class Question>

@@ -63,6 +63,13 @@ inline Vec3 to_double(const NumberVector<WideFloat> &a) {
   return {BoundedDouble(a.x).value, BoundedDouble(a.y).value, BoundedDouble(a.z).value};
 }
 
+// The coordinate axis that a vector is least along.
+inline int8_t axis_least_along(const Vec3 &d) {
+  const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+  if (x <= y && x <= z) return 0;
+  return y <= z ? 1 : 2;
+}
+
 // Numbers of some width, and the balls in them.
 template <class Number>
 struct ActualNumbers;
@@ -153,7 +160,7 @@ class ActualPoints : public ActualNumbers<Number> {
       case BorderPoint::Kind::towards_ball:
         return find_towards_ball(point.id[0], point.id[1], x);
       default:
-        return find_on_crease(point.id[0], point.id[1], x);
+        return find_on_crease(point, x);
     }
   }
   // The same, as seen from a vertex.
@@ -205,15 +212,13 @@ class ActualPoints : public ActualNumbers<Number> {
     this->find_difference(a, b, u);
     return height(a, b, u);
   }
-  // At right angles to a vector, of about its length.
-  [[gnu::noinline]] void find_across(const Vector &u, Vector &across) const {
-    const Vec3 d = hsp::to_double(u);
-    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+  // At right angles to a vector, of about its length if the axis is the one that it is least along.
+  [[gnu::noinline]] void find_across(const Vector &u, int axis, Vector &across) const {
     constexpr int64_t large = 104, middle = 39, small = 25;
     Vector aside;
-    if (x <= y && x <= z) {
+    if (axis == 0) {
       aside = {number(large), number(middle), number(small)};
-    } else if (y <= z) {
+    } else if (axis == 1) {
       aside = {number(small), number(large), number(middle)};
     } else {
       aside = {number(middle), number(small), number(large)};
@@ -300,14 +305,14 @@ class ActualPoints : public ActualNumbers<Number> {
     x *= probe() / square_root(this->weight(ball));
     add_vertex(v, x);
   }
-  [[gnu::noinline]] void find_on_crease(uint32_t v, uint32_t w, Vector &x) const {
-    find_arm_to_vertex(v, w, x);
-    to_point_on_crease(x);
-    add_vertex(v, x);
+  [[gnu::noinline]] void find_on_crease(const BorderPoint &point, Vector &x) const {
+    find_arm_to_vertex(point.id[0], point.id[1], x);
+    to_point_on_crease(point.sign, x);
+    add_vertex(point.id[0], x);
   }
-  [[gnu::noinline]] void to_point_on_crease(Vector &x) const {
+  [[gnu::noinline]] void to_point_on_crease(int axis, Vector &x) const {
     Vector across;
-    find_across(x, across);
+    find_across(x, axis, across);
     across *= square_root((probe_weight() - dot(x, x).scaled(-2)) / dot(across, across));
     x *= number(1).scaled(-1);
     x += across;

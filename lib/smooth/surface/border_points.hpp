@@ -10,10 +10,11 @@ struct BorderPoint {
     corner,        // of the creases of vertices id[0] < id[1] < id[2]; one of two, by the sign
     cusp,          // of the circle of balls id[0] < id[1], on the side of the second one if the sign is positive
     towards_ball,  // where the patch of vertex id[0] meets that of its ball id[1]
-    on_crease      // anywhere on the circle in which the probes at vertices id[0] and id[1] meet
+    on_crease      // one on the circle in which the probes at vertices id[0] and id[1] meet, by one of three axes: the
+                   // same point in every width
   };
   Kind kind;
-  int8_t sign;
+  int8_t sign;  // or the axis
   uint32_t id[3];
 };
 

@@ -4,7 +4,7 @@ namespace hsp {
 
 void CreasedPatches::carve(Workspace &workspace, uint32_t creases, uint32_t arcs) {
   arcs_ = FixedVector(workspace.take<BorderArc>(arcs));
-  angle_ = workspace.take<double>(arcs);
+  figures_ = workspace.take<ArcFigures>(arcs);
   crease_ = workspace.take<uint32_t>(creases);
 }
 
@@ -52,21 +52,22 @@ void CreasedPatches::add_creases(const Inputs &in, uint32_t v) {
   }
 }
 
-Status CreasedPatches::fill(const ActualBalls &actual, const Creases &creases, const CuspedCircles &cusped,
-                            const ProbeGrid &grid, CutPatches &cut) {
-  const Inputs in{actual, creases, cusped, grid};
-  const uint32_t vertices = actual.boundary().vertex_count();
+Span<BorderArc> CreasedPatches::find_border(const Inputs &in, uint32_t v) {
+  arcs_.clear();
+  add_creases(in, v);
+  if (arcs_.required() > 0) add_sides(in, v);
+  most_arcs_ = larger_count(most_arcs_, clamped_count(arcs_.required()));
+  return arcs_.overflowed() ? Span<BorderArc>{} : arcs_.items();
+}
+
+Status CreasedPatches::fill(const Inputs &in, CutPatches &cut) {
+  const uint32_t vertices = in.actual.boundary().vertex_count();
   most_arcs_ = 0;
   cut.clear();
   for (uint32_t &first : crease_) first = no_id;
   for (uint32_t v = 0; v < vertices; ++v) {
     cut.begin_vertex(v);
-    arcs_.clear();
-    add_creases(in, v);
-    if (arcs_.required() == 0) continue;
-    add_sides(in, v);
-    most_arcs_ = larger_count(most_arcs_, clamped_count(arcs_.required()));
-    if (arcs_.overflowed()) continue;
+    if (find_border(in, v).empty()) continue;
     const Status status = store_patch(in, v, cut);
     if (status != Status::ok) return status;
   }
@@ -78,41 +79,39 @@ Status CreasedPatches::fill(const ActualBalls &actual, const Creases &creases, c
 
 // The loops of a piece one after the other. Of two solid angles that differ by the whole sphere's one is that of a part
 // of the patch.
-bool CreasedPatches::measure_piece(PatchLoops &loops, uint32_t piece, double &steradians, Vec3 &vector_area,
-                                   CreaseSums &sums) {
-  Span<BorderArc> arcs = arcs_.items();
+void CreasedPatches::measure_piece(const PatchLoops &loops, uint32_t piece, double &steradians, Vec3 &vector_area,
+                                   CreaseSums &sums) const {
+  const Span<const BorderArc> arcs = arcs_.items();
+  const Span<const ArcFigures> figures = figures_.part(0, arcs.size());
   steradians = 4 * pi;
-  vector_area = {0.0, 0.0, 0.0};
-  sums = {};
   for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
     if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
-    steradians -= 2 * pi;
+    steradians += loops.steradians(loop, figures) - 4 * pi;
     uint32_t k = loop;
     do {
-      ArcFigures figures;
-      if (!loops.measure(k, figures)) return false;
-      const double c = figures.height;
-      angle_[k] = figures.angle;
-      steradians += c * figures.angle - figures.exterior;
-      const Vec3 along =
-          combine(c, cross(figures.axis, figures.chord), (1.0 - c) * (1.0 + c) * figures.angle, figures.axis);
+      const ArcFigures &arc = figures[k];
+      const double c = arc.height;
+      const Vec3 along = combine(c, cross(arc.axis, arc.chord), (1.0 - c) * (1.0 + c) * arc.angle, arc.axis);
       vector_area = combine(1.0, vector_area, -0.5, along);
       if (arcs[k].crease != no_id) {
-        sums.directions = combine(1.0, sums.directions, c * c * figures.angle, figures.axis);
-        sums.directions = combine(1.0, sums.directions, c, cross(figures.chord, figures.axis));
-        sums.angle += c * figures.angle;
+        sums.directions = combine(1.0, sums.directions, c * c * arc.angle, arc.axis);
+        sums.directions = combine(1.0, sums.directions, c, cross(arc.chord, arc.axis));
+        sums.angle += c * arc.angle;
       }
       k = arcs[k].next;
     } while (k != loop);
   }
   if (!(steradians > 0.0)) steradians = 0.0;
-  return true;
 }
 
 Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut) {
   Span<BorderArc> arcs = arcs_.items();
   PatchLoops loops(in.actual, v, arcs);
-  if (!loops.chain() || !loops.group()) return Status::degenerate;
+  if (!loops.chain()) return Status::degenerate;
+  for (uint32_t k = 0; k < arcs.size(); ++k) {
+    if (!loops.measure(k, figures_[k])) return Status::degenerate;
+  }
+  if (!loops.group(figures_.part(0, arcs.size()))) return Status::degenerate;
   const ConcaveScale scale(in.actual.balls(), in.actual.boundary(), in.grid.position(v));
   double whole = 0.0;
   Vec3 whole_vector{0.0, 0.0, 0.0};
@@ -121,7 +120,7 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
     double steradians = 0.0;
     Vec3 vector_area{0.0, 0.0, 0.0};
     CreaseSums sums;
-    if (!measure_piece(loops, piece, steradians, vector_area, sums)) return Status::degenerate;
+    measure_piece(loops, piece, steradians, vector_area, sums);
     whole += steradians;
     whole_vector = whole_vector + vector_area;
     const ConcavePatch measured = scale.patch(steradians, vector_area);
@@ -143,7 +142,7 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
 void CreasedPatches::store_arc(uint32_t k, CutPatches &cut) {
   const BorderArc &arc = arcs_[k];
   const uint32_t stored = clamped_count(cut.required_arcs());
-  cut.add_arc(arc.across, angle_[k], arc.next == arc.loop);
+  cut.add_arc(arc.across, figures_[k].angle, arc.next == arc.loop);
   if (stored >= cut.arc_capacity()) return;
   cut.arc(stored).corner = arc.start;
   if (arc.crease == no_id) return;

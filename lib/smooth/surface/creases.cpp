@@ -2,6 +2,7 @@
 
 #include "core/first_index.hpp"
 #include "core/sorting.hpp"
+#include "surface/actual_points.hpp"
 #include "surface/covered_gaps.hpp"
 #include "surface/probe_caps.hpp"
 
@@ -52,7 +53,7 @@ Status Creases::build(const ActualBalls &actual, const ChosenFaces &chosen, cons
   needed_.corners = clamped_count(corners_.required());
   if (status != Status::ok) return status;
   if (corners_.overflowed()) return Status::capacity;
-  return find_creases(chosen);
+  return find_creases(chosen, grid);
 }
 
 // Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
@@ -210,7 +211,7 @@ bool Creases::add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w) {
   return share;
 }
 
-Status Creases::find_creases(const ChosenFaces &chosen) {
+Status Creases::find_creases(const ChosenFaces &chosen, const ProbeGrid &grid) {
   for (uint32_t k = 0; k < cusped_->count(); ++k) {
     if (!actual_->has_cusps(cusped_->ball(k, 0), cusped_->ball(k, 1))) return Status::degenerate;
   }
@@ -227,7 +228,7 @@ Status Creases::find_creases(const ChosenFaces &chosen) {
     const bool share_cusps = add_cusps(chosen, pair.low, pair.high);
     needed_.ends = larger_count(needed_.ends, clamped_count(ends_.required()));
     if (ends_.overflowed()) continue;
-    const Status status = add_creases(pair.low, pair.high, share_cusps);
+    const Status status = add_creases(grid, pair.low, pair.high, share_cusps);
     if (status != Status::ok) return status;
   }
   needed_.creases = clamped_count(creases_.required());
@@ -236,13 +237,16 @@ Status Creases::find_creases(const ChosenFaces &chosen) {
 }
 
 // Ends of the pair at hand, by turns in order around the circle, start and end creases.
-Status Creases::add_creases(uint32_t v, uint32_t w, bool share_cusps) {
+Status Creases::add_creases(const ProbeGrid &grid, uint32_t v, uint32_t w, bool share_cusps) {
   Span<End> ends = ends_.items();
   const uint32_t n = ends.size();
   if (n == 0) {
     if (share_cusps || actual_->overlap(v, w) <= 0) return Status::ok;
-    const BorderPoint anywhere{BorderPoint::Kind::on_crease, 0, {v, w, no_id}};
-    if (in_patch(anywhere, v) && !in_other_probe(anywhere, v, w, w)) creases_.push({no_id, no_id});
+    const int8_t axis = axis_least_along(grid.difference(actual_->balls(), v, w));
+    const BorderPoint anywhere{BorderPoint::Kind::on_crease, axis, {v, w, no_id}};
+    if (!in_patch(anywhere, v) || in_other_probe(anywhere, v, w, w)) return Status::ok;
+    if (!in_patch(anywhere, w)) return Status::degenerate;
+    creases_.push({no_id, no_id});
     return Status::ok;
   }
   for (uint32_t k = 1; k < n; ++k) {

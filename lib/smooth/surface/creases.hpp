@@ -72,14 +72,14 @@ class Creases : public Limited<CreaseLimits> {
   void find_near(const ChosenFaces &chosen, const ProbeGrid &grid);
   void find_pairs();
   Status find_corners();
-  Status find_creases(const ChosenFaces &chosen);
+  Status find_creases(const ChosenFaces &chosen, const ProbeGrid &grid);
   uint32_t near_of(uint32_t v, uint32_t w) const;
   bool on_one_circle(uint32_t a, uint32_t b, uint32_t c) const;
   bool in_patch(const BorderPoint &point, uint32_t v) const;
   bool in_other_probe(const BorderPoint &point, uint32_t v, uint32_t w, uint32_t x) const;
   void add_corner(const BorderPoint &corner);
   bool add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w);
-  Status add_creases(uint32_t v, uint32_t w, bool share_cusps);
+  Status add_creases(const ProbeGrid &grid, uint32_t v, uint32_t w, bool share_cusps);
 
   FixedVector<Near> near_;  // by vertex, and for each by the other's number
   Span<uint32_t> first_near_;

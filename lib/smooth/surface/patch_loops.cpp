@@ -58,7 +58,7 @@ template <class Number>
                                        ArcPlace<Number> &place, NumberVector<Number> &point) {
   const Number radius = square_root(actual.probe_weight() - dot(place.middle, place.middle));
   if (arc.is_whole()) {
-    actual.find_across(place.axis, point);
+    actual.find_across(place.axis, axis_least_along(to_double(place.axis)), point);
   } else {
     place.end -= place.start;
     point = cross(place.end, place.axis);
@@ -298,10 +298,42 @@ bool PatchLoops::chain() {
   return true;
 }
 
-bool PatchLoops::group() {
+double PatchLoops::steradians(uint32_t loop, Span<const ArcFigures> figures) const {
+  double sum = 2 * pi;
+  uint32_t k = loop;
+  do {
+    sum += figures[k].height * figures[k].angle - figures[k].exterior;
+    k = arcs_[k].next;
+  } while (k != loop);
+  return sum;
+}
+
+// A patch is less than a half sphere. So a loop around a piece has less than that on its left side, and one around a
+// hole has more. All holes are in the same piece if there is but one. Sums are right to far less than the margin, as
+// every angle has the right sign; in between nothing is known from them.
+bool PatchLoops::group_by_size(Span<const ArcFigures> figures) {
+  constexpr double margin = 1e-3;
+  uint32_t outer = no_id, pieces = 0, holes = 0;
+  for (uint32_t k = 0; k < arcs_.size(); ++k) {
+    if (arcs_[k].loop != k) continue;
+    const double left = steradians(k, figures);
+    if (!(left < 2 * pi - margin || left > 2 * pi + margin)) return false;
+    if (left > 2 * pi) {
+      ++holes;
+    } else {
+      ++pieces;
+      outer = k;
+    }
+  }
+  if (pieces == 0 || (pieces > 1 && holes > 0)) return false;
+  for (BorderArc &arc : arcs_) arc.piece = holes > 0 ? outer : arc.loop;
+  return true;
+}
+
+bool PatchLoops::group(Span<const ArcFigures> figures) {
   uint32_t loops = 0;
   for (uint32_t k = 0; k < arcs_.size(); ++k) loops += arcs_[k].loop == k ? 1U : 0U;
-  if (loops < 2) return true;
+  if (loops < 2 || group_by_size(figures)) return true;
   return actual_.decide_at(vertex_, [&](const auto &actual) { return group_in(actual, vertex_, arcs_) ? 1 : 0; }) != 0;
 }
 

@@ -37,12 +37,16 @@ class PatchLoops {
 
   // Chains arcs to loops: sets next and loop. False if an arc ends where none starts, or where several do.
   bool chain();
-  // Sets piece. False if no width tells which loops bound one piece.
-  bool group();
   // False if no width tells.
   bool measure(uint32_t arc, ArcFigures &figures) const;
+  // The area on the left of a loop, on the unit sphere.
+  double steradians(uint32_t loop, Span<const ArcFigures> figures) const;
+  // Sets piece. False if no width tells which loops bound one piece.
+  bool group(Span<const ArcFigures> figures);
 
  private:
+  bool group_by_size(Span<const ArcFigures> figures);
+
   const ActualBalls &actual_;
   const uint32_t vertex_;
   Span<BorderArc> arcs_;

@@ -222,9 +222,11 @@ class WideFloatOf {
     }
     const uint32_t n = a.limbs();
     Limb twice[2 * most_bits / limb_bits];
-    for (uint32_t k = 0; k < n; ++k) twice[k] = 0;
+    for (uint32_t k = 0; k < 2 * n; ++k) twice[k] = 0;
     Limb highest = 0;
     for (uint32_t i = 0; i < n; ++i) {
+      highest = 0;
+      if (a.limb_[i] == 0) continue;  // most of an integer's
       Wide carry = 0;
       for (uint32_t j = 0; j < n; ++j) {
         carry += static_cast<Wide>(a.limb_[i]) * b.limb_[j] + twice[i + j];

@@ -24,7 +24,7 @@ class BuiltCreases {
     while (status_ == hsp::Status::ok) {
       patch_memory_.carve(patches_, count, arcs);
       cut_memory_.carve(cut_, vertices, pieces, all_arcs);
-      status_ = patches_.fill(actual_, creases_, cusped, grid_, cut_);
+      status_ = patches_.fill(inputs(), cut_);
       if (status_ != hsp::Status::capacity) break;
       status_ = hsp::Status::ok;
       arcs = std::max(arcs, patches_.most_arcs());
@@ -40,6 +40,9 @@ class BuiltCreases {
   const hsp::Creases &creases() const { return creases_; }
   const hsp::CutPatches &cut() const { return cut_; }
   const hsp::ProbeGrid &grid() const { return grid_; }
+
+  hsp::CreasedPatches &patches() { return patches_; }
+  hsp::CreasedPatches::Inputs inputs() const { return {actual_, creases_, built_.surface().cusped_circles(), grid_}; }
 
   // The rest of the patch of a vertex; what is whole as the surface has it.
   hsp::ConcavePatch patch(uint32_t v) const { return cut_.is_cut(v) ? cut_.patch(v) : built_.surface().patch(v); }

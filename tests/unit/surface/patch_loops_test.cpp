@@ -8,6 +8,8 @@
 #include "built_creases.hpp"
 #include "core/elementary.hpp"
 #include "surface/cut_patches.hpp"
+#include "sweep_length.hpp"
+#include "tied_families.hpp"
 
 namespace {
 
@@ -55,6 +57,62 @@ TEST(PatchLoops, WhatDoesNotClose) {
   EXPECT_FALSE(chains(joined));
 }
 
+struct Groups {
+  uint32_t several = 0, holes = 0;
+};
+// Sizes of loops tell which bound one piece, and so do ways between them, which are asked where sizes say nothing.
+void group_in_both_ways(const support::TiedSet &set, Groups &groups) {
+  const BuiltSurface built(set.balls, set.probe, 0.0);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  BuiltCreases creases(built);
+  ASSERT_EQ(creases.status(), hsp::Status::ok);
+  for (uint32_t v = 0; v < built.boundary().vertex_count(); ++v) {
+    SCOPED_TRACE(v);
+    const hsp::Span<BorderArc> arcs = creases.patches().find_border(creases.inputs(), v);
+    hsp::PatchLoops loops(creases.actual(), v, arcs);
+    std::vector<hsp::ArcFigures> figures(arcs.size());
+    ASSERT_TRUE(loops.chain());
+    bool is_group = false;
+    for (uint32_t k = 0; k < arcs.size(); ++k) {
+      ASSERT_TRUE(loops.measure(k, figures[k]));
+      is_group = is_group || arcs[k].loop != arcs[0].loop;
+    }
+    if (!is_group) continue;
+    const hsp::Span<const hsp::ArcFigures> known(figures.data(), arcs.size());
+    ASSERT_TRUE(loops.group(known));
+    std::vector<uint32_t> piece(arcs.size());
+    for (uint32_t k = 0; k < arcs.size(); ++k) piece[k] = arcs[k].piece;
+    // A loop of a half sphere. Ways between points that are infinitely near each other may not be decided.
+    figures[0].exterior += loops.steradians(0, known) - 2 * hsp::pi;
+    if (!loops.group(known)) continue;
+    ++groups.several;
+    for (uint32_t k = 0; k < arcs.size(); ++k) {
+      for (uint32_t j = 0; j < k; ++j) {
+        EXPECT_EQ(piece[j] == piece[k], arcs[j].piece == arcs[k].piece);
+        if (arcs[k].loop != arcs[j].loop && piece[k] == piece[j]) ++groups.holes;
+      }
+    }
+  }
+}
+
+TEST(PatchLoops, GroupAlikeBySizeAndByCrossings) {
+  Groups groups;
+  for (const support::TiedFamily &family : support::tied_families) {
+    SCOPED_TRACE(family.name);
+    for (int seed = 0; seed < oracle::rounds(2, 40) && !testing::Test::HasFailure(); ++seed) {
+      group_in_both_ways(family.member(static_cast<uint64_t>(seed)), groups);
+    }
+  }
+  EXPECT_GT(groups.several, 20U);
+  // Probes on both sides of a triangle meet in a circle, which is a hole in either patch.
+  support::TiedSet triangle{{}, 1.0};
+  triangle.balls.add(0, 0, 0, 1.0);
+  triangle.balls.add(3.3, 0, 0, 1.0);
+  triangle.balls.add(1.65, 2.858, 0, 1.0);
+  group_in_both_ways(triangle, groups);
+  EXPECT_GT(groups.holes, 0U);
+}
+
 // A side of a triangle that nothing cuts: a part of a great circle between two balls' directions.
 TEST(PatchLoops, MeasuresSides) {
   const BuiltSurface &built = three_balls();
@@ -72,20 +130,21 @@ TEST(PatchLoops, MeasuresSides) {
   }
   hsp::PatchLoops loops(actual, 0, {arcs.data(), 3});
   ASSERT_TRUE(loops.chain());
-  ASSERT_TRUE(loops.group());
   // The angle between two centres 2.5 apart, seen from a distance of 2, and by l'Huilier's theorem the triangle's area.
   const double side = 2 * std::asin(1.25 / 2);
-  double area = 2 * hsp::pi;
+  std::vector<hsp::ArcFigures> all(3);
   for (uint32_t k = 0; k < 3; ++k) {
-    hsp::ArcFigures figures;
+    hsp::ArcFigures &figures = all[k];
     ASSERT_TRUE(loops.measure(k, figures));
     EXPECT_NEAR(figures.angle, side, 1e-3);
     EXPECT_EQ(figures.height, 0.0);
     EXPECT_NEAR(dot(figures.axis, figures.axis), 1.0, 1e-12);
     EXPECT_NEAR(dot(figures.chord, figures.chord), 1.25 * 1.25, 1e-3);
     EXPECT_GT(figures.exterior, 0.0);
-    area -= figures.exterior;
   }
+  const hsp::Span<const hsp::ArcFigures> figures(all.data(), 3);
+  ASSERT_TRUE(loops.group(figures));
+  const double area = loops.steradians(0, figures);
   const double t = std::tan(side * 3 / 4), u = std::tan(side / 4);
   EXPECT_NEAR(area, 4 * std::atan(std::sqrt(t * u * u * u)), 1e-3);
 }
