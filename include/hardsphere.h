@@ -107,9 +107,8 @@
  *               Betti numbers
  *   periodic    as boundary and contacts,          the box, once, to the lattice;   -
  *               windings, queries                  as measure, gradient and contacts
- *   surface     which patches the boundary yields  areas, volumes, derivatives      what probes leave of concave
- *                                                                                   patches where many ties meet:
- *                                                                                   open_joints, HSP_E_OPEN_SURFACE
+ *   surface     which patches there are and how    areas, volumes, derivatives      -
+ *               they hang together
  *   mesh        how patches hang together          positions, normals               triangles where borders lie on each
  *                                                                                   other: HSP_E_DEGENERATE
  *   regions     shells, components, regions,       areas, volumes                   -

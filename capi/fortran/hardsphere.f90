@@ -78,7 +78,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
   ! balls and sticks that cannot be painted; which ones is reported
   integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
-  ! a degenerate set of balls, whose smooth surface does not close
+  ! not returned any more: every smooth surface is closed
   integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
   ! the caller's executor failed, or did not call every task exactly once
   integer(c_int32_t), parameter :: HSP_E_EXECUTOR = -15_c_int32_t
@@ -897,10 +897,8 @@ module hardsphere
     integer(c_int32_t) :: cusped_patches   ! of the saddle patches, those that their axis cuts
     integer(c_int32_t) :: cut_patches      ! of the concave patches, those that other probes cut
     integer(c_int32_t) :: hidden_patches   ! of these, those of which nothing is left
-    integer(c_int32_t) :: rounded_patches  ! of the concave patches, those decided in integers after rounding
-    ! corners, creases and pieces of cut patches that do not fit, and vertices where balls touch and others pass: see
-    ! above
-    integer(c_int32_t) :: open_joints
+    integer(c_int32_t) :: rounded_patches  ! of the concave patches, those cut by decisions that doubles do not make
+    integer(c_int32_t) :: open_joints      ! 0: every surface is closed
   end type
 
   type, bind(C) :: hsp_surface_totals
@@ -4729,9 +4727,9 @@ contains
   pure function hsp_surface_bytes_bound(vertices, faces, neighbours, pieces, arcs, cusped_circles) result(bytes)
     integer(c_int32_t), intent(in) :: vertices, faces, neighbours, pieces, arcs, cusped_circles
     integer(c_size_t) :: bytes
-    bytes = 8192_c_size_t + 54_c_size_t*int(vertices, c_size_t) + 9_c_size_t*int(faces, c_size_t) &
+    bytes = 8448_c_size_t + 54_c_size_t*int(vertices, c_size_t) + 9_c_size_t*int(faces, c_size_t) &
       + 1152_c_size_t*int(neighbours, c_size_t) + 106_c_size_t*int(pieces, c_size_t) &
-      + 26_c_size_t*int(arcs, c_size_t) + 16_c_size_t*int(cusped_circles, c_size_t)
+      + 33_c_size_t*int(arcs, c_size_t) + 16_c_size_t*int(cusped_circles, c_size_t)
   end function
 
   ! ---- mesh.h: boundary or smooth surface as triangles ---------------------------------------------------------------

@@ -60,7 +60,7 @@ HSP_API int32_t HSP_CALL hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t 
  *  @retval HSP_E_NOT_FINITE    edge_length is NaN or infinite
  *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
- *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts */
+ *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed */
 HSP_API int32_t HSP_CALL hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size,
                                                       const hsp_surface *surface, double edge_length);
 
@@ -122,7 +122,7 @@ HSP_API int32_t HSP_CALL hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *bo
  *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_CAPACITY      a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
- *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts
+ *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed
  *  @retval HSP_E_DEGENERATE    as for a boundary; of sets of a few points 1e-7 off a lattice up to 17 of 100 */
 HSP_API int32_t HSP_CALL hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
                                                   hsp_mesh_limits *limits);

@@ -28,24 +28,14 @@
  * two concave patches meet in a crease.
  *
  * DECISIONS   The exact boundary decides which patches there are and where they meet. The pieces that other probes
- * leave of a concave patch are decided in doubles where their error bounds allow; else in integers, exactly, after
- * directions have been rounded to 29 bits, which moves a border by about 1e-9 of p; else the status is
- * HSP_E_DEGENERATE.
- * Vertices of the boundary that are closer to each other than 2^-25 p count as one point.
+ * leave of a concave patch are decided in doubles where their error bounds allow and all patches fit together. Else all
+ * decisions are about one set of balls in general position, moved off the given one by far less than a rounding, in
+ * floats of up to 2048 bits with error bounds. So no two patches contradict each other, and the surface is closed: of
+ * 40,000 sets full of ties and near-ties all are. Should a sign stay undecided the status is HSP_E_DEGENERATE; no set
+ * is known that has it. Areas are at most 1e-7 p^2 off where balls touch in a vertex.
  *
- * Where four probes meet in one point up to rounding, or a cusp and a probe, and where vertices count as one point, all
- * patches there follow one decision, that of probes in general position infinitely near. Patches without area, as of
- * vertices in the plane of their balls' centres, then join their neighbours.
- *
- * OPEN JOINTS   Where several ties of different kinds come together, patches may fail to fit: one has a corner or a
- * crease that another lacks, a crease ends elsewhere in one of its patches than in the other, or pieces do not sum to
- * what is left of their patch. Such a joint is open. The surface cannot be read as patches, edges and corners then, nor
- * has it triangles. Of 18,000 sets of up to 14 balls, most full of ties, none is so; of 70,000 more fewer than 10 are.
- * Of sets of five points on a small lattice 6 of 100 are; 10 of 100 if points, or balls tiny against the probe, are
- * 1e-7 off such positions. Areas and volumes hold nevertheless, and are at most 1e-7 p^2 off where balls touch in a
- * vertex. But where two balls touch in a point that others pass, and vertices of others are left there, or two of the
- * same balls in directions less than a quarter of a radian apart, they are not known: hsp_surface_measure and
- * hsp_surface_get_gradient are HSP_E_OPEN_SURFACE, and each such vertex counts as an open joint.
+ * Such sets have patches, creases and corners without any size; which ones depends on how the balls are moved, their
+ * areas do not. They take longer: milliseconds for a few points, whose probes all meet in one place.
  *
  * NUMBERS   Patches, edges and corners are numbered by the boundary, which has F faces, A arcs, C circles and V
  * vertices; f, a, c and v are its ids. The balls 0 and 1 of an arc or circle are those of hsp_arc and hsp_circle.
@@ -121,8 +111,8 @@ HSP_API int32_t HSP_CALL hsp_surface_bytes(const hsp_surface_limits *limits, siz
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_SURFACE_BYTES(vertices, faces, neighbours, pieces, arcs, cusped_circles)                    \
-  ((size_t)8192 + (size_t)54 * (size_t)(vertices) + (size_t)9 * (size_t)(faces) +                       \
-   (size_t)1152 * (size_t)(neighbours) + (size_t)106 * (size_t)(pieces) + (size_t)26 * (size_t)(arcs) + \
+  ((size_t)8448 + (size_t)54 * (size_t)(vertices) + (size_t)9 * (size_t)(faces) +                       \
+   (size_t)1152 * (size_t)(neighbours) + (size_t)106 * (size_t)(pieces) + (size_t)33 * (size_t)(arcs) + \
    (size_t)16 * (size_t)(cusped_circles))
 
 /** Make an empty surface in caller memory of any alignment; sets *surface.
@@ -135,7 +125,7 @@ HSP_API int32_t HSP_CALL hsp_surface_init(void *memory, size_t bytes, const hsp_
 
 /** Compute the surface over a computed boundary. Boundary and model must outlive the surface, which can be read while
  *  these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h;
- *  at most four retries.
+ *  at most six retries.
  *  - Property 1: the order of the balls has no effect.
  *
  *  Cost: O(vertices) for sets as in Theorem 2.1 with probes no larger than balls; O(m^3) per vertex with m probes that
@@ -144,7 +134,7 @@ HSP_API int32_t HSP_CALL hsp_surface_init(void *memory, size_t bytes, const hsp_
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
- *  @retval HSP_E_DEGENERATE  no decision about a concave patch is consistent */
+ *  @retval HSP_E_DEGENERATE  a sign stays undecided: DECISIONS above */
 HSP_API int32_t HSP_CALL hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary,
                                              hsp_surface_limits *limits);
 
@@ -163,7 +153,7 @@ HSP_API int32_t HSP_CALL hsp_surface_compute(hsp_surface *surface, const hsp_bou
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
  *  @retval HSP_E_ID        the boundary has not all of these shells
- *  @retval HSP_E_DEGENERATE  no decision about a concave patch is consistent */
+ *  @retval HSP_E_DEGENERATE  a sign stays undecided: DECISIONS above */
 HSP_API int32_t HSP_CALL hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary,
                                                     const uint32_t *shells, uint32_t count, hsp_surface_limits *limits);
 
@@ -175,9 +165,8 @@ typedef struct hsp_surface_counts {
   uint32_t cusped_patches;  /**< of the saddle patches, those that their axis cuts */
   uint32_t cut_patches;     /**< of the concave patches, those that other probes cut */
   uint32_t hidden_patches;  /**< of these, those of which nothing is left */
-  uint32_t rounded_patches; /**< of the concave patches, those decided in integers after rounding */
-  uint32_t open_joints;     /**< corners, creases and pieces of cut patches that do not fit, and vertices where balls
-                                 touch and others pass: see above */
+  uint32_t rounded_patches; /**< of the concave patches, those cut by decisions that doubles do not make */
+  uint32_t open_joints;     /**< 0: every surface is closed */
 } hsp_surface_counts;
 
 /** How many patches of each kind there are, and how many meet themselves or others. Without a probe all patches but the
@@ -212,7 +201,7 @@ typedef struct hsp_surface_totals {
  *  @retval HSP_E_ARGUMENT      surface is NULL
  *  @retval HSP_E_CAPACITY      balls is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  two balls touch in a point that others pass: OPEN JOINTS above */
+ *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed */
 HSP_API int32_t HSP_CALL hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals,
                                              hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed);
 
@@ -250,7 +239,7 @@ HSP_API int32_t HSP_CALL hsp_surface_measure(const hsp_surface *surface, hsp_sur
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
- *  @retval HSP_E_OPEN_SURFACE  as for hsp_surface_measure
+ *  @retval HSP_E_OPEN_SURFACE  never
  *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
  *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
@@ -273,7 +262,7 @@ typedef struct hsp_surface_part_counts {
 /** How many patches, edges, corners and shells there are.
  *  @retval HSP_E_ARGUMENT      a null pointer
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
+ *  @retval HSP_E_OPEN_SURFACE  never */
 HSP_API int32_t HSP_CALL hsp_surface_get_part_counts(const hsp_surface *surface, hsp_surface_part_counts *counts);
 
 /** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
@@ -367,7 +356,7 @@ typedef struct hsp_surface_shell {
  *
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
+ *  @retval HSP_E_OPEN_SURFACE  never
  *  @retval HSP_E_ID            not all of these patches are there */
 HSP_API int32_t HSP_CALL hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count,
                                                  hsp_surface_patch *out);
@@ -376,7 +365,7 @@ HSP_API int32_t HSP_CALL hsp_surface_get_patches(const hsp_surface *surface, uin
  *  NULL with count 0.
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
+ *  @retval HSP_E_OPEN_SURFACE  never
  *  @retval HSP_E_ID            not all of these edges are there */
 HSP_API int32_t HSP_CALL hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count,
                                                hsp_surface_edge *out);
@@ -385,7 +374,7 @@ HSP_API int32_t HSP_CALL hsp_surface_get_edges(const hsp_surface *surface, uint3
  *  NULL with count 0.
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
+ *  @retval HSP_E_OPEN_SURFACE  never
  *  @retval HSP_E_ID            not all of these corners are there */
 HSP_API int32_t HSP_CALL hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count,
                                                  hsp_surface_corner *out);
@@ -397,7 +386,7 @@ HSP_API int32_t HSP_CALL hsp_surface_get_corners(const hsp_surface *surface, uin
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY      capacity is smaller than *needed
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
+ *  @retval HSP_E_OPEN_SURFACE  never */
 HSP_API int32_t HSP_CALL hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
                                                 uint32_t *needed);
 
@@ -406,7 +395,7 @@ HSP_API int32_t HSP_CALL hsp_surface_get_shells(const hsp_surface *surface, hsp_
 /** Check the invariants of a computed surface. If all hold, *invariant becomes 0 and *id HSP_NONE. Else *invariant
  *  becomes the number of the first that is violated, and *id that of the directed edge, patch, vertex or shell
  *  concerned:
- *  1. no joint is open; *id is their number
+ *  1. of earlier versions: no joint is open
  *  2. next and previous are inverse, keep to one patch and go from corner to corner
  *  3. the loops of all patches together are every directed edge once
  *  4. a crease has the same length in both of its patches, up to what is known of its ends
@@ -417,12 +406,12 @@ HSP_API int32_t HSP_CALL hsp_surface_get_shells(const hsp_surface *surface, hsp_
  *  9. areas and volumes of all patches, in chosen shells, sum to those of hsp_surface_measure, up to rounding; *id is
  *     HSP_NONE
  *
- *  The first is violated where the input is degenerate, see above, and that is no fault. Cost: O(size of the surface).
+ *  Cost: O(size of the surface).
  *  @retval HSP_OK              all hold
  *  @retval HSP_E_ARGUMENT      a null pointer
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  the first is violated
- *  @retval HSP_E_CHECK         another is violated: please report it */
+ *  @retval HSP_E_OPEN_SURFACE  never
+ *  @retval HSP_E_CHECK         one is violated: please report it */
 HSP_API int32_t HSP_CALL hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus

@@ -4,8 +4,6 @@ hsp_part(smooth
   HEADERS surface mesh
   SOURCES
     surface/actual_balls.cpp
-    surface/arc_parts.cpp
-    surface/coincident_patches.cpp
     surface/concave_patches.cpp
     surface/covered_gaps.cpp
     surface/crease_lengths.cpp
@@ -16,6 +14,7 @@ hsp_part(smooth
     surface/degenerate_balls.cpp
     surface/flat_patches.cpp
     surface/near_probes.kernel.cpp
+    surface/near_vertices.cpp
     surface/patch_corners.cpp
     surface/patch_loops.cpp
     surface/probe_caps.cpp
@@ -24,7 +23,6 @@ hsp_part(smooth
     surface/region_pieces.cpp
     surface/saddle.cpp
     surface/saddle_sums.kernel.cpp
-    surface/settled_circles.cpp
     surface/surface_areas.cpp
     surface/surface_gradients.cpp
     surface/surface_builder.cpp

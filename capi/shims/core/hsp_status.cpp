@@ -51,7 +51,7 @@ const char *hsp_status_text(int32_t status) {
     case HSP_E_CONFLICT:
       return "balls and sticks that cannot be painted; which ones is reported";
     case HSP_E_OPEN_SURFACE:
-      return "a degenerate set of balls, whose smooth surface does not close";
+      return "not returned any more: every smooth surface is closed";
     case HSP_E_EXECUTOR:
       return "the caller's executor failed, or did not call every task exactly once";
     case HSP_E_DEGENERATE:

@@ -91,7 +91,7 @@ int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *c
   *counts = {boundary.face_count(),   boundary.arc_count() + boundary.circle_count(),
              boundary.vertex_count(), found.cusped_arcs,
              found.cut_patches,       found.hidden_patches,
-             found.rounded_patches,   found.joints.open};
+             found.rounded_patches,   0};
   return HSP_OK;
 }
 
@@ -102,7 +102,6 @@ int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *tota
   const hsp_boundary &boundary = *surface->boundary;
   const hsp::CubeGrid &grid = boundary.model->grid;
   if (!hsp::capi::fits(balls != nullptr, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
-  if (!surface->structure().has_totals()) return HSP_E_OPEN_SURFACE;
   const hsp::SurfaceMeasure total = hsp::measure_surface(grid, boundary.structure(), surface->builder.surface(),
                                                          [balls](uint32_t i, const hsp::SurfaceMeasure &measure) {
                                                            if (balls != nullptr) balls[i] = to_c(measure);
@@ -123,7 +122,6 @@ int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_
   const uint32_t n = grid.balls().n;
   const bool wanted = out.d_centre != nullptr || out.d_radius != nullptr || out.flags != nullptr || out.area != nullptr;
   if (const int32_t status = asked.check(n, wanted, *outputs); status != HSP_OK) return status;
-  if (!surface->structure().has_totals()) return HSP_E_OPEN_SURFACE;
 
   const hsp::Boundary &boundary = surface->boundary->structure();
   const hsp::Surface &smooth = surface->builder.surface();

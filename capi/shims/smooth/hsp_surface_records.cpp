@@ -147,7 +147,6 @@ int32_t get_range(const hsp_surface *surface, uint32_t first, uint32_t count, Re
   const auto all = [](const hsp_surface &) { return HSP_NONE; };
   const int32_t status = hsp::capi::check_range(surface, first, count, out, all);
   if (status != HSP_OK && status != HSP_E_ID) return status;
-  if (!surface->structure().is_closed()) return HSP_E_OPEN_SURFACE;
   const SurfaceResults results(*surface);
   const uint32_t there = number(results.map);
   if (first > there || count > there - first) return HSP_E_ID;
@@ -158,7 +157,7 @@ int32_t get_range(const hsp_surface *surface, uint32_t first, uint32_t count, Re
 // step(results, h), if there is such a directed edge.
 template <class Step>
 uint32_t take_step(const hsp_surface *surface, uint32_t h, Step step) {
-  if (!is_live(surface) || !surface->has_results() || !surface->structure().is_closed()) return HSP_NONE;
+  if (!is_live(surface) || !surface->has_results()) return HSP_NONE;
   const SurfaceResults results(*surface);
   return h / 2 < results.map.edge_count() ? step(results) : HSP_NONE;
 }
@@ -168,15 +167,14 @@ uint32_t take_step(const hsp_surface *surface, uint32_t h, Step step) {
 int32_t hsp_surface_get_part_counts(const hsp_surface *surface, hsp_surface_part_counts *counts) {
   if (const int32_t status = check_results(surface, counts == nullptr); status != HSP_OK) return status;
   const hsp::Surface &structure = surface->structure();
-  if (!structure.is_closed()) return HSP_E_OPEN_SURFACE;
   const SurfaceResults results(*surface);
   *counts = {results.map.patch_count(),
              results.map.edge_count(),
              results.map.corner_count(),
              structure.shells().count(),
              2 * structure.cusped_circles().count(),
-             structure.counts().joints.crease_corners,
-             structure.counts().joints.creases,
+             structure.cut_patches().crease_corners().size(),
+             structure.cut_patches().creases().size(),
              0};
   return HSP_OK;
 }
@@ -226,7 +224,6 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
                                uint32_t *needed) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(surface, out == nullptr && capacity > 0); status != HSP_OK) return status;
-  if (!surface->structure().is_closed()) return HSP_E_OPEN_SURFACE;
   const uint32_t shells = surface->structure().shells().count();
   if (const int32_t status = hsp::capi::check_output(out, capacity, shells, needed); status != HSP_OK) return status;
   const SurfaceResults results(*surface);
@@ -255,7 +252,5 @@ int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *i
   if (const int32_t status = check_results(surface, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   const SurfaceResults results(*surface);
-  const int32_t status =
-      hsp::capi::report(hsp::check_surface(results.balls, results.boundary, results.surface), invariant, id);
-  return status == HSP_OK || surface->structure().is_closed() ? status : HSP_E_OPEN_SURFACE;
+  return hsp::capi::report(hsp::check_surface(results.balls, results.boundary, results.surface), invariant, id);
 }

@@ -41,7 +41,6 @@ Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, const 
     BoundaryOutline outline(balls, boundary, curves_, &surface.chosen());
     return build_all(outline, edge, patience);
   }
-  if (!surface.is_closed()) return Status::open_surface;
   SurfaceOutline outline(balls, boundary, surface, curves_.room());
   return build_all(outline, edge, patience);
 }

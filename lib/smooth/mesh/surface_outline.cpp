@@ -17,7 +17,9 @@ double SurfaceOutline::steradians(uint32_t sphere) const {
 }
 
 bool SurfaceOutline::is_flat(uint32_t sphere, Vec3 &normal) const {
-  if (sphere < balls() || !curves_.surface().cut_patches().is_cut(sphere - balls())) return false;
+  const Surface &surface = curves_.surface();
+  if (sphere < balls()) return false;
+  if (!surface.is_of_actual_balls() && !surface.cut_patches().is_cut(sphere - balls())) return false;
   const Boundary &boundary = curves_.boundary();
   const Position position = position_of_probe(curves_.balls(), boundary, sphere - balls());
   return hsp::is_flat(curves_.balls(), boundary, position, sphere - balls(), normal);
@@ -50,7 +52,6 @@ uint32_t SurfaceOutline::ball_at(uint32_t sphere, const double (&middle)[3]) con
 Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
                             MeshLimits &limits) {
   if (balls.probe_steps == 0) return expected_mesh_limits(balls, boundary, edge, limits);
-  if (!surface.is_closed()) return Status::open_surface;
   const SurfaceOutline outline(balls, boundary, surface, {});
   return outline.expected_limits(edge, limits);
 }

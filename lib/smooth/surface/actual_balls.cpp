@@ -137,6 +137,35 @@ bool ActualBalls::has_cusps(uint32_t a, uint32_t b) const {
          height_of_circle(a, b) > 0 && height_of_circle(b, a) > 0;
 }
 
+namespace {
+
+template <class Number>
+int is_known(const NumberVector<Number> &a, Vec3 &way) {
+  constexpr double least_error = 0x1p-36;
+  const BoundedDouble x(a.x), y(a.y), z(a.z);
+  way = {x.value, y.value, z.value};
+  const double longest = std::fabs(x.value) + std::fabs(y.value) + std::fabs(z.value);
+  return longest > 0.0 && x.error + y.error + z.error <= least_error * longest ? 1 : 0;
+}
+
+}  // namespace
+
+bool ActualBalls::find_way(uint32_t v, const BorderPoint &point, Vec3 &way) const {
+  return decide_at(v, [&](const auto &actual) {
+           auto arm = vector_of(actual);
+           actual.find_arm(v, point, arm);
+           return is_known(arm, way);
+         }) != 0;
+}
+
+bool ActualBalls::find_way_to_vertex(uint32_t v, uint32_t w, Vec3 &way) const {
+  return decide_at(v, [&](const auto &actual) {
+           auto arm = vector_of(actual);
+           actual.find_arm_to_vertex(v, w, arm);
+           return is_known(arm, way);
+         }) != 0;
+}
+
 // p+ of the circles of balls 1 and 2 on ball 0 sees them clockwise.
 SideOfPatch side_of_patch(const VertexRecord &vertex, uint32_t slot) {
   const uint32_t next = (slot + 1) % 3, last = (slot + 2) % 3;

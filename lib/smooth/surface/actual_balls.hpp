@@ -40,6 +40,11 @@ class ActualBalls {
   // Whether the saddles of two balls' circle reach its axis.
   bool has_cusps(uint32_t a, uint32_t b) const;
 
+  // The way from a vertex to a point, or to another vertex, in lattice steps. False where no width knows it to 2^-36 of
+  // itself.
+  bool find_way(uint32_t v, const BorderPoint &point, Vec3 &way) const;
+  bool find_way_to_vertex(uint32_t v, uint32_t w, Vec3 &way) const;
+
   // How many questions were answered by doubles, by floats of some width, and by none.
   struct Answers {
     uint64_t by_doubles = 0, by_floats = 0, by_none = 0;

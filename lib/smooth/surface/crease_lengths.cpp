@@ -8,8 +8,7 @@
 namespace hsp {
 namespace {
 
-// By which patches that are decided in integers move their borders, in units of the probe's radius
-// (circles_in_integers.hpp).
+// By how much borders may be off beside errors of positions, in units of the probe's radius.
 constexpr double rounding_of_planes = 0x1p-28;
 
 }  // namespace

@@ -2,12 +2,6 @@
 
 namespace hsp {
 
-void CreasedPatches::carve(Workspace &workspace, uint32_t creases, uint32_t arcs) {
-  arcs_ = FixedVector(workspace.take<BorderArc>(arcs));
-  figures_ = workspace.take<ArcFigures>(arcs);
-  crease_ = workspace.take<uint32_t>(creases);
-}
-
 void CreasedPatches::push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end, uint32_t crease) {
   BorderArc arc{across, start, end, no_id, no_id, no_id, crease, {}, {}};
   if (start != no_id) {
@@ -36,44 +30,37 @@ void CreasedPatches::add_sides(const Inputs &in, uint32_t v) {
   }
 }
 
-void CreasedPatches::add_creases(const Inputs &in, uint32_t v) {
-  for (const uint32_t k : in.creases.near(v)) {
-    const uint32_t p = in.creases.pair_of_near(k);
-    if (p == no_id) continue;
-    const CreasePair &pair = in.creases.pair(p);
-    for (const uint32_t c : in.creases.creases_of(p)) {
-      const Crease &crease = in.creases.creases()[c];
-      if (v == pair.low) {
-        push(in, pair.high, crease.start, crease.end, c);
-      } else {
-        push(in, pair.low, crease.end, crease.start, c);
-      }
+void CreasedPatches::add_creases(const Inputs &in, const NearVertices &near, uint32_t v) {
+  for (const uint32_t w : near.list()) {
+    for (const uint32_t k : in.creases.between(v < w ? v : w, v < w ? w : v)) {
+      const Crease &crease = in.creases.creases()[k];
+      push(in, w, v < w ? crease.start : crease.end, v < w ? crease.end : crease.start, k);
     }
   }
 }
 
-Span<BorderArc> CreasedPatches::find_border(const Inputs &in, uint32_t v) {
+Span<BorderArc> CreasedPatches::find_border(const Inputs &in, const NearVertices &near, uint32_t v) {
   arcs_.clear();
-  add_creases(in, v);
-  if (arcs_.required() > 0) add_sides(in, v);
-  most_arcs_ = larger_count(most_arcs_, clamped_count(arcs_.required()));
-  return arcs_.overflowed() ? Span<BorderArc>{} : arcs_.items();
+  add_sides(in, v);
+  const uint64_t sides = arcs_.required();
+  add_creases(in, near, v);
+  if (arcs_.required() == sides) arcs_.clear();
+  return arcs_.items();
 }
 
 Status CreasedPatches::fill(const Inputs &in, CutPatches &cut) {
   const uint32_t vertices = in.actual.boundary().vertex_count();
-  most_arcs_ = 0;
+  NearVertices near(in.actual.balls(), in.actual.boundary(), in.chosen, in.grid, in.creases.near_list());
   cut.clear();
-  for (uint32_t &first : crease_) first = no_id;
   for (uint32_t v = 0; v < vertices; ++v) {
     cut.begin_vertex(v);
-    if (find_border(in, v).empty()) continue;
-    const Status status = store_patch(in, v, cut);
+    near.find(v);
+    if (find_border(in, near, v).empty()) continue;
+    const Status status = arcs_.overflowed() ? Status::degenerate : store_patch(in, v, cut);
     if (status != Status::ok) return status;
   }
   cut.finish(vertices);
-  if (most_arcs_ > arcs_.capacity() || cut.overflowed()) return Status::capacity;
-  number_corners(in, cut);
+  if (!cut.overflowed()) number_corners(in, cut);
   return Status::ok;
 }
 
@@ -108,10 +95,11 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
   Span<BorderArc> arcs = arcs_.items();
   PatchLoops loops(in.actual, v, arcs);
   if (!loops.chain()) return Status::degenerate;
+  const Span<ArcFigures> figures = figures_.part(0, arcs.size());
   for (uint32_t k = 0; k < arcs.size(); ++k) {
-    if (!loops.measure(k, figures_[k])) return Status::degenerate;
+    if (!loops.measure(k, figures[k])) return Status::degenerate;
   }
-  if (!loops.group(figures_.part(0, arcs.size()))) return Status::degenerate;
+  if (!loops.group(figures)) return Status::degenerate;
   const ConcaveScale scale(in.actual.balls(), in.actual.boundary(), in.grid.position(v));
   double whole = 0.0;
   Vec3 whole_vector{0.0, 0.0, 0.0};
@@ -125,13 +113,17 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
     whole_vector = whole_vector + vector_area;
     const ConcavePatch measured = scale.patch(steradians, vector_area);
     cut.begin_piece(v, measured.area, measured.volume, sums);
-    for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
-      if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
-      uint32_t k = loop;
-      do {
-        store_arc(k, cut);
-        k = arcs[k].next;
-      } while (k != loop);
+    // The loop around the piece before those around holes.
+    for (int holes = 0; holes < 2; ++holes) {
+      for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
+        if (arcs[loop].piece != piece || arcs[loop].loop != loop || loops.is_around_hole(loop, figures) != (holes == 1))
+          continue;
+        uint32_t k = loop;
+        do {
+          store_arc(in, k, cut);
+          k = arcs[k].next;
+        } while (k != loop);
+      }
     }
   }
   cut.set_patch(v, scale.patch(whole, whole_vector));
@@ -139,14 +131,14 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
 }
 
 // The second of the two arcs of a crease meets the first.
-void CreasedPatches::store_arc(uint32_t k, CutPatches &cut) {
+void CreasedPatches::store_arc(const Inputs &in, uint32_t k, CutPatches &cut) {
   const BorderArc &arc = arcs_[k];
   const uint32_t stored = clamped_count(cut.required_arcs());
   cut.add_arc(arc.across, figures_[k].angle, arc.next == arc.loop);
   if (stored >= cut.arc_capacity()) return;
   cut.arc(stored).corner = arc.start;
   if (arc.crease == no_id) return;
-  uint32_t &first = crease_[arc.crease];
+  uint32_t &first = in.creases.creases()[arc.crease].arc;
   if (first == no_id) {
     first = stored;
     return;
@@ -171,13 +163,13 @@ void CreasedPatches::number_corners(const Inputs &in, CutPatches &cut) {
   }
   cut.creases().count();
   cut.crease_corners().count();
-  // There are fewer corners than creases.
+  const Span<CreaseCorner> corners = in.creases.corners();
   for (uint32_t a = 0; a < cut.arc_count(); ++a) {
-    if (cut.crease_corners().has(a)) crease_[corner_at(a)] = cut.crease_corners().rank(a);
+    if (cut.crease_corners().has(a)) corners[corner_at(a)].number = cut.crease_corners().rank(a);
   }
   for (uint32_t a = 0; a < cut.arc_count(); ++a) {
     const uint32_t corner = corner_at(a);
-    if (corner != no_id) cut.arc(a).corner = first_corner + crease_[corner];
+    if (corner != no_id) cut.arc(a).corner = first_corner + corners[corner].number;
   }
 }
 

@@ -12,28 +12,29 @@ class CreasedPatches {
  public:
   struct Inputs {
     const ActualBalls &actual;
-    const Creases &creases;
-    const CuspedCircles &cusped;
+    const ChosenFaces &chosen;
     const ProbeGrid &grid;
+    const CuspedCircles &cusped;
+    Creases &creases;  // whose numbers of arcs and corners are written
   };
 
-  // For at most so many creases, and so many arcs around any one patch.
-  void carve(Workspace &workspace, uint32_t creases, uint32_t arcs);
+  // Memory for the borders of one patch.
+  void use(Span<BorderArc> arcs, Span<ArcFigures> figures) {
+    arcs_ = FixedVector(arcs);
+    figures_ = figures;
+  }
 
-  // Status::capacity if there is no room for the arcs of a patch, for which most_arcs() would do, or in the cut
-  // patches; Status::degenerate if borders do not close, or no width tells what they bound.
+  // Status::degenerate if borders do not close, or no width tells what they bound. Cut patches may have no room.
   Status fill(const Inputs &in, CutPatches &cut);
 
-  uint32_t most_arcs() const { return most_arcs_; }
-
-  // The border of the patch of a vertex, in no order; none if no crease is there, or no room.
-  Span<BorderArc> find_border(const Inputs &in, uint32_t v);
+  // The border of the patch of the vertex whose near ones are listed, in no order; none if no crease is there.
+  Span<BorderArc> find_border(const Inputs &in, const NearVertices &near, uint32_t v);
 
  private:
   void add_sides(const Inputs &in, uint32_t v);
-  void add_creases(const Inputs &in, uint32_t v);
+  void add_creases(const Inputs &in, const NearVertices &near, uint32_t v);
   void push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end, uint32_t crease);
-  void store_arc(uint32_t k, CutPatches &cut);
+  void store_arc(const Inputs &in, uint32_t k, CutPatches &cut);
   Status store_patch(const Inputs &in, uint32_t v, CutPatches &cut);
   void measure_piece(const PatchLoops &loops, uint32_t piece, double &steradians, Vec3 &vector_area,
                      CreaseSums &sums) const;
@@ -41,8 +42,6 @@ class CreasedPatches {
 
   FixedVector<BorderArc> arcs_;  // of the patch at hand
   Span<ArcFigures> figures_;     // of these
-  Span<uint32_t> crease_;        // [creases] the first of the two arcs of one; then numbers of corners
-  uint32_t most_arcs_ = 0;
 };
 
 }  // namespace hsp

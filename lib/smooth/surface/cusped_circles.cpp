@@ -1,16 +1,15 @@
 #include "surface/cusped_circles.hpp"
 
 #include "core/first_index.hpp"
-#include "sphere/arc_geometry.hpp"
-#include "surface/saddle.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 namespace {
 
-// Seen from the ball of lower rank, so that ids have no effect.
-bool circle_has_cusps(const BallSet &balls, uint32_t a, uint32_t b) {
+bool circle_has_cusps(const ActualBalls &actual, uint32_t a, uint32_t b) {
   // Most circles are larger than the probe for certain: rho^2 = R^2 - h^2 in doubles, with an error of some e (U +
   // R^2).
+  const BallSet &balls = actual.balls();
   const double p = static_cast<double>(balls.probe_steps);
   const Vec3 v = balls.difference(a, b);
   const double U = dot(v, v);
@@ -18,10 +17,7 @@ bool circle_has_cusps(const BallSet &balls, uint32_t a, uint32_t b) {
   const double twice = U + (R - balls.r[b]) * (R + balls.r[b]);  // 2 d h
   const double margin = 0x1p-40 * (U + R * R + balls.r[b] * balls.r[b]);
   if (R * R - p * p > 0.25 * twice * (twice / U) + margin) return false;
-  const bool in_order = balls.ranks_before(a, b);
-  const CircleGeometry circle(balls, in_order ? a : b, in_order ? b : a);
-  const CircleGeometry seen_from_other(balls, in_order ? b : a, in_order ? a : b);
-  return has_cusps(p, circle.radius, circle.height, seen_from_other.height);
+  return actual.has_cusps(a, b);
 }
 
 }  // namespace
@@ -33,16 +29,17 @@ void CuspedCircles::clear() {
 }
 
 // The half-edges of a ball are sorted by their circles: those of one circle are neighbours.
-void CuspedCircles::find(const BallSet &balls, const Boundary &boundary) {
+void CuspedCircles::find(const ActualBalls &actual) {
+  const Boundary &boundary = actual.boundary();
   clear();
-  for (uint32_t i = 0; i < balls.n; ++i) {
+  for (uint32_t i = 0; i < actual.balls().n; ++i) {
     uint32_t last = no_id;
     bool has = false;
     for (const uint32_t e : boundary.half_edges(i)) {
       const uint32_t other = boundary.half_edge(e).circle;
       if (other < i) continue;
       if (other != last) {
-        has = circle_has_cusps(balls, i, other);
+        has = circle_has_cusps(actual, i, other);
         if (has) circle_.push({{i, other}, e, arcs_});
       }
       last = other;
@@ -52,7 +49,7 @@ void CuspedCircles::find(const BallSet &balls, const Boundary &boundary) {
   first_whole_ = clamped_count(required());
   for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
     const CircleRecord &circle = boundary.circle(c);
-    if (circle_has_cusps(balls, circle.ball[0], circle.ball[1]))
+    if (circle_has_cusps(actual, circle.ball[0], circle.ball[1]))
       circle_.push({{circle.ball[0], circle.ball[1]}, c, arcs_});
   }
 }

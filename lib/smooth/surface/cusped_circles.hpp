@@ -1,31 +1,17 @@
 // Circles whose saddle patches reach their own axis (saddle.hpp). All arcs of such a circle share its two cusps.
 #pragma once
 
-#include "boundary/boundary.hpp"
 #include "core/workspace.hpp"
-#include "lanes/floating_point.hpp"
+#include "surface/actual_balls.hpp"
 
 namespace hsp {
-
-// Joint decisions of patches are made for a probe that is smaller by a share of 2^-24, at the same vertices: with r =
-// 0 all probes around a ball meet in its centre, where their cusps and corners lie, too. Smaller ones keep apart. This
-// is how much larger lengths are in units of it.
-inline constexpr double growth_of_lengths = 1.0 / (1.0 - 0x1p-24);
-inline double smaller_probe(const BallSet &balls) {
-  return static_cast<double>(balls.probe_steps) / growth_of_lengths;
-}
-// From the middle of a circle of this radius to its cusps, for the smaller probe; 0 if that does not reach the axis.
-inline double half_way_between_cusps(const BallSet &balls, double radius) {
-  const double p = smaller_probe(balls);
-  return radius < p ? std::sqrt((p - radius) * (p + radius)) : 0.0;
-}
 
 class CuspedCircles {
  public:
   // For at most so many circles.
   void carve(Workspace &workspace, uint32_t circles) { circle_ = FixedVector(workspace.take<Circle>(circles)); }
   void clear();
-  void find(const BallSet &balls, const Boundary &boundary);
+  void find(const ActualBalls &actual);
 
   // Their number, also if there is no room for all.
   uint64_t required() const { return circle_.required(); }

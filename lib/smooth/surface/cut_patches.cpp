@@ -33,24 +33,6 @@ void CutPatches::add_arc(uint32_t across, double angle, bool last_of_loop) {
   if (last_of_loop) loop_ = next;
 }
 
-void CutPatches::fit_pieces(uint32_t vertex) {
-  const uint32_t first = first_piece_[vertex];
-  const Span<PatchPiece> pieces = pieces_.items().part(first, pieces_.size());
-  if (overflowed() || pieces.empty()) return;
-  const ConcavePatch &patch = patch_[first];
-  double area = 0.0;
-  double volume = 0.0;
-  for (const PatchPiece &piece : pieces) {
-    area += piece.area;
-    volume += piece.volume;
-  }
-  for (PatchPiece &piece : pieces) {
-    const double share = area > 0.0 ? piece.area / area : &piece == pieces.data() ? 1.0 : 0.0;
-    piece.area = share * patch.area;
-    piece.volume += share * (patch.volume - volume);
-  }
-}
-
 void CutPatches::finish(uint32_t vertices) {
   first_piece_[vertices] = pieces_.size();
   creases_.clear(arcs_.size());

@@ -73,9 +73,6 @@ class CutPatches {
   }
   void begin_piece(uint32_t vertex, double area, double volume, const CreaseSums &creases = {});
   void add_arc(uint32_t across, double angle, bool last_of_loop);
-  // The pieces of the last vertex come from a probe that is a little smaller (settled_circles.hpp): what their sums
-  // lack of the patch is added in proportion to their areas.
-  void fit_pieces(uint32_t vertex);
   void finish(uint32_t vertices);
 
   uint64_t required_pieces() const { return pieces_.required(); }

@@ -41,6 +41,9 @@ class PatchLoops {
   bool measure(uint32_t arc, ArcFigures &figures) const;
   // The area on the left of a loop, on the unit sphere.
   double steradians(uint32_t loop, Span<const ArcFigures> figures) const;
+  bool is_around_hole(uint32_t loop, Span<const ArcFigures> figures) const {
+    return steradians(loop, figures) > 2 * pi;
+  }
   // Sets piece. False if no width tells which loops bound one piece.
   bool group(Span<const ArcFigures> figures);
 

@@ -25,6 +25,10 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   others_.clear();
   for (bool &known : gap_known_) known = false;
   touches_ = false;
+  doubtful_ = boundary.root_discriminant(vertex) == 0.0;
+  found_ = 0;
+  const double error = vertex_error * static_cast<double>(balls.largest_radius);
+  merge_distance_ = 4 * error;
   measure_sides(balls, boundary, grid);
   if (whole_steradians_ == 0.0) return ProbeState::hidden;
 
@@ -35,6 +39,7 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   uint32_t found[ProbeSearch::room + ProbeSearch::spare];
   while (!search.done()) {
     const uint32_t count = find_near_probes(boundary.target(), search, found);
+    found_ += count;
     for (uint32_t k = 0; k < count; ++k) {
       if (found[k] != vertex) take(balls, boundary, grid, found[k]);
     }
@@ -43,8 +48,6 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   if (others_.required() == 0) return ProbeState::whole;
   if (others_.overflowed()) return ProbeState::crossed;
 
-  const double error = vertex_error * static_cast<double>(balls.largest_radius);
-  merge_distance_ = 4 * error;
   sort_and_merge();
   store_caps();
   // Errors of axis and height: of two vertices, over their distance; caps.hpp has 3.5e for the axis.
@@ -72,6 +75,7 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   }
   if (!may_cut(boundary, other)) return;
   if (square < coincident * coincident) {
+    doubtful_ = doubtful_ || square > merge_distance_ * merge_distance_;
     if (same_circle_rule(balls, boundary, other, true) == Rule::hide) hidden_ = true;
     return;
   }

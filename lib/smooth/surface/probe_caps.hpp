@@ -32,6 +32,11 @@ class ProbeCaps {
   // the other side, else up to rounding.
   bool touches() const { return touches_; }
   bool overflowed() const { return others_.overflowed(); }
+  // Probes that may cut this one, before any closer look.
+  uint32_t found() const { return found_; }
+  // Whether doubles know too little of the place: balls that touch in the vertex, or vertices so near to it that
+  // directions to them are noise, but not at the same position.
+  bool is_doubtful() const { return doubtful_; }
   const Caps &caps() const { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2
   uint32_t vertex() const { return vertex_; }
@@ -41,26 +46,6 @@ class ProbeCaps {
   bool is_counter_clockwise() const { return triangles_.sign[lane_] < 0.0; }
   // The ball of the vertex that a side is opposite to.
   uint32_t ball_opposite(uint32_t side) const { return triangles_.ball[side][lane_]; }
-
-  // The caps of the three sides alone, after whole or hidden.
-  void keep_sides() {
-    others_.clear();
-    kept_ = 0;
-    store_caps();
-    amplification_ = 1.0 + side_error_ / (3 * unit_roundoff);
-  }
-  // Calls visit(vertex) for the vertex of a cap of another probe, and for those at the same position that were left out
-  // for it.
-  template <class Visit>
-  void for_each_at_position(uint32_t cap, Visit visit) const {
-    const Other &own = others_[cap - sides];
-    visit(own.vertex);
-    for (uint32_t k = kept_; k < others_.size(); ++k) {
-      const Other &other = others_[k];
-      const Vec3 apart = combine(other.distance, other.axis, -own.distance, own.axis);
-      if (dot(apart, apart) <= merge_distance_ * merge_distance_) visit(other.vertex);
-    }
-  }
 
   // How much larger the errors of the caps are than sphere/caps.hpp has them.
   double amplification() const { return amplification_; }
@@ -104,6 +89,8 @@ class ProbeCaps {
   double side_error_ = 0.0;
   bool hidden_ = false;
   bool touches_ = false;
+  bool doubtful_ = false;
+  uint32_t found_ = 0;
   bool gap_known_[3];   // of the half-edge on ball k of the vertex's record
   uint32_t across_[3];  // the vertex at the other end of the gap behind it
   uint32_t gap_edge_[3];

@@ -1,5 +1,6 @@
 #include "surface/probe_grid.hpp"
 
+#include "core/begin_array.hpp"
 #include "core/decimal.hpp"
 #include "core/first_index.hpp"
 #include "core/rows.hpp"
@@ -35,17 +36,6 @@ static_assert(keeps_rows_apart());
 // For the floats of so many vertices.
 constexpr uint64_t doubles_for(uint32_t vertices) {
   return (uint64_t{vertices} + spare_probes + 1) / 2;
-}
-
-// Twice as many T of half the size in the same memory, whose lives begin.
-template <class T>
-Span<T> begin_array(Span<double> memory) {
-  static_assert(2 * sizeof(T) == sizeof(double));
-  unsigned char *const bytes = reinterpret_cast<unsigned char *>(memory.data());
-  const uint32_t count = 2 * memory.size();
-  T *first = nullptr;
-  for (uint32_t k = count; k-- > 0;) first = ::new (static_cast<void *>(bytes + k * sizeof(T))) T;
-  return {first, count};
 }
 
 uint32_t buckets_for(uint32_t vertices) {

@@ -14,6 +14,11 @@ constexpr bool has_cusps(double probe, double circle_radius, double height, doub
   return circle_radius < probe && height > 0.0 && other_height > 0.0;
 }
 
+// From the middle of such a circle to its cusps.
+inline double half_way_between_cusps(double probe, double circle_radius) {
+  return circle_radius < probe ? std::sqrt((probe - circle_radius) * (probe + circle_radius)) : 0.0;
+}
+
 // The saddle patches around one ball; the probe is not 0.
 class SaddlePatches {
  public:

@@ -12,7 +12,6 @@
 #include "core/limits.hpp"
 #include "core/workspace.hpp"
 #include "surface/concave_patches.hpp"
-#include "surface/patch_corners.hpp"
 #include "surface/probe_caps.hpp"
 #include "surface/surface_shells.hpp"
 
@@ -37,9 +36,7 @@ struct SurfaceCounts {
   uint32_t cut_patches = 0;      // concave patches that other probes cut
   uint32_t hidden_patches = 0;   // of these, those of which nothing is left
   uint32_t cusped_arcs = 0;      // arcs and circles whose saddle patch its axis cuts
-  uint32_t rounded_patches = 0;  // patches decided in integers, after rounding
-  uint32_t crowded_points = 0;   // vertices where two balls touch and others pass
-  PatchJoints joints;            // of cut patches
+  uint32_t rounded_patches = 0;  // cut patches of a surface that doubles do not decide
 };
 
 class Surface {
@@ -57,11 +54,9 @@ class Surface {
   // The part that is measured. Patches, edges and shells are those of both parts.
   const ChosenFaces &chosen() const { return chosen_; }
   Span<uint32_t> scratch() const { return scratch_; }  // [faces + pieces]
-  // Whether everything that meets is found from all sides. Not so where several ties come together that no rule
-  // decides for all patches at once (settled_circles.hpp); areas are not concerned.
-  bool is_closed() const { return counts_.joints.open == 0; }
-  // Whether areas and volumes are known: not where two balls touch and vertices of others are left (PROOFS.md, 11).
-  bool has_totals() const { return counts_.crowded_points == 0; }
+  // Whether patches are cut by decisions about the actual balls (actual_balls.hpp): then vertices may be too near each
+  // other for doubles.
+  bool is_of_actual_balls() const { return of_actual_balls_; }
 
  private:
   friend class SurfaceBuilder;
@@ -75,6 +70,7 @@ class Surface {
   RankedBits touching_;
   Span<uint32_t> scratch_;
   SurfaceCounts counts_;
+  bool of_actual_balls_ = false;
 };
 
 }  // namespace hsp

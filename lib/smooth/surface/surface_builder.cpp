@@ -1,20 +1,16 @@
 #include "surface/surface_builder.hpp"
 
-#include "surface/arc_parts.hpp"
+#include "core/begin_array.hpp"
 #include "surface/circles_in_doubles.hpp"
-#include "surface/circles_in_integers.hpp"
-#include "surface/crease_lengths.hpp"
-#include "surface/probe_positions.hpp"
-#include "surface/settled_circles.hpp"
+#include "surface/patch_corners.hpp"
+#include "surface/region_pieces.hpp"
 
 namespace hsp {
 namespace {
 
-// Areas on the unit sphere that differ by less are the same up to rounding.
-constexpr double least_steradians = 1e-6;
-
-// An angle between two vertices on the circle of balls that touch. Areas are off by twice as much if they count as one.
-constexpr double least_turn = 0x1p-26;
+// There is room for one crease, and for one corner of three creases, in so many arcs. Each crease is two of them, and
+// three start in each such corner: the rest are sides, and what few sets need.
+constexpr uint32_t arcs_for_crease = 4, arcs_for_corner = 8;
 
 }  // namespace
 
@@ -36,6 +32,7 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   const uint64_t caps = uint64_t{limits.neighbours} + ProbeCaps::sides;
   corners_ = FixedVector(workspace.take<RegionCorner>(6 * caps));
   arcs_ = FixedVector(workspace.take<RegionArc>(6 * caps));
+  creases_.carve(workspace, limits.neighbours, limits.arcs / arcs_for_crease, limits.arcs / arcs_for_corner);
 }
 
 Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
@@ -50,6 +47,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
   CutPatches &cut = surface_.cut_patches_;
   CuspedCircles &cusped = surface_.cusped_circles_;
   surface_.counts_ = {};
+  surface_.of_actual_balls_ = false;
   cut.clear();
   cusped.clear();
   needed_ = {boundary.vertex_count(), boundary.face_count()};
@@ -70,19 +68,9 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     return Status::ok;
   }
   grid_.build(balls, boundary);
-  cusped.find(balls, boundary);
-  needed_.cusped_circles = clamped_count(cusped.required());
-  Status status = cut_patches(balls, boundary, Decisions::of_each_patch);
+  const ActualBalls actual(balls, boundary);
+  const Status status = find_patches(actual);
   if (status != Status::ok) return status;
-  // Where joints are open, once more with decisions that patches share, if that helps.
-  if (const uint32_t open = surface_.counts_.joints.open; open > 0) {
-    status = cut_patches(balls, boundary, Decisions::shared);
-    if (status == Status::ok && surface_.counts_.joints.open >= open) {
-      status = cut_patches(balls, boundary, Decisions::of_each_patch);
-    }
-    if (status != Status::ok) return status;
-  }
-  surface_.counts_.joints.open += surface_.counts_.crowded_points;
   surface_.touching_.count();
   surface_.concave_.measure(balls, boundary, grid_.positions(), cut);
   surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
@@ -90,144 +78,87 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
   return Status::ok;
 }
 
-// All concave patches, and the joints of those that are cut.
-Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary, Decisions decisions) {
+Status SurfaceBuilder::find_patches(const ActualBalls &actual) {
+  surface_.cusped_circles_.find(actual);
+  needed_.cusped_circles = clamped_count(surface_.cusped_circles_.required());
+  cut_patches(actual.balls(), actual.boundary());
+  if (!fits()) return Status::capacity;
+  if (certain_) {
+    const PatchJoints joints = join_patches(actual.boundary(), surface_.cusped_circles_, surface_.cut_patches_);
+    if (joints.open == 0 && joints.uneven == 0) return Status::ok;
+  }
+  return cut_actual_patches(actual);
+}
+
+// Whether there is room for all that is needed, as far as that is known.
+bool SurfaceBuilder::fits() const {
+  return needed_.neighbours <= limits_.neighbours && needed_.cusped_circles <= limits_.cusped_circles &&
+         needed_.pieces <= limits_.pieces && needed_.arcs <= limits_.arcs;
+}
+
+// Each on its own, in doubles.
+void SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary) {
   CutPatches &cut = surface_.cut_patches_;
-  const CuspedCircles &cusped = surface_.cusped_circles_;
-  const ChosenFaces &chosen = surface_.chosen_;
-  FlatPatches flat(balls, boundary, chosen, grid_, cusped);
-  surface_.counts_ = {};
-  uncertain_pieces_ = 0;
-  cut.clear();
+  certain_ = true;
+  uint32_t most_found = 0;
   for (uint32_t v = 0; v < needed_.vertices; ++v) {
     cut.begin_vertex(v);
-    const ProbeState state = probe_.gather(balls, boundary, chosen, grid_, v);
+    const ProbeState state = probe_.gather(balls, boundary, surface_.chosen_, grid_, v);
     if (probe_.touches()) surface_.touching_.set(v);
-    if (boundary.root_discriminant(v) == 0.0 && is_crowded(balls, boundary, v)) ++surface_.counts_.crowded_points;
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
-    if (state == ProbeState::crossed) {
-      if (probe_.overflowed()) continue;
-      const SurfaceCounts before = surface_.counts_;
-      double steradians = 0.0;
-      Vec3 vector_area{0.0, 0.0, 0.0};
-      if (!measure_cut_patch(steradians, vector_area)) return Status::degenerate;
-      if (decisions == Decisions::shared) {
-        if (steradians < least_steradians && store_flat_patch(flat, v)) {
-          surface_.counts_ = before;
-          ++surface_.counts_.cut_patches;
-          continue;
-        }
-        const SettledCircles settled(balls, boundary, chosen, grid_, cusped, probe_);
-        if (settle(settled, steradians, vector_area, before)) {
-          if (surface_.counts_.cut_patches == before.cut_patches) continue;
-          const ConcaveScale scale(balls, boundary, grid_.position(v));
-          cut.begin_patch(scale.patch(steradians, vector_area));
-          store_pieces(boundary, v, scale, steradians, &settled);
-          continue;
-        }
-        surface_.counts_ = before;
-        measure_cut_patch(steradians, vector_area);
-      }
-      if (surface_.counts_.cut_patches == before.cut_patches) continue;
+    most_found = larger_count(most_found, probe_.found());
+    if (state == ProbeState::hidden || probe_.is_doubtful()) certain_ = false;
+    if (state != ProbeState::crossed || probe_.overflowed()) continue;
+    double steradians = 0.0;
+    Vec3 vector_area{0.0, 0.0, 0.0};
+    bool is_cut = false;
+    if (!measure_cut_patch(steradians, vector_area, is_cut)) {
+      certain_ = false;
+    } else if (is_cut) {
+      ++surface_.counts_.cut_patches;
       const ConcaveScale scale(balls, boundary, grid_.position(v));
       cut.begin_patch(scale.patch(steradians, vector_area));
-      store_pieces(boundary, v, scale, steradians, nullptr);
-    } else if (decisions == Decisions::shared &&
-               (state == ProbeState::hidden || probe_.whole_steradians() < least_steradians) &&
-               store_flat_patch(flat, v)) {
-      ++surface_.counts_.cut_patches;
-    } else if (decisions == Decisions::shared && state == ProbeState::whole && has_opposite_probes(balls, boundary)) {
-      const SurfaceCounts before = surface_.counts_;
-      const SettledCircles settled(balls, boundary, chosen, grid_, cusped, probe_);
-      if (!settle(settled, probe_.whole_steradians(), probe_.whole_vector_area(), before)) continue;
-      const ConcaveScale scale(balls, boundary, grid_.position(v));
-      surface_.counts_.cut_patches = before.cut_patches + 1;
-      cut.begin_patch(scale.patch(probe_.whole_steradians(), probe_.whole_vector_area()));
-      store_pieces(boundary, v, scale, probe_.whole_steradians(), &settled);
-    } else if (state == ProbeState::hidden) {
-      ++surface_.counts_.cut_patches;
-      ++surface_.counts_.hidden_patches;
-      cut.begin_patch({});
-      cut.begin_piece(v, 0.0, 0.0);
+      store_pieces(boundary, v, scale, steradians);
     }
   }
   cut.finish(needed_.vertices);
+  // The actual set asks for more, and then has other pieces.
+  if (!certain_) {
+    needed_.neighbours = larger_count(needed_.neighbours, most_found);
+    return;
+  }
+  needed_.pieces = clamped_count(cut.required_pieces());
+  needed_.arcs = clamped_count(cut.required_arcs());
+}
+
+Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual) {
+  CutPatches &cut = surface_.cut_patches_;
+  surface_.counts_ = {};
+  surface_.of_actual_balls_ = true;
+  Status status = creases_.build(actual, surface_.chosen_, grid_, surface_.cusped_circles_);
+  needed_.neighbours = larger_count(needed_.neighbours, creases_.most_near());
+  need_arcs(arcs_for_corner * uint64_t{creases_.required_corners()});
+  need_arcs(arcs_for_crease * uint64_t{creases_.required_creases()});
+  if (status == Status::capacity && fits()) return Status::degenerate;
+  if (status == Status::capacity && creases_.most_near() <= limits_.neighbours) {
+    // Creases end in corners and cusps, and few are whole circles; each is an arc of two patches, of six sides at most.
+    const uint64_t ends = 3 * uint64_t{creases_.required_corners()} + 2 * uint64_t{surface_.cusped_circles_.arcs()};
+    const uint64_t creases = larger_count(clamped_count(ends / 2 + needed_.vertices), creases_.required_creases());
+    need_arcs(arcs_for_crease * creases);
+    need_arcs(2 * creases + 6 * uint64_t{needed_.vertices});
+  }
+  if (status != Status::ok) return status;
+  creased_.use(begin_array<BorderArc>(arcs_.room()), begin_array<ArcFigures>(corners_.room()));
+  status = creased_.fill({actual, surface_.chosen_, grid_, surface_.cusped_circles_, creases_}, cut);
+  corners_ = FixedVector(begin_array<RegionCorner>(corners_.room()));
+  arcs_ = FixedVector(begin_array<RegionArc>(arcs_.room()));
+  if (status != Status::ok) return status;
   needed_.pieces = larger_count(needed_.pieces, clamped_count(cut.required_pieces()));
-  needed_.arcs = larger_count(needed_.arcs, clamped_count(cut.required_arcs()));
-  if (needed_.neighbours > limits_.neighbours || cut.overflowed() || needed_.cusped_circles > limits_.cusped_circles) {
-    return Status::capacity;
-  }
-  surface_.counts_.joints = join_patches(boundary, cusped, cut);
-  // A hidden patch lacks even its corners, which convex patches and saddles have.
-  surface_.counts_.joints.open += uncertain_pieces_ + surface_.counts_.hidden_patches;
-  if (surface_.counts_.joints.uneven > 0) {
-    const CreaseLengths lengths(balls, boundary, cut);
-    for (uint32_t k = 0; k < cut.creases().size(); ++k) {
-      surface_.counts_.joints.open += lengths.agree(cut.creases().member(k)) ? 0 : 1;
-    }
-  }
+  need_arcs(cut.required_arcs());
+  if (cut.overflowed()) return Status::capacity;
+  for (uint32_t v = 0; v < needed_.vertices; ++v) surface_.counts_.cut_patches += cut.is_cut(v) ? 1U : 0U;
+  if (actual.answers().by_floats > 0) surface_.counts_.rounded_patches = surface_.counts_.cut_patches;
   return Status::ok;
-}
-
-// Of a vertex in which two balls touch: whether in that point there are vertices of others, not of both, or one of both
-// in a direction so near to its own that they count as one vertex.
-bool SurfaceBuilder::is_crowded(const BallSet &balls, const Boundary &boundary, uint32_t vertex) const {
-  const uint32_t third = third_of_touching(balls, boundary, vertex);
-  if (third == 3) return false;
-  const VertexRecord &record = boundary.vertex(vertex);
-  const uint32_t a = record.ball[(third + 1) % 3], b = record.ball[(third + 2) % 3];
-  const Position here = position_of_vertex(balls, boundary, vertex);
-  const double most = coincident_distance * static_cast<double>(balls.probe_steps);
-  const double least = least_turn * radius_of_touching * static_cast<double>(balls.probe_steps);
-  ProbeSearch search;
-  grid_.start_search(balls, vertex, search);
-  for (uint32_t r = 0; r < search.ranges; ++r) {
-    for (uint32_t k = search.range[r].first; k < search.range[r].last; ++k) {
-      const uint32_t other = search.vertex[k];
-      const VertexRecord &others = boundary.vertex(other);
-      if (others.has(a) && others.has(b)) {
-        const Vec3 between = grid_.difference(balls, vertex, other);
-        const double square = dot(between, between);
-        if (square < most * most && square > least * least) return true;
-        continue;
-      }
-      const Position there = position_of_vertex(balls, boundary, other);
-      const Vec3 apart = balls.difference(here.ball, there.ball) + (there.offset - here.offset);
-      if (dot(apart, apart) < most * most) return true;
-    }
-  }
-  return false;
-}
-
-// Of a whole patch: whether some side has a crease with a vertex at the same position.
-bool SurfaceBuilder::has_opposite_probes(const BallSet &balls, const Boundary &boundary) {
-  probe_.keep_sides();
-  return SettledCircles(balls, boundary, surface_.chosen_, grid_, surface_.cusped_circles_, probe_)
-      .has_opposite_probes();
-}
-
-bool SurfaceBuilder::store_flat_patch(FlatPatches &flat, uint32_t vertex) {
-  if (!flat.find(vertex)) return false;
-  surface_.cut_patches_.begin_patch({});
-  flat.store(surface_.cut_patches_);
-  return true;
-}
-
-// The arcs of the patch as decisions that patches share have them. False if area or vector area, which are right as
-// they are, show that these leave another part of the sphere: neither differs by more than what lies between the two.
-bool SurfaceBuilder::settle(const SettledCircles &circles, double steradians, const Vec3 &vector_area,
-                            const SurfaceCounts &before) {
-  FreeRegion region;
-  if (!FreeRegionFinder(circles, corners_, arcs_, ProbeCaps::sides).find(region) || region.arcs == 0) return false;
-  const double more = region.steradians() - steradians;
-  const double off = more > pi ? more - 2 * pi : more < -pi ? more + 2 * pi : more;
-  if (!(off < least_steradians && -off < least_steradians)) return false;
-  const Vec3 aside = region.vector_area - vector_area;
-  if (!(dot(aside, aside) < least_steradians * least_steradians)) return false;
-  surface_.counts_.cut_patches =
-      before.cut_patches + (region.cutting_arcs > 0 || circles.has_opposite_probes() ? 1 : 0);
-  surface_.counts_.hidden_patches = before.hidden_patches;
-  return true;
 }
 
 void SurfaceBuilder::number_arcs(const Boundary &boundary) {
@@ -241,16 +172,14 @@ void SurfaceBuilder::number_arcs(const Boundary &boundary) {
   first.count();
 }
 
-// Loops that bound one piece one after the other, that around the piece first. If it is uncertain which piece has a
-// hole, all loops bound one: then the surface is not closed. Nor is it if the pieces are not the whole patch.
-void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole,
-                                  const SettledCircles *settled) {
+// Loops that bound one piece one after the other, that around the piece first. It may be uncertain which piece has a
+// hole, or the pieces may not be the whole patch.
+void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole) {
   CutPatches &cut = surface_.cut_patches_;
   const Span<RegionArc> arcs = arcs_.items();
-  if (arcs.empty()) cut.begin_piece(vertex, 0.0, 0.0);
   if (!find_pieces(probe_.caps(), corners_.items(), arcs)) {
-    for (RegionArc &arc : arcs) arc.piece = 0;
-    ++uncertain_pieces_;
+    certain_ = false;
+    return;
   }
   double left = whole;
   double terms = 2 * pi;
@@ -277,16 +206,10 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, con
       do {
         const uint32_t circle = arcs[a].circle;
         const bool last = arcs[a].next == loop;
-        if (settled != nullptr) {
-          ArcParts::Part parts[ArcParts::most];
-          const uint32_t count = ArcParts(*settled).find(arcs[a], corners_.items(), parts);
-          for (uint32_t k = 0; k < count; ++k) cut.add_arc(parts[k].across, parts[k].angle, last && k + 1 == count);
-        } else {
-          const uint32_t across = circle < ProbeCaps::sides
-                                      ? PatchArc::side(boundary.vertex(vertex).slot_of(probe_.ball_opposite(circle)))
-                                      : probe_.caps().ball[circle];
-          cut.add_arc(across, arcs[a].angle, last);
-        }
+        const uint32_t across = circle < ProbeCaps::sides
+                                    ? PatchArc::side(boundary.vertex(vertex).slot_of(probe_.ball_opposite(circle)))
+                                    : probe_.caps().ball[circle];
+        cut.add_arc(across, arcs[a].angle, last);
         a = arcs[a].next;
       } while (a != loop);
     }
@@ -294,9 +217,7 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, con
   // Sums of one set of terms in two orders: the arcs', each a sum of two, and a whole turn for each loop. Each of the
   // additions, with those that reduce the whole modulo 2 pi, rounds by no more than all terms together.
   const double rounding = (4 * arcs.size() + 8) * unit_roundoff * (terms + 2 * pi * arcs.size());
-  const double most = settled != nullptr ? rounding + least_steradians : rounding;
-  if (!(left <= most && -left <= most)) ++uncertain_pieces_;
-  if (settled != nullptr) cut.fit_pieces(vertex);
+  if (!(left <= rounding && -left <= rounding)) certain_ = false;
 }
 
 void SurfaceBuilder::add_crease(const RegionArc &arc, CreaseSums &creases) const {
@@ -311,36 +232,18 @@ void SurfaceBuilder::add_crease(const RegionArc &arc, CreaseSums &creases) const
   creases.angle += height * arc.angle;
 }
 
-bool SurfaceBuilder::measure_cut_patch(double &steradians, Vec3 &vector_area) {
-  FreeRegion region;
-  const CirclesInDoubles doubles(probe_.caps(), probe_.amplification());
-  if (FreeRegionFinder(doubles, corners_, arcs_, ProbeCaps::sides).find(region) &&
-      accept(region, steradians, vector_area)) {
-    return true;
-  }
-  ++surface_.counts_.rounded_patches;
-  const CirclesInIntegers integers(probe_.caps());
-  return FreeRegionFinder(integers, corners_, arcs_, ProbeCaps::sides).find(region) &&
-         accept(region, steradians, vector_area);
-}
-
-// The area is known modulo 2 pi, and it is between 0 and that of the whole triangle.
-bool SurfaceBuilder::accept(const FreeRegion &region, double &steradians, Vec3 &vector_area) {
+// False if doubles are not certain. The area is known modulo 2 pi, and it is between 0 and that of the whole triangle.
+bool SurfaceBuilder::measure_cut_patch(double &steradians, Vec3 &vector_area, bool &is_cut) {
   constexpr double tolerance = 1e-7;
-  SurfaceCounts &counts = surface_.counts_;
-  if (region.arcs == 0) {
-    steradians = 0.0;
-    vector_area = {0.0, 0.0, 0.0};
-    ++counts.cut_patches;
-    ++counts.hidden_patches;
-    return true;
-  }
+  FreeRegion region;
+  const CirclesInDoubles circles(probe_.caps(), probe_.amplification());
+  if (!FreeRegionFinder(circles, corners_, arcs_, ProbeCaps::sides).find(region) || region.arcs == 0) return false;
   double area = region.steradians();
   if (area > probe_.whole_steradians() + tolerance && area > 2 * pi - tolerance) area = 0.0;
   if (!(area <= probe_.whole_steradians() + tolerance)) return false;
   steradians = area;
   vector_area = region.vector_area;
-  if (region.cutting_arcs > 0) ++counts.cut_patches;
+  is_cut = region.cutting_arcs > 0;
   return true;
 }
 

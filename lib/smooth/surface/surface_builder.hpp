@@ -1,9 +1,12 @@
 // Fills a surface: the pass over all vertices of a boundary.
+//
+// First each concave patch is cut on its own, in doubles. Where all of it is certain, and what patches have found fits
+// together, that is the surface. Otherwise all patches are cut once more, by signs of one actual set of balls
+// (creases.hpp).
 #pragma once
 
-#include "surface/flat_patches.hpp"
+#include "surface/creased_patches.hpp"
 #include "surface/free_region.hpp"
-#include "surface/settled_circles.hpp"
 #include "surface/surface.hpp"
 
 namespace hsp {
@@ -12,8 +15,8 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
  public:
   void carve(Workspace &workspace, const SurfaceLimits &limits);
 
-  // Status::capacity if a limit is too small; needed() then reports what suffices. Status::degenerate if the caps of a
-  // patch yield no region of it, neither in doubles nor in integers.
+  // Status::capacity if a limit is too small; needed() then reports what suffices. Status::degenerate if a sign of the
+  // actual set is not certain in any width, or borders do not close.
   Status build(const BallSet &balls, const Boundary &boundary);
   // Of some shells of the boundary alone.
   Status build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells);
@@ -22,26 +25,25 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
 
  private:
   Status build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells);
-  // Of each concave patch on its own, or such that all patches that meet in a point share them (settled_circles.hpp).
-  enum class Decisions : uint8_t { of_each_patch, shared };
-  Status cut_patches(const BallSet &balls, const Boundary &boundary, Decisions decisions);
-  bool is_crowded(const BallSet &balls, const Boundary &boundary, uint32_t vertex) const;
-  bool has_opposite_probes(const BallSet &balls, const Boundary &boundary);
-  bool store_flat_patch(FlatPatches &flat, uint32_t vertex);
-  bool settle(const SettledCircles &circles, double steradians, const Vec3 &vector_area, const SurfaceCounts &before);
-  bool measure_cut_patch(double &steradians, Vec3 &vector_area);
-  bool accept(const FreeRegion &region, double &steradians, Vec3 &vector_area);
+  Status find_patches(const ActualBalls &actual);
+  void cut_patches(const BallSet &balls, const Boundary &boundary);
+  Status cut_actual_patches(const ActualBalls &actual);
+  bool fits() const;
+  void need_arcs(uint64_t arcs) { needed_.arcs = larger_count(needed_.arcs, clamped_count(arcs)); }
+  bool measure_cut_patch(double &steradians, Vec3 &vector_area, bool &is_cut);
   void number_arcs(const Boundary &boundary);
-  void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole,
-                    const SettledCircles *settled);
+  void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole);
   void add_crease(const RegionArc &arc, CreaseSums &creases) const;
 
   Surface surface_;
   ProbeGrid grid_;
   ProbeCaps probe_;
+  // Of the patch at hand; and the same memory for those of the actual set.
   FixedVector<RegionCorner> corners_;
   FixedVector<RegionArc> arcs_;
-  uint32_t uncertain_pieces_ = 0;
+  CreasedPatches creased_;
+  Creases creases_;
+  bool certain_ = true;
 };
 
 }  // namespace hsp

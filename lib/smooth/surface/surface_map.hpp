@@ -44,8 +44,8 @@ class SurfaceMap {
       : balls_(balls), boundary_(boundary), surface_(surface) {}
 
   uint32_t patch_count() const { return first_extra_piece() + surface_.cut_patches().extra_pieces().size(); }
-  uint32_t edge_count() const { return first_crease() + surface_.counts().joints.creases; }
-  uint32_t corner_count() const { return first_crease_corner() + surface_.counts().joints.crease_corners; }
+  uint32_t edge_count() const { return first_crease() + surface_.cut_patches().creases().size(); }
+  uint32_t corner_count() const { return first_crease_corner() + surface_.cut_patches().crease_corners().size(); }
 
   SurfacePatch patch(uint32_t id) const;
   SurfaceEdge edge(uint32_t id) const;

@@ -1,8 +1,10 @@
 #include "surface/surface_positions.hpp"
 
+#include "core/sorting.hpp"
 #include "sphere/arc_geometry.hpp"
-#include "surface/flat_patches.hpp"
+#include "surface/actual_balls.hpp"
 #include "surface/probe_positions.hpp"
+#include "surface/saddle.hpp"
 #include "surface/surface_areas.hpp"
 
 namespace hsp {
@@ -28,22 +30,6 @@ Vec3 beyond_side(const BallSet &balls, const VertexRecord &vertex, const Positio
   return dot(normal, towards(balls, from, vertex.ball[slot])) > 0.0 ? -normal : normal;
 }
 
-// Where another vertex lies that is infinitely near: across the plane of the own three balls, if the vertex lies there,
-// or else beyond the side on the two balls that they share.
-Vec3 towards_coincident(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex,
-                        uint32_t other) {
-  Vec3 normal;
-  if (is_flat(balls, boundary, from, vertex, normal)) return -normal;
-  const VertexRecord &own = boundary.vertex(vertex);
-  const VertexRecord &record = boundary.vertex(other);
-  uint32_t slot = 0;
-  for (uint32_t t = 0; t < 3; ++t) {
-    const uint32_t ball = own.ball[t];
-    if (record.ball[0] != ball && record.ball[1] != ball && record.ball[2] != ball) slot = t;
-  }
-  return beyond_side(balls, own, from, slot);
-}
-
 // The cap that another probe cuts out of the one at a position: unit vector and height on the unit sphere.
 struct ProbeCap {
   Vec3 axis;
@@ -51,23 +37,22 @@ struct ProbeCap {
 
   ProbeCap(const Vec3 &direction, double above) : axis(direction), height(above) {}
   // `from` is that of `vertex`.
-  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, uint32_t other) {
-    const Vec3 to = difference(balls, from, position_of_probe(balls, boundary, other));
-    const double p = static_cast<double>(balls.probe_steps);
-    const double square = dot(to, to);
-    if (square < coincident_distance * coincident_distance * p * p) {
-      axis = towards_coincident(balls, boundary, from, vertex, other);
-      height = 0.0;
-      return;
-    }
-    axis = scaled_to(to, 1.0);
-    height = std::sqrt(square) / (2 * p);
+  ProbeCap(const BallSet &balls, const Boundary &boundary, const Surface &surface, const Position &from,
+           uint32_t vertex, uint32_t other) {
+    Vec3 to = difference(balls, from, position_of_probe(balls, boundary, other));
+    if (surface.is_of_actual_balls()) ActualBalls(balls, boundary).find_way_to_vertex(vertex, other, to);
+    // Squares of the shortest ways are below the range of doubles.
+    constexpr double least = 0x1p-400;
+    const double length = std::sqrt(dot(to, to));
+    axis = length > least ? scaled_to(to, 1.0) : scaled_to(1.0 / least * (1.0 / least * to), 1.0);
+    height = length / (2 * static_cast<double>(balls.probe_steps));
     if (height > 1.0) height = 1.0;
   }
   // That of an arc of the patch of a vertex; a side's is the half of the sphere beyond it.
-  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, const PatchArc &arc) {
+  ProbeCap(const BallSet &balls, const Boundary &boundary, const Surface &surface, const Position &from,
+           uint32_t vertex, const PatchArc &arc) {
     if (!arc.is_side()) {
-      *this = ProbeCap(balls, boundary, from, vertex, arc.across);
+      *this = ProbeCap(balls, boundary, surface, from, vertex, arc.across);
       return;
     }
     axis = beyond_side(balls, boundary.vertex(vertex), from, arc.slot());
@@ -84,36 +69,59 @@ struct ProbeCap {
 Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uint32_t circle, uint32_t side) {
   const CirclePosition position = position_of_circle(balls, cusped.ball(circle, 0), cusped.ball(circle, 1));
   const double p = static_cast<double>(balls.probe_steps);
-  const double along = std::sqrt((p - position.radius) * (p + position.radius));
+  const double along = half_way_between_cusps(p, position.radius);
   return {position.centre.ball, position.centre.offset + (side == 0 ? -along : along) * position.axis};
 }
 
-// Where an arc of a cut patch begins, seen from the vertex on the unit sphere: there its circle leaves the cap of the
-// arc before it. If both are creases with vertices at one position they have one circle; then it leaves what lies
-// beyond the side between these two.
-Vec3 start_of_arc(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, const Position &centre,
-                  uint32_t vertex, uint32_t arc) {
+// The name of the corner where an arc of a cut patch begins. Of two points the one where its crease leaves the probe of
+// the arc before.
+BorderPoint name_of_start(const ActualBalls &actual, const Surface &surface, uint32_t vertex, uint32_t arc) {
+  const CutPatches &cut = surface.cut_patches();
   const PatchArc &own = cut.arc(arc);
-  const PatchArc &before = cut.arc(cut.previous(arc));
-  const ProbeCap cap(balls, boundary, centre, vertex, own);
-  if (!own.is_side() && !before.is_side() && own.across != before.across) {
-    const double p = static_cast<double>(balls.probe_steps);
-    const Position at = position_of_probe(balls, boundary, own.across);
-    const Vec3 apart = difference(balls, at, position_of_probe(balls, boundary, before.across));
-    if (dot(apart, apart) < coincident_distance * coincident_distance * p * p) {
-      const Vec3 normal = towards_coincident(balls, boundary, at, own.across, before.across);
-      return cap.exit_of({normal, dot(normal, difference(balls, centre, at)) / p});
-    }
+  const uint32_t first_cusp = 3 * actual.boundary().vertex_count();
+  const uint32_t first_crease_corner = first_cusp + 2 * surface.cusped_circles().count();
+  if (own.corner < first_cusp) {
+    const uint32_t ball = actual.boundary().vertex(own.corner / 3).ball[own.corner % 3];
+    return {BorderPoint::Kind::towards_ball, 0, {own.corner / 3, ball, no_id}};
   }
-  return cap.exit_of(ProbeCap(balls, boundary, centre, vertex, before));
+  if (own.corner < first_crease_corner) {
+    const uint32_t k = (own.corner - first_cusp) / 2;
+    const int8_t sign = (own.corner - first_cusp) % 2 == 0 ? -1 : 1;
+    return {BorderPoint::Kind::cusp,
+            sign,
+            {surface.cusped_circles().ball(k, 0), surface.cusped_circles().ball(k, 1), no_id}};
+  }
+  const uint32_t before = cut.arc(cut.previous(arc)).across;
+  BorderPoint corner{BorderPoint::Kind::corner, 1, {vertex, own.across, before}};
+  sort_three(corner.id[0], corner.id[1], corner.id[2], [](uint32_t a, uint32_t b) { return a < b; });
+  const bool is_low = vertex < own.across;
+  const int starts =
+      actual.starts_at_corner(corner, is_low ? vertex : own.across, is_low ? own.across : vertex, before);
+  if ((starts > 0) != is_low) corner.sign = -1;
+  return corner;
 }
 
-Position position_of_crease_corner(const BallSet &balls, const Boundary &boundary, const CutPatches &cut,
+// Where an arc of a cut patch begins, seen from the vertex on the unit sphere: there its circle leaves the cap of the
+// arc before it.
+Vec3 start_of_arc(const BallSet &balls, const Boundary &boundary, const Surface &surface, const Position &centre,
+                  uint32_t vertex, uint32_t arc) {
+  const CutPatches &cut = surface.cut_patches();
+  if (surface.is_of_actual_balls()) {
+    const ActualBalls actual(balls, boundary);
+    Vec3 way;
+    if (actual.find_way(vertex, name_of_start(actual, surface, vertex, arc), way)) return scaled_to(way, 1.0);
+  }
+  return ProbeCap(balls, boundary, surface, centre, vertex, cut.arc(arc))
+      .exit_of(ProbeCap(balls, boundary, surface, centre, vertex, cut.arc(cut.previous(arc))));
+}
+
+Position position_of_crease_corner(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                    uint32_t arc) {
+  const CutPatches &cut = surface.cut_patches();
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_probe(balls, boundary, vertex);
   return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) *
-                                           start_of_arc(balls, boundary, cut, centre, vertex, arc)};
+                                           start_of_arc(balls, boundary, surface, centre, vertex, arc)};
 }
 
 // The convex patch is the face, shrunk towards the centre of its ball.
@@ -139,7 +147,7 @@ ArcPosition position_of_side(const BallSet &balls, const Boundary &boundary, con
   if (map.cusped_circle_of(edge.source) != no_id) {
     const uint32_t ball = (edge.part == 0) == first ? own : other;
     const CircleGeometry circle(balls, ball, ball == own ? other : own);
-    const double to_cusp = std::sqrt((p - circle.radius) * (p + circle.radius));
+    const double to_cusp = half_way_between_cusps(p, circle.radius);
     angle = arc_tangent(circle.height, circle.radius) - arc_tangent(to_cusp, circle.radius);
     if (!(angle > 0.0)) angle = 0.0;
   }
@@ -152,7 +160,7 @@ Position position_of_corner(const BallSet &balls, const Boundary &boundary, cons
   const SurfaceMap map(balls, boundary, surface);
   if (corner >= map.first_crease_corner()) {
     const CutPatches &cut = surface.cut_patches();
-    return position_of_crease_corner(balls, boundary, cut,
+    return position_of_crease_corner(balls, boundary, surface,
                                      cut.crease_corners().member(corner - map.first_crease_corner()));
   }
   if (corner >= map.first_cusp()) {
@@ -180,7 +188,7 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
   const PatchArc &arc = cut.arc(record.source);
   const uint32_t vertex = cut.piece(cut.piece_of_arc(record.source)).vertex;
   const Position centre = position_of_probe(balls, boundary, vertex);
-  const ProbeCap cap(balls, boundary, centre, vertex, arc.across);
+  const ProbeCap cap(balls, boundary, surface, centre, vertex, arc.across);
   const double p = static_cast<double>(balls.probe_steps);
   return {{centre.ball, centre.offset + p * cap.height * cap.axis},
           cap.axis,
@@ -188,14 +196,15 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
           arc.angle};
 }
 
-CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
+CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
+  const CutPatches &cut = surface.cut_patches();
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_probe(balls, boundary, vertex);
-  const ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
+  const ProbeCap own(balls, boundary, surface, centre, vertex, cut.arc(arc));
   const uint32_t next = cut.arc(arc).next;
   if (next == arc) return {own.axis, own.height, {0.0, 0.0, 0.0}};
-  const Vec3 start = start_of_arc(balls, boundary, cut, centre, vertex, arc);
-  return {own.axis, own.height, start_of_arc(balls, boundary, cut, centre, vertex, next) - start};
+  const Vec3 start = start_of_arc(balls, boundary, surface, centre, vertex, arc);
+  return {own.axis, own.height, start_of_arc(balls, boundary, surface, centre, vertex, next) - start};
 }
 
 }  // namespace hsp

@@ -406,7 +406,7 @@ static void check_set(const ball_set *set, double probe) {
   if (CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, &options, &c), HSP_OK) &&
       CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK)) {
     const known_handle known = {&surface_handle, &s, &s.needed, same_results, no_results, NULL};
-    CHECK(s.enlargements <= 4);
+    CHECK(s.enlargements <= 6);
     check_sums(&s, probe);
     check_bounds(set, &s);
     check_gradient(set, &s, probe);

@@ -16,21 +16,20 @@ class BuiltCreases {
     }
     grid_memory_.carve(grid_, vertices);
     grid_.build(built.balls(), built.boundary());
-    const hsp::CuspedCircles &cusped = built.surface().cusped_circles();
-    status_ =
-        crease_memory_.build(creases_, hsp::CreaseLimits{vertices, 0, 0, 0, 0, 0}, actual_, chosen_, grid_, cusped);
-    const auto count = static_cast<uint32_t>(creases_.creases().size());
-    uint32_t arcs = 0, pieces = 0, all_arcs = 0;
-    while (status_ == hsp::Status::ok) {
-      patch_memory_.carve(patches_, count, arcs);
-      cut_memory_.carve(cut_, vertices, pieces, all_arcs);
-      status_ = patches_.fill(inputs(), cut_);
-      if (status_ != hsp::Status::capacity) break;
-      status_ = hsp::Status::ok;
-      arcs = std::max(arcs, patches_.most_arcs());
-      pieces = std::max(pieces, static_cast<uint32_t>(cut_.required_pieces()));
-      all_arcs = std::max(all_arcs, static_cast<uint32_t>(cut_.required_arcs()));
-    }
+    uint32_t near = 0, creases = 0, corners = 0;
+    do {
+      crease_memory_.carve(creases_, near, creases, corners);
+      status_ = creases_.build(actual_, chosen_, grid_, built.surface().cusped_circles());
+      near = creases_.most_near();
+      creases = creases_.required_creases();
+      corners = creases_.required_corners();
+    } while (status_ == hsp::Status::capacity);
+    if (status_ != hsp::Status::ok) return;
+    arcs_.resize(2 * creases + 6);
+    figures_.resize(arcs_.size());
+    patches_.use({arcs_.data(), 2 * creases + 6}, {figures_.data(), 2 * creases + 6});
+    cut_memory_.carve(cut_, vertices, 2 * creases + vertices, 2 * creases + 6 * vertices);
+    status_ = patches_.fill(inputs(), cut_);
   }
   BuiltCreases(const BuiltCreases &) = delete;
   BuiltCreases &operator=(const BuiltCreases &) = delete;
@@ -38,20 +37,29 @@ class BuiltCreases {
   hsp::Status status() const { return status_; }
   const hsp::ActualBalls &actual() const { return actual_; }
   const hsp::Creases &creases() const { return creases_; }
+  // As the creases have it.
+  hsp::Span<hsp::BorderArc> border(uint32_t vertex) {
+    hsp::NearVertices near(actual_.balls(), actual_.boundary(), chosen_, grid_, creases_.near_list());
+    near.find(vertex);
+    return patches_.find_border(inputs(), near, vertex);
+  }
   const hsp::CutPatches &cut() const { return cut_; }
   const hsp::ProbeGrid &grid() const { return grid_; }
-
-  hsp::CreasedPatches &patches() { return patches_; }
-  hsp::CreasedPatches::Inputs inputs() const { return {actual_, creases_, built_.surface().cusped_circles(), grid_}; }
 
   // The rest of the patch of a vertex; what is whole as the surface has it.
   hsp::ConcavePatch patch(uint32_t v) const { return cut_.is_cut(v) ? cut_.patch(v) : built_.surface().patch(v); }
 
  private:
+  hsp::CreasedPatches::Inputs inputs() {
+    return {actual_, chosen_, grid_, built_.surface().cusped_circles(), creases_};
+  }
+
   const BuiltSurface &built_;
   hsp::ActualBalls actual_;
   const hsp::ChosenFaces &chosen_;
-  CarvedMemory grid_memory_, crease_memory_, patch_memory_, cut_memory_;
+  CarvedMemory grid_memory_, crease_memory_, cut_memory_;
+  std::vector<hsp::BorderArc> arcs_;
+  std::vector<hsp::ArcFigures> figures_;
   hsp::ProbeGrid grid_;
   hsp::Creases creases_;
   hsp::CreasedPatches patches_;

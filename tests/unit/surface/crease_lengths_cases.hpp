@@ -48,14 +48,19 @@ constexpr SurfaceScene nearly_tied = {5,
                                        {199999991, -6, 99999999, 10000000},
                                        {99999996, -1, 100000010, 10000000}},
                                       200000000};
-inline uint32_t uneven_creases_leave_the_surface_open() {
+inline uint32_t uneven_creases_are_decided_once() {
   if (!small_surface().build(nearly_tied)) return 0;
-  const hsp::SurfaceCounts &counts = small_surface().builder().surface().counts();
-  return counts.joints.uneven > 0 && counts.joints.open > 0 ? all_hold : 1;
+  const hsp::Surface &surface = small_surface().builder().surface();
+  if (!surface.is_of_actual_balls()) return 1;
+  const hsp::CutPatches &cut = surface.cut_patches();
+  const hsp::CreaseLengths lengths(small_union().balls(), small_union().boundary(), cut);
+  for (uint32_t k = 0; k < cut.creases().size(); ++k) {
+    if (!lengths.agree(cut.creases().member(k))) return 2;
+  }
+  return cut.creases().size() > 0 ? all_hold : 3;
 }
 
 inline constexpr Check surface_crease_lengths[] = {
-    {"lengths_of_creases", lengths_of_creases},
-    {"uneven_creases_leave_the_surface_open", uneven_creases_leave_the_surface_open}};
+    {"lengths_of_creases", lengths_of_creases}, {"uneven_creases_are_decided_once", uneven_creases_are_decided_once}};
 
 }  // namespace cases

@@ -52,37 +52,7 @@ inline uint32_t too_many_are_counted_too() {
   return all_hold;
 }
 
-// The missing area of a patch is added to its pieces in proportion to their areas; to the first if none of them has
-// any.
-inline uint32_t pieces_are_fitted() {
-  alignas(64) unsigned char memory[2048];
-  hsp::Workspace workspace(memory, sizeof memory);
-  hsp::CutPatches patches;
-  patches.carve(workspace, 3, 5, 4);
-  patches.clear();
-  patches.begin_vertex(0);
-  patches.begin_piece(0, 7.0, 5.0);
-  patches.begin_vertex(1);
-  patches.begin_patch({6.0, -2.0, {}});
-  patches.begin_piece(1, 3.0, 1.0);
-  patches.begin_piece(1, 1.0, -7.0);
-  patches.fit_pieces(1);
-  patches.begin_vertex(2);
-  patches.begin_patch({2.0, 1.0, {}});
-  patches.begin_piece(2, 0.0, 0.0);
-  patches.begin_piece(2, 0.0, 0.0);
-  patches.fit_pieces(2);
-  patches.finish(3);
-  const bool conditions[] = {patches.piece(0).area == 7.0 && patches.piece(0).volume == 5.0,
-                             patches.piece(1).area == 4.5 && patches.piece(1).volume == 4.0,
-                             patches.piece(2).area == 1.5 && patches.piece(2).volume == -6.0,
-                             patches.piece(3).area == 2.0 && patches.piece(3).volume == 1.0,
-                             patches.piece(4).area == 0.0 && patches.piece(4).volume == 0.0};
-  return first_false(conditions);
-}
-
 inline constexpr Check surface_cut_patches[] = {{"pieces_and_their_arcs", pieces_and_their_arcs},
-                                                {"too_many_are_counted", too_many_are_counted_too},
-                                                {"pieces_are_fitted", pieces_are_fitted}};
+                                                {"too_many_are_counted", too_many_are_counted_too}};
 
 }  // namespace cases

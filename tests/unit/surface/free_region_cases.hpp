@@ -1,7 +1,7 @@
 // Regions in closed form.
 #pragma once
 
-#include "circles_in_integers_cases.hpp"
+#include "circles_in_doubles_cases.hpp"
 
 namespace cases {
 
@@ -12,6 +12,7 @@ struct RegionCase {
   hsp::Vec3 vector_area;
   uint32_t arcs, cutting_arcs;
 };
+constexpr double octant = hsp::pi / 2;
 constexpr double eighth = hsp::pi / 4;
 constexpr RegionCase region_cases[] = {
     // An octant; with a cap that takes half of a spherical triangle's corner off, a hole, one that hides it.
@@ -47,15 +48,34 @@ constexpr RegionCase region_cases[] = {
 inline uint32_t regions_in_closed_form() {
   return first_failing(region_cases, [](const RegionCase &c) {
     SmallCaps caps(c.cap, c.n);
-    hsp::FreeRegion region[2];
-    if (!found_in_doubles(caps, region[0]) || !found_in_integers(caps, region[1])) return false;
-    for (int k = 0; k < 2; ++k) {
-      if (region[k].arcs != c.arcs || region[k].cutting_arcs != c.cutting_arcs) return false;
-      if (!near_modulo_turn(region[k].steradians(), c.steradians, k == 0 ? 1e-13 : 1e-7)) return false;
-      if (region[k].steradians() < 0 || region[k].steradians() >= 2 * hsp::pi) return false;
-    }
-    const hsp::Vec3 off = region[0].vector_area - c.vector_area;
+    hsp::FreeRegion region;
+    if (!found_in_doubles(caps, region)) return false;
+    if (region.arcs != c.arcs || region.cutting_arcs != c.cutting_arcs) return false;
+    if (!near_modulo_turn(region.steradians(), c.steradians, 1e-13)) return false;
+    if (region.steradians() < 0 || region.steradians() >= 2 * hsp::pi) return false;
+    const hsp::Vec3 off = region.vector_area - c.vector_area;
     return c.vector_area.y == 0 || dot(off, off) < 1e-26;
+  });
+}
+
+// Circles through one point, circles that touch and circles that are equal: doubles are silent.
+struct TiedCase {
+  uint32_t n;
+  UnitCap cap[6];
+};
+constexpr TiedCase tied_cases[] = {
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {-1, 0, 0, 0}}},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {1, -1, 0, 0}}},
+    {5, {octant_sides[0], octant_sides[1], octant_sides[2], {1, -1, 0, 0}, {1, -1, 0, 0}}},
+    {5, {octant_sides[0], octant_sides[1], octant_sides[2], {1, -1, 0, 0}, {-1, 1, 0, 0}}},
+    {6, {octant_sides[0], octant_sides[1], octant_sides[2], {1, -1, 0, 0}, {0, 1, -1, 0}, {1, 0, -1, 0}}},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {1, 1, 1, 0.5773502691896257}}}};
+
+inline uint32_t ties_are_not_decided() {
+  return first_failing(tied_cases, [](const TiedCase &c) {
+    SmallCaps caps(c.cap, c.n);
+    hsp::FreeRegion region;
+    return !found_in_doubles(caps, region);
   });
 }
 
@@ -104,6 +124,7 @@ inline uint32_t contradictions_are_noticed() {
 }
 
 inline constexpr Check surface_free_region[] = {{"regions_in_closed_form", regions_in_closed_form},
+                                                {"ties_are_not_decided", ties_are_not_decided},
                                                 {"contradictions_are_noticed", contradictions_are_noticed}};
 
 }  // namespace cases

@@ -68,7 +68,7 @@ void group_in_both_ways(const support::TiedSet &set, Groups &groups) {
   ASSERT_EQ(creases.status(), hsp::Status::ok);
   for (uint32_t v = 0; v < built.boundary().vertex_count(); ++v) {
     SCOPED_TRACE(v);
-    const hsp::Span<BorderArc> arcs = creases.patches().find_border(creases.inputs(), v);
+    const hsp::Span<BorderArc> arcs = creases.border(v);
     hsp::PatchLoops loops(creases.actual(), v, arcs);
     std::vector<hsp::ArcFigures> figures(arcs.size());
     ASSERT_TRUE(loops.chain());

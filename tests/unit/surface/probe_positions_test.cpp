@@ -42,7 +42,6 @@ TEST(ProbePositions, AreasAreThoseOfInflatedBalls) {
     const hsp::SurfaceMeasure expected = inflated.total();
     EXPECT_NEAR(found.area(), expected.area(), 0.1);
     EXPECT_NEAR(found.concave, expected.concave, 0.1);
-    EXPECT_TRUE(built.surface().is_closed());
     EXPECT_EQ(hsp::check_surface(built.balls(), built.boundary(), built.surface()).invariant,
               hsp::SurfaceInvariant::none);
   }

@@ -1,7 +1,7 @@
 // Pieces of an octant that caps cut, and the holes in them.
 #pragma once
 
-#include "circles_in_integers_cases.hpp"
+#include "circles_in_doubles_cases.hpp"
 #include "surface/region_pieces.hpp"
 
 namespace cases {

@@ -92,7 +92,7 @@ inline uint32_t weighted_derivatives_of_random_sets() {
       ++uncertain;
       continue;
     }
-    creases += small_surface().builder().surface().counts().joints.creases;
+    creases += small_surface().builder().surface().cut_patches().creases().size();
     const GradientOfScene found = gradient_of_scene(1, 0, uneven_weights);
     if (!near(derivative(found, scene, k), by_area, error + 1e3)) return round;
   }

@@ -17,7 +17,7 @@ const handle_kind surface_handle = {(uint32_t)sizeof(hsp_surface_limits),
                                     bytes_of_limits,
                                     init_handle,
                                     compute_handle,
-                                    1};
+                                    3};
 
 int32_t surface_result_make(const computed *base, surface_result *s) {
   void *surface = NULL;

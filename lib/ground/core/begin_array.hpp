@@ -1,0 +1,21 @@
+// Arrays in memory that held others.
+#pragma once
+
+#include <new>
+
+#include "core/span.hpp"
+
+namespace hsp {
+
+// As many T as there is room for, whose lives begin; those of the others end.
+template <class T, class Other>
+Span<T> begin_array(Span<Other> memory) {
+  static_assert(alignof(T) <= alignof(Other));
+  unsigned char *const bytes = reinterpret_cast<unsigned char *>(memory.data());
+  const uint32_t count = static_cast<uint32_t>(uint64_t{memory.size()} * sizeof(Other) / sizeof(T));
+  T *first = nullptr;
+  for (uint32_t k = count; k-- > 0;) first = ::new (static_cast<void *>(bytes + k * sizeof(T))) T;
+  return {first, count};
+}
+
+}  // namespace hsp

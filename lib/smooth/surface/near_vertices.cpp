@@ -1,0 +1,58 @@
+#include "surface/near_vertices.hpp"
+
+#include "core/first_index.hpp"
+#include "core/sorting.hpp"
+#include "surface/probe_caps.hpp"
+
+namespace hsp {
+namespace {
+
+// Above this error the floats of a triangle's sides say nothing: all probes that overlap count as near.
+constexpr double most_side_error = 0x1p-24;
+constexpr float no_limit = 16.0F;
+
+}  // namespace
+
+// Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
+bool NearVertices::may_cut(uint32_t vertex, uint32_t other) const {
+  return boundary_.component(boundary_.vertex(other).ball[0]) ==
+             boundary_.component(boundary_.vertex(vertex).ball[0]) &&
+         (chosen_.all() || chosen_.together(face_at_vertex(boundary_, other), face_at_vertex(boundary_, vertex)));
+}
+
+bool NearVertices::find(uint32_t vertex) {
+  const uint32_t lane = vertex % ProbeTriangles::lanes, first = vertex - lane;
+  if (measured_ != first) {
+    const uint32_t last = boundary_.vertex_count() - 1;
+    FourVertices four;
+    for (uint32_t k = 0; k < ProbeTriangles::lanes; ++k) four[k] = first + k < last ? first + k : last;
+    measure_triangles(balls_, boundary_, grid_.positions(), four, triangles_);
+    measured_ = first;
+  }
+  ProbeSearch search;
+  grid_.start_search(balls_, vertex, search);
+  aim(triangles_, lane, search);
+  const double error = vertex_error * static_cast<double>(balls_.largest_radius) * triangles_.side_error[lane];
+  const bool has_sides =
+      triangles_.steradians[lane] >= 0.0 && boundary_.root_discriminant(vertex) > 0.0 && error <= most_side_error;
+  if (!has_sides) search.margin = no_limit;
+  list_.clear();
+  uint32_t found[ProbeSearch::room + ProbeSearch::spare];
+  while (!search.done()) {
+    const uint32_t count = find_near_probes(boundary_.target(), search, found);
+    for (uint32_t k = 0; k < count; ++k) {
+      if (found[k] != vertex && may_cut(vertex, found[k])) list_.push(found[k]);
+    }
+  }
+  if (list_.overflowed()) return false;
+  sort_in_place(list_.items(), [](uint32_t a, uint32_t b) { return a < b; });
+  return true;
+}
+
+bool NearVertices::has(uint32_t vertex) const {
+  const Span<const uint32_t> near = list();
+  const uint32_t k = first_index(0, near.size(), [&](uint32_t j) { return near[j] >= vertex; });
+  return k < near.size() && near[k] == vertex;
+}
+
+}  // namespace hsp
