@@ -151,7 +151,7 @@ int is_known(const NumberVector<Number> &a, Vec3 &way) {
 }  // namespace
 
 bool ActualBalls::find_way(uint32_t v, const BorderPoint &point, Vec3 &way) const {
-  return decide_at(v, [&](const auto &actual) {
+  return measure_at(v, [&](const auto &actual) {
            auto arm = vector_of(actual);
            actual.find_arm(v, point, arm);
            return is_known(arm, way);
@@ -159,7 +159,7 @@ bool ActualBalls::find_way(uint32_t v, const BorderPoint &point, Vec3 &way) cons
 }
 
 bool ActualBalls::find_way_to_vertex(uint32_t v, uint32_t w, Vec3 &way) const {
-  return decide_at(v, [&](const auto &actual) {
+  return measure_at(v, [&](const auto &actual) {
            auto arm = vector_of(actual);
            actual.find_arm_to_vertex(v, w, arm);
            return is_known(arm, way);

@@ -58,10 +58,16 @@ class ActualBalls {
   // of a ball, or of the first ball of a vertex (actual_decisions.hpp).
   template <class Question>
   int decide_about(uint32_t ball, Question question) const;
+  // A sign, which is the same in every width that knows it: code that has to be small asks floats alone. And figures.
   template <class Question>
   int decide_at(uint32_t vertex, Question question) const;
+  template <class Question>
+  int measure_at(uint32_t vertex, Question question) const;
 
  private:
+  template <class Question>
+  int decide_in_floats(uint32_t ball, Question question) const;
+
   const BallSet &balls_;
   const Boundary &boundary_;
   mutable Answers answers_;

@@ -1,6 +1,7 @@
 // Asks a question in numbers of one width after the other (actual_balls.hpp).
 #pragma once
 
+#include "core/small_code.hpp"
 #include "surface/actual_balls.hpp"
 #include "surface/actual_points.hpp"
 
@@ -15,10 +16,13 @@ NumberVector<Number> vector_of(const ActualPoints<Number> &) {
 template <class Question>
 int ActualBalls::decide_about(uint32_t ball, Question question) const {
   const int sure = question(ActualPoints<BoundedDouble>({balls_, boundary_}, ball));
-  if (sure != 0) {
-    ++answers_.by_doubles;
-    return sure;
-  }
+  if (sure == 0) return decide_in_floats(ball, question);
+  ++answers_.by_doubles;
+  return sure;
+}
+
+template <class Question>
+int ActualBalls::decide_in_floats(uint32_t ball, Question question) const {
   for (const uint32_t bits : widths) {
     const int fine = question(ActualPoints<WideFloat>({balls_, boundary_, bits}, ball));
     if (fine != 0) {
@@ -32,6 +36,15 @@ int ActualBalls::decide_about(uint32_t ball, Question question) const {
 
 template <class Question>
 int ActualBalls::decide_at(uint32_t vertex, Question question) const {
+  if constexpr (small_code) {
+    return decide_in_floats(boundary_.vertex(vertex).ball[0], question);
+  } else {
+    return decide_about(boundary_.vertex(vertex).ball[0], question);
+  }
+}
+
+template <class Question>
+int ActualBalls::measure_at(uint32_t vertex, Question question) const {
   return decide_about(boundary_.vertex(vertex).ball[0], question);
 }
 

@@ -21,20 +21,14 @@ bool NearVertices::may_cut(uint32_t vertex, uint32_t other) const {
 }
 
 bool NearVertices::find(uint32_t vertex) {
-  const uint32_t lane = vertex % ProbeTriangles::lanes, first = vertex - lane;
-  if (measured_ != first) {
-    const uint32_t last = boundary_.vertex_count() - 1;
-    FourVertices four;
-    for (uint32_t k = 0; k < ProbeTriangles::lanes; ++k) four[k] = first + k < last ? first + k : last;
-    measure_triangles(balls_, boundary_, grid_.positions(), four, triangles_);
-    measured_ = first;
-  }
+  ProbeTriangles triangles;
+  measure_triangles(balls_, boundary_, grid_.positions(), {vertex, vertex, vertex, vertex}, triangles);
   ProbeSearch search;
   grid_.start_search(balls_, vertex, search);
-  aim(triangles_, lane, search);
-  const double error = vertex_error * static_cast<double>(balls_.largest_radius) * triangles_.side_error[lane];
+  aim(triangles, 0, search);
+  const double error = vertex_error * static_cast<double>(balls_.largest_radius) * triangles.side_error[0];
   const bool has_sides =
-      triangles_.steradians[lane] >= 0.0 && boundary_.root_discriminant(vertex) > 0.0 && error <= most_side_error;
+      triangles.steradians[0] >= 0.0 && boundary_.root_discriminant(vertex) > 0.0 && error <= most_side_error;
   if (!has_sides) search.margin = no_limit;
   list_.clear();
   uint32_t found[ProbeSearch::room + ProbeSearch::spare];

@@ -14,8 +14,8 @@ class NearVertices {
                FixedVector<uint32_t> &list)
       : balls_(balls), boundary_(boundary), chosen_(chosen), grid_(grid), list_(list) {}
 
-  // Lists those of this vertex by their numbers. False if there is no room.
-  bool find(uint32_t vertex);
+  // Lists those of this vertex by their numbers. False if there is no room. Nothing of the search stays on the stack.
+  [[gnu::noinline]] bool find(uint32_t vertex);
   Span<const uint32_t> list() const { return list_.items(); }
   bool has(uint32_t vertex) const;
 
@@ -27,8 +27,6 @@ class NearVertices {
   const ChosenFaces &chosen_;
   const ProbeGrid &grid_;
   FixedVector<uint32_t> &list_;
-  ProbeTriangles triangles_;  // of four vertices from here on
-  uint32_t measured_ = no_id;
 };
 
 }  // namespace hsp

@@ -340,7 +340,7 @@ bool PatchLoops::group(Span<const ArcFigures> figures) {
 bool PatchLoops::measure(uint32_t k, ArcFigures &figures) const {
   const BorderArc &arc = arcs_[k];
   figures.exterior = 0.0;
-  return actual_.decide_at(vertex_, [&](const auto &actual) {
+  return actual_.measure_at(vertex_, [&](const auto &actual) {
     return measure_arc(actual, vertex_, arc, figures) &&
                    (arc.is_whole() || measure_exterior(actual, vertex_, arc, arcs_[arc.next], figures.exterior))
                ? 1

@@ -157,7 +157,7 @@ Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual) {
   need_arcs(cut.required_arcs());
   if (cut.overflowed()) return Status::capacity;
   for (uint32_t v = 0; v < needed_.vertices; ++v) surface_.counts_.cut_patches += cut.is_cut(v) ? 1U : 0U;
-  if (actual.answers().by_floats > 0) surface_.counts_.rounded_patches = surface_.counts_.cut_patches;
+  surface_.counts_.rounded_patches = surface_.counts_.cut_patches;
   return Status::ok;
 }
 

@@ -35,24 +35,20 @@ struct ProbeCap {
   Vec3 axis;
   double height;
 
-  ProbeCap(const Vec3 &direction, double above) : axis(direction), height(above) {}
-  // `from` is that of `vertex`.
-  ProbeCap(const BallSet &balls, const Boundary &boundary, const Surface &surface, const Position &from,
-           uint32_t vertex, uint32_t other) {
-    Vec3 to = difference(balls, from, position_of_probe(balls, boundary, other));
-    if (surface.is_of_actual_balls()) ActualBalls(balls, boundary).find_way_to_vertex(vertex, other, to);
+  // That of the way to another probe.
+  ProbeCap(const Vec3 &to, double p) {
     // Squares of the shortest ways are below the range of doubles.
     constexpr double least = 0x1p-400;
     const double length = std::sqrt(dot(to, to));
     axis = length > least ? scaled_to(to, 1.0) : scaled_to(1.0 / least * (1.0 / least * to), 1.0);
-    height = length / (2 * static_cast<double>(balls.probe_steps));
+    height = length / (2 * p);
     if (height > 1.0) height = 1.0;
   }
-  // That of an arc of the patch of a vertex; a side's is the half of the sphere beyond it.
-  ProbeCap(const BallSet &balls, const Boundary &boundary, const Surface &surface, const Position &from,
-           uint32_t vertex, const PatchArc &arc) {
+  // That of an arc of the patch of a vertex at a position; a side's is the half of the sphere beyond it.
+  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, const PatchArc &arc) {
     if (!arc.is_side()) {
-      *this = ProbeCap(balls, boundary, surface, from, vertex, arc.across);
+      const Vec3 to = difference(balls, from, position_of_probe(balls, boundary, arc.across));
+      *this = ProbeCap(to, static_cast<double>(balls.probe_steps));
       return;
     }
     axis = beyond_side(balls, boundary.vertex(vertex), from, arc.slot());
@@ -73,24 +69,11 @@ Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uin
   return {position.centre.ball, position.centre.offset + (side == 0 ? -along : along) * position.axis};
 }
 
-// The name of the corner where an arc of a cut patch begins. Of two points the one where its crease leaves the probe of
-// the arc before.
+// The name of the corner of three creases where an arc of a cut patch begins. Of two points the one where its crease
+// leaves the probe of the arc before.
 BorderPoint name_of_start(const ActualBalls &actual, const Surface &surface, uint32_t vertex, uint32_t arc) {
   const CutPatches &cut = surface.cut_patches();
   const PatchArc &own = cut.arc(arc);
-  const uint32_t first_cusp = 3 * actual.boundary().vertex_count();
-  const uint32_t first_crease_corner = first_cusp + 2 * surface.cusped_circles().count();
-  if (own.corner < first_cusp) {
-    const uint32_t ball = actual.boundary().vertex(own.corner / 3).ball[own.corner % 3];
-    return {BorderPoint::Kind::towards_ball, 0, {own.corner / 3, ball, no_id}};
-  }
-  if (own.corner < first_crease_corner) {
-    const uint32_t k = (own.corner - first_cusp) / 2;
-    const int8_t sign = (own.corner - first_cusp) % 2 == 0 ? -1 : 1;
-    return {BorderPoint::Kind::cusp,
-            sign,
-            {surface.cusped_circles().ball(k, 0), surface.cusped_circles().ball(k, 1), no_id}};
-  }
   const uint32_t before = cut.arc(cut.previous(arc)).across;
   BorderPoint corner{BorderPoint::Kind::corner, 1, {vertex, own.across, before}};
   sort_three(corner.id[0], corner.id[1], corner.id[2], [](uint32_t a, uint32_t b) { return a < b; });
@@ -103,16 +86,10 @@ BorderPoint name_of_start(const ActualBalls &actual, const Surface &surface, uin
 
 // Where an arc of a cut patch begins, seen from the vertex on the unit sphere: there its circle leaves the cap of the
 // arc before it.
-Vec3 start_of_arc(const BallSet &balls, const Boundary &boundary, const Surface &surface, const Position &centre,
+Vec3 start_of_arc(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, const Position &centre,
                   uint32_t vertex, uint32_t arc) {
-  const CutPatches &cut = surface.cut_patches();
-  if (surface.is_of_actual_balls()) {
-    const ActualBalls actual(balls, boundary);
-    Vec3 way;
-    if (actual.find_way(vertex, name_of_start(actual, surface, vertex, arc), way)) return scaled_to(way, 1.0);
-  }
-  return ProbeCap(balls, boundary, surface, centre, vertex, cut.arc(arc))
-      .exit_of(ProbeCap(balls, boundary, surface, centre, vertex, cut.arc(cut.previous(arc))));
+  return ProbeCap(balls, boundary, centre, vertex, cut.arc(arc))
+      .exit_of(ProbeCap(balls, boundary, centre, vertex, cut.arc(cut.previous(arc))));
 }
 
 Position position_of_crease_corner(const BallSet &balls, const Boundary &boundary, const Surface &surface,
@@ -120,8 +97,14 @@ Position position_of_crease_corner(const BallSet &balls, const Boundary &boundar
   const CutPatches &cut = surface.cut_patches();
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_probe(balls, boundary, vertex);
+  if (surface.is_of_actual_balls()) {
+    const ActualBalls actual(balls, boundary);
+    Vec3 way;
+    if (actual.find_way(vertex, name_of_start(actual, surface, vertex, arc), way))
+      return {centre.ball, centre.offset + way};
+  }
   return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) *
-                                           start_of_arc(balls, boundary, surface, centre, vertex, arc)};
+                                           start_of_arc(balls, boundary, cut, centre, vertex, arc)};
 }
 
 // The convex patch is the face, shrunk towards the centre of its ball.
@@ -188,23 +171,26 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
   const PatchArc &arc = cut.arc(record.source);
   const uint32_t vertex = cut.piece(cut.piece_of_arc(record.source)).vertex;
   const Position centre = position_of_probe(balls, boundary, vertex);
-  const ProbeCap cap(balls, boundary, surface, centre, vertex, arc.across);
   const double p = static_cast<double>(balls.probe_steps);
+  Vec3 to = difference(balls, centre, position_of_probe(balls, boundary, arc.across));
+  if (surface.is_of_actual_balls()) ActualBalls(balls, boundary).find_way_to_vertex(vertex, arc.across, to);
+  const ProbeCap cap(to, p);
   return {{centre.ball, centre.offset + p * cap.height * cap.axis},
           cap.axis,
           p * std::sqrt((1.0 - cap.height) * (1.0 + cap.height)),
           arc.angle};
 }
 
-CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
-  const CutPatches &cut = surface.cut_patches();
+// In doubles, as it is asked by tasks, which have little stack.
+CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_probe(balls, boundary, vertex);
-  const ProbeCap own(balls, boundary, surface, centre, vertex, cut.arc(arc));
+  const ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
+  if (2 * own.height < coincident_distance) return {own.axis, 0.0, {0.0, 0.0, 0.0}};
   const uint32_t next = cut.arc(arc).next;
   if (next == arc) return {own.axis, own.height, {0.0, 0.0, 0.0}};
-  const Vec3 start = start_of_arc(balls, boundary, surface, centre, vertex, arc);
-  return {own.axis, own.height, start_of_arc(balls, boundary, surface, centre, vertex, next) - start};
+  const Vec3 start = start_of_arc(balls, boundary, cut, centre, vertex, arc);
+  return {own.axis, own.height, start_of_arc(balls, boundary, cut, centre, vertex, next) - start};
 }
 
 }  // namespace hsp

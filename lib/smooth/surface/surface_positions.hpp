@@ -23,6 +23,6 @@ struct CreaseArc {
   double height;
   Vec3 chord;  // from its start to its end; 0 for a whole circle
 };
-CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc);
+CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc);
 
 }  // namespace hsp

@@ -138,7 +138,7 @@ Vec3 WeightedJoints::concave_part(uint32_t vertex, double mean) const {
     if (arc.is_side()) continue;
     const double across = weight_of_vertex(arc.across);
     if (across == weight_ && mean == weight_) continue;
-    const CreaseArc crease = crease_on_probe(balls_, boundary_, surface_, a);
+    const CreaseArc crease = crease_on_probe(balls_, boundary_, cut, a);
     const double c = crease.height;
     const double square_of_radius = (1.0 - c) * (1.0 + c);
     const Vec3 radial = cross(crease.chord, crease.axis);
@@ -146,7 +146,7 @@ Vec3 WeightedJoints::concave_part(uint32_t vertex, double mean) const {
     const double half_difference = 0.5 * (mean - across);
     sum = combine(1.0, sum, -p_ * half_sum * c, combine(c * arc.angle, crease.axis, 1.0, radial));
     // Where vertices are in one place there is no derivative.
-    const double slope = c > 0x1p-60 ? 1.0 / c : 0.0;
+    const double slope = c > 0.0 ? 1.0 / c : 0.0;
     sum = combine(1.0, sum, p_ * half_difference * square_of_radius, combine(arc.angle, crease.axis, slope, radial));
   }
   return sum;
