@@ -47,7 +47,7 @@ static const char box_text[] = "In a periodic box, whose copies fill space, all 
 
 static const char box_closing[] =
     "A box whose first vector is not along x is turned, and the atoms with it.\n"
-    "Not with --shells, --surface ses, --interface and --pdb-out.\n";
+    "Not with --shells, --surface ses, --interface, --window and --pdb-out.\n";
 
 /* Of a boundary. */
 static const char box_json[] =
