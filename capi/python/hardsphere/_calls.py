@@ -225,7 +225,9 @@ def given_back(made: Any, argument: Argument) -> Any:
         result = numpy.ctypeslib.as_array(made)
         return result.reshape(-1, *row) if row else result
     values = list(made)
-    return [tuple(values[k:k + row[0]]) for k in range(0, len(values), row[0])] if row else values
+    for size in reversed(row):
+        values = [tuple(values[k:k + size]) for k in range(0, len(values), size)]
+    return values
 
 
 # ---- handles ---------------------------------------------------------------------------------------------------------
