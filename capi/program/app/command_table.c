@@ -141,12 +141,12 @@ const struct command_row command_table[COMMANDS] = {
                  "Shares the union out among its balls: a point belongs to the share of the ball from which it has "
                  "the least\n"
                  "power, distance^2 - radius^2. Two balls are in contact where their shares meet, in a plane piece; "
-                 "its edge is the\n"
+                 "its rim is the\n"
                  "length of its border on the surface. The shares sum to the volume of the union.\n",
          .closing = "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n",
-         .json =
-             "JSON: <..pairs>, with --by <--by residue=pairs> or chains: [\"A\", \"B\"]; with --cells <--cells=cells> "
-             "in the order of the file; without --by or with --cells <> as far as the file says them.",
+         .json = "JSON: <..pairs>, with --by <--by residue=pairs> or chains: [\"A\", \"B\"]; edge is rim once more; "
+                 "with --cells <--cells=cells> "
+                 "in the order of the file; without --by or with --cells <> as far as the file says them.",
          .describe = describe_contacts},
     [COMMAND_COMPLEX] =
         {.name = "complex",
