@@ -225,6 +225,25 @@ class Values(unittest.TestCase):
             for k in range(3):
                 self.assertAlmostEqual(got[k], known[k], 10)
 
+    def test_errors_name_what_is_to_blame(self):
+        balls = hardsphere.Balls(CENTERS, RADII)
+        for call, text in [(lambda: balls.mesh(0), "edge: 0 is not above 0"),
+                           (lambda: balls.mesh(math.nan), "edge: nan is not finite"),
+                           (lambda: balls.svg(width=0), "width: 0 is not above 0"),
+                           (lambda: balls.gradient(tension=math.inf), "tension: inf is not finite"),
+                           (lambda: hardsphere.measure(CENTERS, RADII, step=-1.0), "step: -1.0 is negative"),
+                           (lambda: hardsphere.Balls(CENTERS, RADII, probe=-1).area, "probe: -1 is negative")]:
+            with self.assertRaises(hardsphere.Error) as refused:
+                call()
+            self.assertTrue(str(refused.exception).startswith(text + " in hsp_"), refused.exception)
+
+    def test_constants(self):
+        names = hardsphere.constants.__all__
+        self.assertIn("PIECES_OUTSIDE_ALL", names)
+        for name in names:
+            self.assertEqual(getattr(hardsphere.constants, name), getattr(hardsphere, name))
+            self.assertTrue(name.isupper())
+
     def test_second_derivatives(self):
         centers, radii = random_balls(40, 6)
         direction = [[math.sin(3 * i + k) for k in range(3)] for i in range(40)]
