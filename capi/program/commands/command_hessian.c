@@ -1,5 +1,4 @@
 /* hardsphere hessian: second derivatives of a surface energy by all coordinates, as a sparse matrix. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,6 +6,7 @@
 #include "commands/input_report.h"
 #include "commands/radius_window.h"
 #include "commands/second_derivatives.h"
+#include "read/number.h"
 #include "read/weights.h"
 #include "write/report.h"
 
@@ -19,12 +19,12 @@ struct findings {
 };
 
 static double factor_of(double given) {
-  return isfinite(given) ? given : 0.0;
+  return is_finite(given) ? given : 0.0;
 }
 
 bool check_hessian(struct request *request, struct failure *failure) {
-  const bool of_area = isfinite(request->hessian.tension);
-  if (!of_area && !isfinite(request->hessian.pressure)) {
+  const bool of_area = is_finite(request->hessian.tension);
+  if (!of_area && !is_finite(request->hessian.pressure)) {
     return failure_in_usage(failure, "hessian needs --tension T or --pressure P; see hardsphere hessian --help");
   }
   const char *const lone = request->window > 0.0 ? "--window" : request->weights != NULL ? "--weights" : NULL;
