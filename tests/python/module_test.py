@@ -237,6 +237,11 @@ class Values(unittest.TestCase):
                 call()
             self.assertTrue(str(refused.exception).startswith(text + " in hsp_"), refused.exception)
 
+    def test_handles_say_what_they_are(self):
+        balls = hardsphere.Balls(CENTERS, RADII)
+        self.assertEqual(repr(balls.boundary), f"Boundary({balls.n} balls)")
+        self.assertEqual(repr(hardsphere.Model()), "Model(0 balls)")
+
     def test_constants(self):
         names = hardsphere.constants.__all__
         self.assertIn("PIECES_OUTSIDE_ALL", names)

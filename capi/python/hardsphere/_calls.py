@@ -268,6 +268,9 @@ class Handle:
         self._kept: list[Any] = []  # memory of what the results come from
         self._last: tuple[str, dict[str, Any]] | None = None
 
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.n} balls)"
+
     def _of(self, what: str) -> str:
         return f"hsp_{self.noun}_{what}"
 
