@@ -151,6 +151,15 @@ static bool find_rows(const struct request *request, const struct molecule *mole
   return radius_window_for_each_side(&window, molecule, geometry, add_side, &side, failure);
 }
 
+static bool are_finite(const struct second_derivatives *rows, uint32_t atoms, struct failure *failure) {
+  for (size_t k = 0; k < 9 * (size_t)rows->first[atoms]; ++k) {
+    if (!is_finite(rows->block[k])) {
+      return failure_in_input(failure, 0, "second derivatives are too large for a number: take smaller factors");
+    }
+  }
+  return true;
+}
+
 /* The balls that have a flag, ascending. */
 static uint32_t list_flagged(const struct second_derivatives *rows, uint32_t atoms, uint32_t flag, uint32_t *list) {
   uint32_t count = 0;
@@ -173,7 +182,8 @@ bool command_hessian(const struct request *request, const struct molecule *molec
   uint32_t *const lists = malloc((2 * (size_t)atoms + 1) * sizeof *lists);
   bool done = lists != NULL || failure_of_memory(failure);
   done = done && (request->weights == NULL || weights_read(request->weights, "weight", atoms, &weights, failure)) &&
-         find_rows(request, molecule, weights, geometry, &found.rows, failure);
+         find_rows(request, molecule, weights, geometry, &found.rows, failure) &&
+         are_finite(&found.rows, atoms, failure);
   if (done) {
     found.one_sided = lists;
     found.singular = lists + atoms;
