@@ -225,6 +225,47 @@ class Values(unittest.TestCase):
             for k in range(3):
                 self.assertAlmostEqual(got[k], known[k], 10)
 
+    def test_errors_name_what_is_to_blame(self):
+        balls = hardsphere.Balls(CENTERS, RADII)
+        for call, text in [(lambda: balls.mesh(0), "edge: 0 is not above 0"),
+                           (lambda: balls.mesh(math.nan), "edge: nan is not finite"),
+                           (lambda: balls.svg(width=0), "width: 0 is not above 0"),
+                           (lambda: balls.gradient(tension=math.inf), "tension: inf is not finite"),
+                           (lambda: hardsphere.measure(CENTERS, RADII, step=-1.0), "step: -1.0 is negative"),
+                           (lambda: hardsphere.Balls(CENTERS, RADII, probe=-1).area, "probe: -1 is negative")]:
+            with self.assertRaises(hardsphere.Error) as refused:
+                call()
+            self.assertTrue(str(refused.exception).startswith(text + " in hsp_"), refused.exception)
+
+    def test_handles_say_what_they_are(self):
+        balls = hardsphere.Balls(CENTERS, RADII)
+        self.assertEqual(repr(balls.boundary), f"Boundary({balls.n} balls)")
+        self.assertEqual(repr(hardsphere.Model()), "Model(0 balls)")
+
+    def test_constants(self):
+        names = hardsphere.constants.__all__
+        self.assertIn("PIECES_OUTSIDE_ALL", names)
+        for name in names:
+            self.assertEqual(getattr(hardsphere.constants, name), getattr(hardsphere, name))
+            self.assertTrue(name.isupper())
+
+    def test_second_derivatives(self):
+        centers, radii = random_balls(40, 6)
+        direction = [[math.sin(3 * i + k) for k in range(3)] for i in range(40)]
+        boundary = hardsphere.Balls(centers, radii).boundary
+        rows = boundary.get_hessian_rows(tension=0.5, pressure=-1.0)
+        product = plain(boundary.get_hessian_product(direction, tension=0.5, pressure=-1.0).product)
+        first, ball, block = plain(rows.first), plain(rows.ball), plain(rows.block)
+        step, moved = 1e-4, []
+        for side in step, -step:
+            there = [[x + side * d for x, d in zip(*pair)] for pair in zip(centers, direction)]
+            moved.append(plain(hardsphere.Balls(there, radii).gradient(tension=0.5, pressure=-1.0).d_centre))
+        for i in range(40):
+            for p in range(3):
+                found = sum(block[k][p][q] * direction[ball[k]][q] for k in range(first[i], first[i + 1]) for q in range(3))
+                self.assertAlmostEqual(found, product[i][p], 9)
+                self.assertAlmostEqual((moved[0][i][p] - moved[1][i][p]) / (2 * step), product[i][p], delta=0.1)
+
     def test_pairs(self):
         centers, radii = random_balls(60, 8)
         near = [(i, j) for i in range(60) for j in range(i + 1, 60)

@@ -80,6 +80,17 @@ static int32_t ask_morphometry(scene *s, const hsp_executor *executor) {
   hsp_morphometry_outputs outputs = {.struct_size = sizeof outputs, .capacity = s->n, .d_centre = s->d_centre};
   return hsp_boundary_get_morphometry(s->work.boundary, &request, &outputs);
 }
+static int32_t ask_hessian_rows(scene *s, const hsp_executor *executor) {
+  const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = executor};
+  static uint32_t first[BALLS_FOR_ALL + 1], ball[32 * BALLS_FOR_ALL], flags[BALLS_FOR_ALL + 1];
+  static double block[9 * 32 * BALLS_FOR_ALL];
+  return hsp_boundary_get_hessian_rows(s->work.boundary, &request, first, ball, block, flags, 32 * BALLS_FOR_ALL, NULL);
+}
+static int32_t ask_hessian_product(scene *s, const hsp_executor *executor) {
+  const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = executor};
+  static double product[3 * BALLS_FOR_ALL];
+  return hsp_boundary_get_hessian_product(s->work.boundary, &request, s->set->xyz, product, NULL, s->n, NULL);
+}
 static int32_t ask_surface_gradient(scene *s, const hsp_executor *executor) {
   const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = executor};
   hsp_gradient_outputs outputs = {.struct_size = sizeof outputs, .capacity = s->n, .d_centre = s->d_centre};
@@ -149,6 +160,8 @@ static const question questions[] = {
     {"derivatives", ask_derivatives, NULL, 3},
     {"area rows", ask_rows, NULL, 3},
     {"morphometry", ask_morphometry, NULL, 3},
+    {"second derivatives", ask_hessian_rows, NULL, 3},
+    {"second derivatives times a direction", ask_hessian_product, NULL, 3},
     {"gradient of a smooth surface", ask_surface_gradient, NULL, 3},
     {"contacts", ask_contacts, read_contacts, 3},
     {"topology", ask_topology, read_topology, 3},
