@@ -11,15 +11,15 @@
  * The box is given by its vectors a, b, c: box [9] holds a_x a_y a_z, b_x b_y b_z, c_x c_y c_z. They may be any three
  * that span a volume. Angles may be any: b and c are reduced by whole multiples of the vectors before them inside.
  *   upright      a_y = a_z = b_z = 0, as GROMACS has it. Nothing is turned: all is as it was given, bit for bit.
- *   turned       all other vectors. Inside, everything is turned so that a is along x, and b in the plane of x and y, on
+ *   turned       all other vectors. Inside, everything is turned so that a is along x and b in the plane of x and y, on
  *                the side of y. All that has a direction comes back in the caller's frame: positions, axes, derivatives
  *                by centres, by the strain and by the vectors. Products, sums, quotients and roots of doubles turn, so
  *                that every machine has the same bits. A coordinate is turned before it is rounded to the lattice, with
- *                an error of a few units in the last place of the largest of its three: far less than a step, unless it
- *                is near 2^50 of them.
- *   left-handed  or upright with a_x, b_y or c_z below 0. Nothing is mirrored: a vector that points to the other side of
- *                its axis, once turned, is reversed inside, as its copies are the same. Shifts, windings and derivatives
- *                are by the vectors as they were given.
+ *                an error of a few units in the last place of the largest of its three: far less than a step, unless
+ *                it is near 2^50 of them.
+ *   left-handed  or upright with a_x, b_y or c_z below 0. Nothing is mirrored: a vector that points to the other side
+ *                of its axis, once turned, is reversed inside, as its copies are the same. Shifts, windings and
+ *                derivatives are by the vectors as they were given.
  * Inside, the vectors are rounded to the lattice of the balls once: images are exact to the last bit only if components
  * have no more decimals than that. Turned ones have: there a ball that is given a box away may lie a step beside.
  *
@@ -337,11 +337,11 @@ typedef struct hsp_periodic_gradient_outputs {
 HSP_API int32_t HSP_CALL hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
                                                    hsp_periodic_gradient_outputs *outputs);
 
-/** The second derivatives of the same energy by the centres, as hsp_boundary_get_hessian_rows (hardsphere/hessian.h) has
- *  them for a union in free space: compressed rows of 3x3 blocks, one for each two balls of which images share a free
- *  piece of a circle, in the caller's frame. When a ball moves all of its images do: those of one ball share a block,
- *  and its own cancel, so that a ball that meets nothing else has a block of zeros. Also of areas alone, with any
- *  pressure. first [n + 1], ball [needed], block [needed][3][3], flags [n + 1] and needed are as there; flags and
+/** The second derivatives of the same energy by the centres, as hsp_boundary_get_hessian_rows (hardsphere/hessian.h)
+ *  has them for a union in free space: compressed rows of 3x3 blocks, one for each two balls of which images share a
+ *  free piece of a circle, in the caller's frame. When a ball moves all of its images do: those of one ball share a
+ *  block, and its own cancel, so that a ball that meets nothing else has a block of zeros. Also of areas alone, with
+ *  any pressure. first [n + 1], ball [needed], block [needed][3][3], flags [n + 1] and needed are as there; flags and
  *  request may be NULL.
  *  - Property 1: block (j, i) is block (i, j) transposed, bit for bit, and each block (i, i) is symmetric.
  *  - Property 2: the blocks of a row sum to 0 up to rounding: E does not change when everything moves by a vector. It
