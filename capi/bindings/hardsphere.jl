@@ -1759,6 +1759,12 @@ function hsp_periodic_get_gradient(periodic, request, outputs)
           Ptr{hsp_periodic_gradient_outputs}), periodic, request, outputs)
 end
 
+function hsp_periodic_get_hessian_rows(periodic, request, first, ball, block, flags, capacity, needed)
+    ccall((:hsp_periodic_get_hessian_rows, libhardsphere), Int32, (Ptr{hsp_periodic}, Ptr{hsp_gradient_request},
+          Ptr{UInt32}, Ptr{UInt32}, Ptr{Cdouble}, Ptr{UInt32}, UInt32, Ptr{UInt32}), periodic, request, first, ball,
+          block, flags, capacity, needed)
+end
+
 function hsp_periodic_query_point(periodic, xyz, out, capacity, needed)
     ccall((:hsp_periodic_query_point, libhardsphere), Int32, (Ptr{hsp_periodic}, Ptr{Cdouble}, Ptr{hsp_image}, UInt32,
           Ptr{UInt32}), periodic, xyz, out, capacity, needed)

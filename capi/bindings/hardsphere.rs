@@ -2063,6 +2063,16 @@ extern "C" {
         request: *const hsp_gradient_request,
         outputs: *mut hsp_periodic_gradient_outputs,
     ) -> i32;
+    pub fn hsp_periodic_get_hessian_rows(
+        periodic: *const hsp_periodic,
+        request: *const hsp_gradient_request,
+        first: *mut u32,
+        ball: *mut u32,
+        block: *mut f64,
+        flags: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
     pub fn hsp_periodic_query_point(
         periodic: *const hsp_periodic,
         xyz: *const f64,

@@ -810,7 +810,8 @@ module hardsphere
     type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
     ! [9], or NULL: [3 p + q] is by eps_pq, if all centres and vectors x become x + eps x and radii stay
     type(c_ptr) :: d_strain = c_null_ptr
-    ! [9], or NULL: [3 k + p] is by component p of vector k, if all centres keep their multiples of the vectors
+    ! [9], or NULL: [3 k + p] is by component p of vector k as it was given, if all centres keep their multiples of the
+    ! vectors
     type(c_ptr) :: d_box = c_null_ptr
     ! [n], or NULL: free area of each ball, as of hsp_periodic_measure
     type(c_ptr) :: area = c_null_ptr
@@ -2639,6 +2640,20 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_gradient_request), intent(in), optional :: request
       type(hsp_periodic_gradient_outputs), intent(inout) :: outputs
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_hessian_rows(periodic, request, first, ball, block, flags, capacity, needed) &
+      result(status) bind(C, name="hsp_periodic_get_hessian_rows")
+      import :: c_double, c_int32_t, c_ptr, hsp_gradient_request
+      type(c_ptr), value :: periodic
+      type(hsp_gradient_request), intent(in), optional :: request
+      integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
+      integer(c_int32_t), intent(inout), optional :: ball(*)  ! needed
+      real(c_double), intent(inout), optional :: block(3, 3, *)  ! 3, 3, needed
+      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n + 1
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 

@@ -239,7 +239,7 @@ const struct command_row command_table[COMMANDS] = {
                  "where volume and area are null if closed is 0, with --tunnels-from <--tunnels-from 0,0,0>; maxima "
                  "and gates by their numbers, counted from 0, or \"outside\" or \"none\"; mouths are gates; balls are "
                  "indices in the order of the file, counted from 0, of all balls that are nearest, of points of "
-                 "tunnels up to four, or that line a pocket.\nWith --box box, box_turned, symmetry, <--box "
+                 "tunnels up to four, or that line a pocket.\nWith --box box, symmetry, <--box "
                  "9,9,9=pore_limiting_diameter>: [a, b, c] for one, two and three directions, null where no probe gets "
                  "through, <--box 9,9,9=included_cavity_diameter>: [a, b, c] of the channels that do, <--box "
                  "9,9,9=pore_limiting_diameter_along>: [a, b, c] the three vectors, <--box 9,9,9=channel_list>: "

@@ -198,7 +198,7 @@ const struct option *option_at(size_t i) {
        .help = "list tunnels from a point to the outside, the widest first, with the radius along each.\n"
                "With --box to another copy of the point, which lies so many vectors away: for ever.\n"
                "maximum:N is one of those that are listed, atom:N the widest at the atom N of the file,\n"
-               "counted from 0. X Y Z lie among the atoms as FILE has them, also if its box is turned"},
+               "counted from 0. X Y Z lie among the atoms as FILE has them"},
       {"--tunnels-to", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(pores.tunnels_to),
        .help = "instead to this point, or with --box to that copy of it which is best"},
       {"--cheapest", NULL, take_flag, OF(PORES), .target = IN(pores.cheapest),
@@ -208,8 +208,7 @@ const struct option *option_at(size_t i) {
        .help = "so many, each without the bottlenecks of those before it; default 3"},
       {"--points", "OUT", take_path, OF(PORES), .target = IN(pores.points), .what = "a file",
        .help = "also a .pdb or .cif file for viewers with what is listed: a point each, with its radius in\n"
-               "the column of temperature factors, of pockets their maxima and mouths, of tunnels the way;\n"
-               "of a box that is turned where it was before, as in FILE"},
+               "the column of temperature factors, of pockets their maxima and mouths, of tunnels the way"},
       {"--tunnels-out", "OUT.cif", take_path, OF(PORES), .target = IN(pores.tunnels_out), .what = "a file",
        .help = "also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them: radius along the length,\n"
                "layers and the residues that line them, with the atoms of the molecule, as in FILE"},
@@ -394,7 +393,7 @@ const struct option *option_at(size_t i) {
                "where there is no room for it"},
 
       {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES), .words = "file|p1",
-       .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew"},
+       .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or its vectors AX,AY,AZ,BX,BY,BZ,CX,CY,CZ"},
       {"--box", "file", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES),
        .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc, .trr and .dcd,\n"
                "Lattice of .xyz; 1 1 1 stands for none. That of FILE is filled by copies: those by the\n"

@@ -179,17 +179,13 @@ bool take_box(struct reading *reading, const struct option *option, const char *
   choice->source = BOX_GIVEN;
   memset(choice->vector, 0, sizeof choice->vector);
   if (count == 3) {
-    for (int axis = 0; axis < 3; ++axis) choice->vector[4 * axis] = numbers[axis];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(numbers[axis] > 0.0))
+        return failure_in_usage(reading->failure, "--box: AX, BY and CZ must be larger than 0");
+      choice->vector[4 * axis] = numbers[axis];
+    }
   } else {
     memcpy(choice->vector, numbers, sizeof numbers);
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(choice->vector[4 * axis] > 0.0)) {
-      return failure_in_usage(reading->failure, "--box: AX, BY and CZ must be larger than 0");
-    }
-  }
-  if (choice->vector[1] != 0.0 || choice->vector[2] != 0.0 || choice->vector[5] != 0.0) {
-    return failure_in_usage(reading->failure, "--box: the vectors are AX,0,0, BX,BY,0 and CX,CY,CZ");
   }
   return true;
 }

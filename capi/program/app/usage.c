@@ -50,12 +50,12 @@ static const char statuses[] =
 static const char box_text[] = "In a periodic box, whose copies fill space, all images of the balls count:\n";
 
 static const char box_closing[] =
-    "A box whose first vector is not along x is turned, and the atoms with it.\n"
+    "Vectors may be any three; all that has a direction is told in the frame of the atoms.\n"
     "Not with --shells, --surface ses, --interface, --window and --pdb-out.\n";
 
 /* Of a boundary. */
 static const char box_json[] =
-    "JSON has <--box 9,9,9..box>: [9], <--box 9,9,9..box_turned>, with the box of FILE <--box 9,9,9..symmetry>: "
+    "JSON has <--box 9,9,9..box>: [9], with the box of FILE <--box 9,9,9..symmetry>: "
     "{space_group, operators, filled, special_positions, matrices}, of images that are left out and of MTRIX records "
     "whose copies are not made, <--box 9,9,9..windings>: [{balls, directions, copies, rows: [[i, j, k], ...]}, ...], "
     "in how many directions each component goes on for ever and by which multiples of the box's vectors, "

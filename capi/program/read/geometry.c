@@ -142,11 +142,9 @@ bool geometry_compute_periodic(struct geometry *geometry, const struct molecule 
     geometry->periodic_limits = limits;
     status = make_periodic(geometry);
   }
-  if (status == HSP_E_ARGUMENT) {
-    return failure_in_input(failure, 0, "the box: its vectors must be AX,0,0, BX,BY,0 and CX,CY,CZ");
-  }
   if (status == HSP_E_RANGE) {
-    return failure_in_input(failure, 0, "the box is too thin for the balls, too large, or a ball is too far from it");
+    return failure_in_input(failure, 0,
+                            "the box is flat, too thin for the balls, too large, or a ball is too far from it");
   }
   return status == HSP_OK || failure_in_library(failure, status);
 }

@@ -1241,6 +1241,15 @@ class Periodic(Handle):
         return call("hsp_periodic_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads, only=only)
 
+    def get_hessian_rows(self, *, tangency: int | None = None, tension: float | None = None,
+                         pressure: float | None = None, sigma: Any | None = None, threads: int | None = None,
+                         only: Any | None = None) -> Any:
+        """The second derivatives of the same energy by the centres, as hsp_boundary_get_hessian_rows
+        (hardsphere/hessian.h) has them for a union in free space: compressed rows of 3x3 blocks, one for each two balls
+        of which images share a free piece of a circle, in the caller's frame. Gives .first, .ball, .block, .flags."""
+        return call("hsp_periodic_get_hessian_rows", self, tangency=tangency, tension=tension, pressure=pressure,
+                    sigma=sigma, threads=threads, only=only)
+
     def query_point(self, xyz: Any) -> Any:
         """The balls and images that contain the point xyz [3], wherever it is, ascending in balls and shifts."""
         return call("hsp_periodic_query_point", self, xyz=xyz)
@@ -2217,6 +2226,10 @@ FUNCTIONS = {
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_periodic_get_gradient": "int32_t periodic:handle:hsp_periodic::never "
         "request:sized_in:hsp_gradient_request::always outputs:outputs:hsp_periodic_gradient_outputs::never",
+    "hsp_periodic_get_hessian_rows": "int32_t periodic:handle:hsp_periodic::never "
+        "request:sized_in:hsp_gradient_request::always first:array_out:uint32_t:n+1:never "
+        "ball:array_out:uint32_t:needed:empty block:array_out:double:needed;3;3:empty "
+        "flags:array_out:uint32_t:n+1:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_periodic_query_point": "int32_t periodic:handle:hsp_periodic::never xyz:array_in:double:3:never "
         "out:array_out:hsp_image:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_periodic_query_ball": "int32_t periodic:handle:hsp_periodic::never xyz:array_in:double:3:never "

@@ -1295,6 +1295,33 @@ static int64_t call_hsp_periodic_get_gradient(const value *v) {
   return (int64_t)hsp_periodic_get_gradient(v[0].p, v[1].p, v[7].p);
 }
 
+static const argument of_hsp_periodic_get_hessian_rows[] = {
+  {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
+  {"request", "hsp_gradient_request", .kind = KIND_sized_in, .size = sizeof(hsp_gradient_request), .null = NULL_always,
+      .is_const = 1},
+  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset =
+      offsetof(hsp_gradient_request, tangency)},
+  {"tension", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      tension)},
+  {"pressure", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      pressure)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, executor), .is_const = 1},
+  {"first", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n + 1"},
+  {"ball", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
+      1},
+  {"block", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .row = 3 * 3, .null =
+      NULL_empty, .held = 1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n + 1", .null = NULL_always},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_periodic_get_hessian_rows(const value *v) {
+  return (int64_t)hsp_periodic_get_hessian_rows(v[0].p, v[1].p, v[7].p, v[8].p, v[9].p, v[10].p, v[11].u, v[12].p);
+}
+
 static const argument of_hsp_periodic_query_point[] = {
   {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
   {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
@@ -3315,6 +3342,9 @@ const function registry[] = {
       BIT(HSP_E_STATE)},
   {"hsp_periodic_get_gradient", "periodic", RESULT_status, 18, of_hsp_periodic_get_gradient,
       call_hsp_periodic_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
+  {"hsp_periodic_get_hessian_rows", "periodic", RESULT_status, 13, of_hsp_periodic_get_hessian_rows,
+      call_hsp_periodic_get_hessian_rows, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_periodic_query_point", "periodic", RESULT_status, 5, of_hsp_periodic_query_point, call_hsp_periodic_query_point,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |

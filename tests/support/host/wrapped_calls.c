@@ -1319,6 +1319,20 @@ int32_t __wrap_hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp
   return result;
 }
 
+int32_t __real_hsp_periodic_get_hessian_rows(const hsp_periodic *periodic, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_hessian_rows(const hsp_periodic *periodic, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_hessian_rows(const hsp_periodic *periodic, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_periodic_get_hessian_rows");
+  result = __real_hsp_periodic_get_hessian_rows(periodic, request, first, ball, block, flags, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t
     capacity, uint32_t *needed);
 int32_t __wrap_hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t
