@@ -85,6 +85,22 @@ static void closed_forms(const hsp_boundary *boundary) {
   CHECK(shell.reserved[0] == 0 && shell.reserved[1] == 0 && shell.reserved[2] == 0);
 }
 
+/* The inner ball touches the other one at the highest point, and comes first: it has none of the surface. */
+static void highest_point_of_two(void) {
+  static const double centre[BALLS][3] = {{0, 0, 3}, {0, 0, 0}}, radii[BALLS] = {2, 5};
+  computed c;
+  summary whole;
+  hsp_brick_totals totals;
+  check_scene("a ball that touches another from inside at its top");
+  if (!CHECK_EQUAL(computed_make(BALLS, centre[0], radii, NULL, &c), HSP_OK)) return;
+  whole = summarised(c.boundary, 0, 1, 0);
+  CHECK_EQUAL(hsp_brick_get_totals(whole.byte, whole.bytes, &totals, NULL), HSP_OK);
+  CHECK(totals.shells == 1 && totals.voids == 0 && totals.contained_balls == 1);
+  CHECK_NEAR(totals.area, 100 * pi, 1e-12 * totals.area);
+  CHECK_NEAR(totals.volume, 500 * pi / 3, 1e-12 * totals.volume);
+  computed_release(&c);
+}
+
 static void shells_that_were_not_kept(const hsp_boundary *boundary) {
   const summary whole = summarised(boundary, 0, 1, 0);
   hsp_brick_shell shell;
@@ -222,6 +238,7 @@ int main(void) {
   computed c;
   if (!CHECK_EQUAL(computed_make(BALLS, xyz[0], radius, NULL, &c), HSP_OK)) return check_report();
   closed_forms(c.boundary);
+  highest_point_of_two();
   shells_that_were_not_kept(c.boundary);
   every_size(c.boundary);
   refused(c.boundary);

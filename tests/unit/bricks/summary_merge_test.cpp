@@ -124,6 +124,24 @@ TEST(SummaryMerge, VoidsAreCompleteAtOnce) {
   EXPECT_TRUE(half.block.header().pieces == 1 && half.block.component(0).voids == 1);
 }
 
+// Brick 0 has all of the outer shell, 1 and 2 have floor and ceiling of a void: the highest ball that 1 knows is on its
+// floor. The outer shell is complete before its component is, and waits all the same, as its highest point is needed.
+TEST(SummaryMerge, AnOuterShellWaitsForItsComponent) {
+  BlockParts outer = link(0), floor = link(1), ceiling = link(2);
+  outer.shell_seams.clear();
+  floor.shell_seams.erase(floor.shell_seams.begin());
+  outer.components[0].top_piece = 0;
+  outer.components[0].height = 90;
+  const Merged half = merge(outer, floor);
+  ASSERT_EQ(half.result.status, Status::ok);
+  EXPECT_EQ(half.block.header().totals.shells, 0U);
+  EXPECT_EQ(half.block.component(0).height, 90);
+  const Merged whole = merge(parts_of(half), ceiling);
+  ASSERT_EQ(whole.result.status, Status::ok);
+  const hsp::SummaryTotals &totals = whole.block.header().totals;
+  EXPECT_TRUE(totals.shells == 2 && totals.components == 1 && totals.voids == 1);
+}
+
 // The higher top counts, of one height that of lower rank, and none if the highest ball is elsewhere.
 TEST(SummaryMerge, TheHigherTopCounts) {
   for (const int64_t height : {INT64_C(49), INT64_C(50), INT64_C(51)}) {
