@@ -125,11 +125,10 @@ void Merge::join() {
 }
 
 // The first of those that become one is put, and others are added to it: numbers of the draft ascend with the first.
-template <class Record>
-void add_record(SummaryDraft &draft, uint32_t k, Record record, Record (SummaryDraft::*record_at)(uint32_t) const,
-                uint32_t &known) {
+template <class Record, class RecordAt>
+void add_record(SummaryDraft &draft, uint32_t k, const Record &record, RecordAt record_at, uint32_t &known) {
   if (k < known) {
-    Record sum = (draft.*record_at)(k);
+    Record sum = record_at(k);
     sum.add(record);
     draft.put(k, sum);
   } else {
@@ -144,7 +143,8 @@ void Merge::put_pieces() {
     const bool of_a = k < a_.header().pieces;
     ShellPiece piece = of_a ? a_.piece(k) : b_.piece(k - a_.header().pieces);
     piece.component = component_[piece.component + (of_a ? 0 : a_.header().components)];
-    add_record(draft_, piece_[k], piece, &SummaryDraft::piece, known);
+    add_record(
+        draft_, piece_[k], piece, [this](uint32_t at) { return draft_.piece(at); }, known);
   }
 }
 
@@ -154,7 +154,8 @@ void Merge::put_components() {
     const bool of_a = k < a_.header().components;
     ComponentPart part = of_a ? a_.component(k) : b_.component(k - a_.header().components);
     if (part.top_piece != no_id) part.top_piece = piece_[part.top_piece + (of_a ? 0 : a_.header().pieces)];
-    add_record(draft_, component_[k], part, &SummaryDraft::component, known);
+    add_record(
+        draft_, component_[k], part, [this](uint32_t at) { return draft_.component(at); }, known);
   }
 }
 
