@@ -85,6 +85,20 @@ static void closed_forms(const hsp_boundary *boundary) {
   CHECK(shell.reserved[0] == 0 && shell.reserved[1] == 0 && shell.reserved[2] == 0);
 }
 
+/* The check sum, which ends a block, depends on every byte of it: on big-endian machines, too, and for every target. A
+ * change of the format, or of last bits of areas, is seen here. */
+static void bytes_are_the_same_everywhere(const hsp_boundary *boundary) {
+  static const uint8_t expected[2][8] = {{0xF6, 0x25, 0x88, 0x5E, 0x10, 0x6C, 0x6F, 0xE1},
+                                         {0xE0, 0xBC, 0x35, 0xAB, 0xBF, 0xDF, 0xAB, 0x3B}};
+  uint32_t brick;
+  for (brick = 0; brick < 2; ++brick) {
+    const summary part = summarised(boundary, brick, 2, 0);
+    check_scene("the check sum of brick %u", (unsigned)brick);
+    CHECK_EQUAL(part.bytes, 560);
+    CHECK_BYTES(part.byte + part.bytes - 8, expected[brick], 8);
+  }
+}
+
 /* The inner ball touches the other one at the highest point, and comes first: it has none of the surface. */
 static void highest_point_of_two(void) {
   static const double centre[BALLS][3] = {{0, 0, 3}, {0, 0, 0}}, radii[BALLS] = {2, 5};
@@ -238,6 +252,7 @@ int main(void) {
   computed c;
   if (!CHECK_EQUAL(computed_make(BALLS, xyz[0], radius, NULL, &c), HSP_OK)) return check_report();
   closed_forms(c.boundary);
+  bytes_are_the_same_everywhere(c.boundary);
   highest_point_of_two();
   shells_that_were_not_kept(c.boundary);
   every_size(c.boundary);
