@@ -328,6 +328,26 @@ class Values(unittest.TestCase):
         self.assertAlmostEqual(field(fixed.gaps(fixed, apart)[2], "gap"), 3, 6)
 
 
+class Bricks(unittest.TestCase):
+    def test_summaries_are_bytes(self):
+        pair = hardsphere.Balls([[0, 0, 0], [8, 0, 0]], [5, 5])
+        first, second = (pair.boundary.brick_summarise(brick=k, bricks=2, flags=hardsphere.BRICK_KEEP_SHELLS, id=[7, 9],
+                                                         owner=[0, 1]) for k in range(2))
+        self.assertIsInstance(first, bytes)
+        whole = hardsphere.brick_merge(second, first).summary
+        totals = hardsphere.brick_get_totals(whole).totals
+        self.assertEqual((totals.components, totals.circles, totals.euler), (1, 1, 2))
+        self.assertAlmostEqual(totals.volume, 324 * math.pi, 9)
+        shells = hardsphere.brick_get_shells(whole).out
+        self.assertEqual([field(shell, "component") for shell in shells], [7])
+        with self.assertRaises(hardsphere.Error) as missing:
+            hardsphere.brick_get_totals(first)
+        self.assertEqual(missing.exception.status, hardsphere.E_STATE)
+        with self.assertRaises(hardsphere.Error) as damaged:
+            hardsphere.brick_merge(first[:-8], second)
+        self.assertEqual(damaged.exception.status, hardsphere.E_DAMAGED)
+
+
 class Wrong(unittest.TestCase):
     def test_the_ball_to_blame(self):
         with self.assertRaises(hardsphere.Error) as refused:
@@ -443,7 +463,7 @@ class EveryGetter(unittest.TestCase):
                 parameters = inspect.signature(method).parameters
                 needs = [p for p in parameters.values() if p.default is p.empty]
                 given = {"boundary": balls.boundary} if "boundary" in parameters else {}
-                if not name.startswith("_") and not needs and not name.startswith(("compute", "set")):
+                if not name.startswith("_") and not needs and not name.startswith(("brick", "compute", "set")):
                     with self.subTest(f"{handle.noun}.{name}"):
                         method(**given)
                         called += 1

@@ -203,7 +203,9 @@ def array_in(values: Any, argument: Argument, sizes: dict[str, int]) -> Any:
     base, kind = argument.base, _type(argument.base)
     name = argument.name + "_" * iskeyword(argument.name)
     try:
-        if base in _SCALARS and numpy is not None:
+        if base == "uint8_t" and isinstance(values, (bytes, bytearray)):  # as they are; other bytes are yes or no
+            made, shape = (kind * len(values)).from_buffer_copy(values), (len(values),)
+        elif base in _SCALARS and numpy is not None:
             if base == "uint8_t":
                 values = numpy.asarray(values).astype(bool)
             data = numpy.ascontiguousarray(values, dtype=kind)
@@ -490,5 +492,8 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     found = {f.name: given_back(made[f.name], f) if f.kind == "array_out" else
              made[f.name] if f.kind == "struct_out" else made[f.name].value
              for f in wanted if f.name in made and f.name not in ("scratch", "bytes")}
+    for a in arguments:  # memory with a name is a result, as summaries of bricks are
+        if a.kind == "memory" and a.name != "memory":
+            found = {a.name: scratch.raw[:made["bytes"].value], **found}
     return handle if not found else next(iter(found.values())) if len(found) == 1 else Result(**found)
 

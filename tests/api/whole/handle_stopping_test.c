@@ -153,6 +153,21 @@ static int32_t ask_periodic_morphometry(scene *s, const hsp_executor *executor) 
   return hsp_periodic_get_morphometry(s->work.periodic, &request, &outputs);
 }
 
+/* Of two bricks the first, with every second ball. */
+static int32_t ask_brick(scene *s, const hsp_executor *executor) {
+  static uint8_t summary[1000000];
+  static uint64_t id[BALL_SET_MOST];
+  static uint32_t owner[BALL_SET_MOST];
+  const hsp_brick_request request = {sizeof request, 0, 2, 0, id, owner, executor};
+  size_t bytes = sizeof summary;
+  uint32_t i;
+  for (i = 0; i < s->n; ++i) {
+    id[i] = i;
+    owner[i] = i % 2;
+  }
+  return hsp_brick_summarise(s->work.boundary, &request, summary, &bytes, NULL);
+}
+
 static const question of_boundaries = {"boundary", ask_boundary, read_boundary, 3};
 static const question questions[] = {
     {"measures", ask_measures, NULL, 3},
@@ -163,6 +178,7 @@ static const question questions[] = {
     {"second derivatives", ask_hessian_rows, NULL, 3},
     {"second derivatives times a direction", ask_hessian_product, NULL, 3},
     {"gradient of a smooth surface", ask_surface_gradient, NULL, 3},
+    {"summary of a brick", ask_brick, NULL, 3},
     {"contacts", ask_contacts, read_contacts, 3},
     {"topology", ask_topology, read_topology, 3},
     {"mesh", ask_mesh, read_mesh, 3},
