@@ -12,9 +12,9 @@ using hsp::capi::floor_of;
 using hsp::capi::get_list;
 using hsp::capi::highest_level;
 using hsp::capi::is_level;
+using hsp::capi::lengths_of;
 using hsp::capi::LibraryArithmetic;
 using hsp::capi::PluggedBalls;
-using hsp::capi::put_position;
 using hsp::capi::winding_of;
 
 namespace {
@@ -202,9 +202,9 @@ int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hs
   if (status == hsp::Status::ok) {
     status = pores->builder.match_pockets(
         plugged->builder, plugged->balls_around(), [&](uint32_t maximum, hsp::exact::Vector &point) {
-          double xyz[3];
-          put_position(*pores, pores->maxima()[maximum].point.position, xyz);
-          return plugged->lattice().round(xyz, point) ? hsp::Status::ok : hsp::Status::range;
+          double place[3];
+          hsp::capi::to_array(lengths_of(*pores, pores->maxima()[maximum].point.position), place);
+          return plugged->lattice().round(place, point) ? hsp::Status::ok : hsp::Status::range;
         });
   }
   if (status != hsp::Status::ok) {
