@@ -15,7 +15,7 @@ class MeshBuilder : public Limited<MeshLimits> {
   // Status::degenerate if borders lie on each other in ways that nothing tells apart.
   Status build(const BallSet &balls, const Boundary &boundary, double edge, Patience patience = Patience());
 
-  // The same for the smooth surface. Status::open_surface if it is not closed.
+  // The same for the smooth surface.
   Status build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
                Patience patience = Patience());
 

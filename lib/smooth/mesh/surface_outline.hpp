@@ -13,7 +13,7 @@
 
 namespace hsp {
 
-// Limits that nearly always suffice, as for a boundary. Status::open_surface if it is not closed.
+// Limits that nearly always suffice, as for a boundary.
 Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
                             MeshLimits &limits);
 
