@@ -85,9 +85,14 @@ const struct option *option_at(size_t i) {
        .help = "also the derivatives of area and volume by every centre and radius"},
       {"--curvature", NULL, take_flag, OF(MEASURE), .target = IN(measure.curvature),
        .help = "also the integrated mean and Gaussian curvature of the boundary"},
-      {"--weights", "FILE", take_path, OF(MEASURE), .target = IN(measure.weights),
+      {"--weights", "FILE", take_path, OF(MEASURE), .target = IN(weights),
        .help = "also the sum of weight x free area; one number per ball, each on its own line, #\n"
                "comments"},
+      {"--window", "D", take_real, OF(MEASURE), .target = IN(window), .what = "a length", .positive = true,
+       .help = "also the mean of the area over all radii within D of their own, which is smooth where\n"
+               "balls touch: 0.1 angstrom does for minimisers. With --weights of the weighted area, over\n"
+               "D x weight to either side, with --of over radii of these atoms, with --gradient its\n"
+               "derivatives, too"},
       {"--polar", NULL, take_flag, OF(MEASURE), .target = IN(measure.polar),
        .help = "also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others;\n"
                "hydrogens count with the atom that they are bound to, by the file's bonds or by distance"},
@@ -120,15 +125,25 @@ const struct option *option_at(size_t i) {
                "frame. A frame at fault ends the run with status 1; the rows before it stay"},
       {"--frames", "A:B:S", take_frames, OF(MEASURE), .what = "frames, A:B:S",
        .help = "only the frames A to B, counted from 1, in steps of S; or A alone, A:, :B, ::S"},
-      {"--begin", "T", take_time, OF(MEASURE), .target = IN(frames.begin), .what = "a time"},
-      {"--end", "T", take_time, OF(MEASURE), .target = IN(frames.end), .what = "a time",
+      {"--begin", "T", take_real, OF(MEASURE), .target = IN(frames.begin), .what = "a time"},
+      {"--end", "T", take_real, OF(MEASURE), .target = IN(frames.end), .what = "a time",
        .help = "only the frames from time T, or up to it, as the trajectory has times"},
-      {"--interval", "DT", take_time, OF(MEASURE), .target = IN(frames.interval), .what = "a time", .positive = true,
+      {"--interval", "DT", take_real, OF(MEASURE), .target = IN(frames.interval), .what = "a time", .positive = true,
        .help = "of these the first one, and from its time on the first one in each interval of DT"},
       {"--mean", NULL, take_flag, OF(MEASURE), .target = IN(measure.mean),
        .help = "with --trajectory: in place of a row for each frame the mean of all, with the standard\n"
                "deviation, the least and the most; with --per-ball or --csv also of every ball, with --by\n"
                "of every residue, chain or group"},
+
+      {"--tension", "T", take_real, OF(HESSIAN), .target = IN(hessian.tension), .what = "a number"},
+      {"--pressure", "P", take_real, OF(HESSIAN), .target = IN(hessian.pressure), .what = "a number",
+       .help = "the energy: T x area + P x volume; one of them may be left out"},
+      {"--weights", "FILE", take_path, OF(HESSIAN), .target = IN(weights),
+       .help = "of areas: one number per ball, each on its own line, # comments"},
+      {"--window", "D", take_real, OF(HESSIAN), .target = IN(window), .what = "a length", .positive = true,
+       .help = "in place of the area its mean over all radii within D of their own, or D x weight: its\n"
+               "second derivatives are bounded, those of the area itself are not. 0.1 angstrom does for\n"
+               "minimisers and frequencies"},
 
       {"--min-volume", "V", take_length, OF(VOIDS), .target = IN(voids.min_volume), .what = "a volume",
        .help = "only those of volume V or more"},
@@ -150,9 +165,9 @@ const struct option *option_at(size_t i) {
        .help = "that picture before a dark page, with lighter squares for larger areas"},
       {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
       {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S"},
-      {"--begin", "T", take_time, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},
-      {"--end", "T", take_time, OF(CONTACTS), .target = IN(frames.end), .what = "a time"},
-      {"--interval", "DT", take_time, OF(CONTACTS), .target = IN(frames.interval), .what = "a time", .positive = true,
+      {"--begin", "T", take_real, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},
+      {"--end", "T", take_real, OF(CONTACTS), .target = IN(frames.end), .what = "a time"},
+      {"--interval", "DT", take_real, OF(CONTACTS), .target = IN(frames.interval), .what = "a time", .positive = true,
        .help = "for every frame a row of numbers, or with --json a line with the list: see measure"},
 
       {"--from", "X Y Z", take_place, OF(PATH), .target = IN(path.from), .help = ""},

@@ -123,12 +123,12 @@ bool take_frames(struct reading *reading, const struct option *option, const cha
 }
 
 /* A time, or a positive one between frames; the request has no finite time, or no interval, where none is given. */
-bool take_time(struct reading *reading, const struct option *option, const char *value) {
-  double *const time = (void *)((char *)reading->request + option->target);
+bool take_real(struct reading *reading, const struct option *option, const char *value) {
+  double *const number = (void *)((char *)reading->request + option->target);
   if (!option_value(reading, option, &value)) return false;
-  if (option->positive ? *time > 0.0 : is_finite(*time)) return option_given_twice(reading, option);
-  if (!option_number(reading, option, value, time)) return false;
-  return !option->positive || *time > 0.0 || failure_in_usage(reading->failure, "%s must be above 0", option->name);
+  if (option->positive ? *number > 0.0 : is_finite(*number)) return option_given_twice(reading, option);
+  if (!option_number(reading, option, value, number)) return false;
+  return !option->positive || *number > 0.0 || failure_in_usage(reading->failure, "%s must be above 0", option->name);
 }
 
 /* ---- the periodic box ---- */

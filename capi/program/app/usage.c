@@ -30,6 +30,10 @@ static const char statuses[] =
     "Several files may be given, but not to mesh and draw: each gives its table or its line of JSON, and one table of\n"
     "--csv has the file as its first column. One that cannot be read has its line on stderr and stops no other.\n"
     "\n"
+    "Numbers of --csv and JSON are in the unit of FILE, angstrom, or of .xyzr its own: lengths, areas in its square,\n"
+    "volumes in its cube; times in ps, or as .xyz says. Balls, shells, maxima and gates count from 0; voids, regions,\n"
+    "pockets, tunnels, models and frames from 1.\n"
+    "\n"
     "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
     "nothing; of a --trajectory it has the frames before the one at fault. With status 0 a line on stderr tells of "
     "names\n"
@@ -47,7 +51,7 @@ static const char box_text[] = "In a periodic box, whose copies fill space, all 
 
 static const char box_closing[] =
     "Vectors may be any three; all that has a direction is told in the frame of the atoms.\n"
-    "Not with --shells, --surface ses, --interface and --pdb-out.\n";
+    "Not with --shells, --surface ses, --interface, --window and --pdb-out.\n";
 
 /* Of a boundary. */
 static const char box_json[] =

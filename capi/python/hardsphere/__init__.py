@@ -23,7 +23,7 @@ import contextlib
 import math
 from typing import Any, Iterator, NamedTuple, Sequence
 
-from . import _interface
+from . import _interface, constants
 from ._calls import Error, Handle, Misshapen, Record, Result, called, library, numpy, shape_of
 from ._interface import *  # noqa: F401,F403
 from ._interface import (Boundary, Contacts, Mesh, Model, Periodic, Pores, Sticks, Surface, Topology, View)
@@ -232,7 +232,8 @@ class Balls(_Set):
     def mesh(self, edge: float, smooth: bool = False) -> Triangles:
         """Triangles with edges of about that length: of the union's surface, or of the smooth one."""
         source = self._handle(Surface, self.boundary) if smooth else self.boundary
-        mesh = self._handle(Mesh, source, edge, key=edge, compute="compute_surface" if smooth else "compute")
+        with called(edge_length="edge"):
+            mesh = self._handle(Mesh, source, edge, key=edge, compute="compute_surface" if smooth else "compute")
         points = mesh.get_vertices()
         return Triangles(points.xyz, mesh.get_triangles(only="corners"), points.normals, points.balls)
 

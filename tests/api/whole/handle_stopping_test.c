@@ -80,6 +80,17 @@ static int32_t ask_morphometry(scene *s, const hsp_executor *executor) {
   hsp_morphometry_outputs outputs = {.struct_size = sizeof outputs, .capacity = s->n, .d_centre = s->d_centre};
   return hsp_boundary_get_morphometry(s->work.boundary, &request, &outputs);
 }
+static int32_t ask_hessian_rows(scene *s, const hsp_executor *executor) {
+  const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = executor};
+  static uint32_t first[BALLS_FOR_ALL + 1], ball[32 * BALLS_FOR_ALL], flags[BALLS_FOR_ALL + 1];
+  static double block[9 * 32 * BALLS_FOR_ALL];
+  return hsp_boundary_get_hessian_rows(s->work.boundary, &request, first, ball, block, flags, 32 * BALLS_FOR_ALL, NULL);
+}
+static int32_t ask_hessian_product(scene *s, const hsp_executor *executor) {
+  const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = executor};
+  static double product[3 * BALLS_FOR_ALL];
+  return hsp_boundary_get_hessian_product(s->work.boundary, &request, s->set->xyz, product, NULL, s->n, NULL);
+}
 static int32_t ask_surface_gradient(scene *s, const hsp_executor *executor) {
   const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = executor};
   hsp_gradient_outputs outputs = {.struct_size = sizeof outputs, .capacity = s->n, .d_centre = s->d_centre};
@@ -142,6 +153,21 @@ static int32_t ask_periodic_morphometry(scene *s, const hsp_executor *executor) 
   return hsp_periodic_get_morphometry(s->work.periodic, &request, &outputs);
 }
 
+/* Of two bricks the first, with every second ball. */
+static int32_t ask_brick(scene *s, const hsp_executor *executor) {
+  static uint8_t summary[1000000];
+  static uint64_t id[BALL_SET_MOST];
+  static uint32_t owner[BALL_SET_MOST];
+  const hsp_brick_request request = {sizeof request, 0, 2, 0, id, owner, executor};
+  size_t bytes = sizeof summary;
+  uint32_t i;
+  for (i = 0; i < s->n; ++i) {
+    id[i] = i;
+    owner[i] = i % 2;
+  }
+  return hsp_brick_summarise(s->work.boundary, &request, summary, &bytes, NULL);
+}
+
 static const question of_boundaries = {"boundary", ask_boundary, read_boundary, 3};
 static const question questions[] = {
     {"measures", ask_measures, NULL, 3},
@@ -149,7 +175,10 @@ static const question questions[] = {
     {"derivatives", ask_derivatives, NULL, 3},
     {"area rows", ask_rows, NULL, 3},
     {"morphometry", ask_morphometry, NULL, 3},
+    {"second derivatives", ask_hessian_rows, NULL, 3},
+    {"second derivatives times a direction", ask_hessian_product, NULL, 3},
     {"gradient of a smooth surface", ask_surface_gradient, NULL, 3},
+    {"summary of a brick", ask_brick, NULL, 3},
     {"contacts", ask_contacts, read_contacts, 3},
     {"topology", ask_topology, read_topology, 3},
     {"mesh", ask_mesh, read_mesh, 3},
