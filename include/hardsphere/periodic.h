@@ -351,7 +351,7 @@ HSP_API int32_t HSP_CALL hsp_periodic_get_gradient(const hsp_periodic *periodic,
  *  - Property 4: a block of a box of m x m x m copies, summed over the copies of one of its balls, is that of the box.
  *
  *  Accuracy: as hsp_boundary_get_hessian_rows.
- *  Cost: O(n + vertices + circles), times the logarithm of the arcs on a ball; three gradients.
+ *  Cost: O(n + vertices + circles), times the logarithm of the arcs on a ball; three to five gradients.
  *  @retval HSP_OK            all rows are there; or there is no entry, also with capacity 0
  *  @retval HSP_E_ARGUMENT    periodic or first is NULL; ball or block is NULL with a capacity above 0; unknown
  *                            tangency; an executor with several workers and without run
