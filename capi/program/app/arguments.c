@@ -161,6 +161,7 @@ static bool begin(struct reading *reading, struct request *request, enum command
   request->selection = (struct selection)SELECTION_EVERYTHING;
   request->measure.part = (struct selection)SELECTION_EVERYTHING;
   request->set = &radii_bondi;
+  request->timeout = -1.0;
   request->measure.surface = -1;
   request->pores.pockets = -1.0;
   request->meshing = (struct meshing)MESHING_DEFAULT;

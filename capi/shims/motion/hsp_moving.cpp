@@ -1,5 +1,6 @@
 #include "hsp_moving.hpp"
 
+#include "caller_executor.hpp"
 #include "core/sorting.hpp"
 #include "gradient_arrays.hpp"
 #include "hsp_model.hpp"
@@ -50,29 +51,45 @@ int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *lim
 
 int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure,
                        uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad) {
-  LibraryArithmetic arithmetic(tension, pressure);
+  const hsp_gradient_request request{sizeof request, tangency, tension, pressure, sigma, nullptr};
+  return hsp_moving_set_with(moving, model, &request, limits, first_bad);
+}
+
+int32_t hsp_moving_set_with(hsp_moving *moving, const hsp_model *model, const hsp_gradient_request *request,
+                            hsp_moving_limits *limits, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   moving->complete = false;
-  const int32_t refused = first_failure(check_handle(model), check_struct(limits),
-                                        hsp::capi::is_tangency(tangency) ? HSP_OK : HSP_E_ARGUMENT);
+  hsp::capi::GradientRequest asked(arithmetic);
+  const int32_t refused = first_failure(check_handle(model), check_struct(limits), asked.read(request));
   if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
   if (!model->has_results()) return HSP_E_STATE;
   const hsp::IdRange all{0, model->balls().n};
-  if (const int32_t status = hsp::capi::check_weights(sigma, all, first_bad); status != HSP_OK) return status;
-  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
-  const hsp::EnergyTerms terms{{sigma, hsp::capi::to_touching_balls(tangency)}, tension, pressure};
-  return hsp::capi::finish(*moving, moving->builder.set(model->grid, terms), limits);
+  if (const int32_t status = hsp::capi::check_weights(asked.given.sigma, all, first_bad); status != HSP_OK)
+    return status;
+  if (!asked.factors_are_finite()) return HSP_E_NOT_FINITE;
+  const hsp::Patience patience(&asked.executor);
+  return hsp::capi::finish(*moving, moving->builder.set(model->grid, asked.terms(), patience), limits);
 }
 
 int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
                         const double *radius, hsp_moving_limits *limits, uint32_t *first_bad) {
+  return hsp_moving_move_with(moving, count, ball, xyz, radius, nullptr, limits, first_bad);
+}
+
+int32_t hsp_moving_move_with(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
+                             const double *radius, const hsp_moving_request *request, hsp_moving_limits *limits,
+                             uint32_t *first_bad) {
   LibraryArithmetic arithmetic;
-  const int32_t refused =
-      first_failure(check_handle(moving), check_struct(limits), ball == nullptr && count > 0 ? HSP_E_ARGUMENT : HSP_OK);
+  hsp_moving_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  const int32_t refused = first_failure(first_failure(check_handle(moving), check_struct(limits)),
+                                        hsp::capi::read_request(request, asked, executor),
+                                        ball == nullptr && count > 0 ? HSP_E_ARGUMENT : HSP_OK);
   if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
   if (!moving->has_results()) return HSP_E_STATE;
   uint32_t bad = HSP_NONE;
-  const hsp::Status status = moving->builder.move({count, ball, xyz, radius}, bad);
+  const hsp::Status status = moving->builder.move({count, ball, xyz, radius}, bad, hsp::Patience(&executor));
   if (first_bad != nullptr) *first_bad = bad;
   hsp::capi::hand_back_limits(*moving, status, limits);
   return hsp::capi::to_c(status);

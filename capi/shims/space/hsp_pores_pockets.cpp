@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "caller_executor.hpp"
 #include "hsp_boundary.hpp"
 #include "plugged_balls.hpp"
 
@@ -63,6 +64,12 @@ void forget_pockets(hsp_pores &pores) {
   pores.narrow_steps = 0;
 }
 
+// Whether a boundary is given where there is no box.
+int32_t check_boundary(const hsp_pores &pores, const hsp_boundary *boundary) {
+  if (boundary == nullptr) return pores.in_box ? HSP_OK : HSP_E_ARGUMENT;
+  return check_handle(boundary);
+}
+
 // Whether regions of pores can be found beside a boundary.
 int32_t check_surface(const hsp_pores &pores, const hsp_boundary *boundary) {
   if (pores.in_box != (boundary == nullptr)) return HSP_E_ARGUMENT;
@@ -74,10 +81,10 @@ int32_t check_surface(const hsp_pores &pores, const hsp_boundary *boundary) {
 }
 
 // After that.
-hsp::Status find_regions(hsp_pores &pores, const hsp_boundary *boundary, uint32_t first_plug) {
+hsp::Status find_regions(hsp_pores &pores, const hsp_boundary *boundary, uint32_t first_plug, hsp::Patience patience) {
   const hsp::PeriodicUnion *const periodic = pores.in_box ? &pores.periodic->builder : nullptr;
   return pores.builder.find_regions(pores.balls_around(), pores.in_box ? periodic->boundary() : boundary->structure(),
-                                    periodic, first_plug);
+                                    periodic, first_plug, patience);
 }
 
 }  // namespace
@@ -152,12 +159,23 @@ int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double 
 
 int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
                                uint32_t *regions) {
+  return hsp_pores_find_regions_with(pores, boundary, nullptr, access, regions);
+}
+
+int32_t hsp_pores_find_regions_with(hsp_pores *pores, const hsp_boundary *boundary, const hsp_pores_request *request,
+                                    hsp_pore_access *access, uint32_t *regions) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->builder.forget_regions();
+  hsp_pores_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t refused =
+          first_failure(check_boundary(*pores, boundary), hsp::capi::read_request(request, asked, executor));
+      refused != HSP_OK)
+    return refused;
   if (!pores->has_results()) return HSP_E_STATE;
   if (const int32_t refused = check_surface(*pores, boundary); refused != HSP_OK) return refused;
-  const hsp::Status found = find_regions(*pores, boundary, hsp::no_id);
+  const hsp::Status found = find_regions(*pores, boundary, hsp::no_id, hsp::Patience(&executor));
   if (found != hsp::Status::ok) return hsp::capi::to_c(found);
   const hsp::Span<const hsp::PoreRegion> there = pores->builder.regions().regions();
   if (regions != nullptr) *regions = there.size();
@@ -183,11 +201,20 @@ int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t c
 
 int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
                                   hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
+  return hsp_pores_measure_pockets_with(pores, plugged, boundary, nullptr, out, capacity, needed);
+}
+
+int32_t hsp_pores_measure_pockets_with(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+                                       const hsp_pores_request *request, hsp_pore_pocket_size *out, uint32_t capacity,
+                                       uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged),
-                                           boundary == nullptr ? HSP_OK : check_handle(boundary));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged)); status != HSP_OK) return status;
+  hsp_pores_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t refused =
+          first_failure(check_boundary(*plugged, boundary), hsp::capi::read_request(request, asked, executor));
+      refused != HSP_OK)
+    return refused;
   if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
   if (!pores->has_results() || !plugged->has_results()) return HSP_E_STATE;
   const PluggedBalls balls(*pores);
@@ -198,14 +225,16 @@ int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hs
   if (!hsp::capi::fits(true, capacity, count, needed)) return HSP_E_CAPACITY;
   plugged->builder.forget_regions();
   if (plugged != pores) forget_pockets(*plugged);
-  hsp::Status status = find_regions(*plugged, boundary, balls.given());
+  hsp::Status status = find_regions(*plugged, boundary, balls.given(), hsp::Patience(&executor));
   if (status == hsp::Status::ok) {
     status = pores->builder.match_pockets(
-        plugged->builder, plugged->balls_around(), [&](uint32_t maximum, hsp::exact::Vector &point) {
+        plugged->builder, plugged->balls_around(),
+        [&](uint32_t maximum, hsp::exact::Vector &point) {
           double xyz[3];
           put_position(*pores, pores->maxima()[maximum].point.position, xyz);
           return plugged->lattice().round(xyz, point) ? hsp::Status::ok : hsp::Status::range;
-        });
+        },
+        hsp::Patience(&executor));
   }
   if (status != hsp::Status::ok) {
     plugged->builder.forget_regions();

@@ -11,6 +11,8 @@ class Patience {
   explicit Patience(const Executor *executor = nullptr)
       : executor_(executor != nullptr && executor->may_stop() ? executor : nullptr) {}
 
+  // Whether the caller is asked at all.
+  bool may_end() const { return !small_code && executor_ != nullptr; }
   // Whether to go on after work of about so many instructions. Once not, never again.
   bool allows(uint64_t instructions) {
     if (small_code || executor_ == nullptr) return true;
@@ -30,5 +32,18 @@ class Patience {
   const Executor *executor_;
   uint64_t spent_ = 0;
 };
+
+// Calls visit(range) for all of a range of records, or for parts of it, one behind the other, where it may end between
+// them. A record takes some hundred instructions at most.
+template <class Range, class Visit>
+void in_parts(Patience &patience, Range range, Visit visit) {
+  constexpr uint32_t at_once = 1 << 15;
+  while (patience.may_end() && range.last - range.first > at_once) {
+    visit(Range{range.first, range.first + at_once});
+    range.first += at_once;
+    if (!patience.allows(100 * uint64_t{at_once})) return;
+  }
+  visit(range);
+}
 
 }  // namespace hsp

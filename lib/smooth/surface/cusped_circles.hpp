@@ -2,6 +2,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/patience.hpp"
 #include "core/workspace.hpp"
 #include "lanes/floating_point.hpp"
 
@@ -25,7 +26,8 @@ class CuspedCircles {
   // For at most so many circles.
   void carve(Workspace &workspace, uint32_t circles) { circle_ = FixedVector(workspace.take<Circle>(circles)); }
   void clear();
-  void find(const BallSet &balls, const Boundary &boundary);
+  // False if that is stopped.
+  bool find(const BallSet &balls, const Boundary &boundary, Patience &patience);
 
   // Their number, also if there is no room for all.
   uint64_t required() const { return circle_.required(); }

@@ -38,15 +38,17 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   arcs_ = FixedVector(workspace.take<RegionArc>(6 * caps));
 }
 
-Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
-  return build(balls, boundary, nullptr);
+Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Patience patience) {
+  return build(balls, boundary, nullptr, patience);
 }
 
-Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells) {
-  return build(balls, boundary, &shells);
+Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells,
+                             Patience patience) {
+  return build(balls, boundary, &shells, patience);
 }
 
-Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells) {
+Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells,
+                             Patience &patience) {
   CutPatches &cut = surface_.cut_patches_;
   CuspedCircles &cusped = surface_.cusped_circles_;
   surface_.counts_ = {};
@@ -59,39 +61,39 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
   } else {
     surface_.chosen_.choose(boundary, *shells, surface_.scratch_);
   }
-  number_arcs(boundary);
+  number_arcs(boundary, patience);
   surface_.touching_.clear(needed_.vertices);
   if (balls.probe_steps == 0) {
     for (uint32_t v = 0; v < needed_.vertices; ++v) cut.begin_vertex(v);
     cut.finish(needed_.vertices);
     surface_.touching_.count();
     surface_.concave_.clear(needed_.vertices);
-    surface_.shells_.find(boundary, cusped, cut);
-    return Status::ok;
+    surface_.shells_.find(boundary, cusped, cut, patience);
+    return patience.allows(0) ? Status::ok : Status::stopped;
   }
-  grid_.build(balls, boundary);
-  cusped.find(balls, boundary);
+  if (!grid_.build(balls, boundary, patience) || !cusped.find(balls, boundary, patience)) return Status::stopped;
   needed_.cusped_circles = clamped_count(cusped.required());
-  Status status = cut_patches(balls, boundary, Decisions::of_each_patch);
+  Status status = cut_patches(balls, boundary, Decisions::of_each_patch, patience);
   if (status != Status::ok) return status;
   // Where joints are open, once more with decisions that patches share, if that helps.
   if (const uint32_t open = surface_.counts_.joints.open; open > 0) {
-    status = cut_patches(balls, boundary, Decisions::shared);
+    status = cut_patches(balls, boundary, Decisions::shared, patience);
     if (status == Status::ok && surface_.counts_.joints.open >= open) {
-      status = cut_patches(balls, boundary, Decisions::of_each_patch);
+      status = cut_patches(balls, boundary, Decisions::of_each_patch, patience);
     }
     if (status != Status::ok) return status;
   }
   surface_.counts_.joints.open += surface_.counts_.crowded_points;
   surface_.touching_.count();
-  surface_.concave_.measure(balls, boundary, grid_.positions(), cut);
+  if (!surface_.concave_.measure(balls, boundary, grid_.positions(), cut, patience)) return Status::stopped;
   surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
-  surface_.shells_.find(boundary, cusped, cut);
-  return Status::ok;
+  surface_.shells_.find(boundary, cusped, cut, patience);
+  return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
 // All concave patches, and the joints of those that are cut.
-Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary, Decisions decisions) {
+Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary, Decisions decisions,
+                                   Patience &patience) {
   CutPatches &cut = surface_.cut_patches_;
   const CuspedCircles &cusped = surface_.cusped_circles_;
   const ChosenFaces &chosen = surface_.chosen_;
@@ -100,6 +102,9 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
   uncertain_pieces_ = 0;
   cut.clear();
   for (uint32_t v = 0; v < needed_.vertices; ++v) {
+    // As the vertex before.
+    const uint64_t met = v > 0 ? probe_.met() : 0;
+    if (!patience.allows((decisions == Decisions::shared ? 100000 : 3000) + (500 + met) * met)) return Status::stopped;
     cut.begin_vertex(v);
     const ProbeState state = probe_.gather(balls, boundary, chosen, grid_, v);
     if (probe_.touches()) surface_.touching_.set(v);
@@ -157,16 +162,16 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
   if (needed_.neighbours > limits_.neighbours || cut.overflowed() || needed_.cusped_circles > limits_.cusped_circles) {
     return Status::capacity;
   }
-  surface_.counts_.joints = join_patches(boundary, cusped, cut);
+  surface_.counts_.joints = join_patches(boundary, cusped, patience, cut);
   // A hidden patch lacks even its corners, which convex patches and saddles have.
   surface_.counts_.joints.open += uncertain_pieces_ + surface_.counts_.hidden_patches;
   if (surface_.counts_.joints.uneven > 0) {
     const CreaseLengths lengths(balls, boundary, cut);
-    for (uint32_t k = 0; k < cut.creases().size(); ++k) {
+    for (uint32_t k = 0; k < cut.creases().size() && patience.allows(1000); ++k) {
       surface_.counts_.joints.open += lengths.agree(cut.creases().member(k)) ? 0 : 1;
     }
   }
-  return Status::ok;
+  return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
 // Of a vertex in which two balls touch: whether in that point there are vertices of others, not of both, or one of both
@@ -230,10 +235,10 @@ bool SurfaceBuilder::settle(const SettledCircles &circles, double steradians, co
   return true;
 }
 
-void SurfaceBuilder::number_arcs(const Boundary &boundary) {
+void SurfaceBuilder::number_arcs(const Boundary &boundary, Patience &patience) {
   RankedBits &first = surface_.first_half_edges_;
   first.clear(boundary.half_edge_count());
-  for (uint32_t i = 0; i < boundary.ball_count(); ++i) {
+  for (uint32_t i = 0; i < boundary.ball_count() && patience.allows(50); ++i) {
     for (const uint32_t e : boundary.half_edges(i)) {
       first.set_if(e, i < boundary.half_edge(e).circle);
     }

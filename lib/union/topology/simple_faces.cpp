@@ -14,12 +14,12 @@ namespace {
 
 class SimpleFaceBuilder {
  public:
-  SimpleFaceBuilder(const BallSet &balls, const Boundary &boundary, Topology &topology)
-      : balls_(balls), boundary_(boundary), topology_(topology), quads_(topology.quads) {}
+  SimpleFaceBuilder(const BallSet &balls, const Boundary &boundary, Patience &patience, Topology &topology)
+      : balls_(balls), boundary_(boundary), patience_(patience), topology_(topology), quads_(topology.quads) {}
 
   void run() {
     start_vertices();
-    number_edges();
+    if (!number_edges()) return;
     const Subdivision &points = topology_.subdivision;
     for (uint32_t point = points.first_inner(); point < points.size(); ++point) {
       const uint32_t host = points.host(point);
@@ -27,9 +27,9 @@ class SimpleFaceBuilder {
         link_host(host, boundary_.half_edge(host).vertex, end_of(host));
       }
     }
-    for (uint32_t c = 0; c < boundary_.circle_count(); ++c) link_circle(c);
-    for (uint32_t k = 0; k < topology_.cut_arcs.size(); ++k) branch_off(k);
-    for (uint32_t first = 0; first < topology_.cut_arcs.size();) first = link_cut_arcs(first);
+    for (uint32_t c = 0; c < boundary_.circle_count() && patience_.allows(200); ++c) link_circle(c);
+    for (uint32_t k = 0; k < topology_.cut_arcs.size() && patience_.allows(200); ++k) branch_off(k);
+    for (uint32_t first = 0; first < topology_.cut_arcs.size() && patience_.allows(5000);) first = link_cut_arcs(first);
     link_spheres();
     link_loops_and_number_faces();
   }
@@ -58,10 +58,11 @@ class SimpleFaceBuilder {
   }
 
   // Arcs are numbered by their half-edges on the first of their balls.
-  void number_edges() {
+  bool number_edges() {
     quads_.edges = 0;
     uint32_t arcs = 0;
     for (uint32_t i = 0; i < balls_.n; ++i) {
+      if (!patience_.allows(1500)) return false;
       for (const uint32_t half_edge : boundary_.half_edges(i)) {
         if (boundary_.half_edge(half_edge).circle < i) continue;
         topology_.host_of_arc[arcs] = half_edge;
@@ -87,6 +88,7 @@ class SimpleFaceBuilder {
       add_edge(i);
       add_edge(i);
     }
+    return true;
   }
 
   void start_vertices() {
@@ -273,6 +275,7 @@ class SimpleFaceBuilder {
     uint32_t cut = 0;
     uint32_t sphere = quarter_edge(topology_.first_sphere_edge);
     for (uint32_t i = 0; i < balls_.n; ++i) {
+      if (!patience_.allows(2000)) return;
       const uint32_t first_cut = cut;
       while (cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i) ++cut;
       if (cut != first_cut) {
@@ -371,6 +374,7 @@ class SimpleFaceBuilder {
 
   const BallSet &balls_;
   const Boundary &boundary_;
+  Patience &patience_;
   Topology &topology_;
   QuadEdges &quads_;
 };
@@ -392,8 +396,8 @@ uint64_t count_edges(const BallSet &balls, const Boundary &boundary, const Topol
   return edges;
 }
 
-void assemble_simple_faces(const BallSet &balls, const Boundary &boundary, Topology &topology) {
-  SimpleFaceBuilder(balls, boundary, topology).run();
+void assemble_simple_faces(const BallSet &balls, const Boundary &boundary, Patience &patience, Topology &topology) {
+  SimpleFaceBuilder(balls, boundary, patience, topology).run();
 }
 
 }  // namespace hsp

@@ -15,7 +15,8 @@ class BuiltCreases {
       return;
     }
     grid_memory_.carve(grid_, vertices);
-    grid_.build(built.balls(), built.boundary());
+    hsp::Patience endless;
+    grid_.build(built.balls(), built.boundary(), endless);
     const hsp::CuspedCircles &cusped = built.surface().cusped_circles();
     status_ =
         crease_memory_.build(creases_, hsp::CreaseLimits{vertices, 0, 0, 0, 0, 0}, actual_, chosen_, grid_, cusped);
