@@ -2,23 +2,28 @@
 # that nothing of them is in the library, its headers, its Fortran modules and its package. core.cmake and the
 # component.cmake of each component's folder say what belongs to each.
 
-# hsp_part(name STANDS_ON part... HEADERS header... SOURCES file... SHIMS shim... SHIMS_APART shim... LEVELS unit level...)
+# hsp_part(name STANDS_ON part... HEADERS header... SOURCES file... APART file... SHIMS shim... SHIMS_APART shim...
+#          LEVELS unit level...)
 #   STANDS_ON     parts whose headers its sources find, and those on which these stand
 #   HEADERS       its headers in include/hardsphere; all others are the core's
-#   SOURCES       in the folder of its name
+#   SOURCES       in the folder of its name: those of a room are one unit
+#   APART         those that are units of their own: programs that need none of them link less, whatever their linker
 #   SHIMS         its sources of the interface in capi/shims/<name>, the core's in capi/shims/core: they are one unit
-#   SHIMS_APART   those that are units of their own: programs that call one link little else, whatever their linker
+#   SHIMS_APART   those that are units of their own, too
 #   LEVELS        rooms and shims that take less optimization than -O3: no frame waits for them, and they compile sooner
 # All of it is kept in the cache, so that projects that carry this one as a subdirectory can make units, too.
 function(hsp_part name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "STANDS_ON;HEADERS;SOURCES;SHIMS;SHIMS_APART;LEVELS")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "STANDS_ON;HEADERS;SOURCES;APART;SHIMS;SHIMS_APART;LEVELS")
   set(ARG_PARTS "") # and those on which it stands, below it
   foreach(lower ${ARG_STANDS_ON})
     list(APPEND ARG_PARTS ${HSP_${lower}_PARTS})
   endforeach()
   list(APPEND ARG_PARTS ${name})
   list(REMOVE_DUPLICATES ARG_PARTS)
-  list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/lib/${name}/)
+  list(APPEND ARG_SOURCES ${ARG_APART})
+  foreach(list ARG_SOURCES ARG_APART)
+    list(TRANSFORM ${list} PREPEND ${PROJECT_SOURCE_DIR}/lib/${name}/)
+  endforeach()
   set(shims ${name})
   if(name MATCHES "^(balls|union)$")
     set(shims core)
@@ -27,7 +32,7 @@ function(hsp_part name)
     list(TRANSFORM ${list} PREPEND ${PROJECT_SOURCE_DIR}/capi/shims/${shims}/)
     list(TRANSFORM ${list} APPEND .cpp)
   endforeach()
-  foreach(list PARTS HEADERS SOURCES SHIMS SHIMS_APART LEVELS)
+  foreach(list PARTS HEADERS SOURCES APART SHIMS SHIMS_APART LEVELS)
     set(HSP_${name}_${list} ${ARG_${list}} CACHE INTERNAL "Of the part ${name}")
   endforeach()
 endfunction()

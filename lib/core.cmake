@@ -16,9 +16,7 @@ hsp_part(balls
     model/grid_order.cpp
     model/halo.cpp
     model/meeting.cpp
-    model/neighbour_lists.cpp
     model/ordered_balls.cpp
-    model/packing_statistics.cpp
     model/pair_block.kernel.cpp
     model/queries.cpp
     model/query_hits.cpp
@@ -26,10 +24,14 @@ hsp_part(balls
     model/rounded_block.kernel.cpp
     model/radius_levels.cpp
     model/row_directory.cpp
-    model/ray_query.cpp
     model/set_digest.cpp
+  APART
+    model/neighbour_lists.cpp
+    model/packing_statistics.cpp
+    model/ray_query.cpp
     model/vertical_ray.cpp
-  SHIMS_APART versioned_struct hsp_status element_radii element_symbols hsp_element hsp_model hsp_query)
+  SHIMS_APART versioned_struct hsp_status element_radii element_symbols hsp_element hsp_model hsp_query hsp_neighbours
+    hsp_packing hsp_ray)
 hsp_part(union
   STANDS_ON balls
   SOURCES
@@ -83,5 +85,5 @@ hsp_part(union
     contacts/contact_measures.kernel.cpp
     contacts/contacts_builder.cpp
     contacts/contacts_check.cpp
-  SHIMS caller_executor hsp_areas hsp_boundary hsp_measure hsp_gradient hsp_contacts hsp_regions hsp_topology
-    hsp_topology_records)
+  SHIMS hsp_boundary hsp_measure hsp_areas
+  SHIMS_APART caller_executor hsp_gradient hsp_contacts hsp_regions hsp_topology hsp_topology_records)

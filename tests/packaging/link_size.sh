@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The text of a program that asks for the balls around a point and nothing else: all bytes that it links.
+# The text of a program that asks for the balls around a point and nothing else, and of README's first program: all bytes
+# that they link.
 #   link_size.sh INSTALL-PREFIX WORK-FOLDER C-COMPILER
 # By pkg-config the linker leaves out all functions that are not called; by hand, without its option, all objects.
 set -euo pipefail
@@ -13,15 +14,19 @@ read -ra flags <<<"$(pkg-config --cflags hardsphere)"
 read -ra package <<<"$(pkg-config --libs hardsphere)"
 by_hand=("-L$(pkg-config --variable=libdir hardsphere)" -lhardsphere -lm)
 failed=0
-link() { # how, bytes at most, what stands behind the source
-  local how=$1 most=$2 text
-  shift 2
-  "$cc" -std=c99 -O2 "${flags[@]}" -o "$work/$how" "$here/consumers/one_query.c" "$@"
+link() { # how, its source, bytes at most, what stands behind the source
+  local how=$1 source=$2 most=$3 text
+  shift 3
+  "$cc" -std=c99 -O2 "${flags[@]}" -o "$work/$how" "$source" "$@"
   "$work/$how" >/dev/null
   text=$(size "$work/$how" | awk 'NR == 2 {print $1}')
-  printf '%-10s %7d bytes of text, at most %d\n' "$how" "$text" "$most"
+  printf '%-18s %7d bytes of text, at most %d\n' "$how" "$text" "$most"
   [ "$text" -le "$most" ] || failed=1
 }
-link pkg-config 64500 "${package[@]}"
-link by-hand 178500 "${by_hand[@]}"
+sed '0,/^```c$/d' "$here/../../README.md" | sed '/^```/Q' >"$work/areas.c"
+query=$here/consumers/one_query.c
+link query-pkg-config "$query" 55000 "${package[@]}"
+link query-by-hand "$query" 98500 "${by_hand[@]}"
+link areas-pkg-config "$work/areas.c" 252000 "${package[@]}"
+link areas-by-hand "$work/areas.c" 386000 "${by_hand[@]}"
 exit $failed

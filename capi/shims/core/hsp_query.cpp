@@ -1,7 +1,5 @@
 #include "hsp_model.hpp"
-#include "model/neighbour_lists.hpp"
 #include "model/queries.hpp"
-#include "model/ray_query.hpp"
 
 using hsp::capi::check_results;
 using hsp::capi::LibraryArithmetic;
@@ -39,50 +37,5 @@ int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius
   const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
   *meets = hsp::any_ball_meets(model->grid, query) ? 1 : 0;
-  return HSP_OK;
-}
-
-int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
-                             uint32_t *needed) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_results(model, ids == nullptr && capacity > 0); status != HSP_OK) return status;
-  if (ball >= model->balls().n) return HSP_E_ID;
-  hsp::QueryResult result{ids, capacity, 0};
-  hsp::find_neighbours(model->grid, model->grid.grid_index(ball), result);
-  return hsp::capi::check_output(ids, capacity, result.hits, needed);
-}
-
-int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t capacity,
-                        uint32_t *needed) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status =
-          check_results(model, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || (ids == nullptr && capacity > 0));
-      status != HSP_OK)
-    return status;
-  const uint32_t n = model->balls().n;
-  const hsp::PairRows rows = flags == HSP_PAIRS_ONCE ? hsp::PairRows::smaller : hsp::PairRows::both;
-  const hsp::Span<uint32_t> begins(first, n + 1);
-  if (!hsp::count_neighbours(model->grid, rows, begins)) return HSP_E_RANGE;
-  const int32_t status = hsp::capi::check_output(ids, capacity, begins[n], needed);
-  if (status == HSP_OK) hsp::list_neighbours(model->grid, rows, begins, {ids, begins[n]});
-  return status;
-}
-
-int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_results(model, origin == nullptr || direction == nullptr || hit == nullptr);
-      status != HSP_OK)
-    return status;
-  const hsp::BallSet &balls = model->balls();
-  hsp::exact::LatticeRay ray;
-  if (const hsp::Status status = hsp::round_ray(balls, origin, direction, ray); status != hsp::Status::ok) {
-    return hsp::capi::to_c(status);
-  }
-  const hsp::RayHit found = hsp::first_ball_on_ray(model->grid, ray);
-  const hsp::exact::Lattice &lattice = balls.lattice;
-  *hit = {{lattice.length(found.point.x), lattice.length(found.point.y), lattice.length(found.point.z)},
-          lattice.length(found.distance),
-          found.ball == hsp::no_id ? HSP_NONE : balls.caller[found.ball],
-          0};
   return HSP_OK;
 }

@@ -160,18 +160,8 @@ class HitFinder {
   return true;
 }
 
-// Nothing is written to the caller's array before it is known that all hits fit. More of them than there is room for
-// are found a second time. Not inlined, so that hits of two ways do not lie on the stack together.
-[[gnu::noinline]] void collect_by_cubes(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
-                                        const CubeBox &box, QueryResult &result) {
-  HitFinder finder(grid, query, excluded);
-  finder.find(box);
-  result.hits = finder.hits().count;
-  if (result.hits > result.capacity) return;
-  if (result.hits <= QueryHits::room) {
-    write_ascending(grid, finder.hits(), result);
-    return;
-  }
+// More hits than there is room for are found a second time, straight into the caller's array.
+[[gnu::cold]] void store_by_parts(const CubeGrid &grid, const CubeBox &box, HitFinder &finder, QueryResult &result) {
   uint32_t stored = 0;
   visit_rows(grid, box, [&](const BallRange &row) {
     return visit_parts(row, [&](const BallRange &part) {
@@ -181,6 +171,18 @@ class HitFinder {
     });
   });
   sort_ascending(result.ids, result.hits);
+}
+
+// Nothing is written to the caller's array before it is known that all hits fit. Not inlined, so that hits of two ways
+// do not lie on the stack together.
+[[gnu::noinline]] void collect_by_cubes(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
+                                        const CubeBox &box, QueryResult &result) {
+  HitFinder finder(grid, query, excluded);
+  finder.find(box);
+  result.hits = finder.hits().count;
+  if (result.hits > result.capacity) return;
+  if (result.hits <= QueryHits::room) return write_ascending(grid, finder.hits(), result);
+  store_by_parts(grid, box, finder, result);
 }
 
 void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded, const CubeBox &box,

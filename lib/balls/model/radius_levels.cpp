@@ -105,7 +105,7 @@ class RadiusLevels::Found {
     return near_query(from_middle_, rounded, ids, range_, ranges_, hits_.ids);
   }
   // Those that may meet in floats are asked once more in doubles.
-  void look() {
+  [[gnu::noinline]] void look() {
     const uint32_t near = look_in_floats();
     uint32_t met = 0;
     for (uint32_t k = 0; k < near; ++k) {

@@ -11,6 +11,31 @@
 #include <immintrin.h>
 
 namespace hsp {
+// Orders of lanes that bring the chosen ones to the front, for the processor's permutations: eight bytes each, widened
+// when they are loaded. One table for all files.
+struct FrontOrders {
+  alignas(64) uint8_t of_eight[256][8];
+  alignas(64) uint8_t of_four[16][8];  // of pairs of 32 bits
+
+  constexpr FrontOrders() : of_eight{}, of_four{} {
+    for (uint32_t chosen = 0; chosen < 256; ++chosen) {
+      uint32_t to = 0;
+      for (uint8_t lane = 0; lane < 8; ++lane) {
+        if (chosen >> lane & 1U) of_eight[chosen][to++] = lane;
+      }
+    }
+    for (uint32_t chosen = 0; chosen < 16; ++chosen) {
+      uint32_t to = 0;
+      for (uint8_t lane = 0; lane < 4; ++lane) {
+        if ((chosen >> lane & 1U) == 0) continue;
+        of_four[chosen][to++] = static_cast<uint8_t>(2 * lane);
+        of_four[chosen][to++] = static_cast<uint8_t>(2 * lane + 1);
+      }
+    }
+  }
+};
+inline constexpr FrontOrders front_orders;
+
 namespace {
 
 struct Floats {
@@ -344,31 +369,6 @@ struct FractionSigns {
     high = (either >> 4 & 15U) | (either >> 16 & 0xF0U);
   }
 };
-
-// Orders of lanes that bring the chosen ones to the front, for the processor's permutations: eight bytes each, widened
-// when they are loaded.
-struct FrontOrders {
-  alignas(64) uint8_t of_eight[256][8];
-  alignas(64) uint8_t of_four[16][8];  // of pairs of 32 bits
-
-  constexpr FrontOrders() : of_eight{}, of_four{} {
-    for (uint32_t chosen = 0; chosen < 256; ++chosen) {
-      uint32_t to = 0;
-      for (uint8_t lane = 0; lane < 8; ++lane) {
-        if (chosen >> lane & 1U) of_eight[chosen][to++] = lane;
-      }
-    }
-    for (uint32_t chosen = 0; chosen < 16; ++chosen) {
-      uint32_t to = 0;
-      for (uint8_t lane = 0; lane < 4; ++lane) {
-        if ((chosen >> lane & 1U) == 0) continue;
-        of_four[chosen][to++] = static_cast<uint8_t>(2 * lane);
-        of_four[chosen][to++] = static_cast<uint8_t>(2 * lane + 1);
-      }
-    }
-  }
-};
-constexpr FrontOrders front_orders;
 
 // The order for the chosen lanes of eight floats or integers, and of four doubles. It may serve several stores.
 struct FrontOrder {

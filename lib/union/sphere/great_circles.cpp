@@ -109,7 +109,7 @@ void FreeIntervals::carve(Workspace &workspace, uint32_t capacity) {
   caps_ = workspace.take<MeridianCap>(capacity);
 }
 
-void FreeIntervals::find(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian) {
+[[gnu::cold]] void FreeIntervals::find(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian) {
   bounding_caps_ = 0;
   const MeridianAxis axis(meridian.v);
   uint32_t crossings = 0;
