@@ -32,44 +32,8 @@ void flag_degenerate_balls(const hsp::CubeGrid &grid, const hsp::Boundary &bound
   hsp::visit_degenerate_balls(grid, boundary, surface, any_tied, flag);
 }
 
-}  // namespace
-
-int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits, struct_size)); status != HSP_OK)
-    return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Boundary &structure = boundary->structure();
-  const hsp::SurfaceLimits enough =
-      hsp::default_surface_limits(structure.vertex_count(), structure.face_count(), structure.circle_count());
-  return hsp_surface::Limits::write(enough, limits, struct_size);
-}
-
-int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_surface>(limits, bytes);
-}
-
-int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits, hsp_surface **surface) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, surface);
-}
-
-int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits) {
-  return hsp_surface_compute_with(surface, boundary, nullptr, limits);
-}
-
-int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
-                                   uint32_t count, hsp_surface_limits *limits) {
-  const uint32_t none = 0;
-  const hsp_surface_request request{sizeof request, count, nullptr, count == 0 ? &none : shells};
-  const int32_t handles = first_failure(check_handle(surface), check_handle(boundary), check_struct(limits));
-  if (handles == HSP_OK && request.shells == nullptr) {
-    surface->complete = false;
-    return HSP_E_ARGUMENT;
-  }
-  return hsp_surface_compute_with(surface, boundary, &request, limits);
-}
-
-int32_t hsp_surface_compute_with(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_request *request,
-                                 hsp_surface_limits *limits) {
+int32_t compute(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_request *request,
+                hsp_surface_limits *limits) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(surface); status != HSP_OK) return status;
   surface->complete = false;
@@ -92,6 +56,47 @@ int32_t hsp_surface_compute_with(hsp_surface *surface, const hsp_boundary *bound
                                  : builder.build(boundary->balls(), boundary->structure(), chosen, patience);
   surface->boundary.set(boundary);
   return hsp::capi::finish(*surface, status, limits);
+}
+
+}  // namespace
+
+int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits, struct_size)); status != HSP_OK)
+    return status;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::Boundary &structure = boundary->structure();
+  const hsp::SurfaceLimits enough =
+      hsp::default_surface_limits(structure.vertex_count(), structure.face_count(), structure.circle_count());
+  return hsp_surface::Limits::write(enough, limits, struct_size);
+}
+
+int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes) {
+  return hsp::capi::get_bytes_by_limits<hsp_surface>(limits, bytes);
+}
+
+int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits, hsp_surface **surface) {
+  return hsp::capi::init_by_limits(memory, bytes, limits, surface);
+}
+
+int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits) {
+  return compute(surface, boundary, nullptr, limits);
+}
+
+int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
+                                   uint32_t count, hsp_surface_limits *limits) {
+  const uint32_t none = 0;
+  const hsp_surface_request request{sizeof request, count, nullptr, count == 0 ? &none : shells};
+  const int32_t handles = first_failure(check_handle(surface), check_handle(boundary), check_struct(limits));
+  if (handles == HSP_OK && request.shells == nullptr) {
+    surface->complete = false;
+    return HSP_E_ARGUMENT;
+  }
+  return compute(surface, boundary, &request, limits);
+}
+
+int32_t hsp_surface_compute_with(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_request *request,
+                                 hsp_surface_limits *limits) {
+  return compute(surface, boundary, request, limits);
 }
 
 int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts) {

@@ -34,14 +34,15 @@ class Patience {
 };
 
 // Calls visit(range) for all of a range of records, or for parts of it, one behind the other, where it may end between
-// them. A record takes some hundred instructions at most.
+// them: without a caller to ask loops are as they would be without this. instructions: about, for each record.
 template <class Range, class Visit>
-void in_parts(Patience &patience, Range range, Visit visit) {
-  constexpr uint32_t at_once = 1 << 15;
+void in_parts(Patience &patience, Range range, uint32_t instructions, Visit visit) {
+  constexpr uint32_t of_a_part = 3000000;
+  const uint32_t at_once = patience.may_end() ? of_a_part / instructions : 0;
   while (patience.may_end() && range.last - range.first > at_once) {
     visit(Range{range.first, range.first + at_once});
     range.first += at_once;
-    if (!patience.allows(100 * uint64_t{at_once})) return;
+    if (!patience.allows(of_a_part)) return;
   }
   visit(range);
 }

@@ -149,8 +149,7 @@ class MapFaceFinder {
 
   bool trace_loops(Map &map, Patience &patience) {
     for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
-      if (!patience.allows(150)) return false;
-      if (map.half_edges[h].loop == no_id && !trace_loop(h, map)) return false;
+      if (map.half_edges[h].loop == no_id && (!patience.allows(2000) || !trace_loop(h, map))) return false;
     }
     return true;
   }

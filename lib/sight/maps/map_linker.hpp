@@ -103,7 +103,8 @@ class MapLinker {
     sort_named_ends(map.scene);
     if (!patience.allows(of_a_step) || !add_corners(map, patience)) return false;
     add_landings(map);
-    return patience.allows(of_a_step) && add_edges(map, patience) && link_half_edges(map, patience);
+    return patience.allows(of_a_step) && add_edges(map, patience) &&
+           patience.allows(100 * uint64_t{map.vertices.size()}) && link_half_edges(map);
   }
 
  private:
@@ -304,13 +305,12 @@ class MapLinker {
     return true;
   }
 
-  bool link_half_edges(Map &map, Patience &patience) {
+  bool link_half_edges(Map &map) {
     map.half_edges.set_count(2 * static_cast<uint64_t>(map.edges.size()));
     for (MapHalfEdge &half_edge : map.half_edges.items()) half_edge = {no_id, no_id};
     const auto follow = [&](uint32_t arriving, uint32_t out) { map.half_edges[arriving].next = out; };
     for (uint32_t v = 0; v < map.vertices.size(); ++v) {
       MapVertex &vertex = map.vertices[v];
-      if (!patience.allows(200)) return false;
       const uint32_t out = leaving(end_at_[3 * v]);
       vertex.leaving = out;
       if (vertex.kind == MapVertexKind::plain) {

@@ -59,12 +59,14 @@ void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, double pertu
     if (moved_) centre = moved_centre(balls, i, centre, perturbation);
     balls_[count_++] = {centre.x, centre.y, centre.z, balls.r[i], i, 0};
   }
-  sort_in_place(balls_.part(0, count_), [&](const SeenBall &a, const SeenBall &b) {
-    if (!patience.allows(40)) return false;
+  const auto comes_first = [&balls](const SeenBall &a, const SeenBall &b) {
     if (a.top() != b.top()) return a.top() > b.top();
     if (a.r != b.r) return a.r > b.r;
     return balls.ranks_before(a.ball, b.ball);
-  });
+  };
+  const Span<SeenBall> seen = balls_.part(0, count_);
+  if (!patience.may_end()) return sort_in_place(seen, comes_first);
+  sort_in_place(seen, [&](const SeenBall &a, const SeenBall &b) { return patience.allows(40) && comes_first(a, b); });
 }
 
 }  // namespace hsp

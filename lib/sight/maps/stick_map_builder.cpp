@@ -25,9 +25,8 @@ Status StickMapBuilder::build(const StickView &view, Span<const StickPair> pairs
   }
   const Span<uint32_t> order = order_.part(0, depth.size());
   for (uint32_t k = 0; k < order.size(); ++k) order[k] = k;
-  sort_in_place(order, [&](uint32_t a, uint32_t b) {
-    return patience.allows(40) && (depth[a] != depth[b] ? depth[a] < depth[b] : a < b);
-  });
+  sort_in_place(order, [depth](uint32_t a, uint32_t b) { return depth[a] != depth[b] ? depth[a] < depth[b] : a < b; });
+  if (!patience.allows(500 * uint64_t{order.size()})) return Status::stopped;
   map_.scene = {{balls}, view.sticks.items(), order};
   if (!arcs_.find(map_.scene, view, pairs, balls, patience)) return Status::stopped;
   if (arcs_.overflowed() || arcs_.needed_edges() > edges_) return Status::capacity;

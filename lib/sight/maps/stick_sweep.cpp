@@ -112,7 +112,7 @@ void StickSweep::compare(uint32_t a, uint32_t b) {
   }
 }
 
-void StickSweep::add_items(Patience &patience) {
+void StickSweep::add_items() {
   items_.clear();
   for (uint32_t i = 0; i < balls_; ++i) {
     const PlacedBall &ball = view_->balls[i];
@@ -131,8 +131,7 @@ void StickSweep::add_items(Patience &patience) {
                    balls_ + 2 * k + part});
     }
   }
-  sort_in_place(items_.items(), [&](const SweptBox &a, const SweptBox &b) {
-    if (!patience.allows(40)) return false;
+  sort_in_place(items_.items(), [](const SweptBox &a, const SweptBox &b) {
     return a.left != b.left ? a.left < b.left : a.body < b.body;
   });
 }
@@ -154,11 +153,11 @@ StickViolation StickSweep::find(const StickView &view, Span<const uint32_t> call
     if (stick.parts == 2) pairs.push({first, first + 1});
     pairs.push({first + stick.parts - 1, stick.ball[1]});
   }
-  add_items(patience);
+  add_items();
+  if (!patience.allows(500 * uint64_t{items_.size()})) return violation_;
   const Span<const SweptBox> items = items_.items();
-  for (uint32_t i = 0; i < items.size(); ++i) {
+  for (uint32_t i = 0; i < items.size() && patience.allows(3000); ++i) {
     for (uint32_t j = i + 1; j < items.size() && items[j].left < items[i].right; ++j) {
-      if (!patience.allows(100)) return violation_;
       if (items[j].bottom >= items[i].top || items[j].top <= items[i].bottom) continue;
       compare(items[i].body, items[j].body);
       if (violation_.conflict != StickConflict::none) return violation_;

@@ -67,7 +67,7 @@ class StickSweep {
   Span<const SweptBox> boxes() const { return items_.items(); }
 
  private:
-  void add_items(Patience &patience);
+  void add_items();
   void compare(uint32_t a, uint32_t b);
   void compare_balls(uint32_t a, uint32_t b);
   void compare_ball_and_part(uint32_t ball, uint32_t body);

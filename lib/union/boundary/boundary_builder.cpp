@@ -159,7 +159,7 @@ void BoundaryBuilder::place(uint32_t worker) {
   }
   own.placed_vertices = {first_vertex, first_vertex + own.vertices().size()};
   own.placed_circles = {first_circle, first_circle + own.circles().size()};
-  in_parts(own.patience(), own.placed_vertices, [&](IdRange vertices) {
+  in_parts(own.patience(), own.placed_vertices, 100, [&](IdRange vertices) {
     BoundaryWorker::find_root_discriminants(grid_->balls(), vertices.first, vertices.last, a);
   });
 }

@@ -35,7 +35,7 @@ void for_sides_on(BallRange range, const Record &record, Visit visit) {
 template <uint32_t FirstParts::*part, class Record>
 uint32_t count_sides(Span<const Record> records, BallRange range, Span<FirstParts> first, Patience &patience) {
   for (uint32_t i = range.first; i < range.last; ++i) first[i].*part = 0;
-  in_parts(patience, IdRange{0, records.size()}, [&](IdRange some) {
+  in_parts(patience, IdRange{0, records.size()}, 100, [&](IdRange some) {
     for (const uint32_t id : some) {
       const Record &record = records[id];
       for_sides_on(range, record, [&](uint32_t side) { ++(first[record.ball[side]].*part); });
@@ -51,7 +51,7 @@ void distribute_sides(Span<const Record> records, IdRange ids, BallRange range, 
                       Patience &patience, Put put) {
   for (uint32_t i = range.first; i < range.last; ++i) first[i].*part += before;
   // From the last one on.
-  in_parts(patience, ids, [&](IdRange some) {
+  in_parts(patience, ids, 100, [&](IdRange some) {
     for (uint32_t id = ids.last - (some.first - ids.first), end = ids.last - (some.last - ids.first); id-- > end;) {
       const Record &record = records[id];
       for_sides_on(range, record, [&](uint32_t side) { put(--(first[record.ball[side]].*part), record, id, side); });

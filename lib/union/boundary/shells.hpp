@@ -16,7 +16,7 @@ template <class Sets>
 void join_faces(const Boundary &boundary, IdRange vertices, IdRange circles, Patience &patience, Sets &shells) {
   // The three faces at a vertex share arcs, and every arc has a vertex.
   const bool far_apart = !small_code && boundary.vertex_count() > ahead::few_vertices;
-  in_parts(patience, vertices, [&](IdRange some) {
+  in_parts(patience, vertices, 100, [&](IdRange some) {
     for (const uint32_t v : some) {
       if (far_apart && v + ahead::vertices < vertices.last) boundary.prefetch_half_edges_at(v + ahead::vertices);
       const uint32_t first = boundary.face_of(boundary.half_edge_at(v, 0));

@@ -239,13 +239,13 @@ void ContactsBuilder::make_rows(const CubeGrid &grid, Patience &patience) {
   const auto [found, next] = walk_.end();
   for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = 0;
   const uint32_t contacts = a.contacts.size();
-  in_parts(patience, IdRange{0, contacts}, [&](IdRange some) {
+  in_parts(patience, IdRange{0, contacts}, 50, [&](IdRange some) {
     for (const uint32_t id : some) {
       for (const uint32_t ball : a.contacts[id].ball) ++a.first_in_row[ball];
     }
   });
   end_rows(a.first_in_row, a.balls);
-  in_parts(patience, IdRange{0, contacts}, [&](IdRange some) {  // from the last one on
+  in_parts(patience, IdRange{0, contacts}, 50, [&](IdRange some) {  // from the last one on
     for (uint32_t id = contacts - some.first, end = contacts - some.last; id-- > end;) {
       for (const uint32_t ball : a.contacts[id].ball) found[--a.first_in_row[ball]] = id;
     }

@@ -61,15 +61,17 @@ class SimpleFaceBuilder {
   bool number_edges() {
     quads_.edges = 0;
     uint32_t arcs = 0;
-    for (uint32_t i = 0; i < balls_.n; ++i) {
-      if (!patience_.allows(1500)) return false;
-      for (const uint32_t half_edge : boundary_.half_edges(i)) {
-        if (boundary_.half_edge(half_edge).circle < i) continue;
-        topology_.host_of_arc[arcs] = half_edge;
-        topology_.vertex_edge[boundary_.half_edge(half_edge).vertex] = quarter_edge(quads_.edges);
-        topology_.chain[boundary_.twin(half_edge)] = add_host(half_edge, arcs++);
+    in_parts(patience_, BallRange{0, balls_.n}, 500, [&](BallRange some) {
+      for (uint32_t i = some.first; i < some.last; ++i) {
+        for (const uint32_t half_edge : boundary_.half_edges(i)) {
+          if (boundary_.half_edge(half_edge).circle < i) continue;
+          topology_.host_of_arc[arcs] = half_edge;
+          topology_.vertex_edge[boundary_.half_edge(half_edge).vertex] = quarter_edge(quads_.edges);
+          topology_.chain[boundary_.twin(half_edge)] = add_host(half_edge, arcs++);
+        }
       }
-    }
+    });
+    if (!patience_.allows(1000 * uint64_t{balls_.n})) return false;
     topology_.first_circle_edge = quads_.edges;
     for (uint32_t c = 0; c < boundary_.circle_count(); ++c) {
       for (uint32_t half = 0; half < 2; ++half) {
@@ -274,21 +276,22 @@ class SimpleFaceBuilder {
     topology_.face_count = 0;
     uint32_t cut = 0;
     uint32_t sphere = quarter_edge(topology_.first_sphere_edge);
-    for (uint32_t i = 0; i < balls_.n; ++i) {
-      if (!patience_.allows(2000)) return;
-      const uint32_t first_cut = cut;
-      while (cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i) ++cut;
-      if (cut != first_cut) {
-        cut_faces(i, first_cut, cut);
-      } else {
-        for (const uint32_t loop : boundary_.loops(i)) face_of_loop(loop);
+    in_parts(patience_, BallRange{0, balls_.n}, 1000, [&](BallRange some) {
+      for (uint32_t i = some.first; i < some.last; ++i) {
+        const uint32_t first_cut = cut;
+        while (cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i) ++cut;
+        if (cut != first_cut) {
+          cut_faces(i, first_cut, cut);
+        } else {
+          for (const uint32_t loop : boundary_.loops(i)) face_of_loop(loop);
+        }
+        if (boundary_.is_whole_sphere(i)) {
+          number_ring(sphere, boundary_.faces(i).first);
+          number_ring(sym(sphere), boundary_.faces(i).first);
+          sphere += 8;
+        }
       }
-      if (boundary_.is_whole_sphere(i)) {
-        number_ring(sphere, boundary_.faces(i).first);
-        number_ring(sym(sphere), boundary_.faces(i).first);
-        sphere += 8;
-      }
-    }
+    });
   }
 
   // The faces of a ball with cut arcs first .. last - 1. The chain of every half-edge is linked to that of the next

@@ -67,9 +67,9 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
 
   if (!patience.allows(100 * uint64_t{needed_.edges})) return Status::stopped;
   assemble_simple_faces(balls, boundary, patience, structure_);
-  if (!patience.allows(50 * uint64_t{balls.n})) return Status::stopped;
+  if (!patience.allows(1000 * uint64_t{balls.n})) return Status::stopped;
   gather_components(grid, boundary, structure_);
-  if (!gather_regions(grid, boundary, patience, structure_) || !patience.allows(50 * uint64_t{balls.n}))
+  if (!gather_regions(grid, boundary, patience, structure_) || !patience.allows(1000 * uint64_t{balls.n}))
     return Status::stopped;
   traverse_shells(boundary, structure_, structure_.marks, patience);
   return patience.allows(0) ? Status::ok : Status::stopped;

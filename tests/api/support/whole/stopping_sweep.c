@@ -477,7 +477,7 @@ static int find_long_tunnel(scene *s) {
   hsp_tunnel tunnel;
   uint32_t k, most = 0;
   if (!CHECK_EQUAL(hsp_pores_get_counts(s->work.pores, &counts), HSP_OK)) return 0;
-  for (k = 0; k < counts.maxima; k += 1 + counts.maxima / 40) {
+  for (k = 0; k < counts.maxima; k += 1 + counts.maxima / 8) {
     if (!CHECK_EQUAL(hsp_pores_get_maxima(s->work.pores, k, 1, &maximum), HSP_OK)) return 0;
     if (!CHECK_EQUAL(hsp_workspace_cheapest_tunnel(&s->work, NULL, maximum.xyz, NULL, NULL, 0, &tunnel), HSP_OK))
       return 0;
