@@ -1,4 +1,4 @@
-// All that computes, stopped at a question that the input chooses: it says so and holds nothing then, and gives the same
+// Each computation, stopped at a question that the input chooses: it says so and holds nothing then, and gives the same
 // counts afterwards as without a stop.
 #include <hardsphere.h>
 #include <hardsphere_workspace.h>
