@@ -228,9 +228,9 @@ bool ArcFinder::find(SeenBalls &seen, const DiscGrid &grid, Patience &patience) 
     needed_neighbours_ = larger_count(needed_neighbours_, clamped_count(near_.required()));
     if (near_.overflowed()) continue;
     const Span<const uint32_t> near = near_.items();
+    if (!patience.allows(200 * uint64_t{near.size()} * near.size())) return false;
     if (!find_silhouette_arcs(seen, i, near, hidden_, arcs_)) complete_ = false;
     for (const uint32_t k : near) {
-      if (!patience.allows(200 * uint64_t{near.size()})) return false;
       if (seen.is_nearer(k, i) && !find_crease_arcs(seen, i, k, near, hidden_, arcs_)) certain_ = false;
     }
   }

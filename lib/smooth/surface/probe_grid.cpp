@@ -287,7 +287,6 @@ bool ProbeGrid::build(const BallSet &balls, const Boundary &boundary, Patience &
   sort_to_rows(
       first_, buckets_, n,
       [&](uint32_t v) {
-        static_cast<void>(patience.allows(30));
         at = in_units(balls, position_[v]);
         return bucket_of(at);
       },

@@ -61,7 +61,8 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
   } else {
     surface_.chosen_.choose(boundary, *shells, surface_.scratch_);
   }
-  number_arcs(boundary, patience);
+  number_arcs(boundary);
+  if (!patience.allows(50 * uint64_t{boundary.ball_count()})) return Status::stopped;
   surface_.touching_.clear(needed_.vertices);
   if (balls.probe_steps == 0) {
     for (uint32_t v = 0; v < needed_.vertices; ++v) cut.begin_vertex(v);
@@ -235,10 +236,10 @@ bool SurfaceBuilder::settle(const SettledCircles &circles, double steradians, co
   return true;
 }
 
-void SurfaceBuilder::number_arcs(const Boundary &boundary, Patience &patience) {
+void SurfaceBuilder::number_arcs(const Boundary &boundary) {
   RankedBits &first = surface_.first_half_edges_;
   first.clear(boundary.half_edge_count());
-  for (uint32_t i = 0; i < boundary.ball_count() && patience.allows(50); ++i) {
+  for (uint32_t i = 0; i < boundary.ball_count(); ++i) {
     for (const uint32_t e : boundary.half_edges(i)) {
       first.set_if(e, i < boundary.half_edge(e).circle);
     }

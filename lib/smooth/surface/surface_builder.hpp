@@ -33,7 +33,7 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
   bool settle(const SettledCircles &circles, double steradians, const Vec3 &vector_area, const SurfaceCounts &before);
   bool measure_cut_patch(double &steradians, Vec3 &vector_area);
   bool accept(const FreeRegion &region, double &steradians, Vec3 &vector_area);
-  void number_arcs(const Boundary &boundary, Patience &patience);
+  void number_arcs(const Boundary &boundary);
   void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole,
                     const SettledCircles *settled);
   void add_crease(const RegionArc &arc, CreaseSums &creases) const;

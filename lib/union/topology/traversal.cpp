@@ -36,12 +36,19 @@ uint32_t traverse_shell(const Topology &topology, uint32_t start, Span<uint32_t>
   uint32_t entry = topology.faces[start].q;
   uint32_t at = entry;
   uint32_t visited = 0;
+  // After so many faces it is asked whether to go on.
+  constexpr uint32_t of_a_part = 8192;
+  const auto at_most_all = [&order](uint32_t faces) { return faces < order.size() ? faces : order.size(); };
+  uint32_t pause = at_most_all(of_a_part);
   entered[start] = entry;
   order[visited++] = start;
   for (;;) {
     const uint32_t across = quads.left(sym(at));
     if (entered[across] == no_id) {
-      if (visited == order.size() || !patience.allows(200)) return visited + 1;
+      if (visited == pause) {
+        if (visited == order.size() || !patience.allows(200 * of_a_part)) return visited + 1;
+        pause = at_most_all(pause + of_a_part);
+      }
       face = across;
       at = entry = sym(at);
       entered[face] = entry;
