@@ -28,6 +28,8 @@ has() { # a program, or a header
 }
 if has gfortran; then must_have_run clients_exact_sasa; fi
 if has lmp && has mpirun && imports numpy; then must_have_run clients_lammps_fix; fi
+if has lmp && imports numpy; then must_have_run clients_lammps_window; fi
+if has xtb && imports ase scipy; then must_have_run clients_normal_modes; fi
 if has mpicc && [ -e /usr/include/lammps/library.h ]; then must_have_run clients_lammps; fi
 if has openmm/reference/ReferencePlatform.h; then must_have_run clients_openmm; fi
 if has rustc; then must_have_run bindings_lens_rust; fi

@@ -17,6 +17,7 @@
  *   hardsphere/moving.h     all of that while a few balls move at a time
  *   hardsphere/curvature.h  integrated mean and Gaussian curvature
  *   hardsphere/hessian.h    second derivatives of areas and volume
+ *   hardsphere/bricks.h     one set in parts that no memory holds together
  *   hardsphere/contacts.h   which balls touch and by how much, shares of the union, the dual complex
  *   hardsphere/periodic.h   all of that in a box whose copies fill space: areas, volume, contacts, windings, strain
  *   hardsphere/periodic_boundary.h  vertices, arcs, circles, faces in such a box
@@ -103,6 +104,8 @@
  *   curvature   multiples of pi/3 at vertices      mean curvature, derivatives      -
  *   hessian     what is flagged; which blocks      second derivatives               -
  *               there are
+ *   bricks      counts of the whole                areas, volumes: sums of integers, the  -
+ *                                                  same bits in any order
  *   contacts    pairs, the dual complex, its       areas, distances, shares         -
  *               Betti numbers
  *   periodic    as boundary and contacts,          the box, once, to the lattice;   -
@@ -273,6 +276,9 @@
 #if HSP_HAS_MOTION
 #include "hardsphere/moving.h"
 #include "hardsphere/pose.h"
+#endif
+#if HSP_HAS_BRICKS
+#include "hardsphere/bricks.h"
 #endif
 #if HSP_HAS_BOXES
 #include "hardsphere/periodic.h"

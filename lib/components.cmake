@@ -39,7 +39,7 @@ endfunction()
 
 include(${CMAKE_CURRENT_LIST_DIR}/core.cmake)
 # Each behind those that it stands on.
-set(HSP_ALL_COMPONENTS residues curvature motion boxes wide smooth space sight)
+set(HSP_ALL_COMPONENTS residues curvature motion bricks boxes wide smooth space sight)
 foreach(component ${HSP_ALL_COMPONENTS})
   include(${CMAKE_CURRENT_LIST_DIR}/${component}/component.cmake)
 endforeach()

@@ -45,6 +45,7 @@ hsp_part(union
     sphere/float_caps.kernel.cpp
     sphere/great_circles.cpp
     sphere/lane_search.cpp
+    sphere/meridian_sectors.cpp
     sphere/near_balls.kernel.cpp
     sphere/near_caps.cpp
     sphere/outer_cell.cpp

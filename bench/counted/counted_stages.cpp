@@ -21,6 +21,7 @@
 #include "moving_workload.hpp"
 #include "pose_workload.hpp"
 #include "query_workload.hpp"
+#include "second_derivatives.hpp"
 #include "sizes.hpp"
 #include "smooth_surface.hpp"
 #include "tiling.hpp"
@@ -64,6 +65,10 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   bench::Contacts contacts(boundary);
   count("contacts", balls, surface, [&] { contacts.compute(); });
   count("curvature", balls, surface, [&] { boundary.curvature_gradient(); });
+  bench::SecondDerivatives second(boundary);
+  count("hessian_area", balls, surface, [&] { second.find_rows_of_area(); });
+  count("hessian_volume", balls, surface, [&] { second.find_rows_of_volume(); });
+  count("hessian_product", balls, surface, [&] { second.multiply(); });
   if (surface.probe != 0) {
     bench::SmoothSurface smooth(boundary);
     count("surface", balls, surface, [&] { smooth.compute(); });

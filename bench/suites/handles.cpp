@@ -146,6 +146,22 @@ void Periodic::differentiate() {
   expect_ok(hsp_periodic_get_gradient(periodic_.get(), &request, &outputs), "hsp_periodic_get_gradient");
 }
 
+void Periodic::differentiate_twice() {
+  hsp_gradient_request request{};
+  expect_ok(hsp_gradient_request_init(&request, sizeof request), "hsp_gradient_request_init");
+  request.tension = 1;
+  first_.resize(model_->size() + size_t{1});
+  for (;;) {
+    uint32_t needed = 0;
+    const auto room = static_cast<uint32_t>(column_.size());
+    const int32_t status = hsp_periodic_get_hessian_rows(periodic_.get(), &request, first_.data(), column_.data(),
+                                                         block_.data(), nullptr, room, &needed);
+    if (status != HSP_E_CAPACITY) return expect_ok(status, "hsp_periodic_get_hessian_rows");
+    column_.resize(needed);
+    block_.resize(9 * size_t{needed});
+  }
+}
+
 hsp_periodic_counts Periodic::counts() const {
   return read(hsp_periodic_get_counts, periodic_.get(), "hsp_periodic_get_counts");
 }

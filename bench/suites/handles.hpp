@@ -140,10 +140,14 @@ class Periodic {
   hsp_periodic_counts counts() const;
   // Areas and their gradient.
   void differentiate();
+  // The area's second derivatives.
+  void differentiate_twice();
 
  private:
   const Model *model_;
   hsp_model_options options_{};
+  std::vector<uint32_t> first_, column_;
+  std::vector<double> block_;
   hsp_periodic_request request_{};
   std::array<double, 9> box_{};
   std::vector<double> area_, by_centre_;

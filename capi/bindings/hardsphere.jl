@@ -30,6 +30,7 @@ const HSP_E_OPEN_SURFACE = Int32(-14)
 const HSP_E_EXECUTOR = Int32(-15)
 const HSP_E_DEGENERATE = Int32(-16)
 const HSP_E_STOPPED = Int32(-17)
+const HSP_E_DAMAGED = Int32(-18)
 const HSP_RADII_BONDI = UInt32(0)
 const HSP_RADII_CHEM3D = UInt32(1)
 const HSP_RADIUS_FALLBACK = UInt32(1)
@@ -49,6 +50,7 @@ const HSP_TANGENT_DISJOINT = UInt32(1)
 const HSP_GRADIENT_ONE_SIDED = UInt32(1)
 const HSP_CURVATURE_ONE_SIDED = UInt32(1)
 const HSP_HESSIAN_SINGULAR = UInt32(2)
+const HSP_BRICK_KEEP_SHELLS = UInt32(1)
 const HSP_CONTACT_TOUCHING = UInt32(1)
 const HSP_CONTACT_BURIED = UInt32(2)
 const HSP_CONTACT_CIRCLE = UInt32(4)
@@ -452,6 +454,46 @@ struct hsp_morphometry_outputs
     d_centre::Ptr{Cdouble}
     d_radius::Ptr{Cdouble}
     flags::Ptr{UInt32}
+end
+
+struct hsp_brick_request
+    struct_size::UInt32
+    brick::UInt32
+    bricks::UInt32
+    flags::UInt32
+    id::Ptr{UInt64}
+    owner::Ptr{UInt32}
+    executor::Ptr{hsp_executor}
+end
+
+struct hsp_brick_totals
+    balls::UInt64
+    exposed_balls::UInt64
+    contained_balls::UInt64
+    vertices::UInt64
+    arcs::UInt64
+    circles::UInt64
+    faces::UInt64
+    loops::UInt64
+    shells::UInt64
+    components::UInt64
+    voids::UInt64
+    tied_vertices::UInt64
+    euler::Int64
+    area::Cdouble
+    volume::Cdouble
+    void_volume::Cdouble
+    reserved::NTuple{2, UInt64}
+end
+
+struct hsp_brick_shell
+    component::UInt64
+    faces::UInt64
+    euler::Int64
+    area::Cdouble
+    volume::Cdouble
+    kind::UInt32
+    reserved::NTuple{3, UInt32}
 end
 
 struct hsp_contacts_limits
@@ -1682,6 +1724,26 @@ function hsp_boundary_get_hessian_product(boundary, request, direction, product,
           capacity, needed)
 end
 
+function hsp_brick_summarise(boundary, request, summary, bytes, first_bad)
+    ccall((:hsp_brick_summarise, libhardsphere), Int32, (Ptr{hsp_boundary}, Ptr{hsp_brick_request}, Ptr{Cvoid},
+          Ptr{Csize_t}, Ptr{UInt32}), boundary, request, summary, bytes, first_bad)
+end
+
+function hsp_brick_merge(a, a_bytes, b, b_bytes, summary, bytes, brick)
+    ccall((:hsp_brick_merge, libhardsphere), Int32, (Ptr{UInt8}, Csize_t, Ptr{UInt8}, Csize_t, Ptr{Cvoid},
+          Ptr{Csize_t}, Ptr{UInt32}), a, a_bytes, b, b_bytes, summary, bytes, brick)
+end
+
+function hsp_brick_get_totals(summary, bytes, totals, brick)
+    ccall((:hsp_brick_get_totals, libhardsphere), Int32, (Ptr{UInt8}, Csize_t, Ptr{hsp_brick_totals}, Ptr{UInt32}),
+          summary, bytes, totals, brick)
+end
+
+function hsp_brick_get_shells(summary, bytes, out, capacity, needed, brick)
+    ccall((:hsp_brick_get_shells, libhardsphere), Int32, (Ptr{UInt8}, Csize_t, Ptr{hsp_brick_shell}, UInt32,
+          Ptr{UInt32}, Ptr{UInt32}), summary, bytes, out, capacity, needed, brick)
+end
+
 function hsp_contacts_limits_init(limits, struct_size, boundary)
     ccall((:hsp_contacts_limits_init, libhardsphere), Int32, (Ptr{hsp_contacts_limits}, UInt32, Ptr{hsp_boundary}),
           limits, struct_size, boundary)
@@ -1809,6 +1871,12 @@ end
 function hsp_periodic_get_gradient(periodic, request, outputs)
     ccall((:hsp_periodic_get_gradient, libhardsphere), Int32, (Ptr{hsp_periodic}, Ptr{hsp_gradient_request},
           Ptr{hsp_periodic_gradient_outputs}), periodic, request, outputs)
+end
+
+function hsp_periodic_get_hessian_rows(periodic, request, first, ball, block, flags, capacity, needed)
+    ccall((:hsp_periodic_get_hessian_rows, libhardsphere), Int32, (Ptr{hsp_periodic}, Ptr{hsp_gradient_request},
+          Ptr{UInt32}, Ptr{UInt32}, Ptr{Cdouble}, Ptr{UInt32}, UInt32, Ptr{UInt32}), periodic, request, first, ball,
+          block, flags, capacity, needed)
 end
 
 function hsp_periodic_query_point(periodic, xyz, out, capacity, needed)

@@ -29,6 +29,7 @@ pub const HSP_E_OPEN_SURFACE: i32 = -14;
 pub const HSP_E_EXECUTOR: i32 = -15;
 pub const HSP_E_DEGENERATE: i32 = -16;
 pub const HSP_E_STOPPED: i32 = -17;
+pub const HSP_E_DAMAGED: i32 = -18;
 pub const HSP_RADII_BONDI: u32 = 0;
 pub const HSP_RADII_CHEM3D: u32 = 1;
 pub const HSP_RADIUS_FALLBACK: u32 = 1;
@@ -48,6 +49,7 @@ pub const HSP_TANGENT_DISJOINT: u32 = 1;
 pub const HSP_GRADIENT_ONE_SIDED: u32 = 1;
 pub const HSP_CURVATURE_ONE_SIDED: u32 = 1;
 pub const HSP_HESSIAN_SINGULAR: u32 = 2;
+pub const HSP_BRICK_KEEP_SHELLS: u32 = 1;
 pub const HSP_CONTACT_TOUCHING: u32 = 1;
 pub const HSP_CONTACT_BURIED: u32 = 2;
 pub const HSP_CONTACT_CIRCLE: u32 = 4;
@@ -587,6 +589,52 @@ pub struct hsp_morphometry_outputs {
     pub d_centre: *mut f64,
     pub d_radius: *mut f64,
     pub flags: *mut u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_brick_request {
+    pub struct_size: u32,
+    pub brick: u32,
+    pub bricks: u32,
+    pub flags: u32,
+    pub id: *const u64,
+    pub owner: *const u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_brick_totals {
+    pub balls: u64,
+    pub exposed_balls: u64,
+    pub contained_balls: u64,
+    pub vertices: u64,
+    pub arcs: u64,
+    pub circles: u64,
+    pub faces: u64,
+    pub loops: u64,
+    pub shells: u64,
+    pub components: u64,
+    pub voids: u64,
+    pub tied_vertices: u64,
+    pub euler: i64,
+    pub area: f64,
+    pub volume: f64,
+    pub void_volume: f64,
+    pub reserved: [u64; 2],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_brick_shell {
+    pub component: u64,
+    pub faces: u64,
+    pub euler: i64,
+    pub area: f64,
+    pub volume: f64,
+    pub kind: u32,
+    pub reserved: [u32; 3],
 }
 
 #[repr(C)]
@@ -1993,6 +2041,36 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
+    pub fn hsp_brick_summarise(
+        boundary: *const hsp_boundary,
+        request: *const hsp_brick_request,
+        summary: *mut c_void,
+        bytes: *mut usize,
+        first_bad: *mut u32,
+    ) -> i32;
+    pub fn hsp_brick_merge(
+        a: *const u8,
+        a_bytes: usize,
+        b: *const u8,
+        b_bytes: usize,
+        summary: *mut c_void,
+        bytes: *mut usize,
+        brick: *mut u32,
+    ) -> i32;
+    pub fn hsp_brick_get_totals(
+        summary: *const u8,
+        bytes: usize,
+        totals: *mut hsp_brick_totals,
+        brick: *mut u32,
+    ) -> i32;
+    pub fn hsp_brick_get_shells(
+        summary: *const u8,
+        bytes: usize,
+        out: *mut hsp_brick_shell,
+        capacity: u32,
+        needed: *mut u32,
+        brick: *mut u32,
+    ) -> i32;
     pub fn hsp_contacts_limits_init(
         limits: *mut hsp_contacts_limits,
         struct_size: u32,
@@ -2132,6 +2210,16 @@ extern "C" {
         periodic: *const hsp_periodic,
         request: *const hsp_gradient_request,
         outputs: *mut hsp_periodic_gradient_outputs,
+    ) -> i32;
+    pub fn hsp_periodic_get_hessian_rows(
+        periodic: *const hsp_periodic,
+        request: *const hsp_gradient_request,
+        first: *mut u32,
+        ball: *mut u32,
+        block: *mut f64,
+        flags: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
     ) -> i32;
     pub fn hsp_periodic_query_point(
         periodic: *const hsp_periodic,

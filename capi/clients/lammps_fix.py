@@ -11,6 +11,9 @@ input file, with a radius for each type of atom:
 a run whose ghosts are too short ends before it begins. Energies and lengths are in the units of the simulation. It
 takes LAMMPS's package PYTHON, NumPy, and for several ranks Open MPI; each rank computes its own atoms, and forces have the
 same bits for every number of ranks.
+
+The area's forces jump where spheres begin to touch, and a minimiser may stop there. With `window=0.05` its place takes the
+mean over all radii within 0.05 of their own, which is smooth: for a molecule in open space, `boundary f f f`, on one rank.
 """
 from __future__ import annotations
 
@@ -50,13 +53,14 @@ def _sum_of_ranks(lammps: Any, values: Any) -> Any:
 
 class Surface:
     """fix: the name of the fix external. radii: by type, the first one that of type 1. virial=False saves the time that it
-    takes. threads: of each rank."""
+    takes. threads: of each rank. window: length, 0 for the area itself."""
 
     def __init__(self, fix: str, tension: float, radii: Sequence[float], probe: float = 1.4, virial: bool = True,
-                 threads: int = 1):
+                 threads: int = 1, window: float = 0.0):
         self.fix, self.tension, self.virial, self.threads = fix.encode(), tension, virial, threads
+        self.window = window
         self.radii = numpy.array([0.0, *radii])
-        self.options = {"probe": probe, "largest_radius": self.radii.max()}  # the same lattice on all ranks
+        self.options = {"probe": probe, "largest_radius": self.radii.max() + window}  # the same lattice on all ranks
         self.model, self.boundary, self.lammps = hardsphere.Model(), hardsphere.Boundary(), C.c_void_p()
         self.callback = _CALLBACK(self._step)
 
@@ -83,21 +87,51 @@ class Surface:
             traceback.print_exc()
             os._exit(1)  # a callback of C has no other way to end a run
 
+    def _mean(self, at: Any, radii: Any) -> Any:
+        """Of the energy over the window, from two volumes: its value and slope."""
+        value, slope = 0.0, numpy.zeros((len(radii), 3))
+        for side in 1, -1:
+            self.model.set(at, numpy.maximum(0, radii + side * self.window), **self.options)
+            self.boundary.compute_with(self.model, threads=self.threads)
+            found = self.boundary.get_gradient(pressure=side * self.tension / (2 * self.window),
+                                               only=["energy", "d_centre"], threads=self.threads)
+            value, slope = value + found.energy.value, slope + found.d_centre
+        return value, slope
+
     def _compute(self, own: int, x: int, forces: int) -> None:
         sums = numpy.zeros(7)  # energy, and virial as LAMMPS has it: xx yy zz xy xz yz
         if own > 0:  # else there is no memory of positions
             every = _program.lammps_extract_setting(self.lammps, b"nall")
             at, types = _rows(x, every), C.cast(_program.lammps_extract_atom(self.lammps, b"type"), C.POINTER(C.c_int))
-            self.model.set(at, self.radii[numpy.ctypeslib.as_array(types, (every,))], **self.options)
-            self.boundary.compute_with(self.model, selected=numpy.arange(every) < own, threads=self.threads)
-            found = self.boundary.get_gradient(tension=self.tension, only=["energy", "d_centre"], threads=self.threads)
-            _rows(forces, own)[:] = -found.d_centre[:own]
-            sums[0] = found.energy.value
-            if self.virial:
-                rows = self.boundary.get_area_rows(only=[], threads=self.threads)
-                away = at[rows.ball] - at[numpy.repeat(numpy.arange(every), numpy.diff(rows.first))]
-                by_strain = -self.tension * rows.d_centre.T @ away
-                sums[1:] = by_strain[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+            find = self._mean if self.window > 0 else self._area
+            sums[0], slope, strain = find(own, at, self.radii[numpy.ctypeslib.as_array(types, (every,))])
+            _rows(forces, own)[:] = -slope
+            sums[1:] = -strain[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
         sums = _sum_of_ranks(self.lammps, sums)
         _program.lammps_fix_external_set_energy_global(self.lammps, self.fix, C.c_double(sums[0]))
         _program.lammps_fix_external_set_virial_global(self.lammps, self.fix, sums[1:].ctypes.data_as(C.c_void_p))
+
+    def _area(self, own: int, at: Any, radii: Any) -> Any:
+        """The energy of this rank's atoms, its derivatives by their centers, and by strain."""
+        every, strain = len(at), numpy.zeros((3, 3))
+        self.model.set(at, radii, **self.options)
+        self.boundary.compute_with(self.model, selected=numpy.arange(every) < own, threads=self.threads)
+        found = self.boundary.get_gradient(tension=self.tension, only=["energy", "d_centre"], threads=self.threads)
+        if self.virial:
+            rows = self.boundary.get_area_rows(only=[], threads=self.threads)
+            away = at[rows.ball] - at[numpy.repeat(numpy.arange(every), numpy.diff(rows.first))]
+            strain = self.tension * rows.d_centre.T @ away
+        return found.energy.value, found.d_centre[:own], strain
+
+    def _mean(self, own: int, at: Any, radii: Any) -> Any:
+        """The same of the mean over the window, (V(R + window) - V(R - window)) / (2 window)."""
+        if len(at) > own:
+            raise ValueError("a window is for atoms in open space, on one rank")
+        value, slope = 0.0, numpy.zeros((own, 3))
+        for side in self.window, -self.window:
+            self.model.set(at, numpy.maximum(0, radii + side), **self.options)
+            self.boundary.compute_with(self.model, threads=self.threads)
+            found = self.boundary.get_gradient(pressure=self.tension / (2 * side), only=["energy", "d_centre"],
+                                               threads=self.threads)
+            value, slope = value + found.energy.value, slope + found.d_centre
+        return value, slope, slope.T @ at

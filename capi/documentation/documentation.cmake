@@ -9,7 +9,8 @@ file(MAKE_DIRECTORY ${dark_pictures})
 set(DOXYGEN_FILTER_PATTERNS "*.h=awk -f ${CMAKE_CURRENT_LIST_DIR}/opening_comment.awk"
   "*.md=awk -v dark=${dark_pictures} -f ${CMAKE_CURRENT_LIST_DIR}/guide_links.awk")
 set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/capi/guide ${PROJECT_SOURCE_DIR}/tests/program/pictures
-  ${PROJECT_SOURCE_DIR}/tests/differential/scans ${dark_pictures})
+  ${PROJECT_SOURCE_DIR}/tests/differential/scans ${PROJECT_SOURCE_DIR}/tests/differential/scans/curvature
+  ${dark_pictures})
 set(DOXYGEN_PROJECT_BRIEF ${PROJECT_DESCRIPTION})
 set(DOXYGEN_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/documentation)
 set(DOXYGEN_OPTIMIZE_OUTPUT_FOR_C YES)

@@ -76,7 +76,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t  ! a radius, the probe or another length is negative
   ! a value lies beyond the lattice or its range, or is no rotation or direction
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
-  ! balls and sticks that cannot be painted; which ones is reported
+  ! parts that do not fit together: sticks, bricks; which ones is reported
   integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
   ! a degenerate set of balls, whose smooth surface does not close
   integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
@@ -85,6 +85,8 @@ module hardsphere
   ! ties or near ties of the input that could not be resolved
   integer(c_int32_t), parameter :: HSP_E_DEGENERATE = -16_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_STOPPED = -17_c_int32_t  ! the caller's executor said not to go on
+  ! bytes that are no result of this library, or not as they were written
+  integer(c_int32_t), parameter :: HSP_E_DAMAGED = -18_c_int32_t
 
   ! ---- element.h: elements by symbol, and their radii ----------------------------------------------------------------
 
@@ -153,6 +155,11 @@ module hardsphere
   ! A vertex of the ball lies in the plane of its three centres: the area's second derivatives do not exist there, and
   ! what this vertex would add to them is left out. Those of the volume are right.
   integer(c_int32_t), parameter :: HSP_HESSIAN_SINGULAR = 2_c_int32_t
+
+  ! ---- bricks.h: one set in parts that no memory holds together ------------------------------------------------------
+
+  ! Complete shells stay in summaries as records, for hsp_brick_get_shells: some 200 bytes for each.
+  integer(c_int32_t), parameter :: HSP_BRICK_KEEP_SHELLS = 1_c_int32_t
 
   ! ---- contacts.h: which balls touch and by how much, shares of the union, the dual complex --------------------------
 
@@ -670,6 +677,49 @@ module hardsphere
     type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_CURVATURE_ONE_SIDED
   end type
 
+  ! ---- bricks.h: one set in parts that no memory holds together ------------------------------------------------------
+
+  type, bind(C) :: hsp_brick_request
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_brick_request)
+    integer(c_int32_t) :: brick = 0_c_int32_t                             ! which it is, below bricks
+    integer(c_int32_t) :: bricks = 0_c_int32_t                            ! how many make the whole, the same for all
+    integer(c_int32_t) :: flags = 0_c_int32_t                             ! HSP_BRICK_*, the same for all
+    type(c_ptr) :: id = c_null_ptr                                        ! [n]: of each ball in the whole, ascending
+    type(c_ptr) :: owner = c_null_ptr                                     ! [n]: the brick that owns it, below bricks
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
+  type, bind(C) :: hsp_brick_totals
+    integer(c_int64_t) :: balls            ! each counted by its owner
+    integer(c_int64_t) :: exposed_balls    ! as in hsp_boundary_counts, and so all others
+    integer(c_int64_t) :: contained_balls  ! balls inside one other ball
+    integer(c_int64_t) :: vertices         ! points where three spheres meet
+    integer(c_int64_t) :: arcs             ! between two vertices
+    integer(c_int64_t) :: circles          ! whole circles that are free
+    integer(c_int64_t) :: faces            ! maximal free pieces of spheres
+    integer(c_int64_t) :: loops            ! boundary loops of all faces
+    integer(c_int64_t) :: shells           ! connected components of the boundary
+    integer(c_int64_t) :: components       ! connected components of the union
+    integer(c_int64_t) :: voids            ! bounded components of the complement of the union
+    integer(c_int64_t) :: tied_vertices    ! vertices with HSP_VERTEX_TIED
+    integer(c_int64_t) :: euler            ! Euler characteristic of the boundary, summed over its shells
+    real(c_double) :: area                 ! of the boundary, walls of voids included, length^2
+    real(c_double) :: volume               ! of the union, voids not included, length^3
+    real(c_double) :: void_volume          ! that shells of voids enclose, whatever lies in them, length^3
+    integer(c_int64_t) :: reserved(2)      ! 0
+  end type
+
+  type, bind(C) :: hsp_brick_shell
+    integer(c_int64_t) :: component    ! of the union: the lowest id of its balls
+    integer(c_int64_t) :: faces        ! maximal faces
+    integer(c_int64_t) :: euler        ! Euler characteristic; 1 - euler/2 handles
+    real(c_double) :: area             ! length^2
+    real(c_double) :: volume           ! of the space it encloses, whatever lies in it, length^3
+    integer(c_int32_t) :: kind         ! HSP_SHELL_*
+    integer(c_int32_t) :: reserved(3)  ! 0
+  end type
+
   ! ---- contacts.h: which balls touch and by how much, shares of the union, the dual complex --------------------------
 
   type, bind(C) :: hsp_contacts_limits
@@ -820,7 +870,8 @@ module hardsphere
     type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
     ! [9], or NULL: [3 p + q] is by eps_pq, if all centres and vectors x become x + eps x and radii stay
     type(c_ptr) :: d_strain = c_null_ptr
-    ! [9], or NULL: [3 k + p] is by component p of vector k, if all centres keep their multiples of the vectors
+    ! [9], or NULL: [3 k + p] is by component p of vector k as it was given, if all centres keep their multiples of the
+    ! vectors
     type(c_ptr) :: d_box = c_null_ptr
     ! [n], or NULL: free area of each ball, as of hsp_periodic_measure
     type(c_ptr) :: area = c_null_ptr
@@ -2463,6 +2514,53 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ---- bricks.h: one set in parts that no memory holds together ----------------------------------------------------
+
+    function hsp_brick_summarise(boundary, request, summary, bytes, first_bad) result(status) &
+      bind(C, name="hsp_brick_summarise")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_brick_request
+      type(c_ptr), value :: boundary
+      type(hsp_brick_request), intent(in) :: request
+      type(c_ptr), value :: summary
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_brick_merge(a, a_bytes, b, b_bytes, summary, bytes, brick) result(status) &
+      bind(C, name="hsp_brick_merge")
+      import :: c_int32_t, c_int8_t, c_ptr, c_size_t
+      integer(c_int8_t), intent(in) :: a(*)  ! a_bytes
+      integer(c_size_t), value :: a_bytes
+      integer(c_int8_t), intent(in) :: b(*)  ! b_bytes
+      integer(c_size_t), value :: b_bytes
+      type(c_ptr), value :: summary
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t), intent(inout), optional :: brick
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_brick_get_totals(summary, bytes, totals, brick) result(status) bind(C, name="hsp_brick_get_totals")
+      import :: c_int32_t, c_int8_t, c_size_t, hsp_brick_totals
+      integer(c_int8_t), intent(in) :: summary(*)  ! bytes
+      integer(c_size_t), value :: bytes
+      type(hsp_brick_totals), intent(inout) :: totals
+      integer(c_int32_t), intent(inout), optional :: brick
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_brick_get_shells(summary, bytes, out, capacity, needed, brick) result(status) &
+      bind(C, name="hsp_brick_get_shells")
+      import :: c_int32_t, c_int8_t, c_size_t, hsp_brick_shell
+      integer(c_int8_t), intent(in) :: summary(*)  ! bytes
+      integer(c_size_t), value :: bytes
+      type(hsp_brick_shell), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t), intent(inout), optional :: brick
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- contacts.h: which balls touch and by how much, shares of the union, the dual complex ------------------------
 
     function hsp_contacts_limits_init(limits, struct_size, boundary) result(status) &
@@ -2720,6 +2818,20 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_gradient_request), intent(in), optional :: request
       type(hsp_periodic_gradient_outputs), intent(inout) :: outputs
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_hessian_rows(periodic, request, first, ball, block, flags, capacity, needed) &
+      result(status) bind(C, name="hsp_periodic_get_hessian_rows")
+      import :: c_double, c_int32_t, c_ptr, hsp_gradient_request
+      type(c_ptr), value :: periodic
+      type(hsp_gradient_request), intent(in), optional :: request
+      integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
+      integer(c_int32_t), intent(inout), optional :: ball(*)  ! needed
+      real(c_double), intent(inout), optional :: block(3, 3, *)  ! 3, 3, needed
+      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n + 1
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 

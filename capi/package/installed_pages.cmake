@@ -14,6 +14,7 @@ set(installed
   "bench/molecules/crambin.pdb" "${DOCUMENTATION}/examples/crambin.pdb"
   "tests/program/pictures" "${DOCUMENTATION}/guide/pictures"
   "tests/differential/scans/bond_scans.svg" "${DOCUMENTATION}/guide/pictures/bond_scans.svg"
+  "tests/differential/scans/curvature/window_scans.svg" "${DOCUMENTATION}/guide/pictures/curvature/window_scans.svg"
   "include" "${HEADERS}")
 
 # Where a file of the sources is installed; empty if it is not.

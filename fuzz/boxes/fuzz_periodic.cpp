@@ -1,7 +1,7 @@
 // Unions in a periodic box: the library's check of itself, contacts and neighbours from both sides, cells, windings and
-// groups that add up, morphometric energies, the same bytes from other images of the balls and other vectors of the
-// box, twice the box along one of them, records that fit together, points and query balls against all images, and
-// limits that are too small.
+// groups that add up, morphometric energies, second derivatives, the same bytes from other images of the balls, other
+// vectors of the box, reversed ones and exchanged axes, twice the box along one of them, records that fit together,
+// points and query balls against all images, and limits that are too small.
 #include <loops.h>
 
 #include <array>
@@ -71,6 +71,8 @@ struct Result {
   std::vector<double> curved_centre, curved_radius;
   std::vector<uint32_t> curved_flags;
   std::vector<hsp_group_contact> groups;
+  std::vector<uint32_t> first, column, block_flags;
+  std::vector<double> block;
   hsp_periodic_limits needed{};
 };
 
@@ -164,6 +166,17 @@ Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
   gradient.d_strain = result.strain.data();
   gradient.d_box = result.box.data();
   FUZZ_REQUIRE(hsp_periodic_get_gradient(p, &energy, &gradient) == HSP_OK, "gradient");
+  result.first.resize(size_t{n} + 1);
+  result.block_flags.resize(size_t{n} + 1);
+  uint32_t entries = 0;
+  const int32_t counted =
+      hsp_periodic_get_hessian_rows(p, &energy, result.first.data(), nullptr, nullptr, nullptr, 0, &entries);
+  FUZZ_REQUIRE(counted == (entries > 0 ? HSP_E_CAPACITY : HSP_OK), "the number of blocks");
+  result.column.resize(entries);
+  result.block.resize(9 * size_t{entries});
+  FUZZ_REQUIRE(hsp_periodic_get_hessian_rows(p, &energy, result.first.data(), result.column.data(), result.block.data(),
+                                             result.block_flags.data(), entries, &entries) == HSP_OK,
+               "second derivatives");
   result.curved_radius.resize(n);
   result.curved_centre.resize(3 * size_t{n});
   result.curved_flags.resize(n);
@@ -213,6 +226,31 @@ void require_curved_laws(const Crystal &crystal, const Result &result) {
       const double turning = result.curved_strain[3 * p + q] - result.curved_strain[3 * q + p];
       FUZZ_REQUIRE(std::fabs(turning) <= 1e-7 * steepest, "the mean curvature of what is turned");
     }
+  }
+}
+
+// Blocks and their transposes have the same bits, and a row sums to 0.
+void require_second_derivatives(const Result &result) {
+  const size_t n = result.first.size() - 1;
+  for (size_t i = 0; i < n; ++i) {
+    double sum[9] = {}, magnitude = 1.0;
+    for (uint32_t entry = result.first[i]; entry < result.first[i + 1]; ++entry) {
+      const uint32_t j = result.column[entry];
+      FUZZ_REQUIRE(entry == result.first[i] || result.column[entry - 1] < j, "the order of a row");
+      uint32_t back = result.first[j];
+      while (back < result.first[j + 1] && result.column[back] != i) ++back;
+      FUZZ_REQUIRE(back < result.first[j + 1], "a block from one side alone");
+      for (size_t k = 0; k < 9; ++k) {
+        const double x = result.block[9 * size_t{entry} + k];
+        FUZZ_REQUIRE(std::isfinite(x), "a second derivative");
+        FUZZ_REQUIRE(std::memcmp(&x, &result.block[9 * size_t{back} + 3 * (k % 3) + k / 3], sizeof x) == 0,
+                     "a block and its transpose");
+        sum[k] += x;
+        magnitude += std::fabs(x);
+      }
+    }
+    if ((result.block_flags[i] & HSP_HESSIAN_SINGULAR) != 0) continue;
+    for (const double x : sum) FUZZ_REQUIRE(std::fabs(x) <= 1e-6 * magnitude, "the sum of a row");
   }
 }
 
@@ -323,6 +361,9 @@ void require_same(const Result &p, const Result &q) {
   FUZZ_REQUIRE(same_numbers(p.centre, q.centre) && same_numbers(p.radius, q.radius), "gradients of other images");
   FUZZ_REQUIRE(std::memcmp(&p.energy, &q.energy, sizeof p.energy) == 0, "energies of other images");
   FUZZ_REQUIRE(p.strain == q.strain, "strain of other images");
+  FUZZ_REQUIRE(
+      p.first == q.first && p.column == q.column && same_numbers(p.block, q.block) && p.block_flags == q.block_flags,
+      "second derivatives of other images");
   FUZZ_REQUIRE(std::memcmp(&p.morphometric, &q.morphometric, sizeof p.morphometric) == 0 &&
                    same_numbers(p.curved_centre, q.curved_centre) && same_numbers(p.curved_radius, q.curved_radius) &&
                    p.curved_flags == q.curved_flags && p.curved_strain == q.curved_strain,
@@ -331,6 +372,48 @@ void require_same(const Result &p, const Result &q) {
                    (p.groups.empty() ||
                     std::memcmp(p.groups.data(), q.groups.data(), p.groups.size() * sizeof p.groups[0]) == 0),
                "groups of other images");
+}
+
+// As numbers: a 0 may have another sign.
+bool are_turned(const double *v, const double *turned) {
+  return turned[1] == v[0] && turned[2] == v[1] && turned[0] == v[2];
+}
+
+// With x along y, y along z and z along x all are the same, turned likewise. `crystal` comes back turned.
+void require_same_turned(Crystal &crystal, const Result &reference) {
+  const auto turn = [](double *v) {
+    const double last = v[2];
+    v[2] = v[1];
+    v[1] = v[0];
+    v[0] = last;
+  };
+  for (uint32_t i = 0; i < crystal.n(); ++i) turn(&crystal.balls.xyz[3 * size_t{i}]);
+  for (size_t row = 0; row < 3; ++row) turn(&crystal.box[3 * row]);
+  support::OwnedPeriodic periodic;
+  const Result result = result_of(periodic, crystal);
+  FUZZ_REQUIRE(std::memcmp(&result.counts, &reference.counts, sizeof result.counts) == 0, "counts of a turned box");
+  FUZZ_REQUIRE(std::memcmp(&result.totals, &reference.totals, sizeof result.totals) == 0, "totals of a turned box");
+  FUZZ_REQUIRE(same_numbers(result.area, reference.area) && same_numbers(result.cell, reference.cell) &&
+                   same_numbers(result.radius, reference.radius) && same_numbers(result.mean, reference.mean),
+               "numbers of balls in a turned box");
+  for (size_t i = 0; i < crystal.n(); ++i) {
+    FUZZ_REQUIRE(are_turned(&reference.centre[3 * i], &result.centre[3 * i]) &&
+                     are_turned(&reference.curved_centre[3 * i], &result.curved_centre[3 * i]),
+                 "derivatives by centres in a turned box");
+  }
+  for (size_t row = 0; row < 3; ++row) {
+    FUZZ_REQUIRE(are_turned(&reference.box[3 * row], &result.box[3 * row]) &&
+                     are_turned(&reference.strain[3 * row], &result.strain[3 * ((row + 1) % 3)]),
+                 "derivatives by a turned box");
+  }
+  FUZZ_REQUIRE(result.column == reference.column, "second derivatives in a turned box");
+  for (size_t entry = 0; entry < result.column.size(); ++entry) {
+    for (size_t row = 0; row < 3; ++row) {
+      FUZZ_REQUIRE(are_turned(&reference.block[9 * entry + 3 * row], &result.block[9 * entry + 3 * ((row + 1) % 3)]),
+                   "blocks in a turned box");
+    }
+  }
+  require_laws(periodic.get(), crystal, result);
 }
 
 // The records of the boundary against each other and against the balls.
@@ -397,6 +480,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require_laws(periodic.get(), crystal, reference);
   require_curved_laws(crystal, reference);
   require_groups(reference);
+  require_second_derivatives(reference);
   for (int k = 0; k < 3; ++k) require_hits(periodic.get(), crystal, bytes);
 
   Crystal moved = crystal;
@@ -422,6 +506,19 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require_same(reference, result_of(other, leaning));
   const support::BoxedBalls leaning_set = boxed(leaning);
   require_same_records(leaning_set, require_records(other.get(), leaning_set));
+
+  // Vectors that point to the other side.
+  Crystal reversed = crystal;
+  const uint32_t sides = bytes.below(8);
+  for (size_t k = 0; k < 9; ++k) reversed.box[k] *= (sides >> (k / 3) & 1) != 0 ? -1 : 1;
+  const Result of_reversed = result_of(other, reversed);
+  require_same(reference, of_reversed);
+  for (size_t k = 0; k < 9; ++k) {
+    const double side = (sides >> (k / 3) & 1) != 0 ? -1 : 1;
+    FUZZ_REQUIRE(of_reversed.box[k] == side * reference.box[k], "derivatives by reversed vectors");
+  }
+  Crystal turned = crystal;
+  require_same_turned(turned, reference);
 
   // Twice as long along one vector, with every ball and a copy of it.
   const size_t row = bytes.below(3);

@@ -355,6 +355,22 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   Pores other_vectors(skew, floor);
   require_same(found, other_vectors, 1, "other vectors");
   require_same_regions(regions, other_vectors, volume);
+  // With x along y, y along z and z along x, and with a vector that points to the other side.
+  Crystal turned = crystal;
+  const auto turn = [](double *v) { std::rotate(v, v + 2, v + 3); };
+  for (size_t row = 0; row < 3; ++row) turn(&turned.box[3 * row]);
+  for (uint32_t i = 0; i < turned.n(); ++i) turn(&turned.balls.xyz[3 * size_t{i}]);
+  Pores exchanged_axes(turned, floor);
+  require_same(found, exchanged_axes, 1, "exchanged axes");
+  for (size_t k = 0; k < found.maxima.size(); ++k) {
+    const double *const own = found.maxima[k].xyz, *const other_xyz = exchanged_axes.maxima[k].xyz;
+    FUZZ_REQUIRE(other_xyz[1] == own[0] && other_xyz[2] == own[1] && other_xyz[0] == own[2], "a turned maximum");
+  }
+  Crystal reversed = crystal;
+  const size_t side = bytes.below(3);
+  for (size_t axis = 0; axis < 3; ++axis) reversed.box[3 * side + axis] *= -1;
+  Pores reversed_vector(reversed, floor);
+  require_same(found, reversed_vector, 1, "a reversed vector");
   Crystal twice = crystal;
   const size_t row = bytes.below(3);
   for (uint32_t i = 0; i < crystal.n(); ++i) {

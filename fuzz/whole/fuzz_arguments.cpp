@@ -68,11 +68,11 @@ class ChangedCall {
       case HSP_E_HANDLE:
         return "";
       case HSP_E_CAPACITY:
-        return "|needed|words_needed|first|limits|first_bad|bytes|";
+        return "|needed|words_needed|first|limits|first_bad|bytes|brick|";
       case HSP_E_CONFLICT:
-        return "|conflict|";
+        return "|conflict|brick|";
       default:
-        return std::strcmp(call_.f->noun, "picture") == 0 ? "|bytes|" : "|needed|first_bad|";
+        return std::strcmp(call_.f->noun, "picture") == 0 ? "|bytes|" : "|needed|first_bad|brick|";
     }
   }
 

@@ -14,6 +14,9 @@
 #ifndef HSP_HAS_MOTION
 #define HSP_HAS_MOTION 1 /**< pose.h, moving.h */
 #endif
+#ifndef HSP_HAS_BRICKS
+#define HSP_HAS_BRICKS 1 /**< bricks.h */
+#endif
 #ifndef HSP_HAS_BOXES
 #define HSP_HAS_BOXES 1 /**< periodic.h, periodic_boundary.h; with it curvature */
 #endif

@@ -60,7 +60,8 @@ HSP_API int32_t HSP_CALL hsp_areas(uint32_t n, const double *xyz, const double *
  *  (r_i area[i] + (c_i - o) . N_i) / 3 with N_i the vector area of its faces and o a centre of its component that does
  *  not depend on the order of the balls: the terms sum to the volume, single terms may be negative. The volume of an
  *  atom is that of its share of the union: hsp_contacts_measure.
- *  Totals are summed over the balls in the caller's order by a fixed binary tree.
+ *  Totals are summed over the balls in the caller's order by a fixed binary tree. Those of bricks.h are sums of
+ *  integers in any order, with other last bits.
  *  - Property 1: area[i] and volume_term[i] do not depend on the order of the balls, bit for bit.
  *
  *  Accuracy: about 1e-14 of the total for molecules. In general an area has an error of a few 1e-16 of r^2 for each of

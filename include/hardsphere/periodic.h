@@ -8,9 +8,20 @@
  * counts once, with all of its images, so that broken and whole molecules are the same. A ball may meet several images
  * of another one, and of itself. Everything combinatorial is decided exactly, and ties alike in all copies of the box.
  *
- * The box is given by its vectors a, b, c: box [9] holds a_x 0 0, b_x b_y 0, c_x c_y c_z, as GROMACS has it. They are
- * rounded to the lattice of the balls once: images are exact to the last bit only if components have no more decimals
- * than that. Angles may be any: b and c are reduced by whole multiples of the vectors before them inside.
+ * The box is given by its vectors a, b, c: box [9] holds a_x a_y a_z, b_x b_y b_z, c_x c_y c_z. They may be any three
+ * that span a volume. Angles may be any: b and c are reduced by whole multiples of the vectors before them inside.
+ *   upright      a_y = a_z = b_z = 0, as GROMACS has it. Nothing is turned: all is as it was given, bit for bit.
+ *   turned       all other vectors. Inside, everything is turned so that a is along x and b in the plane of x and y, on
+ *                the side of y. All that has a direction comes back in the caller's frame: positions, axes, derivatives
+ *                by centres, by the strain and by the vectors. Products, sums, quotients and roots of doubles turn, so
+ *                that every machine has the same bits. A coordinate is turned before it is rounded to the lattice, with
+ *                an error of a few units in the last place of the largest of its three: far less than a step, unless
+ *                it is near 2^50 of them.
+ *   left-handed  or upright with a_x, b_y or c_z below 0. Nothing is mirrored: a vector that points to the other side
+ *                of its axis, once turned, is reversed inside, as its copies are the same. Shifts, windings and
+ *                derivatives are by the vectors as they were given.
+ * Inside, the vectors are rounded to the lattice of the balls once: images are exact to the last bit only if components
+ * have no more decimals than that. Turned ones have: there a ball that is given a box away may lie a step beside.
  *
  * Vertices, arcs and faces as records are in hardsphere/periodic_boundary.h. Notions that need an outside are not
  * there: voids, the outer shell, views and meshes; nor are rays, which would never leave the box. Components tell in
@@ -22,6 +33,7 @@
 #include "curvature.h"
 #include "executor.h"
 #include "gradient.h"
+#include "hessian.h"
 #include "model.h"
 #include "query.h"
 
@@ -82,26 +94,29 @@ HSP_API int32_t HSP_CALL hsp_periodic_init(void *memory, size_t bytes, const hsp
                                            hsp_periodic **periodic);
 
 /** Take n balls and a box, and compute boundary, contacts and components. Balls and options are those of hsp_model_set:
- *  xyz and radius may be NULL only if n is 0; options and limits may be NULL. box [9] holds the three vectors; nothing
+ *  xyz and radius may be NULL only if n is 0; options and limits may be NULL. box [9] holds any three vectors; nothing
  *  is kept of the arrays. On failure there are no results. first_bad may be NULL, else it is set to the index of the
  *  first ball that is refused, or HSP_NONE if none is, or if options or the box are at fault: a step that is too small
  *  for every radius, too. limits: see LIMITS in hardsphere.h; at most five retries.
- *  - Property 1: which image of a ball is given, and which vectors for the same box, has no effect but on shifts, on
- *    the order of what is sorted by them, on the rows of windings and on derivatives by the vectors: all other numbers
- *    are the same bit for bit.
+ *  - Property 1: which image of a ball is given, and which upright vectors for the same box, has no effect but on
+ *    shifts, on the order of what is sorted by them, on the rows of windings and on derivatives by the vectors: all
+ *    other numbers are the same bit for bit.
  *  - Property 2: a box of m x m x m copies has m^3 times everything that is counted or measured, up to rounding.
+ *  - Property 3: with balls and vectors turned by any rotation everything is the same, and what has a direction turns
+ *    with them, up to rounding to the lattice; with a vector reversed its shifts and derivatives change sign.
  *
  *  Source: contacts and shares as hardsphere/contacts.h, boundary as hardsphere/boundary.h, of the balls in the box and
  *  the images that are within the two largest radii of it.
  *  Cost: O(balls + images) for sets as in Theorem 2.1; as many images as such a margin of the box has room for.
- *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; box [1], [2] or [5] is not 0
+ *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_NOT_FINITE  a coordinate, a radius, an option or a component of the box is NaN or infinite
  *  @retval HSP_E_NEGATIVE    a radius or an option is negative
- *  @retval HSP_E_RANGE       as hsp_model_set; or a_x, b_y or c_z is not above 0 on the lattice, a component is beyond
- *                            2^44 steps, b or c needs more than 64 of the vectors before it to be reduced; a ball is
- *                            more than 2^17 boxes away; one of the three lengths is below 2/55 of the largest radius */
+ *  @retval HSP_E_RANGE       as hsp_model_set, also once turned; or of the vectors, turned, a_x, b_y or c_z is 0 on the
+ *                            lattice, as they lie in a plane, a component is beyond 2^44 steps, b or c needs more than
+ *                            64 of the vectors before it to be reduced; a ball is more than 2^17 boxes away; one of the
+ *                            three lengths is below 2/55 of the largest radius */
 HSP_API int32_t HSP_CALL hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz,
                                               const double *radius, const double *box, const hsp_model_options *options,
                                               hsp_periodic_limits *limits, uint32_t *first_bad);
@@ -125,8 +140,8 @@ typedef struct hsp_periodic_request {
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
  *  - Property 2: areas and derivatives with areas_alone are those without it, bit for bit.
  *
- *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; box [1], [2] or [5] is not 0; areas_alone
- *                            is not 0 or 1; an executor with several workers and without run
+ *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; areas_alone is not 0 or 1; an executor with
+ *                            several workers and without run
  *  @retval HSP_E_VERSION     bad struct_size of request, options, executor or limits, or reserved of the options is
  *                            not 0
  *  @retval HSP_E_CAPACITY    as hsp_periodic_compute, or the limit of workers is too small
@@ -293,14 +308,19 @@ typedef struct hsp_periodic_gradient_outputs {
   uint32_t *flags;      /**< [n], or NULL: HSP_GRADIENT_* */
   double *d_strain;     /**< [9], or NULL: [3 p + q] is by eps_pq, if all centres and vectors x become x + eps x and
                              radii stay */
-  double *d_box; /**< [9], or NULL: [3 k + p] is by component p of vector k, if all centres keep their multiples of the
-                      vectors */
+  double *d_box; /**< [9], or NULL: [3 k + p] is by component p of vector k as it was given, if all centres keep their
+                      multiples of the vectors */
   double *area;  /**< [n], or NULL: free area of each ball, as of hsp_periodic_measure */
 } hsp_periodic_gradient_outputs;
 
 /** An energy and its derivatives by the balls and by the box, as hsp_boundary_get_gradient. request may be NULL: all
- *  defaults. When a ball moves or grows all of its images do. The trace of d_strain over 3 V_box is what E adds to the
- *  pressure, with its sign changed. On failure nothing but outputs->needed and outputs->first_bad is written.
+ *  defaults. When a ball moves or grows all of its images do. On failure nothing but outputs->needed and
+ *  outputs->first_bad is written.
+ *
+ *  With forces F = - dE/dc and distances x of pairs, d_strain [3 p + q] = dE/deps_pq = - sum F_p x_q. Hence E adds
+ *    d_strain / V_box               to the stress, positive where the box pulls itself together (ASE)
+ *    - d_strain                     to the virial sum F_p x_q (LAMMPS), and d_strain / 2 to that of GROMACS, its -1/2
+ *    - trace(d_strain) / (3 V_box)  to the pressure
  *  - Property 1: the sum of d_centre is zero up to rounding.
  *  - Property 2: with all sigma equal, the trace of d_strain + sum_i r_i d_radius_i is 2 A for the area, 3 V for the
  *    volume.
@@ -316,6 +336,35 @@ typedef struct hsp_periodic_gradient_outputs {
  *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
                                                    hsp_periodic_gradient_outputs *outputs);
+
+/** The second derivatives of the same energy by the centres, as hsp_boundary_get_hessian_rows (hardsphere/hessian.h)
+ *  has them for a union in free space: compressed rows of 3x3 blocks, one for each two balls of which images share a
+ *  free piece of a circle, in the caller's frame. When a ball moves all of its images do: those of one ball share a
+ *  block, and its own cancel, so that a ball that meets nothing else has a block of zeros. Also of areas alone, with
+ *  any pressure. first [n + 1], ball [needed], block [needed][3][3], flags [n + 1] and needed are as there; flags and
+ *  request may be NULL.
+ *  - Property 1: block (j, i) is block (i, j) transposed, bit for bit, and each block (i, i) is symmetric.
+ *  - Property 2: the blocks of a row sum to 0 up to rounding: E does not change when everything moves by a vector. It
+ *    does when everything but the vectors turns.
+ *  - Property 3: neither which image of a ball is given, of upright vectors, nor the order of the balls, but for equal
+ *    ones, nor the executor changes a bit.
+ *  - Property 4: a block of a box of m x m x m copies, summed over the copies of one of its balls, is that of the box.
+ *
+ *  Accuracy: as hsp_boundary_get_hessian_rows.
+ *  Cost: O(n + vertices + circles), times the logarithm of the arcs on a ball; three gradients.
+ *  @retval HSP_OK            all rows are there; or there is no entry, also with capacity 0
+ *  @retval HSP_E_ARGUMENT    periodic or first is NULL; ball or block is NULL with a capacity above 0; unknown
+ *                            tangency; an executor with several workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
+ *  @retval HSP_E_CAPACITY    capacity is smaller than the number of entries: first and *needed are set, nothing else
+ *  @retval HSP_E_STATE       nothing computed
+ *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
+ *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_periodic_get_hessian_rows(const hsp_periodic *periodic,
+                                                       const hsp_gradient_request *request, uint32_t *first,
+                                                       uint32_t *ball, double *block, uint32_t *flags,
+                                                       uint32_t capacity, uint32_t *needed);
 
 /** A ball, or an image of it. Frozen. */
 typedef struct hsp_image {
@@ -346,7 +395,7 @@ HSP_API int32_t HSP_CALL hsp_periodic_query_point(const hsp_periodic *periodic, 
  *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
  *  @retval HSP_E_NEGATIVE    the radius is negative
  *  @retval HSP_E_RANGE       as hsp_periodic_query_point; or the radius is above 64 times the shortest of a_x, b_y and
- *                            c_z, or there are more than 2^32 - 1 hits */
+ *                            c_z, once turned, or there are more than 2^32 - 1 hits */
 HSP_API int32_t HSP_CALL hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius,
                                                  hsp_image *out, uint32_t capacity, uint32_t *needed);
 

@@ -7,9 +7,10 @@
  * They are those of hardsphere/boundary.h. Records across the faces of the box, or on several images, are there once.
  * Copies of it fill space; each record tells of one of them, and where its balls are for it:
  *
- *   place    every ball has one image with 0 <= x < a_x, 0 <= y < b_y and 0 <= z < c_z: its place in the box
+ *   place    every ball has one image with 0 <= x < a_x, 0 <= y < b_y and 0 <= z < c_z, once the box is turned and none
+ *            of its vectors points to the other side (hardsphere/periodic.h): its place in the box
  *   record   of the balls of a vertex, arc or circle the first one is at its place, of a face its ball. Balls come in
- *            the caller's order, images of one ball by where they are: lower ones first, by z, then y, then x
+ *            the caller's order, images of one ball by where they are: lower ones first, by z, then y, then x there
  *   shifts   hsp_image tells how a ball is to be moved from where it was given, hsp_periodic_id how another record is
  *
  * So the records, their numbers and everything in them but shifts of hsp_image are the same bit for bit, whichever

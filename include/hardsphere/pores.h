@@ -117,8 +117,9 @@ HSP_API int32_t HSP_CALL hsp_pores_compute(hsp_pores *pores, const hsp_model *mo
 /** The same of the balls in a periodic box, which must outlive the pores; they can be read until it computes other
  *  balls or another box. Limits for the model's balls suffice for boxes that are much larger than their pores; else
  *  images need more.
- *  - Property 1: which image of a ball is given, which vectors for the same box, and the order of the balls have no
- *    effect but on numbers of balls, points and shifts, and on the numbers of what is equally wide.
+ *  Points come and go in the caller's frame, however the box is turned inside.
+ *  - Property 1: which image of a ball is given, which upright vectors for the same box, and the order of the balls
+ *    have no effect but on numbers of balls, points and shifts, and on the numbers of what is equally wide.
  *  - Property 2: a box of m copies has m times each maximum and gate, of the same radii bit for bit, if these are not a
  *    hundred times the largest ball's.
  *

@@ -76,7 +76,7 @@ HSP_API int32_t HSP_CALL hsp_topology_init(void *memory, size_t bytes, const hsp
  *
  *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
  *  through the grid, at most O(n) each. A ball with m neighbours and a face of several loops takes about O(m), as on a
- *  line of balls that overlap; up to O(m^1.7) with m small balls that stud one, O(m^2) at worst.
+ *  line of balls that overlap; O(m^1.5) with m small balls that stud one, O(m^2) at worst.
  *  @retval HSP_E_ARGUMENT  topology or boundary is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with

@@ -31,11 +31,12 @@ extern "C" {
 #define HSP_E_NOT_FINITE (-10)   /**< a value is NaN or infinite */
 #define HSP_E_NEGATIVE (-11)     /**< a radius, the probe or another length is negative */
 #define HSP_E_RANGE (-12)        /**< a value lies beyond the lattice or its range, or is no rotation or direction */
-#define HSP_E_CONFLICT (-13)     /**< balls and sticks that cannot be painted; which ones is reported */
+#define HSP_E_CONFLICT (-13)     /**< parts that do not fit together: sticks, bricks; which ones is reported */
 #define HSP_E_OPEN_SURFACE (-14) /**< a degenerate set of balls, whose smooth surface does not close */
 #define HSP_E_EXECUTOR (-15)     /**< the caller's executor failed, or did not call every task exactly once */
 #define HSP_E_DEGENERATE (-16)   /**< ties or near ties of the input that could not be resolved */
 #define HSP_E_STOPPED (-17)      /**< the caller's executor said not to go on */
+#define HSP_E_DAMAGED (-18)      /**< bytes that are no result of this library, or not as they were written */
 
 /** The meaning of a status as above, for messages; never NULL, "unknown status" for numbers not listed above.
  *  Cost: O(1). */

@@ -75,7 +75,7 @@ while IFS=: read -r chosen components; do
   listed=$(pkg-config --variable=components hardsphere)
   [ "$listed" = "$components" ] || fail "pkg-config says $listed"
   # A package that is asked for a component that it lacks is not found.
-  for asked in residues curvature motion boxes smooth space sight; do
+  for asked in residues curvature motion bricks boxes smooth space sight; do
     mkdir -p "$work/$asked"
     printf '%s\n' "cmake_minimum_required(VERSION 3.21)" "project(user LANGUAGES C)" \
       "find_package(hardsphere REQUIRED COMPONENTS $asked)" >"$work/$asked/CMakeLists.txt"
@@ -104,6 +104,7 @@ while IFS=: read -r chosen components; do
 done <<'CHOICES'
 :
 motion:motion
+bricks:bricks
 boxes:curvature boxes
 smooth:smooth
 space:curvature boxes space

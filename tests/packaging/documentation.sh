@@ -23,7 +23,7 @@ for page in "$source"/capi/guide/*.md; do
   html=$(grep -lF "title>hardsphere: $title<" "$work"/documentation/html/*.html) || { echo "no page: $title" && exit 1; }
   if grep -q '^```c$' "$page" && ! grep -q 'class="fragment"' "$html"; then echo "no code: $title" && exit 1; fi
 done
-for picture in cavity ubiquitin ubiquitin_dark crambin_contacts_dark bond_scans; do
+for picture in cavity ubiquitin ubiquitin_dark crambin_contacts_dark bond_scans window_scans; do
   [ -e "$work/documentation/html/$picture.svg" ] || { echo "the guides' picture $picture is missing" && exit 1; }
 done
 rm -rf "$work"

@@ -9,12 +9,12 @@ readme=lib/README.md
 # The rooms that each room stands on. It may include itself, these rooms, and what these stand on. The wings smooth and
 # sight both stand on the boundary, and neither knows the other. Cells of free space, paths through them and poses need
 # no boundary; pores know periodic boxes, and help to find the widest path.
-rooms="lanes core exact model sphere boundary measure topology contacts curvature poses moving periodic numbers tangents cells paths pores pockets surface mesh"
+rooms="lanes core exact model sphere boundary measure topology contacts curvature bricks poses moving periodic numbers tangents cells paths pores pockets surface mesh"
 rooms+=" view picture maps capi"
 declare -A stands_on=([lanes]="" [core]="lanes" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
-  [boundary]="sphere" [measure]="boundary" [topology]="measure" [contacts]="measure" [curvature]="measure" [moving]="measure" [periodic]="contacts curvature" [numbers]="exact" [tangents]="numbers model" [pores]="periodic tangents" [pockets]="pores" [surface]="measure numbers" [mesh]="surface"
+  [boundary]="sphere" [measure]="boundary" [topology]="measure" [contacts]="measure" [curvature]="measure" [bricks]="measure" [moving]="measure" [periodic]="contacts curvature" [numbers]="exact" [tangents]="numbers model" [pores]="periodic tangents" [pockets]="pores" [surface]="measure numbers" [mesh]="surface"
   [view]="boundary" [picture]="view" [maps]="picture"
-  [capi]="pockets paths poses topology moving periodic mesh maps")
+  [capi]="bricks pockets paths poses topology moving periodic mesh maps")
 # The program's folders, from the command line down to the files that are read. Drawing knows tables, which do not know it.
 folders="read write commands draw app"
 stands_on+=([read]="" [write]="read" [commands]="write" [draw]="commands" [app]="draw")

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # The functions that README.md and languages.md of the guide show compile without a warning and give what main programs
-# here expect: in C `water`, without any allocation, and `surface` with a workspace; in Fortran `surface`.
+# here expect: in C `water`, without any allocation, and `surface` with a workspace; in Fortran `surface`. The program in
+# Fortran of tasks.md prints a line of the one in C.
 #   readme_example.sh SOURCE-FOLDER ARCHIVE WORK-FOLDER C-COMPILER [FORTRAN-COMPILER MODULE-FOLDER FORTRAN-ARCHIVE]
 set -euo pipefail
 source=$1 archive=$2 work=$3 cc=$4
 rm -rf "$work"
-for page in README.md capi/guide/languages.md; do
+for page in README.md capi/guide/languages.md capi/guide/tasks.md; do
   folder=$work/$(basename "$page" .md)
   mkdir -p "$folder"
   awk -v folder="$folder" -f "$source/tests/packaging/page_blocks.awk" "$source/$page"
@@ -75,9 +76,11 @@ MAIN
   } >"$work/surface.f90"
   # As the page has it, and with its own program.
   cat "$work"/languages/*.fortran >"$work/page.f90"
-  for name in surface page; do
+  cp "$work"/tasks/*.fortran "$work/tasks.f90"
+  for name in surface page tasks; do
     (cd "$work" && "$fortran" -std=f2018 -Wall -I"$modules" -o "$name"_fortran $name.f90 "$fortran_archive" "$archive" -lm)
   done
   "$work/surface_fortran"
   cmp <("$work/page_fortran") "$work"/languages/*.text
+  "$work/tasks_fortran" | head -n 1 | cmp - <(grep '^in a box' "$work"/tasks/*.text)
 fi

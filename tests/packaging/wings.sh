@@ -13,7 +13,7 @@ cmake -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILE
   >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 
 # For each part and for the interface a line that is there if one of its headers is found.
-for part in ground balls union curvature motion boxes wide smooth space sight interface; do
+for part in ground balls union curvature motion bricks boxes wide smooth space sight interface; do
   case $part in
     interface) header=hardsphere.h ;;
     *) header=$(cd "$source/lib/$part" && ls */*.hpp | head -n 1) ;;
@@ -43,6 +43,7 @@ check "($(first balls))" "ground balls"
 check "($(first union))" "ground balls union"
 check "($(first curvature))" "ground balls union curvature"
 check "($(first motion))" "ground balls union motion"
+check "($(first bricks))" "ground balls union bricks"
 check "($(first boxes))" "ground balls union curvature boxes"
 check "($(first smooth))" "ground balls union wide smooth"
 check "($(first space))" "ground balls union curvature boxes wide space"
@@ -50,6 +51,7 @@ check "($(first sight))" "ground balls union sight"
 check "capi/shims/(core|residues)/[a-z_]+.cpp" "ground balls union interface"
 check "capi/shims/curvature/[a-z_]+.cpp" "ground balls union curvature interface"
 check "capi/shims/motion/[a-z_]+.cpp" "ground balls union motion interface"
+check "capi/shims/bricks/[a-z_]+.cpp" "ground balls union bricks interface"
 check "capi/shims/boxes/[a-z_]+.cpp" "ground balls union curvature boxes interface"
 check "capi/shims/smooth/[a-z_]+.cpp" "ground balls union wide smooth interface"
 check "capi/shims/space/[a-z_]+.cpp" "ground balls union curvature boxes wide space interface"

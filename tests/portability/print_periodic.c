@@ -6,7 +6,9 @@
 #include "interface_bits.h"
 #include "periodic_result.h"
 
-static double centre[3 * BALL_SET_MOST], radius[BALL_SET_MOST], strain[9], box[9];
+enum { MOST_BLOCKS = 200000 };
+static double centre[3 * BALL_SET_MOST], radius[BALL_SET_MOST], strain[9], box[9], block[9 * MOST_BLOCKS];
+static uint32_t first[BALL_SET_MOST + 1], column[MOST_BLOCKS], flags[BALL_SET_MOST + 1];
 
 static void print_image(const hsp_image *image) {
   printf(" %" PRIu32 " %" PRId32 " %" PRId32 " %" PRId32, image->ball, image->shift[0], image->shift[1],
@@ -62,6 +64,23 @@ static void print_gradient(const periodic_result *p) {
   end_line();
 }
 
+static void print_second_derivatives(const periodic_result *p) {
+  uint32_t needed = 0, i;
+  print_status("periodic second derivatives",
+               hsp_periodic_get_hessian_rows(
+                   p->periodic, SIZED(hsp_gradient_request, .sigma = p->base->radius, .tension = 1, .pressure = -0.5),
+                   first, column, block, flags, MOST_BLOCKS, &needed));
+  print_numbers(first, p->base->n + 1);
+  print_numbers(flags, p->base->n + 1);
+  end_line();
+  for (i = 0; i < needed && needed <= MOST_BLOCKS; ++i) {
+    printf("block");
+    print_numbers(&column[i], 1);
+    print_doubles(block + 9 * (size_t)i, 9);
+    end_line();
+  }
+}
+
 static void print_periodic_results(const periodic_result *p) {
   const hsp_periodic_counts *n = &p->counts;
   hsp_morphometric_energy energy;
@@ -110,16 +129,20 @@ static void print_periodic_results(const periodic_result *p) {
   print_doubles(&energy.value, 1);
   print_doubles(&energy.mean, 1);
   print_gradient(p);
+  print_second_derivatives(p);
 }
 
 void print_periodic(const computed *c) {
   periodic_result p;
-  const int32_t status = periodic_result_make(c, &p);
-  if (status == HSP_E_RANGE) {
-    printf("no box is large enough\n");
-  } else {
-    print_status("periodic", status);
-    if (status == HSP_OK) print_periodic_results(&p);
+  int turned;
+  for (turned = 0; turned < 2; ++turned) {
+    const int32_t status = turned ? periodic_result_make_turned(c, &p) : periodic_result_make(c, &p);
+    if (status == HSP_E_RANGE) {
+      printf("no box is large enough\n");
+    } else {
+      print_status("periodic", status);
+      if (status == HSP_OK) print_periodic_results(&p);
+    }
+    periodic_result_release(&p);
   }
-  periodic_result_release(&p);
 }

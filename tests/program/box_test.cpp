@@ -146,7 +146,7 @@ TEST(Box, IsRefusedWhereItHasNoMeaning) {
       {{"measure", "good/two.xyzr", "--box", "10,ten,10"}, 2, "'ten' is not a decimal number"},
       {{"measure", "good/two.xyzr", "--box"}, 2, "--box needs"},
       {{"measure", "good/two.xyzr", "--box", "10,10,0"}, 2, "must be larger than 0"},
-      {{"measure", "good/two.xyzr", "--box", "10,0,1,0,10,0,0,0,10"}, 2, "BX,BY,0"},
+      {{"measure", "good/two.xyzr", "--box", "10,0,1,0,10,0,10,10,1"}, 1, "the box is flat"},
       {{"measure", "good/two.xyzr", "--box", "9,9,9", "--box", "9,9,9"}, 2, "given twice"},
       {{"measure", "good/two.xyzr", "--box", "9,9,9", "--probe", "1", "--surface", "ses"}, 2, "not for a --box"},
       {{"boundary", "good/two.xyzr", "--box", "9,9,9", "--shells"}, 2, "--shells is not for a --box"},

@@ -161,7 +161,7 @@ TEST(CommaSeparated, Contacts) {
       titles.push_back(std::string(name) + side);
     }
   }
-  EXPECT_EQ(rows[0], (titles + Row{"area", "edge", "distance"}));
+  EXPECT_EQ(rows[0], (titles + Row{"area", "rim", "distance", "edge"}));
   for (size_t k = 1; k < rows.size(); ++k) {
     const Json &pair = json["pairs"].items[k - 1];
     Row expected;
@@ -171,26 +171,26 @@ TEST(CommaSeparated, Contacts) {
         expected.push_back(label[key].text);
       }
     }
-    for (const char *key : {"area", "edge", "distance"}) expected.push_back(pair[key].text);
+    for (const char *key : {"area", "rim", "distance", "edge"}) expected.push_back(pair[key].text);
     if (k == rows.size() - 1) break;  // the last name has a letter that JSON writes in another way
     EXPECT_EQ(rows[k], expected);
   }
   const std::vector<Row> chains = run_csv({"good/residues.pdb", "--probe", "4", "--by", "chain"}, "contacts");
   const Json sums = run_json({"contacts", "good/residues.pdb", "--probe", "4", "--by", "chain"})["pairs"];
   ASSERT_EQ(chains.size(), sums.items.size() + 1);
-  EXPECT_EQ(chains[0], (Row{"chain_1", "chain_2", "area", "edge", "atom_pairs"}));
+  EXPECT_EQ(chains[0], (Row{"chain_1", "chain_2", "area", "rim", "atom_pairs", "edge"}));
   for (size_t k = 1; k < chains.size(); ++k) {
     const Json &sum = sums.items[k - 1];
     EXPECT_EQ(chains[k], (Row{sum["chains"].items[0].text, sum["chains"].items[1].text, sum["area"].text,
-                              sum["edge"].text, sum["atom_pairs"].text}));
+                              sum["rim"].text, sum["atom_pairs"].text, sum["edge"].text}));
   }
   const std::vector<Row> residues = run_csv({"good/residues.pdb", "--probe", "4", "--by", "residue"}, "contacts");
   EXPECT_EQ(residues[0], (Row{"chain_1", "residue_1", "number_1", "insertion_1", "chain_2", "residue_2", "number_2",
-                              "insertion_2", "area", "edge", "atom_pairs"}));
+                              "insertion_2", "area", "rim", "atom_pairs", "edge"}));
   EXPECT_EQ(residues.at(1),
             (Row{"A", "ALA", "1", "", "A", "ALA", "1", "A"} + Row(residues.at(1).begin() + 8, residues.at(1).end())));
   const Row shifted = run_csv({"good/two.xyzr", "--box", "9,9,9"}, "contacts")[0];
-  EXPECT_EQ(shifted, (Row{"ball_1", "ball_2", "area", "edge", "distance", "shift_x", "shift_y", "shift_z"}));
+  EXPECT_EQ(shifted, (Row{"ball_1", "ball_2", "area", "rim", "distance", "shift_x", "shift_y", "shift_z", "edge"}));
 }
 
 TEST(CommaSeparated, VoidsAndShells) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iomanip>
 #include <numbers>
 #include <sstream>
@@ -550,6 +551,35 @@ TEST(Examples, SolventBoxOfTwoBalls) {
   for (const char *side : {"nought", "1", "9999"}) {
     EXPECT_EQ(run_example("solvent_box", {file.path(), "12", side, "18"}).status, 2);
   }
+}
+
+// Balls of a cubic lattice that touch across the faces of its cells leave a void in each cell between eight of them.
+// The same bits in any bricks, and once more from the files of another run.
+TEST(Examples, BricksHaveTheWholesVoids) {
+  const TemporaryFile file("one.xyzr", "0 0 0 1.5\n");
+  const std::string folder = std::filesystem::path(file.path()).parent_path() / "summaries";
+  const auto run = [&](const char *size, bool keeps) {
+    std::vector<std::string> arguments = {file.path(), "2", "2", "2", "6", "5", "4", size};
+    if (keeps) arguments.push_back(folder);
+    return run_example("bricks", arguments);
+  };
+  const Outcome whole = run("6", false);
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  EXPECT_EQ(whole.out.rfind("120 balls, 1 components, 60 voids, Euler number 122\n", 0), 0u) << whole.out;
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  for (const char *size : {"1", "2", "3", "4", "5"}) EXPECT_EQ(run(size, false).out, whole.out);
+  EXPECT_EQ(run("2", true).out, whole.out);
+  EXPECT_TRUE(std::filesystem::remove(folder + "/7.brick"));
+  EXPECT_EQ(run("2", true).out, whole.out);
+  // Of other bricks, and half of one.
+  EXPECT_EQ(run("3", true).status, 1);
+  std::filesystem::resize_file(folder + "/7.brick", 100);
+  const Outcome damaged = run("2", true);
+  EXPECT_EQ(damaged.status, 1);
+  EXPECT_NE(damaged.err.find("not as they were written"), std::string::npos) << damaged.err;
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(run("0", false).status, 2);
 }
 
 TEST(Examples, RefuseBadFiles) {

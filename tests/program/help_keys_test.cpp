@@ -47,6 +47,8 @@ TEST(HelpKeys, AreAllThatAreWritten) {
       {"measure", water, "--by=chain"},
       {"measure", water, "--probe=1.4", "--surface=ses", "--outer"},
       {"measure", water, "--of=element:O", "--per-ball"},
+      {"measure", water, "--window=0.1", "--gradient"},
+      {"hessian", water, "--tension=1"},
       {"voids", cage},
       {"contacts", water, "--cells"},
       {"contacts", water, "--by=residue"},

@@ -167,7 +167,7 @@ TEST(JsonOutput, ContactsAndComplexHaveTheirKeys) {
     for (const Json &ball : plain["balls"].items) EXPECT_EQ(ball.keys, ball_keys(file, {})) << file;
     double sum = 0.0;
     for (const Json &pair : plain["pairs"].items) {
-      EXPECT_EQ(pair.keys, (Keys{"balls", "area", "edge", "distance"})) << file;
+      EXPECT_EQ(pair.keys, (Keys{"balls", "area", "rim", "distance", "edge"})) << file;
       EXPECT_LT(pair["balls"].items.at(0).number, pair["balls"].items.at(1).number) << file;
       sum += pair["area"].number;
     }

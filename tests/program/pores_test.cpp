@@ -357,7 +357,7 @@ TEST(Pores, ABox) {
       return std::sqrt(square) > radius ? 2 * (std::sqrt(square) - radius) : closed;
     };
     const Json json = run_json({"pores", file.path(), "--box", "8,10,3"});
-    EXPECT_EQ(json.keys, (Words{"n", "box", "box_turned", "largest_cavity_diameter", "pore_limiting_diameter",
+    EXPECT_EQ(json.keys, (Words{"n", "box", "largest_cavity_diameter", "pore_limiting_diameter",
                                 "included_cavity_diameter", "pore_limiting_diameter_along", "channel_list", "maxima",
                                 "gates", "merges", "cavities", "maximum_list", "gate_list", "input"}));
     EXPECT_NEAR(json["largest_cavity_diameter"].number, diameter(43.25), 1e-7);

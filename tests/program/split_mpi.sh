@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The example of MPI: with several ranks it prints what it prints with one, finds each ball's bits of the whole, and its
-# totals are crambin's.
+# The example of MPI: with several ranks it prints what it prints with one, finds each ball's bits and the totals of one
+# piece, and its totals are crambin's. Areas that it writes are the same bytes.
 #   split_mpi.sh RANKS SOURCE-FOLDER WORK-FOLDER SPLIT-MPI MPIEXEC
 # Exit status 77: MPI does not start processes here.
 set -euo pipefail
@@ -17,19 +17,27 @@ awk 'BEGIN { radius["C"] = 1.7; radius["N"] = 1.55; radius["O"] = 1.52; radius["
     print substr($0, 31, 8), substr($0, 39, 8), substr($0, 47, 8), radius[element]
   }' "$source/bench/molecules/crambin.pdb" >"$work/crambin.xyzr"
 
+# Eight balls of a cube around a void, which all of up to eight ranks share.
+for x in -1 1; do for y in -1 1; do for z in -1 1; do echo "$x $y $z 1.5"; done; done; done >"$work/cube.xyzr"
+
 # Small balls at one end and large ones at the other: parts on their own would not have the lattice of the whole.
 awk 'BEGIN { for (i = 0; i < 120; ++i) printf "%.12f %.12f %.12f %.12f\n", 0.9 * i, sin(i), cos(1.7 * i), 0.2 + i / 70 }' \
   >"$work/growing.xyzr"
 
-for balls in "$work/crambin.xyzr" "$work/growing.xyzr" "$source/tests/portability/inputs/degenerate.xyzr" \
+for balls in "$work/crambin.xyzr" "$work/growing.xyzr" "$work/cube.xyzr" "$source/tests/portability/inputs/degenerate.xyzr" \
   "$source/tests/program/inputs/good/corners.xyzr"; do
   "$mpiexec" -n 1 "$program" "$balls" >"$work/one" 2>"$work/log" || { cat "$work/log" && exit 1; }
   "$mpiexec" -n "$ranks" "$program" "$balls" check >"$work/several" 2>"$work/log" || { cat "$work/log" && exit 1; }
   diff "$work/one" "$work/several" || { echo "$balls: $ranks ranks find something else than one" && exit 1; }
+  "$mpiexec" -n 1 "$program" "$balls" "$work/one.areas" >/dev/null 2>&1
+  "$mpiexec" -n "$ranks" "$program" "$balls" "$work/several.areas" >/dev/null 2>&1
+  cmp "$work/one.areas" "$work/several.areas"
+  [ "$(stat -c %s "$work/one.areas")" -eq $((8 * $(cut -d ' ' -f 1 "$work/one"))) ]
   echo "$(cat "$work/several"); $(cat "$work/log")"
   if [[ $balls == *crambin* ]]; then
     grep -qE '^327 balls, area 4247\.65621155.*, volume 3571\.70310903' "$work/several"
     # Each rank has something to do, and neighbours.
-    grep -qE "^$ranks ranks, 8 layers, [1-9][0-9]+ balls in halos" "$work/log"
+    grep -qE "^$ranks ranks, [1-9][0-9]+ balls in halos, [1-9][0-9]+ bytes" "$work/log"
   fi
+  if [[ $balls == *cube* ]]; then grep -qE ', 1 components, 1 voids, Euler number 4$' "$work/several"; fi
 done

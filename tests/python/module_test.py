@@ -225,6 +225,47 @@ class Values(unittest.TestCase):
             for k in range(3):
                 self.assertAlmostEqual(got[k], known[k], 10)
 
+    def test_errors_name_what_is_to_blame(self):
+        balls = hardsphere.Balls(CENTERS, RADII)
+        for call, text in [(lambda: balls.mesh(0), "edge: 0 is not above 0"),
+                           (lambda: balls.mesh(math.nan), "edge: nan is not finite"),
+                           (lambda: balls.svg(width=0), "width: 0 is not above 0"),
+                           (lambda: balls.gradient(tension=math.inf), "tension: inf is not finite"),
+                           (lambda: hardsphere.measure(CENTERS, RADII, step=-1.0), "step: -1.0 is negative"),
+                           (lambda: hardsphere.Balls(CENTERS, RADII, probe=-1).area, "probe: -1 is negative")]:
+            with self.assertRaises(hardsphere.Error) as refused:
+                call()
+            self.assertTrue(str(refused.exception).startswith(text + " in hsp_"), refused.exception)
+
+    def test_handles_say_what_they_are(self):
+        balls = hardsphere.Balls(CENTERS, RADII)
+        self.assertEqual(repr(balls.boundary), f"Boundary({balls.n} balls)")
+        self.assertEqual(repr(hardsphere.Model()), "Model(0 balls)")
+
+    def test_constants(self):
+        names = hardsphere.constants.__all__
+        self.assertIn("PIECES_OUTSIDE_ALL", names)
+        for name in names:
+            self.assertEqual(getattr(hardsphere.constants, name), getattr(hardsphere, name))
+            self.assertTrue(name.isupper())
+
+    def test_second_derivatives(self):
+        centers, radii = random_balls(40, 6)
+        direction = [[math.sin(3 * i + k) for k in range(3)] for i in range(40)]
+        boundary = hardsphere.Balls(centers, radii).boundary
+        rows = boundary.get_hessian_rows(tension=0.5, pressure=-1.0)
+        product = plain(boundary.get_hessian_product(direction, tension=0.5, pressure=-1.0).product)
+        first, ball, block = plain(rows.first), plain(rows.ball), plain(rows.block)
+        step, moved = 1e-4, []
+        for side in step, -step:
+            there = [[x + side * d for x, d in zip(*pair)] for pair in zip(centers, direction)]
+            moved.append(plain(hardsphere.Balls(there, radii).gradient(tension=0.5, pressure=-1.0).d_centre))
+        for i in range(40):
+            for p in range(3):
+                found = sum(block[k][p][q] * direction[ball[k]][q] for k in range(first[i], first[i + 1]) for q in range(3))
+                self.assertAlmostEqual(found, product[i][p], 9)
+                self.assertAlmostEqual((moved[0][i][p] - moved[1][i][p]) / (2 * step), product[i][p], delta=0.1)
+
     def test_pairs(self):
         centers, radii = random_balls(60, 8)
         near = [(i, j) for i in range(60) for j in range(i + 1, 60)
@@ -285,6 +326,26 @@ class Values(unittest.TestCase):
         apart = [hardsphere.pose_from_matrix([1, 0, 0, 0, 1, 0, 0, 0, 1], [x, 0, 0]) for x in (1.9, 2.1, 5)]
         self.assertEqual(plain(fixed.hits(fixed, apart)), [1, 0, 0])
         self.assertAlmostEqual(field(fixed.gaps(fixed, apart)[2], "gap"), 3, 6)
+
+
+class Bricks(unittest.TestCase):
+    def test_summaries_are_bytes(self):
+        pair = hardsphere.Balls([[0, 0, 0], [8, 0, 0]], [5, 5])
+        first, second = (pair.boundary.brick_summarise(brick=k, bricks=2, flags=hardsphere.BRICK_KEEP_SHELLS, id=[7, 9],
+                                                         owner=[0, 1]) for k in range(2))
+        self.assertIsInstance(first, bytes)
+        whole = hardsphere.brick_merge(second, first).summary
+        totals = hardsphere.brick_get_totals(whole).totals
+        self.assertEqual((totals.components, totals.circles, totals.euler), (1, 1, 2))
+        self.assertAlmostEqual(totals.volume, 324 * math.pi, 9)
+        shells = hardsphere.brick_get_shells(whole).out
+        self.assertEqual([field(shell, "component") for shell in shells], [7])
+        with self.assertRaises(hardsphere.Error) as missing:
+            hardsphere.brick_get_totals(first)
+        self.assertEqual(missing.exception.status, hardsphere.E_STATE)
+        with self.assertRaises(hardsphere.Error) as damaged:
+            hardsphere.brick_merge(first[:-8], second)
+        self.assertEqual(damaged.exception.status, hardsphere.E_DAMAGED)
 
 
 class Wrong(unittest.TestCase):
@@ -402,7 +463,7 @@ class EveryGetter(unittest.TestCase):
                 parameters = inspect.signature(method).parameters
                 needs = [p for p in parameters.values() if p.default is p.empty]
                 given = {"boundary": balls.boundary} if "boundary" in parameters else {}
-                if not name.startswith("_") and not needs and not name.startswith(("compute", "set")):
+                if not name.startswith("_") and not needs and not name.startswith(("brick", "compute", "set")):
                     with self.subTest(f"{handle.noun}.{name}"):
                         method(**given)
                         called += 1

@@ -1,5 +1,5 @@
 // A molecule in the periodic box of its tilings, and waters that fill a box, by turns with the same balls in free
-// space: model, boundary, contacts and shares of both.
+// space: model, boundary, contacts and shares of both; the gradient in the box, and second derivatives.
 #include <cmath>
 #include <cstdint>
 
@@ -26,7 +26,9 @@ void free_and_periodic(benchmark::State &state, Subject &subject, const Box &sid
                 boundary.compute();
                 contacts.compute();
               }},
-             {"box", [&] { periodic.compute(); }}});
+             {"box", [&] { periodic.compute(); }},
+             {"box_gradient", [&] { periodic.differentiate(); }},
+             {"box_hessian", [&] { periodic.differentiate_twice(); }}});
 
   const hsp_periodic_counts counts = periodic.counts();
   state.counters["images_per_atom"] = static_cast<double>(counts.images) / model.size();

@@ -1,5 +1,6 @@
 #include "app/arguments.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -163,6 +164,7 @@ static bool begin(struct reading *reading, struct request *request, enum command
   request->set = &radii_bondi;
   request->timeout = -1.0;
   request->measure.surface = -1;
+  request->hessian = (struct hessian_request){HUGE_VAL, HUGE_VAL};
   request->pores.pockets = -1.0;
   request->meshing = (struct meshing)MESHING_DEFAULT;
   request->drawing = (struct drawing)DRAWING_DEFAULT;

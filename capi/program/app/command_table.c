@@ -76,15 +76,39 @@ const struct command_row command_table[COMMANDS] = {
                  "to 1e-8 where the largest radius, probe included, is from 1.1 to 10.7.\n",
          .closing = "Example: hardsphere measure 4hhb.pdb --no-water --probe 1.4 --by residue --relative\n",
          .json =
-             "JSON: <>; with --curvature <--curvature>; with --weights <--weights w>; with --polar <--polar>; with "
+             "JSON: <>; with --curvature <--curvature>; with --weights <--weights w>; with --window <--window 1>; with "
+             "--polar <--polar>; with "
              "--surface ses <--surface ses>, where surface is \"ses\", and with --outer outer: true; with --interface "
              "<--interface A,B>: {groups: [{atoms, alone, together}, ...], together, buried}; with --per-ball or "
-             "--gradient <--gradient --weights w=balls> in the order of the file and as far as it names them, weight "
-             "with --weights, derivatives with --gradient, those of weighted areas with both; with --by <--by residue "
+             "--gradient <--gradient --weights w --window 1=balls> in the order of the file and as far as it names "
+             "them, weight "
+             "with --weights, derivatives with --gradient, those of weighted areas with both, of means with --window; "
+             "with --by <--by residue "
              "--relative>, <--by chain> or <--by group>; with --of <--of water>, how many atoms, and no volume; with "
              "--trajectory first frame, time (in ps, or as .xyz says) and step, null where the file does not tell, and "
              "no input; with --mean n, <--mean..means>, and in lists area is the mean, with deviation behind it.",
          .describe = describe_measure},
+    [COMMAND_HESSIAN] =
+        {.name = "hessian",
+         .arguments = "FILE [options]",
+         .summary = "second derivatives of area and volume by all coordinates, as a matrix",
+         .run = command_hessian,
+         .check = check_hessian,
+         .text = "hardsphere hessian FILE --tension T|--pressure P [options]\n"
+                 "\n"
+                 "Writes the second derivatives of T x area + P x volume by x, y and z of one ball after the other, as "
+                 "a sparse\n"
+                 "symmetric matrix of Matrix Market, which scipy.io.mmread and others read. Two balls have numbers if "
+                 "their\n"
+                 "spheres share a free piece of a circle. Comments tell how many balls touch, where derivatives are "
+                 "one-sided, and\n"
+                 "how many have a vertex in the plane of its three centres, where areas have no second derivatives.\n",
+         .closing = "Example: hardsphere hessian 1crn.pdb --probe 1.4 --tension 0.0072 --window 0.1 > 1crn.mtx\n",
+         .json = "JSON: <>; window is 0 where there is none; one_sided and singular are the balls of these comments, "
+                 "by their indices in the order of the file, counted from 0; the row of ball i has the entries "
+                 "first[i] to first[i + 1] - 1, for each the other ball and its block: nine numbers, [xx, xy, xz, yx, "
+                 "...], the first letter of ball i.",
+         .describe = describe_hessian},
     [COMMAND_VOIDS] = {.name = "voids",
                        .arguments = "FILE [options]",
                        .summary = "the cavities in the union and the balls around them",
@@ -117,12 +141,12 @@ const struct command_row command_table[COMMANDS] = {
                  "Shares the union out among its balls: a point belongs to the share of the ball from which it has "
                  "the least\n"
                  "power, distance^2 - radius^2. Two balls are in contact where their shares meet, in a plane piece; "
-                 "its edge is the\n"
+                 "its rim is the\n"
                  "length of its border on the surface. The shares sum to the volume of the union.\n",
          .closing = "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n",
-         .json =
-             "JSON: <..pairs>, with --by <--by residue=pairs> or chains: [\"A\", \"B\"]; with --cells <--cells=cells> "
-             "in the order of the file; without --by or with --cells <> as far as the file says them.",
+         .json = "JSON: <..pairs>, with --by <--by residue=pairs> or chains: [\"A\", \"B\"]; edge is rim once more; "
+                 "with --cells <--cells=cells> "
+                 "in the order of the file; without --by or with --cells <> as far as the file says them.",
          .describe = describe_contacts},
     [COMMAND_COMPLEX] =
         {.name = "complex",
@@ -215,7 +239,7 @@ const struct command_row command_table[COMMANDS] = {
                  "where volume and area are null if closed is 0, with --tunnels-from <--tunnels-from 0,0,0>; maxima "
                  "and gates by their numbers, counted from 0, or \"outside\" or \"none\"; mouths are gates; balls are "
                  "indices in the order of the file, counted from 0, of all balls that are nearest, of points of "
-                 "tunnels up to four, or that line a pocket.\nWith --box box, box_turned, symmetry, <--box "
+                 "tunnels up to four, or that line a pocket.\nWith --box box, symmetry, <--box "
                  "9,9,9=pore_limiting_diameter>: [a, b, c] for one, two and three directions, null where no probe gets "
                  "through, <--box 9,9,9=included_cavity_diameter>: [a, b, c] of the channels that do, <--box "
                  "9,9,9=pore_limiting_diameter_along>: [a, b, c] the three vectors, <--box 9,9,9=channel_list>: "

@@ -88,9 +88,14 @@ const struct option *option_at(size_t i) {
        .help = "also the derivatives of area and volume by every centre and radius"},
       {"--curvature", NULL, take_flag, OF(MEASURE), .target = IN(measure.curvature),
        .help = "also the integrated mean and Gaussian curvature of the boundary"},
-      {"--weights", "FILE", take_path, OF(MEASURE), .target = IN(measure.weights),
+      {"--weights", "FILE", take_path, OF(MEASURE), .target = IN(weights),
        .help = "also the sum of weight x free area; one number per ball, each on its own line, #\n"
                "comments"},
+      {"--window", "D", take_real, OF(MEASURE), .target = IN(window), .what = "a length", .positive = true,
+       .help = "also the mean of the area over all radii within D of their own, which is smooth where\n"
+               "balls touch: 0.1 angstrom does for minimisers. With --weights of the weighted area, over\n"
+               "D x weight to either side, with --of over radii of these atoms, with --gradient its\n"
+               "derivatives, too"},
       {"--polar", NULL, take_flag, OF(MEASURE), .target = IN(measure.polar),
        .help = "also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others;\n"
                "hydrogens count with the atom that they are bound to, by the file's bonds or by distance"},
@@ -123,15 +128,25 @@ const struct option *option_at(size_t i) {
                "frame. A frame at fault ends the run with status 1; the rows before it stay"},
       {"--frames", "A:B:S", take_frames, OF(MEASURE), .what = "frames, A:B:S",
        .help = "only the frames A to B, counted from 1, in steps of S; or A alone, A:, :B, ::S"},
-      {"--begin", "T", take_time, OF(MEASURE), .target = IN(frames.begin), .what = "a time"},
-      {"--end", "T", take_time, OF(MEASURE), .target = IN(frames.end), .what = "a time",
+      {"--begin", "T", take_real, OF(MEASURE), .target = IN(frames.begin), .what = "a time"},
+      {"--end", "T", take_real, OF(MEASURE), .target = IN(frames.end), .what = "a time",
        .help = "only the frames from time T, or up to it, as the trajectory has times"},
-      {"--interval", "DT", take_time, OF(MEASURE), .target = IN(frames.interval), .what = "a time", .positive = true,
+      {"--interval", "DT", take_real, OF(MEASURE), .target = IN(frames.interval), .what = "a time", .positive = true,
        .help = "of these the first one, and from its time on the first one in each interval of DT"},
       {"--mean", NULL, take_flag, OF(MEASURE), .target = IN(measure.mean),
        .help = "with --trajectory: in place of a row for each frame the mean of all, with the standard\n"
                "deviation, the least and the most; with --per-ball or --csv also of every ball, with --by\n"
                "of every residue, chain or group"},
+
+      {"--tension", "T", take_real, OF(HESSIAN), .target = IN(hessian.tension), .what = "a number"},
+      {"--pressure", "P", take_real, OF(HESSIAN), .target = IN(hessian.pressure), .what = "a number",
+       .help = "the energy: T x area + P x volume; one of them may be left out"},
+      {"--weights", "FILE", take_path, OF(HESSIAN), .target = IN(weights),
+       .help = "of areas: one number per ball, each on its own line, # comments"},
+      {"--window", "D", take_real, OF(HESSIAN), .target = IN(window), .what = "a length", .positive = true,
+       .help = "in place of the area its mean over all radii within D of their own, or D x weight: its\n"
+               "second derivatives are bounded, those of the area itself are not. 0.1 angstrom does for\n"
+               "minimisers and frequencies"},
 
       {"--min-volume", "V", take_length, OF(VOIDS), .target = IN(voids.min_volume), .what = "a volume",
        .help = "only those of volume V or more"},
@@ -153,9 +168,9 @@ const struct option *option_at(size_t i) {
        .help = "that picture before a dark page, with lighter squares for larger areas"},
       {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
       {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S"},
-      {"--begin", "T", take_time, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},
-      {"--end", "T", take_time, OF(CONTACTS), .target = IN(frames.end), .what = "a time"},
-      {"--interval", "DT", take_time, OF(CONTACTS), .target = IN(frames.interval), .what = "a time", .positive = true,
+      {"--begin", "T", take_real, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},
+      {"--end", "T", take_real, OF(CONTACTS), .target = IN(frames.end), .what = "a time"},
+      {"--interval", "DT", take_real, OF(CONTACTS), .target = IN(frames.interval), .what = "a time", .positive = true,
        .help = "for every frame a row of numbers, or with --json a line with the list: see measure"},
 
       {"--from", "X Y Z", take_place, OF(PATH), .target = IN(path.from), .help = ""},
@@ -186,7 +201,7 @@ const struct option *option_at(size_t i) {
        .help = "list tunnels from a point to the outside, the widest first, with the radius along each.\n"
                "With --box to another copy of the point, which lies so many vectors away: for ever.\n"
                "maximum:N is one of those that are listed, atom:N the widest at the atom N of the file,\n"
-               "counted from 0. X Y Z lie among the atoms as FILE has them, also if its box is turned"},
+               "counted from 0. X Y Z lie among the atoms as FILE has them"},
       {"--tunnels-to", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(pores.tunnels_to),
        .help = "instead to this point, or with --box to that copy of it which is best"},
       {"--cheapest", NULL, take_flag, OF(PORES), .target = IN(pores.cheapest),
@@ -196,8 +211,7 @@ const struct option *option_at(size_t i) {
        .help = "so many, each without the bottlenecks of those before it; default 3"},
       {"--points", "OUT", take_path, OF(PORES), .target = IN(pores.points), .what = "a file",
        .help = "also a .pdb or .cif file for viewers with what is listed: a point each, with its radius in\n"
-               "the column of temperature factors, of pockets their maxima and mouths, of tunnels the way;\n"
-               "of a box that is turned where it was before, as in FILE"},
+               "the column of temperature factors, of pockets their maxima and mouths, of tunnels the way"},
       {"--tunnels-out", "OUT.cif", take_path, OF(PORES), .target = IN(pores.tunnels_out), .what = "a file",
        .help = "also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them: radius along the length,\n"
                "layers and the residues that line them, with the atoms of the molecule, as in FILE"},
@@ -382,7 +396,7 @@ const struct option *option_at(size_t i) {
                "where there is no room for it"},
 
       {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES), .words = "file|p1",
-       .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew"},
+       .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or its vectors AX,AY,AZ,BX,BY,BZ,CX,CY,CZ"},
       {"--box", "file", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES),
        .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc, .trr and .dcd,\n"
                "Lattice of .xyz; 1 1 1 stands for none. That of FILE is filled by copies: those by the\n"

@@ -123,12 +123,12 @@ bool take_frames(struct reading *reading, const struct option *option, const cha
 }
 
 /* A time, or a positive one between frames; the request has no finite time, or no interval, where none is given. */
-bool take_time(struct reading *reading, const struct option *option, const char *value) {
-  double *const time = (void *)((char *)reading->request + option->target);
+bool take_real(struct reading *reading, const struct option *option, const char *value) {
+  double *const number = (void *)((char *)reading->request + option->target);
   if (!option_value(reading, option, &value)) return false;
-  if (option->positive ? *time > 0.0 : is_finite(*time)) return option_given_twice(reading, option);
-  if (!option_number(reading, option, value, time)) return false;
-  return !option->positive || *time > 0.0 || failure_in_usage(reading->failure, "%s must be above 0", option->name);
+  if (option->positive ? *number > 0.0 : is_finite(*number)) return option_given_twice(reading, option);
+  if (!option_number(reading, option, value, number)) return false;
+  return !option->positive || *number > 0.0 || failure_in_usage(reading->failure, "%s must be above 0", option->name);
 }
 
 /* ---- the periodic box ---- */
@@ -179,17 +179,13 @@ bool take_box(struct reading *reading, const struct option *option, const char *
   choice->source = BOX_GIVEN;
   memset(choice->vector, 0, sizeof choice->vector);
   if (count == 3) {
-    for (int axis = 0; axis < 3; ++axis) choice->vector[4 * axis] = numbers[axis];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(numbers[axis] > 0.0))
+        return failure_in_usage(reading->failure, "--box: AX, BY and CZ must be larger than 0");
+      choice->vector[4 * axis] = numbers[axis];
+    }
   } else {
     memcpy(choice->vector, numbers, sizeof numbers);
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(choice->vector[4 * axis] > 0.0)) {
-      return failure_in_usage(reading->failure, "--box: AX, BY and CZ must be larger than 0");
-    }
-  }
-  if (choice->vector[1] != 0.0 || choice->vector[2] != 0.0 || choice->vector[5] != 0.0) {
-    return failure_in_usage(reading->failure, "--box: the vectors are AX,0,0, BX,BY,0 and CX,CY,CZ");
   }
   return true;
 }

@@ -39,8 +39,7 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   }
   if (!request->measure.mean) request->csv = false; /* it is the table of frames anyway */
   if (!input_is_standard(path)) return true;
-  if (input_is_standard(request->file) ||
-      (request->measure.weights != NULL && input_is_standard(request->measure.weights))) {
+  if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
     return failure_in_usage(failure, "standard input is one file, not two");
   }
   if (file_format_has(request->format, FILE_FRAMES)) return true;
@@ -79,7 +78,7 @@ static bool check_measure(const struct request *request, struct failure *failure
        "--csv prints one table, of balls or of groups: --interface has no place in it"},
       {measure->surface >= 0 && request->probe == 0.0, "--surface needs a probe, --probe 1.4"},
       {measure->outer && !smooth, "--outer is for the solvent-excluded surface: it needs --surface ses"},
-      {smooth && measure->weights != NULL && measure->gradient,
+      {smooth && request->weights != NULL && measure->gradient,
        "--gradient with --weights is of the solvent-accessible surface: not with --surface ses"},
       {smooth && measure->relative,
        "--relative is of the solvent-accessible surface: it has no use with --surface ses"},
@@ -87,6 +86,10 @@ static bool check_measure(const struct request *request, struct failure *failure
        "--interface is of the solvent-accessible surface: it has no use with --surface ses"},
       {smooth && measure->curvature,
        "--curvature is of the solvent-accessible surface: it has no use with --surface ses"},
+      {smooth && request->window > 0.0,
+       "--window is of the solvent-accessible surface: it has no use with --surface ses"},
+      {csv && request->window > 0.0 && !measure->gradient,
+       "--csv prints one table, of balls or of groups: --window has no place in it but with --gradient"},
       {csv && measure->curvature, "--csv prints one table, of balls or of groups: --curvature has no place in it"},
       {measure->pdb_out != NULL && !file_format_has(request->format, FILE_AREA_COLUMNS),
        "--pdb-out has no use here: it writes a .pdb file again"},
@@ -115,6 +118,7 @@ static bool check_box(const struct request *request, struct failure *failure) {
   const char *other = request->excluded_surface            ? "--surface ses"
                       : request->measure.interface != NULL ? "--interface"
                       : request->boundary.shells           ? "--shells"
+                      : request->window > 0.0              ? "--window"
                       : request->measure.pdb_out != NULL   ? "--pdb-out"
                                                            : NULL;
   return other == NULL || failure_in_usage(failure, "%s is not for a --box", other);
@@ -156,13 +160,16 @@ bool request_check_several(const struct request *request, struct failure *failur
            failure_in_usage(failure, "clash takes two files: the molecule at rest, then the one that is moved");
   }
   if (request->files < 2) return true;
+  if (request->command == COMMAND_HESSIAN && !request->json) {
+    return failure_in_usage(failure, "hessian writes one matrix: it takes one file at a time, or --json");
+  }
   if (request->command == COMMAND_DRAW) return failure_in_usage(failure, "draw takes one file at a time");
   if (request->command == COMMAND_MESH) return failure_in_usage(failure, "mesh takes one file at a time");
   struct output_choice outputs[MOST_OUTPUTS];
   if (request_outputs(request, outputs) > 0) {
     return failure_in_usage(failure, "%s takes one file at a time", outputs[0].option);
   }
-  if (request->measure.weights != NULL && input_is_standard(request->measure.weights)) {
+  if (request->weights != NULL && input_is_standard(request->weights)) {
     return failure_in_usage(failure, "weights from standard input serve for one file");
   }
   return true;
@@ -198,8 +205,7 @@ static bool check_output(const struct request *request, const struct output_choi
 static bool check_files(const struct request *request, struct failure *failure) {
   struct output_choice outputs[MOST_OUTPUTS];
   const int count = request_outputs(request, outputs);
-  if (request->measure.weights != NULL && input_is_standard(request->file) &&
-      input_is_standard(request->measure.weights)) {
+  if (request->weights != NULL && input_is_standard(request->file) && input_is_standard(request->weights)) {
     return failure_in_usage(failure, "standard input is either the molecule or its weights");
   }
   for (int k = 0; k < count; ++k) {

@@ -30,6 +30,10 @@ static const char statuses[] =
     "Several files may be given, but not to mesh and draw: each gives its table or its line of JSON, and one table of\n"
     "--csv has the file as its first column. One that cannot be read has its line on stderr and stops no other.\n"
     "\n"
+    "Numbers of --csv and JSON are in the unit of FILE, angstrom, or of .xyzr its own: lengths, areas in its square,\n"
+    "volumes in its cube; times in ps, or as .xyz says. Balls, shells, maxima and gates count from 0; voids, regions,\n"
+    "pockets, tunnels, models and frames from 1.\n"
+    "\n"
     "Exit status: 0 success, 1 bad input, 2 bad usage, 124 after --timeout, 130 after Ctrl-C; if not 0 one line on\n"
     "stderr says why, and of that file stdout has nothing; of a --trajectory it has the frames before the one at\n"
     "fault. With status 0 a line on stderr tells of names in --only, --hide, --highlight and --radius that nothing\n"
@@ -46,12 +50,12 @@ static const char statuses[] =
 static const char box_text[] = "In a periodic box, whose copies fill space, all images of the balls count:\n";
 
 static const char box_closing[] =
-    "A box whose first vector is not along x is turned, and the atoms with it.\n"
-    "Not with --shells, --surface ses, --interface and --pdb-out.\n";
+    "Vectors may be any three; all that has a direction is told in the frame of the atoms.\n"
+    "Not with --shells, --surface ses, --interface, --window and --pdb-out.\n";
 
 /* Of a boundary. */
 static const char box_json[] =
-    "JSON has <--box 9,9,9..box>: [9], <--box 9,9,9..box_turned>, with the box of FILE <--box 9,9,9..symmetry>: "
+    "JSON has <--box 9,9,9..box>: [9], with the box of FILE <--box 9,9,9..symmetry>: "
     "{space_group, operators, filled, special_positions, matrices}, of images that are left out and of MTRIX records "
     "whose copies are not made, <--box 9,9,9..windings>: [{balls, directions, copies, rows: [[i, j, k], ...]}, ...], "
     "in how many directions each component goes on for ever and by which multiples of the box's vectors, "

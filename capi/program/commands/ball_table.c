@@ -28,13 +28,14 @@ static void add(struct ball_table *made, struct column column, const double *val
 
 /* For programs, by the kind of the derivative; for persons, by what it is of. */
 static void add_derivatives(struct ball_table *made, const struct measurement *measurement) {
-  static const char *const gradients[] = {"area_gradient", "volume_gradient", "weighted_gradient"};
-  static const char *const by_radius[] = {"area_dr", "volume_dr", "weighted_dr"};
-  static const char *const titles[] = {"dA/dx dA/dy dA/dz", "dV/dx dV/dy dV/dz", "dW/dx dW/dy dW/dz"};
-  static const char *const titles_by_radius[] = {"dA/dr", "dV/dr", "dW/dr"};
-  enum { WIDTH = 15, QUANTITIES = 3 };
+  static const char *const gradients[] = {"area_gradient", "volume_gradient", "weighted_gradient", "windowed_gradient"};
+  static const char *const by_radius[] = {"area_dr", "volume_dr", "weighted_dr", "windowed_dr"};
+  static const char *const titles[] = {"dA/dx dA/dy dA/dz", "dV/dx dV/dy dV/dz", "dW/dx dW/dy dW/dz",
+                                       "dM/dx dM/dy dM/dz"};
+  static const char *const titles_by_radius[] = {"dA/dr", "dV/dr", "dW/dr", "dM/dr"};
+  enum { WIDTH = 15, QUANTITIES = 4 };
   const struct gradient *const of[QUANTITIES] = {&measurement->of_area, &measurement->of_volume,
-                                                 &measurement->of_weighted_area};
+                                                 &measurement->of_weighted_area, &measurement->of_windowed_area};
   for (int first = 0; first < QUANTITIES; first += 2) {
     const int behind = first + 2 < QUANTITIES ? first + 2 : QUANTITIES;
     for (int k = first; k < behind; ++k) {

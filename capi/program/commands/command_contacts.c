@@ -175,9 +175,12 @@ static bool pair_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   const hsp_contact *contact = &listed->found->contacts[row];
   (void)text;
   cells[0].quantity = contact->area;
+  const int32_t *const shift = listed->found->shift;
+  int k = 3;
   cells[1].quantity = contact->rim;
   cells[2].quantity = contact->distance;
-  cells[3].shift = listed->found->shift == NULL ? NULL : listed->found->shift + 3 * row;
+  if (shift != NULL) cells[k++].shift = shift + 3 * row;
+  cells[k].quantity = contact->rim;
   return contact->area >= listed->request->contacts.least;
 }
 
@@ -223,6 +226,7 @@ static bool between_row(const void *of, size_t row, union cell cells[MOST_COLUMN
   cells[0].quantity = sum->area;
   cells[1].quantity = sum->rim;
   cells[2].count = sum->contacts;
+  cells[3].quantity = sum->rim;
   return sum->area >= listed->request->contacts.least;
 }
 
@@ -235,26 +239,36 @@ static bool cell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   return true;
 }
 
-/* The table that is listed: pairs of balls, of residues or of chains. */
+/* The table that is listed: pairs of balls, of residues or of chains. Rims were called edges once, and programs find
+ * them by either name. */
 static struct table table_of_pairs(const struct listed *listed) {
   static const struct column columns[] = {
       {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},
-      {"edge", NULL, "edge, @", 16, COLUMN_QUANTITY, 4},
+      {"rim", NULL, "rim, @", 16, COLUMN_QUANTITY, 4},
       {"distance", NULL, "distance, @", 18, COLUMN_QUANTITY, 4},
-      {"shift", NULL, "shift of second", 14, COLUMN_SHIFT, 0}, /* in a box */
+      {"edge", NULL, NULL, 0, COLUMN_QUANTITY, 0},
+  };
+  static const struct column columns_in_box[] = {
+      {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},
+      {"rim", NULL, "rim, @", 16, COLUMN_QUANTITY, 4},
+      {"distance", NULL, "distance, @", 18, COLUMN_QUANTITY, 4},
+      {"shift", NULL, "shift of second", 14, COLUMN_SHIFT, 0},
+      {"edge", NULL, NULL, 0, COLUMN_QUANTITY, 0},
   };
   static const struct column between_columns[] = {
       {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},
-      {"edge", NULL, "edge, @", 16, COLUMN_QUANTITY, 4},
+      {"rim", NULL, "rim, @", 16, COLUMN_QUANTITY, 4},
       {"atom_pairs", NULL, "atom pairs", 14, COLUMN_COUNT, 0},
+      {"edge", NULL, NULL, 0, COLUMN_QUANTITY, 0},
   };
   const struct findings *found = listed->found;
   const struct file_format *format = listed->rows.molecule->format;
   if (listed->request->by != GROUPING_NONE) {
-    return (struct table){between_columns, 3, format, found->between_count, listed, between_row, lead_between};
+    return (struct table){between_columns, 4, format, found->between_count, listed, between_row, lead_between};
   }
-  return (struct table){columns,  found->shift == NULL ? 3 : 4, format, found->contact_count, listed, pair_row,
-                        lead_pair};
+  const bool boxed = found->shift != NULL;
+  return (struct table){
+      boxed ? columns_in_box : columns, boxed ? 5 : 4, format, found->contact_count, listed, pair_row, lead_pair};
 }
 
 static struct table table_of_cells(const struct listed *listed) {

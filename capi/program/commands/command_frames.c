@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "commands/frame_range.h"
-#include "commands/unit_cell.h"
 #include "read/line_reader.h"
 #include "read/progress.h"
 #include "read/threads.h"
@@ -103,7 +102,6 @@ static void work_on_frame(void *of, uint32_t worker, uint32_t slot) {
   const char *const file = failure->file;
   if (!frame->done) return;
   frame->out.length = 0;
-  unit_cell_turn(request, &frame->molecule);
   const struct frame_work *const to_do = frames->work;
   frame->done =
       geometry_set_model(geometry, &frame->molecule, request->probe, 0.0, failure) &&

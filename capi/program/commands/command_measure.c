@@ -127,9 +127,10 @@ void describe_measure(const struct request *request, struct record *record) {
   struct measurement *const of = &none.measurement;
   asked.excluded_surface = request->measure.surface == 1;
   if (request_wants_part(request)) of->part = part;
-  if (request->measure.weights != NULL) of->weights = some;
+  if (request->weights != NULL) of->weights = some;
   if (request->measure.gradient) of->of_area = of->of_volume = derivatives;
   if (request->measure.gradient && of->weights != NULL) of->of_weighted_area = derivatives;
+  if (request->measure.gradient && request->window > 0.0) of->of_windowed_area = derivatives;
   none.groups.grouping = request->by;
   if (request->measure.mean) {
     measure_mean_describe(request, record);

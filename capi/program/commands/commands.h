@@ -15,7 +15,7 @@ typedef bool command_function(const struct request *request, const struct molecu
 
 command_function command_model, command_boundary, command_measure, command_voids, command_contacts, command_complex;
 command_function command_cells, command_path, command_gate, command_pores, command_query, command_mesh, command_map;
-command_function command_pick, command_draw;
+command_function command_pick, command_draw, command_hessian;
 
 /* One of two molecules, as it was asked for. */
 struct molecule_request {
@@ -33,11 +33,11 @@ command_of_two command_clash;
 /* Whether options of the command go together, and with the file that is named. Adds what follows from others. */
 typedef bool command_check(struct request *request, struct failure *failure);
 
-command_check check_pores, check_mesh, check_draw;
+command_check check_hessian, check_pores, check_mesh, check_draw;
 
 /* The keys of JSON that the command writes with these options, into a record that takes no more: what help lists. */
 typedef void command_describe(const struct request *request, struct record *record);
 
 command_describe describe_model, describe_boundary, describe_measure, describe_voids, describe_contacts,
     describe_complex, describe_cells, describe_path, describe_gate, describe_pores, describe_clash, describe_query,
-    describe_mesh, describe_map, describe_pick, describe_draw;
+    describe_mesh, describe_map, describe_pick, describe_draw, describe_hessian;

@@ -46,16 +46,11 @@ static void add(struct image_table *table, uint32_t atom, const double error[3])
 
 bool image_table_begin(struct image_table *table, const struct molecule *molecule, size_t most,
                        struct failure *failure) {
-  const double *v = molecule->frame.box.vector;
   memset(table, 0, sizeof *table);
   table->molecule = molecule;
-  /* Distances between opposite faces: the volume through their areas. */
-  const double volume = v[0] * v[4] * v[8];
-  const double slope = v[3] * v[7] - v[4] * v[6];
-  const double across[3] = {volume / hypot(hypot(v[4] * v[8], v[3] * v[8]), slope), volume / (v[0] * hypot(v[7], v[8])),
-                            v[8]};
   for (int k = 0; k < 3; ++k) {
-    table->cells[k] = across[k] >= MOST_CELLS ? MOST_CELLS : across[k] >= 1.0 ? (int64_t)across[k] : 1;
+    const double across = box_distance(&molecule->frame.box, k);
+    table->cells[k] = across >= MOST_CELLS ? MOST_CELLS : across >= 1.0 ? (int64_t)across : 1;
   }
   table->buckets = 64;
   while (table->buckets < most && table->buckets < MOST_BUCKETS) table->buckets *= 2;

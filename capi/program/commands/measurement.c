@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "commands/excluded_surface.h"
+#include "commands/radius_window.h"
 #include "read/weights.h"
 
 static double *allocate(const struct molecule *molecule, size_t numbers_per_atom, struct failure *failure) {
@@ -187,11 +188,62 @@ static bool measure_curvatures(const struct molecule *molecule, const struct geo
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+/* Of a windowed area; the second pair is that of the side that is added. */
+struct windowed_area {
+  double value;
+  struct gradient sum, side;
+  uint32_t atoms;
+};
+
+static bool add_side(void *of, const struct geometry *side, double factor, struct failure *failure) {
+  struct windowed_area *const windowed = of;
+  const hsp_gradient_request request = {.struct_size = sizeof request, .pressure = factor};
+  hsp_energy energy;
+  hsp_gradient_outputs outputs = {.struct_size = sizeof outputs,
+                                  .capacity = windowed->atoms,
+                                  .energy = &energy,
+                                  .d_centre = windowed->side.centre,
+                                  .d_radius = windowed->side.radius};
+  const int32_t status = hsp_boundary_get_gradient(side->work.boundary, &request, &outputs);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  windowed->value += energy.value;
+  for (size_t k = 0; windowed->sum.centre != NULL && k < 3 * (size_t)windowed->atoms; ++k) {
+    windowed->sum.centre[k] += windowed->side.centre[k];
+  }
+  for (size_t k = 0; windowed->sum.radius != NULL && k < windowed->atoms; ++k) {
+    windowed->sum.radius[k] += windowed->side.radius[k];
+  }
+  return true;
+}
+
+/* The mean over the window, of a part over radii of its balls alone. */
+static bool measure_window(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                           struct measurement *measurement, struct failure *failure) {
+  const double *const weights = measurement->weights != NULL ? measurement->weights : measurement->part_weights;
+  const struct radius_window window = {request->probe, request->window, weights};
+  struct gradient *const gradient = &measurement->of_windowed_area;
+  struct windowed_area windowed = {.atoms = molecule->atoms};
+  bool done = true;
+  progress_show(&geometry->progress, "measuring the window");
+  if (request->measure.gradient) {
+    done = allocate_gradient(molecule, gradient, failure) && allocate_gradient(molecule, &windowed.side, failure);
+    for (size_t k = 0; done && k < molecule->atoms; ++k) {
+      gradient->centre[3 * k] = gradient->centre[3 * k + 1] = gradient->centre[3 * k + 2] = gradient->radius[k] = 0.0;
+    }
+    windowed.sum = *gradient;
+  }
+  done = done && radius_window_for_each_side(&window, molecule, geometry, add_side, &windowed, failure);
+  measurement->windowed_area = windowed.value;
+  free(windowed.side.centre);
+  free(windowed.side.radius);
+  return done;
+}
+
 bool measurement_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct measurement *measurement, struct failure *failure) {
   memset(measurement, 0, sizeof *measurement);
-  const bool weighted = request->measure.weights != NULL;
-  if (weighted && !weights_read(request->measure.weights, "weight", molecule->atoms, &measurement->weights, failure))
+  const bool weighted = request->weights != NULL;
+  if (weighted && !weights_read(request->weights, "weight", molecule->atoms, &measurement->weights, failure))
     return false;
   if (!measurement_find_part(request, molecule, measurement, failure)) return false;
   /* Edges curve between two balls, and derivatives are by the others, too. */
@@ -209,6 +261,7 @@ bool measurement_make(const struct request *request, const struct molecule *mole
                       : &measurement->other_area) += measurement->area[i];
   }
   if (weighted && !measure_weighted_area(request, molecule->atoms, geometry, measurement, failure)) return false;
+  if (request->window > 0.0 && !measure_window(request, molecule, geometry, measurement, failure)) return false;
   if (request->measure.curvature && !measure_curvatures(molecule, geometry, measurement, failure)) return false;
   if (!request->measure.gradient) return true;
   progress_show(&geometry->progress, "computing derivatives");
@@ -238,10 +291,15 @@ void measurement_quantities(const struct request *request, const struct measurem
       {smooth, {"convex_area", "convex area", "@^2, where the probe touches one atom", surface->convex_area}},
       {smooth, {"saddle_area", "saddle area", "@^2, where it touches two", surface->saddle_area}},
       {smooth, {"concave_area", "concave area", "@^2, where it touches three", surface->concave_area}},
-      {request->measure.weights != NULL,
+      {request->weights != NULL,
        {"weighted_area", "weighted area",
         smooth ? ", the sum of weight x share of the area" : ", the sum of weight x free area",
         measurement->weighted_area}},
+      {request->window > 0.0,
+       {"windowed_area", "windowed area",
+        request->weights != NULL ? ", the mean of the weighted area over the window of radii"
+                                 : "@^2, its mean over the window of radii",
+        measurement->windowed_area}},
       {request->measure.polar,
        {"polar_area", "polar area", "@^2, of nitrogen, oxygen and their hydrogens", measurement->polar_area}},
       {request->measure.polar,
@@ -261,7 +319,8 @@ void measurement_free(struct measurement *measurement) {
   periodic_result_free(&measurement->box);
   free(measurement->area);
   free(measurement->weights);
-  struct gradient *const gradients[] = {&measurement->of_area, &measurement->of_volume, &measurement->of_weighted_area};
+  struct gradient *const gradients[] = {&measurement->of_area, &measurement->of_volume, &measurement->of_weighted_area,
+                                        &measurement->of_windowed_area};
   for (size_t i = 0; i < sizeof gradients / sizeof gradients[0]; ++i) {
     free(gradients[i]->centre);
     free(gradients[i]->radius);

@@ -21,6 +21,8 @@ struct measurement {
   struct gradient of_area;
   struct gradient of_volume;
   struct gradient of_weighted_area;
+  double windowed_area; /* if there is a window: its mean, with derivatives if these are wanted */
+  struct gradient of_windowed_area;
   hsp_curvatures curvatures;                  /* if they were asked for */
   double polar_area, apolar_area, other_area; /* if they were asked for */
   struct periodic_result box;                 /* if there is one; then all of this is of what is in it */

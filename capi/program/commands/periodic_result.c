@@ -23,7 +23,6 @@ bool periodic_result_find_box(const struct request *request, const struct molecu
                             faulty ? own->fault : "");
   }
   memcpy(box, own->vector, sizeof own->vector);
-  result->turned = own->turned;
   if (molecule->frame.number == 0) result->symmetry = &molecule->symmetry;
   return true;
 }
@@ -84,11 +83,7 @@ static void record_windings(struct record *record, const struct periodic_result 
 
 void periodic_result_record_box(struct record *record, const struct periodic_result *result) {
   record_numbers(record, "box", result->box, 9);
-  if (record->form == AS_JSON) record_whether(record, "box_turned", NULL, result->turned, "");
   if (result->symmetry != NULL) unit_cell_record(record, result->symmetry);
-  if (result->turned) {
-    record_text(record, NULL, "box", "turned, and the atoms with it, so that its first vector is along x", "");
-  }
 }
 
 void periodic_result_record(struct record *record, const struct periodic_result *result) {

@@ -12,7 +12,6 @@
 struct periodic_result {
   const hsp_periodic *periodic; /* the geometry's */
   double box[9];
-  bool turned;                     /* that of the file was, and the atoms with it */
   const struct symmetry *symmetry; /* the molecule's; NULL if the box is not that of its file */
   hsp_periodic_counts counts;
   hsp_periodic_totals totals;

@@ -37,7 +37,7 @@ static size_t add_pocket(const struct pores_found *found, uint32_t pocket, struc
 }
 
 /* Of the lists for persons, in the frame of the file. */
-static bool write_points(const struct pores_found *found, const struct molecule *molecule, struct failure *failure) {
+static bool write_points(const struct pores_found *found, struct failure *failure) {
   const struct request *const request = found->request;
   const uint32_t maxima = found->counts.maxima, gates = found->counts.gates, pockets = found->pocket_count;
   const bool others = request->pores.gates || request->pores.pockets >= 0.0 || request->pores.tunnels_from.point.given;
@@ -72,7 +72,6 @@ static bool write_points(const struct pores_found *found, const struct molecule 
     };
     memcpy(points[count++].xyz, at->xyz, sizeof at->xyz);
   }
-  for (size_t i = 0; i < count; ++i) box_turn_back(&molecule->frame.box, points[i].xyz);
   const bool done = point_file_write(points, count, request->pores.points, failure);
   free(points);
   return done;
@@ -80,7 +79,7 @@ static bool write_points(const struct pores_found *found, const struct molecule 
 
 bool pores_write_files(const struct pores_found *found, const struct molecule *molecule, struct failure *failure) {
   const struct request *const request = found->request;
-  return (request->pores.points == NULL || write_points(found, molecule, failure)) &&
+  return (request->pores.points == NULL || write_points(found, failure)) &&
          (request->pores.tunnels_out == NULL ||
           tunnel_exchange_write(found, molecule, request->pores.tunnels_out, failure)) &&
          (request->pores.profile == NULL || pictures.tunnels(found, molecule, request->pores.profile, failure)) &&

@@ -93,11 +93,10 @@ static bool take_pockets(const struct geometry *geometry, struct pores_found *fo
          take_lists(pores, *count, hsp_pores_get_pocket_maxima, &found->of_pockets, failure);
 }
 
-/* The point that an option names in the frame of the file, a maximum, or the widest one at an atom. */
+/* The point that an option names, a maximum, or the widest one at an atom. */
 static bool find_place(const struct molecule *molecule, const struct pores_found *found, const char *option,
                        const struct place *place, double point[3], struct failure *failure) {
   memcpy(point, place->point.xyz, sizeof place->point.xyz);
-  if (place->of_maximum == 0 && place->of_atom == 0) box_turn_in(&molecule->frame.box, point);
   if (place->of_maximum > found->counts.maxima) {
     return failure_in_input(failure, 0, "%s: there is no maximum %" PRIu64 " among %" PRIu32 ", from 0 on", option,
                             place->of_maximum - 1, found->counts.maxima);

@@ -11,12 +11,13 @@ bool request_wants_balls(const struct request *request) {
 
 bool request_wants_areas(const struct request *request) {
   return request_wants_balls(request) || request->by != GROUPING_NONE || request->measure.pdb_out != NULL ||
-         request->measure.polar || (request->excluded_surface && request->measure.weights != NULL);
+         request->measure.polar || (request->excluded_surface && request->weights != NULL);
 }
 
 bool request_wants_places(const struct request *request) {
   return request->command != COMMAND_MEASURE || request_wants_balls(request) || request->measure.interface != NULL ||
-         request->measure.pdb_out != NULL || request->box.source != BOX_NONE || request->trajectory != NULL;
+         request->window > 0.0 || request->measure.pdb_out != NULL || request->box.source != BOX_NONE ||
+         request->trajectory != NULL;
 }
 
 bool request_wants_part(const struct request *request) {
@@ -24,7 +25,7 @@ bool request_wants_part(const struct request *request) {
 }
 
 bool request_reads(const struct request *request, const char *path) {
-  const char *const inputs[] = {request->file,       request->trajectory, request->measure.weights,
+  const char *const inputs[] = {request->file,       request->trajectory, request->weights,
                                 request->radii_file, request->index_file, request->drawing.colour_file};
   for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; ++i) {
     if (inputs[i] != NULL && output_is_input(path, inputs[i])) return true;

@@ -22,6 +22,7 @@ enum command {
   COMMAND_MODEL,
   COMMAND_BOUNDARY,
   COMMAND_MEASURE,
+  COMMAND_HESSIAN,
   COMMAND_VOIDS,
   COMMAND_CONTACTS,
   COMMAND_COMPLEX,
@@ -62,9 +63,14 @@ struct measure_request {
   bool outer;            /* of the outer cell alone */
   bool mean;             /* over the frames, in place of a row of each */
   const char *interface; /* two groups of chains, or NULL */
-  const char *weights;   /* a file, or NULL */
   const char *pdb_out;   /* a file, or NULL */
   struct selection part; /* the atoms that are measured, while all others only block */
+};
+
+/* Neither is finite where it is not given. */
+struct hessian_request {
+  double tension;  /* of the area */
+  double pressure; /* of the volume */
 };
 
 struct voids_request {
@@ -148,6 +154,8 @@ struct request {
   uint32_t threads;             /* 0: as many as the machine has processors */
   double timeout;               /* in seconds; below 0 if there is none */
 
+  const char *weights;    /* of areas: a file, or NULL; of `measure` and `hessian` */
+  double window;          /* of radii, over which areas are averaged; 0: none; likewise */
   bool csv;               /* of those that list something */
   enum grouping by;       /* of `measure` and `contacts` */
   struct box_choice box;  /* likewise, and of `boundary` and `pores` */
@@ -159,6 +167,7 @@ struct request {
 
   struct boundary_request boundary;
   struct measure_request measure;
+  struct hessian_request hessian;
   struct voids_request voids;
   struct contacts_request contacts;
   struct way_request path, gate;

@@ -160,9 +160,7 @@ static void add_sites(struct text_buffer *out, const struct molecule *molecule) 
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *const label = &molecule->label[i];
     const struct residue_label *const residue = label->residue;
-    double xyz[3];
-    memcpy(xyz, molecule->xyz + 3 * (size_t)i, sizeof xyz);
-    box_turn_back(&molecule->frame.box, xyz);
+    const double *const xyz = molecule->xyz + 3 * (size_t)i;
     const struct site site = {label->hetatm ? "HETATM" : "ATOM",
                               label->element.text,
                               label->name,
@@ -224,10 +222,7 @@ static void add_profile(struct text_buffer *out, const struct tunnel_lining *tun
     add_number(out, free_radius(tunnel, point->xyz));
     add_number(out, steps[i].length);
     text_buffer_add(out, "%ld.%06ld ", millionths / MILLION, millionths % MILLION);
-    double xyz[3];
-    memcpy(xyz, point->xyz, sizeof xyz);
-    box_turn_back(&tunnel->molecule->frame.box, xyz);
-    for (int axis = 0; axis < 3; ++axis) add_number(out, xyz[axis]);
+    for (int axis = 0; axis < 3; ++axis) add_number(out, point->xyz[axis]);
     text_buffer_add(out, "%d\n", add_up(tunnel, tunnel->near[i], &positive, &negative, &hydropathy));
   }
 }

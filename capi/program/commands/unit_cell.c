@@ -155,10 +155,24 @@ static bool are_near(const struct box_record *a, const struct box_record *b) {
   return true;
 }
 
-/* Turn the box so that it is upright, and the atoms with it; before that the operators, if they are to be used, become
- * those of fractions. A few entries of the PDB have a frame and an origin of their own, which SCALE tells, if it is no
- * mere identity. */
-static bool turn(struct molecule *molecule, bool with_operators, struct failure *failure) {
+/* The components of each vector along three unit vectors at right angles, or from these. */
+static void vectors_along(const double vector[9], const double axis[9], double out[9]) {
+  for (int k = 0; k < 9; ++k) {
+    const double *const v = vector + 3 * (k / 3), *const u = axis + 3 * (k % 3);
+    out[k] = v[0] * u[0] + v[1] * u[1] + v[2] * u[2];
+  }
+}
+static void vectors_from(const double along[9], const double axis[9], double out[9]) {
+  for (int k = 0; k < 9; ++k) {
+    const double *const v = along + 3 * (k / 3), *const u = axis + k % 3;
+    out[k] = v[0] * u[0] + v[1] * u[3] + v[2] * u[6];
+  }
+}
+
+/* Put the box into the frame of the atoms: a few entries of the PDB have a frame and an origin of their own, which
+ * SCALE tells, if it is no mere identity. Its six decimals say how the box lies, lengths and angles what it is. The
+ * operators, if they are to be used, become those of fractions. */
+static bool settle(struct molecule *molecule, bool with_operators, struct failure *failure) {
   struct box_record *box = &molecule->frame.box;
   struct symmetry *symmetry = &molecule->symmetry;
   const struct box_record plain = *box;
@@ -166,20 +180,16 @@ static bool turn(struct molecule *molecule, bool with_operators, struct failure 
   const bool scaled = symmetry->scaled[0] && symmetry->scaled[1] && symmetry->scaled[2];
   if (scaled) vectors_of_scale(symmetry->scale, &frame);
   struct box_record upright = frame;
-  box_turn_upright(&upright, NULL, 0);
+  double axis[9];
+  box_axes(&frame, axis);
+  vectors_along(frame.vector, axis, upright.vector);
   const bool fits = scaled && are_near(&plain, &upright);
   const bool elsewhere = fits && !are_near(&plain, &frame);
   if (!fits || symmetry->cartesian) memset(symmetry->origin, 0, sizeof symmetry->origin);
   if (elsewhere) *box = frame;
   if (with_operators && !make_operators(molecule, failure)) return false;
-  box_turn_upright(box, molecule->xyz, molecule->atoms);
-  if (elsewhere) memcpy(box->vector, plain.vector, sizeof box->vector);
+  if (elsewhere) vectors_from(plain.vector, axis, box->vector);
   return true;
-}
-
-void unit_cell_turn(const struct request *request, struct molecule *molecule) {
-  struct box_record *box = &molecule->frame.box;
-  if (request->box.source == BOX_OF_FILE && box->given) box_turn_upright(box, molecule->xyz, molecule->atoms);
 }
 
 bool unit_cell_fill(const struct request *request, struct molecule *molecule, struct failure *failure) {
@@ -187,7 +197,7 @@ bool unit_cell_fill(const struct request *request, struct molecule *molecule, st
   const uint32_t atoms = molecule->atoms;
   if (request->box.source != BOX_OF_FILE || !molecule->frame.box.given) return true;
   const bool fills = !request->box.without_copies && symmetry->count > 1;
-  if (!turn(molecule, fills, failure)) return false;
+  if (!settle(molecule, fills, failure)) return false;
   if (!fills) return true;
   struct image_table there;
   const size_t most = (size_t)atoms * (symmetry->count + 1);

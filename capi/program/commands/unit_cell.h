@@ -8,14 +8,11 @@
 #include "read/molecule.h"
 #include "write/record.h"
 
-/* If the box of the file is asked for, turn it and the atoms so that it is upright. */
-void unit_cell_turn(const struct request *request, struct molecule *molecule);
-
-/* The same, and fill it: behind the atoms come their copies by the operators of the file, one operator after the other,
- * each copy moved as a whole by vectors of the box, so that the mean of its centres lies in it. An image is left out if
- * the digits of the file do not tell it from an atom of its element that is there, whatever its occupancy is: that of
- * an atom on a rotation axis, a mirror or a centre, or one that the file has already. Nothing is done without
- * operators, or if the user does not want copies. */
+/* If the box of the file is asked for, see that it lies as the atoms do, and fill it: behind the atoms come copies
+ * by the operators of the file, one operator after the other, each copy moved as a whole by vectors of the box, so that
+ * the mean of its centres lies in it. An image is left out if the digits of the file do not tell it from an atom of its
+ * element that is there, whatever its occupancy is: that of an atom on a rotation axis, a mirror or a centre, or one
+ * that the file has already. No copies are made without operators, or if the user does not want them. */
 bool unit_cell_fill(const struct request *request, struct molecule *molecule, struct failure *failure);
 
 /* The symmetry that there is, and what was made of it. */

@@ -41,7 +41,7 @@ void box_from_angles(const double length[3], const double angle[3], struct box_r
   box->given = !box->denied;
 }
 
-/* Of three vectors: positive where they are right-handed. */
+/* Of three vectors: below 0 where they are left-handed. */
 static double volume_of(const double v[9]) {
   return v[0] * (v[4] * v[8] - v[5] * v[7]) - v[1] * (v[3] * v[8] - v[5] * v[6]) + v[2] * (v[3] * v[7] - v[4] * v[6]);
 }
@@ -52,7 +52,6 @@ void box_from_vectors(const double vector[9], struct box_record *box) {
   box->denied = is_placeholder(vector) || volume == 0.0 || !is_finite(volume);
   if (box->denied) return;
   memcpy(box->vector, vector, sizeof box->vector);
-  for (int k = 6; k < 9 && volume < 0.0; ++k) box->vector[k] = 0.0 - box->vector[k];
   box->given = true;
 }
 
@@ -134,46 +133,26 @@ void box_fractions(const struct box_record *box, const double point[3], double o
   }
 }
 
-bool box_is_upright(const struct box_record *box) {
-  const double *v = box->vector;
-  return v[1] == 0.0 && v[2] == 0.0 && v[5] == 0.0 && v[0] > 0.0 && v[4] > 0.0 && v[8] > 0.0;
+static void cross(const double *a, const double *b, double out[3]) {
+  for (int k = 0; k < 3; ++k) out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-/* The part of v along the unit vector u. */
-static double along(const double *v, const double *u) {
-  return v[0] * u[0] + v[1] * u[1] + v[2] * u[2];
+static double length_of(const double *v) {
+  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-void box_turn_upright(struct box_record *box, double *xyz, size_t count) {
-  if (box_is_upright(box)) return;
-  const double *v = box->vector;
-  double *const axis = box->axis; /* at right angles: a, what b has beside it, and their cross product */
-  const double a = sqrt(along(v, v));
+double box_distance(const struct box_record *box, int k) {
+  double across[3];
+  cross(box->vector + 3 * ((k + 1) % 3), box->vector + 3 * ((k + 2) % 3), across);
+  return fabs(volume_of(box->vector)) / length_of(across);
+}
+
+void box_axes(const struct box_record *box, double axis[9]) {
+  const double *const v = box->vector, a = length_of(v);
   for (int k = 0; k < 3; ++k) axis[k] = v[k] / a;
-  const double shared = along(v + 3, axis);
+  const double shared = v[3] * axis[0] + v[4] * axis[1] + v[5] * axis[2];
   for (int k = 0; k < 3; ++k) axis[3 + k] = v[3 + k] - shared * axis[k];
-  const double b = sqrt(along(axis + 3, axis + 3));
+  const double b = length_of(axis + 3);
   for (int k = 0; k < 3; ++k) axis[3 + k] /= b;
-  for (int k = 0; k < 3; ++k) {
-    const int l = (k + 1) % 3, m = (k + 2) % 3;
-    axis[6 + k] = axis[l] * axis[3 + m] - axis[m] * axis[3 + l];
-  }
-  const double turned[9] = {
-      a, 0.0, 0.0, shared, b, 0.0, along(v + 6, axis), along(v + 6, axis + 3), along(v + 6, axis + 6)};
-  memcpy(box->vector, turned, sizeof turned);
-  box->turned = true;
-  for (size_t i = 0; i < count; ++i) box_turn_in(box, xyz + 3 * i);
-}
-
-void box_turn_in(const struct box_record *box, double point[3]) {
-  if (!box->turned) return;
-  const double *const axis = box->axis;
-  const double moved[3] = {along(point, axis), along(point, axis + 3), along(point, axis + 6)};
-  memcpy(point, moved, sizeof moved);
-}
-
-void box_turn_back(const struct box_record *box, double point[3]) {
-  if (!box->turned) return;
-  const double turned[3] = {point[0], point[1], point[2]};
-  combine(box->axis, turned, point);
+  cross(axis, axis + 3, axis + 6);
 }

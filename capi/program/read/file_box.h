@@ -11,9 +11,7 @@ struct box_record {
   bool given;
   bool denied;       /* what the file has is none: lengths of 0, or 1 1 1 as a placeholder */
   const char *fault; /* why it is none, where there is more to say, not owned; or NULL */
-  bool turned;       /* it was not upright, and the atoms were turned with it */
-  double vector[9];  /* a, b, c, in the frame of the atoms; c points to the other side where they are left-handed */
-  double axis[9];    /* if it was turned: what is now along x, y and z, three unit vectors in the frame of the file */
+  double vector[9];  /* a, b, c, in the frame of the atoms */
 };
 
 /* From the lengths of the vectors and the angles between them, b and c, c and a, a and b, in degrees, as
@@ -37,14 +35,8 @@ void box_point(const struct box_record *box, const double fraction[3], double ou
 /* The fractions of the vectors that a point is at. */
 void box_fractions(const struct box_record *box, const double point[3], double out[3]);
 
-/* Whether a is along x and b in the plane of x and y, each to the side of its axis. */
-bool box_is_upright(const struct box_record *box);
+/* The distance of the two faces that vector k leads across. */
+double box_distance(const struct box_record *box, int k);
 
-/* Turn the box so that it is upright, and the points [count][3] with it. */
-void box_turn_upright(struct box_record *box, double *xyz, size_t count);
-
-/* Turn a point with the box, from the frame of the file; of a box that was not turned it stays where it is. */
-void box_turn_in(const struct box_record *box, double point[3]);
-
-/* Turn a point back into the frame of the file; of a box that was not turned it stays where it is. */
-void box_turn_back(const struct box_record *box, double point[3]);
+/* Three unit vectors at right angles: along a, along what b has beside it, and their cross product. */
+void box_axes(const struct box_record *box, double axis[9]);

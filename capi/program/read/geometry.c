@@ -24,7 +24,7 @@ void geometry_share_work(struct geometry *geometry, uint32_t threads, uint32_t b
   executor->proceed = stopping_proceed;
 }
 
-static const hsp_executor *executor_of(const struct geometry *geometry) {
+const hsp_executor *geometry_executor(const struct geometry *geometry) {
   return geometry->executor.workers > 1 ? &geometry->executor : stopping_executor();
 }
 
@@ -45,6 +45,7 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
   if (status != HSP_OK) return failure_in_library(failure, status);
   options.probe = probe;
   options.step = step;
+  options.largest_radius = geometry->largest_radius;
   progress_show(&geometry->progress, "building the model");
   uint32_t first_bad = HSP_NONE;
   geometry->work.executor = stopping_executor();
@@ -77,7 +78,7 @@ bool geometry_compute_boundary(struct geometry *geometry, struct failure *failur
 bool geometry_compute_boundary_of(struct geometry *geometry, const uint8_t *selected, struct failure *failure) {
   progress_show(&geometry->progress, "computing the boundary");
   const hsp_boundary_request request = {
-      .struct_size = sizeof request, .reserved = 0, .executor = executor_of(geometry), .selected = selected};
+      .struct_size = sizeof request, .reserved = 0, .executor = geometry_executor(geometry), .selected = selected};
   int32_t status = hsp_workspace_boundary_with(&geometry->work, &request);
   if (status == HSP_E_MEMORY && request.executor->workers > 1) { /* each thread needs some of its own */
     geometry->executor.workers = 1;
@@ -92,7 +93,7 @@ bool geometry_compute_boundary_of(struct geometry *geometry, const uint8_t *sele
 bool geometry_measure(const struct geometry *geometry, uint32_t balls, const uint8_t *selected, hsp_totals *totals,
                       double *area, struct failure *failure) {
   const hsp_measure_request request = {
-      .struct_size = (uint32_t)sizeof request, .selected = selected, .executor = executor_of(geometry)};
+      .struct_size = (uint32_t)sizeof request, .selected = selected, .executor = geometry_executor(geometry)};
   hsp_measure_outputs outputs = {
       .struct_size = (uint32_t)sizeof outputs, .capacity = area == NULL ? 0 : balls, .totals = totals, .area = area};
   const int32_t status = hsp_boundary_get_measures(geometry->work.boundary, &request, &outputs);
@@ -147,11 +148,9 @@ bool geometry_compute_periodic(struct geometry *geometry, const struct molecule 
     geometry->periodic_limits = limits;
     status = make_periodic(geometry);
   }
-  if (status == HSP_E_ARGUMENT) {
-    return failure_in_input(failure, 0, "the box: its vectors must be AX,0,0, BX,BY,0 and CX,CY,CZ");
-  }
   if (status == HSP_E_RANGE) {
-    return failure_in_input(failure, 0, "the box is too thin for the balls, too large, or a ball is too far from it");
+    return failure_in_input(failure, 0,
+                            "the box is flat, too thin for the balls, too large, or a ball is too far from it");
   }
   return status == HSP_OK || failure_in_library(failure, status);
 }

@@ -12,6 +12,7 @@ enum { MISFIT_BYTES = 256 };
 
 struct geometry {
   hsp_workspace work;        /* zeros at first */
+  double largest_radius;     /* for which the lattice is chosen; 0: that of the balls */
   double largest_rounding;   /* of all models that were made, as hsp_model_info has it */
   struct progress progress;  /* of what is done here; not watched at first */
   hsp_executor executor;     /* geometry_share_work; zeros: the calling thread alone */
@@ -32,6 +33,9 @@ struct geometry {
 
 /* Let as many threads share what follows, as far as sets of so many balls have enough for them. */
 void geometry_share_work(struct geometry *geometry, uint32_t threads, uint32_t balls);
+
+/* The threads that share it; NULL: the calling thread alone. */
+const hsp_executor *geometry_executor(const struct geometry *geometry);
 
 /* Area and volume of all, and of each ball unless `area` is NULL, from the boundary. */
 bool geometry_measure(const struct geometry *geometry, uint32_t balls, const uint8_t *selected, hsp_totals *totals,

@@ -23,7 +23,7 @@ import contextlib
 import math
 from typing import Any, Iterator, NamedTuple, Sequence
 
-from . import _interface
+from . import _interface, constants
 from ._calls import Error, Handle, Misshapen, Record, Result, called, library, numpy, shape_of
 from ._interface import *  # noqa: F401,F403
 from ._interface import (Boundary, Contacts, Mesh, Model, Periodic, Pores, Sticks, Surface, Topology, View)
@@ -232,7 +232,8 @@ class Balls(_Set):
     def mesh(self, edge: float, smooth: bool = False) -> Triangles:
         """Triangles with edges of about that length: of the union's surface, or of the smooth one."""
         source = self._handle(Surface, self.boundary) if smooth else self.boundary
-        mesh = self._handle(Mesh, source, edge, key=edge, compute="compute_surface" if smooth else "compute")
+        with called(edge_length="edge"):
+            mesh = self._handle(Mesh, source, edge, key=edge, compute="compute_surface" if smooth else "compute")
         points = mesh.get_vertices()
         return Triangles(points.xyz, mesh.get_triangles(only="corners"), points.normals, points.balls)
 
@@ -277,7 +278,7 @@ def _stick_of(first: int, second: int, kind: Any = 1) -> Any:
 
 
 class Box(_Set):
-    """Balls in a periodic box. vectors: three lengths, or [3][3] with the first along x, the second in the x-y plane.
+    """Balls in a periodic box. vectors: three lengths, or [3][3], any three. All that has a direction is in their frame.
     areas_alone: areas and their gradient are all that is asked for, in a third of the time; volumes are None."""
 
     def __init__(self, centers: Any, radii: Any, vectors: Any, probe: float = 0.0, threads: int = 1,
@@ -321,7 +322,7 @@ class Box(_Set):
         return BoxMeasure(found.totals.area, found.totals.volume, found.area, found.share_volume)
 
     def gradient(self, tension: float = 1.0, pressure: float = 0.0, sigma: Any = None, tangency: int = 0) -> Gradient:
-        """As that of Balls, and by the strain and the vectors of the box."""
+        """As that of Balls, and by the strain and the vectors of the box. d_strain over the volume is the stress."""
         found = self.handle.get_gradient(tension=tension, pressure=pressure, tangency=tangency, sigma=sigma,
                                          threads=self._threads)
         return _energy(found, d_strain=_matrix(found.d_strain), d_box=_matrix(found.d_box))

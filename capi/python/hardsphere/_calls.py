@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes as C
 import ctypes.util
+import math
 import os
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -16,7 +17,8 @@ try:
 except ImportError:
     numpy = None  # type: ignore[assignment]
 
-_NONE, _CAPACITY, _ABI = 0xFFFFFFFF, -2, 2
+_NONE, _ABI = 0xFFFFFFFF, 2
+_ARGUMENT, _CAPACITY, _NOT_FINITE, _NEGATIVE = -1, -2, -10, -11
 _SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, "uint8_t": C.c_uint8,
             "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
 _SINK = C.CFUNCTYPE(C.c_int32, C.c_void_p, C.POINTER(C.c_char), C.c_size_t)
@@ -49,10 +51,24 @@ if library.hsp_abi() != _ABI:
 class Error(ValueError):
     """A call failed. `status` is one of hardsphere.E_*, `ball` the index of the ball to blame, or None."""
 
-    def __init__(self, status: int, ball: int = _NONE, where: str = ""):
+    def __init__(self, status: int, ball: int = _NONE, where: str = "", given: dict[str, Any] | None = None):
         self.status, self.ball = status, None if ball == _NONE else ball
         text = library.hsp_status_text(status).decode()
-        super().__init__(f"{text}{'' if self.ball is None else f' (ball {ball})'}{where and f' in {where}'}")
+        named = self.ball is None and _to_blame(status, given or {})
+        super().__init__(f"{named or text}{'' if self.ball is None else f' (ball {ball})'}{where and f' in {where}'}")
+
+
+def _to_blame(status: int, given: dict[str, Any]) -> str:
+    """The argument that a status is about, where that is plain."""
+    numbers = {name: value for name, value in given.items() if isinstance(value, (int, float))}
+    for name, value in numbers.items():
+        if status == _NOT_FINITE and not math.isfinite(value):
+            return f"{name}: {value} is not finite"
+        if status == _NEGATIVE and value < 0:
+            return f"{name}: {value} is negative"
+        if status == _ARGUMENT and name in ("edge_length", "width") and value <= 0:
+            return f"{name}: {value} is not above 0"
+    return ""
 
 
 class Record(C.Structure):
@@ -117,9 +133,9 @@ def _type(base: str) -> Any:
     return _SCALARS[base] if base in _SCALARS else C.c_char_p if base == "char" else _records[base]
 
 
-def _check(status: int, where: str, ball: int = _NONE) -> None:
+def _check(status: int, where: str, ball: int = _NONE, given: dict[str, Any] | None = None) -> None:
     if status != 0:
-        raise Error(status, ball, where)
+        raise Error(status, ball, where, given)
 
 
 # ---- arrays ----------------------------------------------------------------------------------------------------------
@@ -139,6 +155,11 @@ def called(**names: str) -> Iterator[None]:
         yield
     except Misshapen as refused:
         raise Misshapen(names.get(refused.argument, refused.argument), refused.problem) from None
+    except Error as refused:
+        argument, colon, problem = str(refused).partition(": ")
+        if colon and argument in names:
+            refused.args = (f"{names[argument]}: {problem}",)
+        raise
 
 
 def shape_of(values: Any) -> tuple[int, ...]:
@@ -182,7 +203,9 @@ def array_in(values: Any, argument: Argument, sizes: dict[str, int]) -> Any:
     base, kind = argument.base, _type(argument.base)
     name = argument.name + "_" * iskeyword(argument.name)
     try:
-        if base in _SCALARS and numpy is not None:
+        if base == "uint8_t" and isinstance(values, (bytes, bytearray)):  # as they are; other bytes are yes or no
+            made, shape = (kind * len(values)).from_buffer_copy(values), (len(values),)
+        elif base in _SCALARS and numpy is not None:
             if base == "uint8_t":
                 values = numpy.asarray(values).astype(bool)
             data = numpy.ascontiguousarray(values, dtype=kind)
@@ -225,7 +248,9 @@ def given_back(made: Any, argument: Argument) -> Any:
         result = numpy.ctypeslib.as_array(made)
         return result.reshape(-1, *row) if row else result
     values = list(made)
-    return [tuple(values[k:k + row[0]]) for k in range(0, len(values), row[0])] if row else values
+    for size in reversed(row):
+        values = [tuple(values[k:k + size]) for k in range(0, len(values), size)]
+    return values
 
 
 # ---- handles ---------------------------------------------------------------------------------------------------------
@@ -244,6 +269,9 @@ class Handle:
         self._wanted = limits
         self._kept: list[Any] = []  # memory of what the results come from
         self._last: tuple[str, dict[str, Any]] | None = None
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.n} balls)"
 
     def _of(self, what: str) -> str:
         return f"hsp_{self.noun}_{what}"
@@ -275,7 +303,7 @@ class Handle:
             for a in described.arguments[2:]:
                 handles = [v for v in values.values() if isinstance(v, Handle) and f"hsp_{v.noun}" == a.base]
                 more.append(handles[0]._pointer if handles else balls if a.name == "balls" else values[a.name])
-            _check(described.function(C.byref(limits), C.sizeof(limits), *more), self._of("limits_init"))
+            _check(described.function(C.byref(limits), C.sizeof(limits), *more), self._of("limits_init"), given=values)
             for field, least in self._wanted.items():
                 setattr(limits, field, max(getattr(limits, field), least))
             self._grow(limits)
@@ -451,7 +479,7 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     if described.result != "int32_t":
         return status.decode() if isinstance(status, bytes) else status
     bad = made.pop("first_bad", None)
-    _check(status, name, _NONE if bad is None else bad.value)
+    _check(status, name, _NONE if bad is None else bad.value, values)
     if handle is not None:
         sources = [v for v in values.values() if isinstance(v, Handle)]
         if makes:
@@ -464,5 +492,8 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     found = {f.name: given_back(made[f.name], f) if f.kind == "array_out" else
              made[f.name] if f.kind == "struct_out" else made[f.name].value
              for f in wanted if f.name in made and f.name not in ("scratch", "bytes")}
+    for a in arguments:  # memory with a name is a result, as summaries of bricks are
+        if a.kind == "memory" and a.name != "memory":
+            found = {a.name: scratch.raw[:made["bytes"].value], **found}
     return handle if not found else next(iter(found.values())) if len(found) == 1 else Result(**found)
 

@@ -34,6 +34,7 @@ E_OPEN_SURFACE = -14
 E_EXECUTOR = -15
 E_DEGENERATE = -16
 E_STOPPED = -17
+E_DAMAGED = -18
 RADII_BONDI = 0
 RADII_CHEM3D = 1
 RADIUS_FALLBACK = 1
@@ -53,6 +54,7 @@ TANGENT_DISJOINT = 1
 GRADIENT_ONE_SIDED = 1
 CURVATURE_ONE_SIDED = 1
 HESSIAN_SINGULAR = 2
+BRICK_KEEP_SHELLS = 1
 CONTACT_TOUCHING = 1
 CONTACT_BURIED = 2
 CONTACT_CIRCLE = 4
@@ -345,6 +347,27 @@ class MorphometryOutputs(Record):
     _fields_ = [("struct_size", C.c_uint32), ("capacity", C.c_uint32), ("needed", C.c_uint32),
                 ("first_bad", C.c_uint32), ("energy", C.c_void_p), ("d_centre", C.c_void_p), ("d_radius", C.c_void_p),
                 ("flags", C.c_void_p)]
+
+
+class BrickRequest(Record):
+    """The question:"""
+    _fields_ = [("struct_size", C.c_uint32), ("brick", C.c_uint32), ("bricks", C.c_uint32), ("flags", C.c_uint32),
+                ("id", C.c_void_p), ("owner", C.c_void_p), ("executor", C.c_void_p)]
+
+
+class BrickTotals(Record):
+    """Totals of the whole."""
+    _fields_ = [("balls", C.c_uint64), ("exposed_balls", C.c_uint64), ("contained_balls", C.c_uint64),
+                ("vertices", C.c_uint64), ("arcs", C.c_uint64), ("circles", C.c_uint64), ("faces", C.c_uint64),
+                ("loops", C.c_uint64), ("shells", C.c_uint64), ("components", C.c_uint64), ("voids", C.c_uint64),
+                ("tied_vertices", C.c_uint64), ("euler", C.c_int64), ("area", C.c_double), ("volume", C.c_double),
+                ("void_volume", C.c_double), ("reserved", C.c_uint64 * 2)]
+
+
+class BrickShell(Record):
+    """A shell of the whole."""
+    _fields_ = [("component", C.c_uint64), ("faces", C.c_uint64), ("euler", C.c_int64), ("area", C.c_double),
+                ("volume", C.c_double), ("kind", C.c_uint32), ("reserved", C.c_uint32 * 3)]
 
 
 class ContactsLimits(Record):
@@ -1116,6 +1139,12 @@ class Boundary(Handle):
         return call("hsp_boundary_get_hessian_product", self, direction=direction, tangency=tangency, tension=tension,
                     pressure=pressure, sigma=sigma, threads=threads, only=only)
 
+    def brick_summarise(self, *, brick: int | None = None, bricks: int | None = None, flags: int | None = None,
+                        id: Any | None = None, owner: Any | None = None, threads: int | None = None) -> int:
+        """Write the summary of a brick, of a boundary of all balls of its model."""
+        return call("hsp_brick_summarise", self, brick=brick, bricks=bricks, flags=flags, id=id, owner=owner,
+                    threads=threads)
+
 
 class Moving(Handle):
     noun = "moving"
@@ -1281,6 +1310,15 @@ class Periodic(Handle):
         """An energy and its derivatives by the balls and by the box, as hsp_boundary_get_gradient. Gives .energy,
         .d_centre, .d_radius, .flags, .d_strain, .d_box, .area."""
         return call("hsp_periodic_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
+                    sigma=sigma, threads=threads, only=only)
+
+    def get_hessian_rows(self, *, tangency: int | None = None, tension: float | None = None,
+                         pressure: float | None = None, sigma: Any | None = None, threads: int | None = None,
+                         only: Any | None = None) -> Any:
+        """The second derivatives of the same energy by the centres, as hsp_boundary_get_hessian_rows
+        (hardsphere/hessian.h) has them for a union in free space: compressed rows of 3x3 blocks, one for each two balls
+        of which images share a free piece of a circle, in the caller's frame. Gives .first, .ball, .block, .flags."""
+        return call("hsp_periodic_get_hessian_rows", self, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads, only=only)
 
     def query_point(self, xyz: Any) -> Any:
@@ -2051,6 +2089,22 @@ def areas(xyz: Any, radius: Any, probe: float, *, only: Any | None = None) -> An
     return call("hsp_areas", None, xyz=xyz, radius=radius, probe=probe, only=only)
 
 
+def brick_merge(a: Any, b: Any) -> Any:
+    """Merge two summaries, a [a_bytes] and b [b_bytes], into a third one. Gives .bytes, .brick."""
+    return call("hsp_brick_merge", None, a=a, b=b)
+
+
+def brick_get_totals(summary: Any) -> Any:
+    """Totals of the whole, of a summary [bytes] with all bricks in it. Gives .totals, .brick."""
+    return call("hsp_brick_get_totals", None, summary=summary)
+
+
+def brick_get_shells(summary: Any) -> Any:
+    """The shells of the whole, of a summary [bytes] with all bricks in it that were kept with HSP_BRICK_KEEP_SHELLS.
+    Gives .out, .brick."""
+    return call("hsp_brick_get_shells", None, summary=summary)
+
+
 def view_options_turn(options: ViewOptions, x: float, y: float, z: float) -> None:
     """Set towards and up so that the balls appear turned: by x degrees about the x axis (right), then by y degrees
     about the y axis (up), then by z degrees about the z axis (towards the viewer), each counter-clockwise seen from the
@@ -2244,6 +2298,16 @@ FUNCTIONS = {
         "request:sized_in:hsp_gradient_request::always direction:array_in:double:n;3:never "
         "product:array_out:double:n;3:empty flags:array_out:uint32_t:n:always capacity:capacity:uint32_t::never "
         "needed:needed:uint32_t::always",
+    "hsp_brick_summarise": "int32_t boundary:handle:hsp_boundary::never request:sized_in:hsp_brick_request::never "
+        "summary:memory:void::never bytes:value_out:size_t::never first_bad:value_out:uint32_t::always",
+    "hsp_brick_merge": "int32_t a:array_in:uint8_t:a_bytes:never a_bytes:value:size_t::never "
+        "b:array_in:uint8_t:b_bytes:never b_bytes:value:size_t::never summary:memory:void::never "
+        "bytes:value_out:size_t::never brick:value_out:uint32_t::always",
+    "hsp_brick_get_totals": "int32_t summary:array_in:uint8_t:bytes:never bytes:value:size_t::never "
+        "totals:struct_out:hsp_brick_totals::never brick:value_out:uint32_t::always",
+    "hsp_brick_get_shells": "int32_t summary:array_in:uint8_t:bytes:never bytes:value:size_t::never "
+        "out:array_out:hsp_brick_shell:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always "
+        "brick:value_out:uint32_t::always",
     "hsp_contacts_limits_init": "int32_t limits:sized:hsp_contacts_limits::never struct_size:value:uint32_t::never "
         "boundary:handle:hsp_boundary::never",
     "hsp_contacts_bytes": "int32_t limits:sized_in:hsp_contacts_limits::never bytes:value_out:size_t::never",
@@ -2303,6 +2367,10 @@ FUNCTIONS = {
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_periodic_get_gradient": "int32_t periodic:handle:hsp_periodic::never "
         "request:sized_in:hsp_gradient_request::always outputs:outputs:hsp_periodic_gradient_outputs::never",
+    "hsp_periodic_get_hessian_rows": "int32_t periodic:handle:hsp_periodic::never "
+        "request:sized_in:hsp_gradient_request::always first:array_out:uint32_t:n+1:never "
+        "ball:array_out:uint32_t:needed:empty block:array_out:double:needed;3;3:empty "
+        "flags:array_out:uint32_t:n+1:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_periodic_query_point": "int32_t periodic:handle:hsp_periodic::never xyz:array_in:double:3:never "
         "out:array_out:hsp_image:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_periodic_query_ball": "int32_t periodic:handle:hsp_periodic::never xyz:array_in:double:3:never "
@@ -2680,6 +2748,8 @@ FIELDS = {
     "hsp_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_morphometric_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always",
+    "hsp_brick_request": "brick:value:uint32_t::never bricks:value:uint32_t::never flags:value:uint32_t::never "
+        "id:array_in:uint64_t:n:never owner:array_in:uint32_t:n:never executor:sized_in:hsp_executor::always",
     "hsp_contacts_request": "executor:sized_in:hsp_executor::always",
     "hsp_periodic_request": "areas_alone:value:uint32_t::never options:sized_in:hsp_model_options::always "
         "executor:sized_in:hsp_executor::always",
@@ -2722,6 +2792,7 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          MovingLimits, 'hsp_moving_request': MovingRequest, 'hsp_moving_info': MovingInfo, 'hsp_moving_ball':
          MovingBall, 'hsp_curvatures': Curvatures, 'hsp_morphometry_request': MorphometryRequest,
          'hsp_morphometric_energy': MorphometricEnergy, 'hsp_morphometry_outputs': MorphometryOutputs,
+         'hsp_brick_request': BrickRequest, 'hsp_brick_totals': BrickTotals, 'hsp_brick_shell': BrickShell,
          'hsp_contacts_limits': ContactsLimits, 'hsp_contacts_request': ContactsRequest, 'hsp_contact': Contact,
          'hsp_group_contact': GroupContact, 'hsp_complex': Complex, 'hsp_simplex': Simplex, 'hsp_periodic_limits':
          PeriodicLimits, 'hsp_periodic_request': PeriodicRequest, 'hsp_periodic_counts': PeriodicCounts,

@@ -29,27 +29,20 @@ class Solvation(Calculator):
         if atoms.pbc.any() and not atoms.pbc.all():
             raise ValueError("periodic in all directions or in none")
         periodic = bool(atoms.pbc.all())
-        # The library has the first vector of a box along x and the second in the x-y plane: there and back by a turn. The
-        # box of a left-handed cell has the third one the other way: the same copies.
-        cell, turn = atoms.cell.copy(), numpy.eye(3)
-        if periodic:
-            cell.array[2] *= numpy.sign(numpy.linalg.det(cell.array))
-            cell, turn = cell.standard_form()
-        more = {"vectors": cell.array} if periodic else {}
-        centers = atoms.positions @ turn.T
+        more = {"vectors": atoms.cell.array} if periodic else {}
         if self.balls is None or "numbers" in system_changes or "pbc" in system_changes:
             radii = self.given
             if radii is None:
                 radii = [hardsphere.radius_of(int(number)) for number in atoms.numbers]
             kind = hardsphere.Box if periodic else hardsphere.Balls
             alone = {"areas_alone": self.pressure == 0} if periodic else {}
-            self.balls = kind(centers, radii, probe=self.probe, **more, **alone)
+            self.balls = kind(atoms.positions, radii, probe=self.probe, **more, **alone)
         else:
-            self.balls.set(centers, **more)
+            self.balls.set(atoms.positions, **more)
         found = self.balls.gradient(self.tension, self.pressure, self.sigma)
         weights = 1.0 if self.sigma is None else numpy.asarray(self.sigma)
-        self.results = {"energy": found.value, "free_energy": found.value, "forces": found.forces @ turn,
+        self.results = {"energy": found.value, "free_energy": found.value, "forces": found.forces,
                         "energies": self.tension * weights * self.balls.areas}
         if periodic:
-            strain = turn.T @ found.d_strain @ turn / atoms.get_volume()
+            strain = found.d_strain / atoms.get_volume()
             self.results["stress"] = ((strain + strain.T) / 2).flat[[0, 4, 8, 5, 2, 1]]

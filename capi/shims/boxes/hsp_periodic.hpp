@@ -3,6 +3,7 @@
 
 #include "handle_memory.hpp"
 #include "periodic/periodic_measures.hpp"
+#include "rounded_point.hpp"
 
 struct hsp_periodic {
   using Builder = hsp::PeriodicUnion;
@@ -35,11 +36,20 @@ struct hsp_periodic {
 
 namespace hsp::capi {
 
+// A point of the caller on the lattice, turned with the box. HSP_E_NOT_FINITE, or HSP_E_RANGE beyond the lattice.
+inline int32_t round_point(const PeriodicImages &images, const double *xyz, exact::Vector &point) {
+  const BoxFrame &frame = images.box().frame();
+  if (!frame.turns()) return round_point(images.lattice(), xyz, point);
+  const Vec3 turned = frame.turned_in(xyz);
+  const double own[3] = {turned.x, turned.y, turned.z};
+  return round_point(images.lattice(), own, point) == HSP_OK ? HSP_OK : why_off_lattice(xyz);
+}
+
 // Each array may be null.
 inline void put_box_gradient(const BoxGradient &gradient, double *d_strain, double *d_box) {
   for (int k = 0; k < 9; ++k) {
-    if (d_strain != nullptr) d_strain[k] = gradient.strain[k];
-    if (d_box != nullptr) d_box[k] = gradient.box[k];
+    if (d_strain != nullptr) d_strain[k] = gradient.strain.by[k];
+    if (d_box != nullptr) d_box[k] = gradient.vectors.by[k];
   }
 }
 

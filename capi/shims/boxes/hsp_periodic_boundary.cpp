@@ -63,6 +63,10 @@ struct Listing {
   void put_position(const hsp::Position &position, double (&xyz)[3]) const {
     hsp::to_coordinates(balls, position, xyz);
     for (double &x : xyz) x = length(x);
+    periodic.images().box().frame().turn_back(xyz);
+  }
+  void put_direction(const hsp::Vec3 &direction, double (&xyz)[3]) const {
+    hsp::capi::to_array(periodic.images().box().frame().turned_back(direction), xyz);
   }
   double length(double steps) const { return periodic.images().lattice().length(steps); }
 

@@ -3,7 +3,6 @@
 #include "model/neighbour_lists.hpp"
 #include "periodic/periodic_queries.hpp"
 #include "periodic_shifts.hpp"
-#include "rounded_point.hpp"
 
 using hsp::capi::check_results;
 using hsp::capi::LibraryArithmetic;
@@ -92,7 +91,7 @@ struct QueryInBox {
 };
 
 int32_t round_query(const hsp::PeriodicImages &images, const double *xyz, double radius, QueryInBox &query) {
-  const int32_t rounded = hsp::capi::round_point(images.lattice(), xyz, query.centre);
+  const int32_t rounded = hsp::capi::round_point(images, xyz, query.centre);
   if (rounded == HSP_E_NOT_FINITE || !hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
   if (radius < 0.0) return HSP_E_NEGATIVE;
   const double steps = images.lattice().steps(radius);

@@ -34,7 +34,7 @@ template <class Listing, class Record, class Ball>
 void put_circle(const Listing &list, uint32_t a, uint32_t b, Record &record, Ball *ball) {
   const CirclePosition position = position_of_circle(list.balls, a, b);
   list.put_position(position.centre, record.centre);
-  to_array(position.axis, record.axis);
+  list.put_direction(position.axis, record.axis);
   record.radius = list.length(position.radius);
   ball[0] = list.ball(a);
   ball[1] = list.ball(b);

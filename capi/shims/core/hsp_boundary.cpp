@@ -90,6 +90,7 @@ struct Listing {
   void put_position(const hsp::Position &position, double (&xyz)[3]) const {
     hsp::to_coordinates(balls, position, xyz);
   }
+  static void put_direction(const hsp::Vec3 &direction, double (&xyz)[3]) { hsp::capi::to_array(direction, xyz); }
   double length(double steps) const { return balls.lattice.length(steps); }
 
   const hsp::Boundary &boundary;

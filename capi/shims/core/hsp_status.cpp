@@ -49,7 +49,7 @@ const char *hsp_status_text(int32_t status) {
     case HSP_E_RANGE:
       return "a value lies beyond the lattice or its range, or is no rotation or direction";
     case HSP_E_CONFLICT:
-      return "balls and sticks that cannot be painted; which ones is reported";
+      return "parts that do not fit together: sticks, bricks; which ones is reported";
     case HSP_E_OPEN_SURFACE:
       return "a degenerate set of balls, whose smooth surface does not close";
     case HSP_E_EXECUTOR:
@@ -58,6 +58,8 @@ const char *hsp_status_text(int32_t status) {
       return "ties or near ties of the input that could not be resolved";
     case HSP_E_STOPPED:
       return "the caller's executor said not to go on";
+    case HSP_E_DAMAGED:
+      return "bytes that are no result of this library, or not as they were written";
     default:
       return "unknown status";
   }

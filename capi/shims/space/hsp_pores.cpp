@@ -1,7 +1,6 @@
 #include "caller_executor.hpp"
 #include "core/sorting.hpp"
 #include "pore_records.hpp"
-#include "rounded_point.hpp"
 
 using hsp::capi::as_it_is;
 using hsp::capi::check_handle;
@@ -138,7 +137,7 @@ hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined,
 // Where a point is; of a handle with results.
 int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PoreLocation &place) {
   hsp::exact::Vector point;
-  if (const int32_t status = round_point(pores.lattice(), xyz, point); status != HSP_OK) return status;
+  if (const int32_t status = round_point(pores, xyz, point); status != HSP_OK) return status;
   return hsp::capi::to_c(hsp::locate(pores.builder.pores(), pores.balls_around(), point, pores.builder.floor(), place));
 }
 
@@ -161,8 +160,8 @@ int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, cons
     if (avoided[k] >= pores->gates().size()) return HSP_E_ID;
   }
   hsp::exact::Vector start, end;
-  int32_t status = round_point(pores->lattice(), from, start);
-  if (status == HSP_OK && to != nullptr) status = round_point(pores->lattice(), to, end);
+  int32_t status = round_point(*pores, from, start);
+  if (status == HSP_OK && to != nullptr) status = round_point(*pores, to, end);
   if (status != HSP_OK) return status;
   const hsp::TunnelEnds ends{
       start, to != nullptr ? &end : nullptr, {avoided, count}, pores->builder.floor(), asked.cheapest != 0};
@@ -381,8 +380,8 @@ int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const doubl
   const int32_t refused = check_results(pores, from == nullptr || passage == nullptr);
   if (refused != HSP_OK) return refused;
   hsp::exact::Vector start, end;
-  int32_t status = round_point(pores->lattice(), from, start);
-  if (status == HSP_OK && to != nullptr) status = round_point(pores->lattice(), to, end);
+  int32_t status = round_point(*pores, from, start);
+  if (status == HSP_OK && to != nullptr) status = round_point(*pores, to, end);
   if (status != HSP_OK) return status;
   hsp::PorePassage found;
   status = hsp::capi::to_c(hsp::find_passage(pores->builder.pores(), pores->balls_around(), start,

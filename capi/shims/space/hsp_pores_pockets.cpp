@@ -13,9 +13,9 @@ using hsp::capi::floor_of;
 using hsp::capi::get_list;
 using hsp::capi::highest_level;
 using hsp::capi::is_level;
+using hsp::capi::lengths_of;
 using hsp::capi::LibraryArithmetic;
 using hsp::capi::PluggedBalls;
-using hsp::capi::put_position;
 using hsp::capi::winding_of;
 
 namespace {
@@ -141,9 +141,9 @@ int32_t measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary
     status = pores->builder.match_pockets(
         plugged->builder, plugged->balls_around(),
         [&](uint32_t maximum, hsp::exact::Vector &point) {
-          double xyz[3];
-          put_position(*pores, pores->maxima()[maximum].point.position, xyz);
-          return plugged->lattice().round(xyz, point) ? hsp::Status::ok : hsp::Status::range;
+          double place[3];
+          hsp::capi::to_array(lengths_of(*pores, pores->maxima()[maximum].point.position), place);
+          return plugged->lattice().round(place, point) ? hsp::Status::ok : hsp::Status::range;
         },
         hsp::Patience(&executor));
   }

@@ -18,7 +18,7 @@ class PluggedBalls {
   void put(uint32_t k, double xyz[3], double &radius) const {
     const exact::LatticeBall ball = (*this)[k];
     put_position(pores_, exact::to_double(ball.centre), xyz);
-    radius = pores_.lattice().length(static_cast<double>(ball.radius));
+    radius = radius_of(ball);
   }
   // Whether other pores were computed of these balls, rounded to the same lattice or a coarser one, and perhaps of
   // further ones behind them; and of the same box.
@@ -42,17 +42,22 @@ class PluggedBalls {
     ball.radius = grown_radius(ball.radius, pores_.narrow_steps);
     return ball;
   }
+  double radius_of(const exact::LatticeBall &ball) const {
+    return pores_.lattice().length(static_cast<double>(ball.radius));
+  }
   bool is_same_ball(uint32_t k, const BallsAround &around, const exact::Lattice &lattice) const {
-    double xyz[3], radius = 0.0;
-    put(k, xyz, radius);
+    const exact::LatticeBall own = (*this)[k];
+    double place[3];
+    to_array(lengths_of(pores_, exact::to_double(own.centre)), place);
     const exact::LatticeBall there = around.ball({k, {}});
     exact::Vector centre;
     BoxShift home;
-    if (!lattice.round(xyz, centre)) return false;
+    if (!lattice.round(place, centre)) return false;
     if (around.box() != nullptr && around.box()->wrap(centre, home) != Status::ok) return false;
     const double slack = slack_on(lattice);
     const exact::Vector off = centre - there.centre;
-    return static_cast<double>(dot(off, off)) <= 3.0 * slack && is_near(lattice.steps(radius), there.radius, slack);
+    return static_cast<double>(dot(off, off)) <= 3.0 * slack &&
+           is_near(lattice.steps(radius_of(own)), there.radius, slack);
   }
   // On a coarser lattice what was rounded more than once may differ by a step.
   double slack_on(const exact::Lattice &lattice) const { return lattice.step() > pores_.lattice().step() ? 1.0 : 0.0; }
@@ -63,7 +68,7 @@ class PluggedBalls {
     const auto is_same = [&](int64_t own, int64_t other) {
       return is_near(lattice.steps(pores_.lattice().length(static_cast<double>(own))), other, slack_on(lattice));
     };
-    bool same = true;
+    bool same = around_.box()->frame() == box.frame();
     for (const uint32_t k : {0U, 1U, 2U}) {
       const exact::Vector &own = around_.box()->given(k), &other = box.given(k);
       same = same && is_same(own.x, other.x) && is_same(own.y, other.y) && is_same(own.z, other.z);

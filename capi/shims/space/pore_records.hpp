@@ -14,9 +14,21 @@ inline double floor_of(const hsp_pores &pores) {
   return pores.lattice().length(static_cast<double>(pores.builder.floor()));
 }
 
-inline void put_position(const hsp_pores &pores, const Vec3 &place, double xyz[3]) {
+// In the caller's unit, but as a box is turned inside.
+inline Vec3 lengths_of(const hsp_pores &pores, const Vec3 &place) {
   const exact::Lattice &lattice = pores.lattice();
-  to_array({lattice.length(place.x), lattice.length(place.y), lattice.length(place.z)}, xyz);
+  return {lattice.length(place.x), lattice.length(place.y), lattice.length(place.z)};
+}
+
+inline void put_position(const hsp_pores &pores, const Vec3 &place, double xyz[3]) {
+  const Vec3 lengths = lengths_of(pores, place);
+  to_array(pores.in_box ? pores.periodic->builder.images().box().frame().turned_back(lengths) : lengths, xyz);
+}
+
+// A point of the caller.
+inline int32_t round_point(const hsp_pores &pores, const double *xyz, exact::Vector &point) {
+  return pores.in_box ? round_point(pores.periodic->builder.images(), xyz, point)
+                      : round_point(pores.lattice(), xyz, point);
 }
 
 // Of levels that are radii of `radius` or less to the caller the highest: a probe that is as wide as a gate to the last

@@ -17,17 +17,25 @@ Status PeriodicBox::set(const exact::Lattice &lattice, const double vector[9]) {
   for (int k = 0; k < 9; ++k) {
     if (!is_finite(vector[k])) return Status::not_finite;
   }
-  if (vector[1] != 0.0 || vector[2] != 0.0 || vector[5] != 0.0) return Status::argument;
-  int64_t steps[9];
-  for (int k = 0; k < 9; ++k) {
-    const double length = lattice.steps(vector[k]);
-    if (!(std::fabs(length) <= longest)) return Status::range;
-    steps[k] = nearest(length);
-  }
+  BoxFrame frame;
+  if (!frame.set(vector)) return Status::range;
   exact::Vector wanted[3];
-  for (int row = 0; row < 3; ++row) wanted[row] = {steps[3 * row], steps[3 * row + 1], steps[3 * row + 2]};
-  auto [a, b, c] = wanted;
-  if (a.x <= 0 || b.y <= 0 || c.z <= 0) return Status::range;
+  for (int row = 0; row < 3; ++row) {
+    const Vec3 turned = frame.turned_in(vector + 3 * row);
+    const double steps[3] = {lattice.steps(turned.x), lattice.steps(turned.y), lattice.steps(turned.z)};
+    for (const double length : steps) {
+      if (!(std::fabs(length) <= longest)) return Status::range;
+    }
+    // Off its axis or plane a turned vector is by much less than half a step.
+    wanted[row] = {nearest(steps[0]), nearest(steps[1]), nearest(steps[2])};
+  }
+  const int64_t along[3] = {wanted[0].x, wanted[1].y, wanted[2].z};
+  exact::Vector upright[3];
+  for (int row = 0; row < 3; ++row) {
+    if (along[row] == 0) return Status::range;
+    upright[row] = along[row] < 0 ? less({0, 0, 0}, 1, wanted[row]) : wanted[row];
+  }
+  auto [a, b, c] = upright;
   // How many of `whole` are nearest to a length.
   const auto nearest_multiple = [](int64_t length, int64_t whole) {
     return floored_quotient(2 * length + whole, 2 * whole);
@@ -45,7 +53,9 @@ Status PeriodicBox::set(const exact::Lattice &lattice, const double vector[9]) {
   for (int row = 0; row < 3; ++row) {
     given_[row] = wanted[row];
     skew_[row] = static_cast<int32_t>(skew[row]);
+    side_[row] = along[row] < 0 ? -1 : 1;
   }
+  frame_ = frame;
   reduced_[0] = a;
   reduced_[1] = b;
   reduced_[2] = c;
@@ -95,11 +105,11 @@ BoxShift PeriodicBox::centre(Vec3 &difference) const {
   return shift;
 }
 
-// With b = B - p A and c = C - q b - r A.
+// With b = B - p A and c = C - q b - r A, where A, B, C are the given ones, or less these.
 BoxShift PeriodicBox::in_given_vectors(const BoxShift &shift) const {
   const auto [p, q, r] = skew_;
   const auto [i, j, k] = shift.k;
-  return {{i - p * j + (q * p - r) * k, j - q * k, k}};
+  return {{side_[0] * (i - p * j + (q * p - r) * k), side_[1] * (j - q * k), side_[2] * k}};
 }
 
 }  // namespace hsp

@@ -1,4 +1,8 @@
-// A box whose copies fill space, on the lattice of the balls: a along x, b in the plane of x and y.
+// A box whose copies fill space, on the lattice of the balls. Its three vectors may be any: they are turned so that a
+// is along x and b in the plane of x and y (box_frame.hpp), with all that lies in it, and then rounded.
+//
+// One that points to the other side of its axis is reversed, which leaves the copies where they are: so a left-handed
+// set of vectors is none inside, and nothing is mirrored. Shifts that callers get count this vector backwards.
 //
 // Every point has one place in the brick of 0 .. a.x, 0 .. b.y, 0 .. c.z: like those of the box its copies fill space.
 // Inside, b and c are reduced by whole multiples of the vectors before them, to |b.x|, |c.x| <= a.x/2 and |c.y| <=
@@ -9,6 +13,7 @@
 #include "core/vec3.hpp"
 #include "exact/lattice.hpp"
 #include "model/meeting.hpp"
+#include "periodic/box_frame.hpp"
 
 namespace hsp {
 
@@ -49,8 +54,8 @@ class PeriodicBox {
   static constexpr int64_t largest_skew = 64;        // multiples that reduction may subtract
   static constexpr int64_t farthest_copy = 1 << 17;  // from the box, along each vector
 
-  // Snaps the vectors, in the caller's unit, to the lattice. Status::argument if they lie otherwise; Status::range if
-  // one of the three lengths along the axes is not above 0 there, or anything too large.
+  // Turns the vectors, in the caller's unit, and snaps them to the lattice. Status::range if one of the three lengths
+  // along the axes is 0 there, or anything too large.
   Status set(const exact::Lattice &lattice, const double vector[9]);
   // Whether shifts of the images that may meet balls in the brick have room, for balls up to this radius. With t twice
   // the radius over the shortest of its sides multiples are at most 1 + t of c, half as many more of b, and for each of
@@ -107,8 +112,10 @@ class PeriodicBox {
   }
   // In cubic steps, rounded thrice.
   double volume() const { return to_double(reduced_[0]).x * to_double(reduced_[1]).y * to_double(reduced_[2]).z; }
-  // The given vectors on the lattice.
+  // The given vectors on the lattice, turned: one of them may point to the other side of its axis.
   const exact::Vector &given(uint32_t k) const { return given_[k]; }
+  // From the caller's axes to those of all points here.
+  const BoxFrame &frame() const { return frame_; }
 
  private:
   Status wrap_outside(exact::Vector &point, BoxShift &shift) const;
@@ -147,9 +154,11 @@ class PeriodicBox {
     return gap * gap;
   }
 
+  BoxFrame frame_;
   exact::Vector given_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   exact::Vector reduced_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   int32_t skew_[3] = {0, 0, 0};  // how often a was subtracted from b, b from c, a from c
+  int32_t side_[3] = {1, 1, 1};  // -1: of a vector that was reversed before that
 };
 
 }  // namespace hsp

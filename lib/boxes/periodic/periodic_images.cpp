@@ -41,9 +41,7 @@ Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint
   for (uint32_t i = 0; i < input.n; ++i) {
     exact::LatticeBall ball;
     BoxShift home;
-    Status status = rounding.round(i, ball);
-    if (status == Status::ok) status = box_.wrap(ball.centre, home);
-    if (status != Status::ok) {
+    if (const Status status = place(rounding, input, i, ball, home); status != Status::ok) {
       first_bad = i;
       return status;
     }
@@ -62,8 +60,7 @@ Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint
       ball = set_.ball(i);
     } else {
       BoxShift home;
-      static_cast<void>(rounding.round(i, ball));
-      static_cast<void>(box_.wrap(ball.centre, home));
+      static_cast<void>(place(rounding, input, i, ball, home));
     }
     // All that meets a ball in the box is that near to it.
     box_.visit_images(ball.centre, ball.radius + largest_radius, [&](const BoxShift &shift) {
@@ -83,6 +80,22 @@ Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint
   images_ = static_cast<uint32_t>(counted_);
   first_image_[n_] = images_;
   return Status::ok;
+}
+
+// A number may be too large once it is turned.
+Status PeriodicImages::place(const BallRounding &rounding, const BallInput &input, uint32_t i, exact::LatticeBall &ball,
+                             BoxShift &home) const {
+  Status status = Status::ok;
+  if (box_.frame().turns()) {
+    const double *const given = input.xyz + 3 * size_t{i};
+    const Vec3 turned = box_.frame().turned_in(given);
+    const double xyz[3] = {turned.x, turned.y, turned.z};
+    status = round_ball(lattice_, probe_steps_, xyz, input.radius[i], i, ball);
+    if (status != Status::ok && is_finite(given[0]) && is_finite(given[1]) && is_finite(given[2])) return Status::range;
+  } else {
+    status = rounding.round(i, ball);
+  }
+  return status == Status::ok ? box_.wrap(ball.centre, home) : status;
 }
 
 uint32_t PeriodicImages::find(uint32_t ball, const BoxShift &shift) const {

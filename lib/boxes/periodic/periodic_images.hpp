@@ -32,6 +32,8 @@ class PeriodicImages {
     const ImageShift &shift = shift_[k - n_];
     return {{shift.k[0], shift.k[1], shift.k[2]}};
   }
+  // The number of the first image of a ball, if it has any.
+  uint32_t first_image(uint32_t ball) const { return n_ + first_image_[ball]; }
   // The number of the ball, or of its image that is so far from it; no_id if it is not among these.
   uint32_t find(uint32_t ball, const BoxShift &shift) const;
 
@@ -58,6 +60,9 @@ class PeriodicImages {
   };
 
   Status fill(const BallInput &input, const double vector[9], uint32_t &first_bad);
+  // Ball i of the input, turned with the box, at its place in it.
+  Status place(const BallRounding &rounding, const BallInput &input, uint32_t i, exact::LatticeBall &ball,
+               BoxShift &home) const;
 
   uint32_t n_ = 0, images_ = 0;
   uint64_t counted_ = 0;

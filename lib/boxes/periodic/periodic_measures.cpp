@@ -61,13 +61,13 @@ BoxGradient differentiate_by_box(const PeriodicUnion &periodic, const EnergyTerm
   const Strain volume = periodic.has_areas_alone() ? Strain{} : volume_by_strain(periodic);
   const Strain area_by_box = by_box(box, area);
   const Strain volume_by_box = by_box(box, volume);
-  BoxGradient result;
+  Strain strain, vectors;
   for (int k = 0; k < 9; ++k) {
-    result.strain[k] = terms.tension * lattice.area(area.by[k]) + terms.pressure * lattice.volume(volume.by[k]);
-    result.box[k] =
+    strain.by[k] = terms.tension * lattice.area(area.by[k]) + terms.pressure * lattice.volume(volume.by[k]);
+    vectors.by[k] =
         terms.tension * lattice.length(area_by_box.by[k]) + terms.pressure * lattice.area(volume_by_box.by[k]);
   }
-  return result;
+  return {box.frame().strain_turned_back(strain), box.frame().rows_turned_back(vectors)};
 }
 
 }  // namespace hsp

@@ -63,7 +63,7 @@ Strain volume_by_strain(const PeriodicUnion &periodic);
 Strain area_by_strain(const PeriodicUnion &periodic, const AreaWeights &weights);
 
 // From derivatives by the strain to those by the vectors of the box: [3 k + p] is by component p of vector k. The
-// vectors are those given, on the lattice; the result is per step.
+// vectors are those given, turned and on the lattice; the result is per step. Both in the frame of the box.
 Strain by_box(const PeriodicBox &box, const Strain &strain);
 
 // Weights for what gradient_of_ball asks: those of images are their balls'.
@@ -76,8 +76,8 @@ inline BallGradient gradient_in_box(const PeriodicUnion &periodic, const AreaWei
   return gradient_of_ball(periodic.balls(), periodic.boundary(), weights, periodic.grid().grid_index(i));
 }
 
-// Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor, all in the caller's unit. The
-// volume is the sum of the shares. terms: with weights_in_box. False if the executor fails.
+// Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor, all in the caller's unit and
+// frame. The volume is the sum of the shares. terms: with weights_in_box. False if the executor fails.
 template <class Sink>
 bool differentiate_in_box(const Executor &executor, const PeriodicUnion &periodic, const EnergyTerms &terms,
                           Energy &energy, Sink sink) {
@@ -86,7 +86,8 @@ bool differentiate_in_box(const Executor &executor, const PeriodicUnion &periodi
     for (uint32_t i = range.first; i < range.last; ++i) {
       const uint32_t ball = periodic.grid().grid_index(i);
       const BallGradient own = gradient_in_box(periodic, terms.weights, i);
-      const EnergyGradient gradient = gradient_of_energy(lattice, terms, own);
+      EnergyGradient gradient = gradient_of_energy(lattice, terms, own);
+      periodic.images().box().frame().turn_back(gradient.centre);
       sum.add(
           {terms.weights.of(periodic.balls(), ball) * own.measure.area, periodic.share_volume(ball), gradient.radius});
       sink(i, gradient);
@@ -95,10 +96,10 @@ bool differentiate_in_box(const Executor &executor, const PeriodicUnion &periodi
   return sum_energy(executor, periodic.images().balls(), lattice, terms, visit, energy);
 }
 
-// Of the energy by the strain and by the vectors of the box, in the caller's unit.
+// Of the energy by the strain and by the vectors of the box, in the caller's unit and frame.
 struct BoxGradient {
-  double strain[9];
-  double box[9];
+  Strain strain;
+  Strain vectors;  // as by_box
 };
 BoxGradient differentiate_by_box(const PeriodicUnion &periodic, const EnergyTerms &terms);
 

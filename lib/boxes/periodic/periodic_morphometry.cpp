@@ -13,12 +13,13 @@ Strain curvature_by_strain(const PeriodicUnion &periodic, const AreaWeights &wei
 BoxGradient box_gradient_of_morphometry(const PeriodicUnion &periodic, const AreaWeights &weights,
                                         const MorphometricFactors &factors) {
   const exact::Lattice &lattice = periodic.images().lattice();
+  const PeriodicBox &box = periodic.images().box();
   BoxGradient result = differentiate_by_box(periodic, {weights, factors.tension, factors.pressure});
-  const Strain curvature = curvature_by_strain(periodic, weights);
-  const Strain curvature_by_box = by_box(periodic.images().box(), curvature);
+  const Strain own = curvature_by_strain(periodic, weights);
+  const Strain strain = box.frame().strain_turned_back(own), vectors = box.frame().rows_turned_back(by_box(box, own));
   for (int k = 0; k < 9; ++k) {
-    result.strain[k] += factors.bending * lattice.length(curvature.by[k]);
-    result.box[k] += factors.bending * curvature_by_box.by[k];
+    result.strain.by[k] += factors.bending * lattice.length(strain.by[k]);
+    result.vectors.by[k] += factors.bending * vectors.by[k];
   }
   return result;
 }

@@ -7,8 +7,8 @@
 namespace hsp {
 
 // Calls sink(i, gradient) for every ball i of the input, whose images move and grow with it, from the tasks of the
-// executor, all in the caller's unit. The volume is the sum of the shares. weights: weights_in_box. False if the
-// executor fails.
+// executor, all in the caller's unit and frame. The volume is the sum of the shares. weights: weights_in_box. False if
+// the executor fails.
 template <class Sink>
 bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUnion &periodic,
                                       const AreaWeights &weights, const MorphometricFactors &factors,
@@ -21,16 +21,18 @@ bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUn
       const uint32_t ball = periodic.grid().grid_index(i);
       CurvedBallGradient own = curved_gradient_of_ball(periodic.balls(), boundary, weights, ball, set);
       own.measures.measure.volume = periodic.contacts().share_volume(ball);
-      sink(i, terms.add(periodic.balls(), ball, own, sum));
+      EnergyGradient gradient = terms.add(periodic.balls(), ball, own, sum);
+      periodic.images().box().frame().turn_back(gradient.centre);
+      sink(i, gradient);
     }
   };
   return terms.sum(executor, periodic.images().balls(), periodic.counts().euler(), visit, energy);
 }
 
-// Of the weighted mean curvature, in steps.
+// Of the weighted mean curvature, in steps and in the frame of the box.
 Strain curvature_by_strain(const PeriodicUnion &periodic, const AreaWeights &weights);
 
-// Of the energy, in the caller's unit. The Gaussian curvature does not change.
+// Of the energy, in the caller's unit and frame. The Gaussian curvature does not change.
 BoxGradient box_gradient_of_morphometry(const PeriodicUnion &periodic, const AreaWeights &weights,
                                         const MorphometricFactors &factors);
 

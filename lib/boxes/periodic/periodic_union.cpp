@@ -1,5 +1,7 @@
 #include "periodic/periodic_union.hpp"
 
+#include <bit>
+
 #include "model/set_digest.hpp"
 
 namespace hsp {
@@ -194,6 +196,9 @@ uint64_t digest_of(const PeriodicUnion &periodic) {
   for (uint32_t k = 0; k < 3; ++k) {
     const exact::Vector &vector = images.box().given(k);
     sum += mixed(k, bits(vector.x), bits(vector.y), bits(vector.z));
+    if (!images.box().frame().turns()) continue;
+    const Vec3 &axis = images.box().frame().axis(static_cast<int>(k));
+    sum += mixed(k, std::bit_cast<uint64_t>(axis.x), std::bit_cast<uint64_t>(axis.y), std::bit_cast<uint64_t>(axis.z));
   }
   for (uint32_t i = 0; i < images.balls(); ++i) {
     const BoxShift &home = images.home(i);

@@ -6,6 +6,23 @@
 
 namespace hsp {
 
+void HessianRows::begin(uint32_t row) const {
+  sort_in_place(Span<uint32_t>(ball + first[row], length(row)), [](uint32_t a, uint32_t b) { return a < b; });
+  double *const entry = block + 9 * size_t{first[row]};
+  for (size_t k = 0; k < 9 * size_t{length(row)}; ++k) entry[k] = 0.0;
+}
+
+void HessianRows::balance(uint32_t row, const double sum[9]) const {
+  double *const diagonal = block_of(row, row);
+  for (uint32_t k = 0; k < 9; ++k) diagonal[k] = 0.5 * (sum[k] + sum[transposed(k)]);
+}
+
+void HessianRows::join_flags(uint32_t n) const {
+  if (flags == nullptr) return;
+  flags[n] = 0;
+  for (uint32_t i = 0; i < n; ++i) flags[n] |= flags[i];
+}
+
 namespace {
 
 class RowBuilder {
@@ -16,16 +33,14 @@ class RowBuilder {
   // The columns of row i, and blocks of pairs that ball `place`, the grid's index of i, decides.
   void find_blocks(uint32_t i, uint32_t place) const {
     if (rows_.flags != nullptr) rows_.flags[i] = 0;
-    const uint32_t length = rows_.first[i + 1] - rows_.first[i];
-    if (length == 0) return;
+    if (rows_.length(i) == 0) return;
     uint32_t *const columns = rows_.ball + rows_.first[i];
     visit_balls_of_area_row(boundary_, place, [&](uint32_t k, uint32_t j) { columns[k] = balls_.caller[j]; });
-    sort_in_place(Span<uint32_t>(columns, length), [](uint32_t a, uint32_t b) { return a < b; });
-    for (uint32_t k = 0; k < 9 * length; ++k) block(rows_.first[i])[k] = 0.0;
+    rows_.begin(i);
     HessianArcs arcs(balls_, boundary_, terms_, place);
     while (arcs.next()) {
-      if (!decides(place, arcs.other())) continue;
-      double *const sum = block(entry(i, balls_.caller[arcs.other()]));
+      if (!decides_block(balls_, place, arcs.other())) continue;
+      double *const sum = rows_.block_of(i, balls_.caller[arcs.other()]);
       const HessianBlock part = arcs.block();
       for (uint32_t k = 0; k < 9; ++k) sum[k] += part.entry[k];
     }
@@ -35,37 +50,22 @@ class RowBuilder {
   // The other blocks of row i, and the diagonal. Sums run in the order of the circles on the ball, which is that of the
   // grid: the caller's order of the balls does not change their last bits.
   void complete(uint32_t i, uint32_t place) const {
-    if (rows_.first[i] == rows_.first[i + 1]) return;
+    if (rows_.length(i) == 0) return;
     double sum[9] = {};
     visit_balls_of_area_row(boundary_, place, [&](uint32_t, uint32_t other) {
       if (other == place) return;
       const uint32_t j = balls_.caller[other];
-      double *const own = block(entry(i, j));
-      if (decides(other, place)) {
-        const double *const found = block(entry(j, i));
-        for (uint32_t k = 0; k < 9; ++k) own[k] = found[transposed(k)];
+      double *const own = rows_.block_of(i, j);
+      if (decides_block(balls_, other, place)) {
+        const double *const found = rows_.block_of(j, i);
+        for (uint32_t k = 0; k < 9; ++k) own[k] = found[HessianRows::transposed(k)];
       }
       for (uint32_t k = 0; k < 9; ++k) sum[k] -= own[k];
     });
-    double *const diagonal = block(entry(i, i));
-    for (uint32_t k = 0; k < 9; ++k) diagonal[k] = 0.5 * (sum[k] + sum[transposed(k)]);
+    rows_.balance(i, sum);
   }
 
  private:
-  // Whether a block comes from the arcs on this ball. That is the smaller one, on which vectors are shorter and lose
-  // less, or of equal ones that of lower rank.
-  bool decides(uint32_t ball, uint32_t other) const {
-    const double r = balls_.r[ball], other_r = balls_.r[other];
-    return r != other_r ? r < other_r : balls_.ranks_before(ball, other);
-  }
-  static constexpr uint32_t transposed(uint32_t k) { return 3 * (k % 3) + k / 3; }
-  double *block(uint32_t entry) const { return rows_.block + 9 * size_t{entry}; }
-  uint32_t entry(uint32_t row, uint32_t column) const {
-    const uint32_t *const first = rows_.first + row;
-    return first[0] +
-           first_index(0, first[1] - first[0], [&](uint32_t k) { return rows_.ball[first[0] + k] >= column; });
-  }
-
   const BallSet &balls_;
   const Boundary &boundary_;
   const EnergyTerms &terms_;
@@ -89,9 +89,7 @@ bool find_hessian_rows(const Executor &executor, const CubeGrid &grid, const Bou
       for_each_ball(executor, grid, boundary, [&](uint32_t i, uint32_t place) { builder.complete(i, place); });
   if (!each || rows.flags == nullptr) return each;
   flag_free_inner_contacts(grid, boundary, one_sided_flag, rows.flags);
-  const uint32_t n = grid.balls().n;
-  rows.flags[n] = 0;
-  for (uint32_t i = 0; i < n; ++i) rows.flags[n] |= rows.flags[i];
+  rows.join_flags(grid.balls().n);
   return true;
 }
 

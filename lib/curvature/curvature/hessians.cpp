@@ -1,15 +1,47 @@
 #include "curvature/hessians.hpp"
 
+#include "lanes/wide.hpp"
+
 namespace hsp {
 
-void HessianBlock::add_product(double factor, const Vec3 &left, const Vec3 &right) {
-  const double rows[3] = {factor * left.x, factor * left.y, factor * left.z};
-  for (uint32_t k = 0; k < 3; ++k) {
-    entry[3 * k] += rows[k] * right.x;
-    entry[3 * k + 1] += rows[k] * right.y;
-    entry[3 * k + 2] += rows[k] * right.z;
+namespace {
+
+// A sum of products of two vectors, left right^T; of each row two entries at a time, and the third.
+class ProductSum {
+ public:
+  void add(double factor, const Vec3 &left, const Vec3 &right) {
+    const Pair xy{right.x, right.y};
+    const double rows[3] = {factor * left.x, factor * left.y, factor * left.z};
+    for (uint32_t k = 0; k < 3; ++k) {
+      xy_[k] += rows[k] * xy;
+      z_[k] += rows[k] * right.z;
+    }
   }
-}
+  void add_to_diagonal(double value) {
+    xy_[0] += Pair{value, nothing};
+    xy_[1] += Pair{nothing, value};
+    z_[2] += value;
+  }
+  HessianBlock times(double factor) const {
+    HessianBlock block;
+    for (uint32_t k = 0; k < 3; ++k) {
+      const Pair xy = factor * xy_[k];
+      block.entry[3 * k] = xy[0];
+      block.entry[3 * k + 1] = xy[1];
+      block.entry[3 * k + 2] = factor * z_[k];
+    }
+    return block;
+  }
+
+ private:
+  using Pair = Wide<double, 2>::Real;
+  static constexpr double nothing = -0.0;  // which no sum shows: 0 would take the sign of a zero
+
+  Pair xy_[3] = {};
+  double z_[3] = {};
+};
+
+}  // namespace
 
 bool VertexRates::find(const BallSet &balls, const AreaWeights &weights, uint32_t ball, const ArcBatch &batch) {
   const double own = weights.of(balls, ball) * balls.r[ball];
@@ -93,7 +125,7 @@ HessianBlock HessianArcs::block() const {
     along += terms_.tension * plane_speed * (h + below) * angle;
     across += terms_.tension * radius_growth * angle;
   }
-  HessianBlock result;
+  ProductSum sum;
   Vec3 X{0.0, 0.0, 0.0};
   if (has_ends) {
     X = {0.5 * batch.Xx[s], 0.5 * batch.Xy[s], 0.5 * batch.Xz[s]};
@@ -104,20 +136,19 @@ HessianBlock HessianArcs::block() const {
       ends += 0.5 * terms_.tension * rate;
       const auto add_end = [&](const Vec3 &e, uint32_t t, double sign) {
         const double turning = sign * scale * dot(cross(u, e), rates_.at(t));
-        result.add_product(turning, combine(h, u, 1.0, e), combine(below, u, 1.0, e));
+        sum.add(turning, combine(h, u, 1.0, e), combine(below, u, 1.0, e));
       };
       add_end(q, s, 1.0);
       add_end(p, batch.next[s], -1.0);
     }
     const Vec3 Y = combine(1.0, p, 1.0, q);
-    result.add_product(ends, X, Y);
-    result.add_product(-ends, cross(u, X), cross(u, Y));
-    result.add_product(second, X, u);
+    sum.add(ends, X, Y);
+    sum.add(-ends, cross(u, X), cross(u, Y));
+    sum.add(second, X, u);
   }
-  result.add_product(1.0, u, combine(along - across, u, first, X));
-  for (uint32_t k = 0; k < 3; ++k) result.entry[4 * k] += across;
-  for (double &entry : result.entry) entry *= -inverse_distance;
-  return result;
+  sum.add(1.0, u, combine(along - across, u, first, X));
+  sum.add_to_diagonal(across);
+  return sum.times(-inverse_distance);
 }
 
 }  // namespace hsp

@@ -24,9 +24,7 @@ namespace hsp {
 
 // d2E/dc_i dc_j, rows by the components of c_i.
 struct HessianBlock {
-  double entry[9] = {};
-
-  void add_product(double factor, const Vec3 &left, const Vec3 &right);
+  double entry[9];
 };
 
 // How the vertices of a batch move as all radii grow by their weights, each seen from the ball's centre.

@@ -118,9 +118,7 @@ void VisiblePiece::link() {
   sort_in_place(items, [&by_rank](const PieceHalfEdge &a, const PieceHalfEdge &b) {
     return a.circle != b.circle ? by_rank(a.circle, b.circle) : by_rank(a.previous_circle, b.previous_circle);
   });
-  chain_.link(
-      items, 0, [](const PieceHalfEdge &half_edge) { return half_edge.previous_circle; },
-      [this](uint32_t cap) { return planes_[cap].v; });
+  chain_.link(items, 0, &PieceHalfEdge::previous_circle, [this](uint32_t cap) { return planes_[cap].v; });
   uint32_t loops = 0;
   for (uint32_t start = 0; start < items.size(); ++start) {
     if (items[start].loop != no_id) continue;

@@ -159,6 +159,7 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
 void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, uint32_t joins,
                                          DisjointSets &loops) {
   const exact::Predicates predicates = caps.predicates();
+  intervals_.start(caps, joins);
   uint32_t pole_loop = no_id;
   const auto join = [&](uint32_t p, uint32_t q) { joins -= static_cast<uint32_t>(loops.join(p, q)); };
   for (uint32_t representative = 0; representative < caps.count && joins > 0; ++representative) {

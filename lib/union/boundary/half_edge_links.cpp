@@ -76,7 +76,7 @@ class BallLinker {
     const Span<HalfEdge> half_edges = a_.half_edges.part(first, a_.first[i + 1].half_edge);
     const auto direction = [this, i](uint32_t j) { return balls_.exact_difference(i, j); };
     if (sort_by_x(i, half_edges)) {
-      chain_.link_marked(half_edges, first, arriving_circle, direction);
+      chain_.link_marked(half_edges, first, &HalfEdge::loop, direction);
       return number_circles(i, number_few(half_edges, first, loops));
     }
     sort_in_place(half_edges, [this](const HalfEdge &p, const HalfEdge &q) {
@@ -84,7 +84,7 @@ class BallLinker {
                                   : balls_.ranks_before(arriving_circle(p), arriving_circle(q));
     });
     for (uint32_t k = 0; k < half_edges.size(); ++k) a_.half_edge_at[half_edges[k].next] = first + k;
-    chain_.link(half_edges, first, arriving_circle, direction);
+    chain_.link(half_edges, first, &HalfEdge::loop, direction);
     return number_circles(i, number_many(half_edges, first, loops));
   }
 
@@ -126,7 +126,7 @@ class BallLinker {
     }
     if (different == circles) return true;
     for (uint32_t k = 0; k < count; ++k) half_edges[k] = given[k];
-    chain_.unmark(half_edges, arriving_circle);
+    chain_.unmark(half_edges, &HalfEdge::loop);
     return false;
   }
 

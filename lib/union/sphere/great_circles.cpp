@@ -1,7 +1,20 @@
+// Free intervals of a meridian: each ends where caps do that no other cap covers there.
+//
+// As an example three caps of 30 degrees about axes in the plane of the meridian, in degrees from the direction z on:
+//   axis      covers          free ends
+//      0     -30 to  30       the entry, as 30 lies in the second cap
+//     45      15 to  75       the exit
+//    180     150 to 210       both
+// So 75 to 150 is free, from the exit of the second cap to the entry of the third, and so is 210 to 330. Where there
+// are many caps, they are sorted by their entries: if none is longer than 60 degrees, 75 lies in none but those that
+// begin between 15 and 75.
 #include "sphere/great_circles.hpp"
 
 #include <limits>
 
+#include "core/extremes.hpp"
+#include "core/first_index.hpp"
+#include "core/small_code.hpp"
 #include "core/sorting.hpp"
 #include "lanes/wide.hpp"
 #include "sphere/cap_pair.hpp"
@@ -61,18 +74,18 @@ struct CoveredEnds {
   }
 };
 
-// Which ends of a cap on a meridian are free.
+constexpr uint32_t both_ends = MeridianCap::free_entry | MeridianCap::free_exit;  // as lanes have their bits
+
+// Which ends of a cap on a meridian, of those that were free so far, are free of others, too.
 uint32_t free_ends_of(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
-                      Span<const MeridianCap> crossing, const MeridianCap &own) {
+                      Span<const MeridianCap> others, const MeridianCap &own, uint32_t free_ends) {
   using Lanes = CoveredEnds::Lanes;
   const CoveredEnds ends(own);
-  constexpr uint32_t both = MeridianCap::free_entry | MeridianCap::free_exit;  // as lanes have their bits
-  uint32_t free_ends = both;
-  for (uint32_t k = 0; k < crossing.size() && free_ends != 0; ++k) {
-    const MeridianCap &other = crossing[k];
+  for (uint32_t k = 0; k < others.size() && free_ends != 0; ++k) {
+    const MeridianCap &other = others[k];
     if (&other == &own) continue;
     const Lanes::Real at = other.along * ends.along + other.up * ends.up - other.b;
-    if (Lanes::set_lanes(Lanes::absolute(at) > ends.error) == both) {
+    if (Lanes::set_lanes(Lanes::absolute(at) > ends.error) == both_ends) {
       free_ends &= static_cast<uint32_t>(Lanes::set_lanes(at < 0.0));
     } else {
       const exact::PointStatus status = predicates.point_status(meridian, caps.plane(own.cap), caps.plane(other.cap));
@@ -81,6 +94,88 @@ uint32_t free_ends_of(const Caps &caps, const exact::Predicates &predicates, con
     }
   }
   return free_ends;
+}
+
+// A place on the meridian, counter-clockwise from the direction z, as a number that begins anew after a whole turn: the
+// lowest two bits are 0.
+uint32_t place_of(double along, double up) {
+  const double size = std::fabs(along) + std::fabs(up), part = along >= 0.0 ? 1.0 - up / size : 3.0 + up / size;
+  return static_cast<uint32_t>(static_cast<int64_t>(part * 0x1p30)) & ~both_ends;
+}
+
+// The caps on a meridian, where they are many, in an order in which few of them may reach an end of one. Long ones, and
+// those whose ends are in doubt, come first: they may reach all. The others are in the order of their entries, and none
+// is longer than `longest`. Places have errors far below `slack` where ends are not in doubt.
+class CapsByPlace {
+ public:
+  static constexpr uint32_t fewest = 32;
+
+  explicit CapsByPlace(Span<MeridianCap> crossing) : crossing_(crossing) {
+    uint64_t sum = 0, certain = 0;
+    for (MeridianCap &cap : crossing) {
+      const uint32_t length = length_of(cap, cap.free_ends);
+      if (length == in_doubt) continue;
+      sum += length;
+      ++certain;
+    }
+    if (certain > 0) longest_ = smaller_of(static_cast<uint32_t>(sum / certain), half_turn / 4) * 4;
+    for (uint32_t k = 0; k < crossing.size(); ++k) {
+      uint32_t entry;
+      if (length_of(crossing[k], entry) <= longest_) continue;
+      const MeridianCap other = crossing[first_];
+      crossing[first_++] = crossing[k];
+      crossing[k] = other;
+    }
+    sort_in_place(crossing.part(first_, crossing.size()),
+                  [](const MeridianCap &a, const MeridianCap &b) { return a.free_ends < b.free_ends; });
+  }
+
+  // Calls visit(part) for parts that hold all that may reach an end of cap k.
+  template <class Visit>
+  void visit_near(uint32_t k, Visit visit) const {
+    const uint32_t count = crossing_.size();
+    if (k < first_) return visit(crossing_);
+    visit(crossing_.part(0, first_));
+    uint32_t entry;
+    const uint32_t length = length_of(crossing_[k], entry), low = entry - longest_ - slack,
+                   high = entry + length + slack;
+    const uint32_t from = first_from(low), to = first_from(high);
+    if (low < high) return visit(crossing_.part(from, to));
+    visit(crossing_.part(from, count));
+    visit(crossing_.part(first_, to));
+  }
+
+ private:
+  static constexpr uint32_t slack = UINT32_C(1) << 14, half_turn = UINT32_C(1) << 31, in_doubt = UINT32_MAX;
+
+  // From the entry to the exit.
+  static uint32_t length_of(const MeridianCap &cap, uint32_t &entry) {
+    const CoveredEnds ends(cap);
+    entry = place_of(ends.along[0], ends.up[0]);
+    const uint32_t length = place_of(ends.along[1], ends.up[1]) - entry;
+    return ends.error < 0x1p-20 && length < half_turn / 2 ? length : in_doubt;
+  }
+  uint32_t first_from(uint32_t place) const {
+    return first_index(first_, crossing_.size(),
+                       [&](uint32_t k) { return (crossing_[k].free_ends & ~both_ends) >= place; });
+  }
+
+  Span<MeridianCap> crossing_;
+  uint32_t first_ = 0;  // of those that are not long
+  uint32_t longest_ = 0;
+};
+
+[[gnu::cold, gnu::noinline]] void find_ends_by_place(const Caps &caps, const exact::Predicates &predicates,
+                                                     const Plane &meridian, Span<MeridianCap> crossing) {
+  const CapsByPlace by_place(crossing);
+  for (uint32_t k = 0; k < crossing.size(); ++k) {
+    uint32_t free_ends = both_ends;
+    by_place.visit_near(k, [&](Span<const MeridianCap> others) {
+      free_ends = free_ends_of(caps, predicates, meridian, others, crossing[k], free_ends);
+    });
+    crossing[k].free_ends |= free_ends;
+  }
+  for (MeridianCap &cap : crossing) cap.free_ends &= both_ends;
 }
 
 // Whether cap a comes before cap b, counter-clockwise about the normal m of a meridian from the direction z: first the
@@ -109,32 +204,89 @@ void FreeIntervals::carve(Workspace &workspace, uint32_t capacity) {
   caps_ = workspace.take<MeridianCap>(capacity);
 }
 
-[[gnu::cold]] void FreeIntervals::find(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian) {
+void FreeIntervals::make_index(const Caps &caps) {
+  constexpr uint32_t words = sizeof(MeridianCap) / sizeof(uint32_t);
+  const uint32_t sectors = MeridianSectors::sectors_for(caps.count);
+  const uint32_t listed = MeridianSectors::entries_for_each * caps.count;
+  static_assert(MeridianSectors::entries_for_each + 1 < words);
+  room_ = caps_.size() - (listed + sectors + 1 + words - 1) / words;
+  uint32_t *const behind = reinterpret_cast<uint32_t *>(caps_.data() + room_);
+  sectors_.start(caps, {{behind, sectors + 1}, {behind + sectors + 1, listed}});
+}
+
+namespace {
+
+enum class OnMeridian { nothing, crosses, covers };
+
+// Whether cap l crosses a meridian, as `cap` then, or covers it.
+[[gnu::always_inline]] inline OnMeridian on_meridian(const Caps &caps, const exact::Predicates &predicates,
+                                                     const Plane &meridian, const MeridianAxis &axis, uint32_t l,
+                                                     MeridianCap &cap) {
+  const double along = caps.ux[l] * axis.along_x + caps.uy[l] * axis.along_y;
+  const double up = caps.uz[l];
+  const double b = caps.b[l];
+  const double q = along * along + up * up - b * b;
+  cap = {along, up, b, l, 0};
+  if (q > CapBounds::crossing) return OnMeridian::crosses;
+  if (q < -CapBounds::crossing && b > CapBounds::centre) return OnMeridian::nothing;
+  // Seldom: it covers the meridian, or it must be asked exactly.
+  if (predicates.crossing(meridian, caps.plane(l)).sign > 0) return OnMeridian::crosses;
+  return predicates.side(meridian, caps.plane(l)).sign > 0 ? OnMeridian::covers : OnMeridian::nothing;
+}
+
+// By the index. Returns how many caps cross, no_id if one covers the meridian; crossing.size() if there may be more.
+[[gnu::cold, gnu::noinline]] uint32_t find_by_sectors(const MeridianSectors &sectors, const Caps &caps,
+                                                      const exact::Predicates &predicates, const Plane &meridian,
+                                                      const MeridianAxis &axis, Span<MeridianCap> crossing) {
+  uint32_t crossings = 0;
+  bool covered = false;
+  sectors.visit(axis.along_x, axis.along_y, [&](uint32_t l) {
+    const OnMeridian found = on_meridian(caps, predicates, meridian, axis, l, crossing[crossings]);
+    covered = found == OnMeridian::covers;
+    crossings += found == OnMeridian::crosses ? 1U : 0U;
+    return !covered && crossings < crossing.size();
+  });
+  return covered ? no_id : crossings;
+}
+
+}  // namespace
+
+void FreeIntervals::find(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian) {
   bounding_caps_ = 0;
   const MeridianAxis axis(meridian.v);
   uint32_t crossings = 0;
-  for (uint32_t l = 0; l < caps.count; ++l) {
-    const double along = caps.ux[l] * axis.along_x + caps.uy[l] * axis.along_y;
-    const double up = caps.uz[l];
-    const double b = caps.b[l];
-    const double q = along * along + up * up - b * b;
-    caps_[crossings] = {along, up, b, l, 0};
-    bool crosses = q > CapBounds::crossing;
-    if (!crosses && !(q < -CapBounds::crossing && b > CapBounds::centre)) {
-      // Seldom: it covers the meridian, or it must be asked exactly.
-      crosses = predicates.crossing(meridian, caps.plane(l)).sign > 0;
-      if (!crosses && predicates.side(meridian, caps.plane(l)).sign > 0) return;
+  if (!small_code && indexed_) {
+    crossings = find_by_sectors(sectors_, caps, predicates, meridian, axis, caps_.part(0, room_));
+    if (crossings == no_id) return;
+    indexed_ = crossings < room_;
+  }
+  if (small_code || !indexed_) {
+    crossings = 0;
+    for (uint32_t l = 0; l < caps.count; ++l) {
+      const OnMeridian found = on_meridian(caps, predicates, meridian, axis, l, caps_[crossings]);
+      if (found == OnMeridian::covers) return;
+      crossings += found == OnMeridian::crosses ? 1U : 0U;
     }
-    crossings += crosses ? 1U : 0U;
   }
   const Span<MeridianCap> crossing = caps_.part(0, crossings);
-  for (MeridianCap &cap : crossing) cap.free_ends = free_ends_of(caps, predicates, meridian, crossing, cap);
+  if (!small_code && crossings >= CapsByPlace::fewest) {
+    find_ends_by_place(caps, predicates, meridian, crossing);
+  } else {
+    for (MeridianCap &cap : crossing) {
+      cap.free_ends = free_ends_of(caps, predicates, meridian, crossing, cap, both_ends);
+    }
+  }
   for (const MeridianCap &cap : crossing) {
     if (cap.free_ends != 0) caps_[bounding_caps_++] = cap;
   }
+  const Span<MeridianCap> bounding = caps_.part(0, bounding_caps_);
   if (bounding_caps_ > 2) {
-    sort_in_place(caps_.part(0, bounding_caps_),
+    sort_in_place(bounding,
                   [&](const MeridianCap &a, const MeridianCap &b) { return comes_before(caps, meridian.v, a, b); });
+  } else if (!small_code && bounding_caps_ == 2 && bounding[1].cap < bounding[0].cap) {
+    const MeridianCap other = bounding[0];
+    bounding[0] = bounding[1];
+    bounding[1] = other;
   }
 }
 

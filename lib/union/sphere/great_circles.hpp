@@ -6,6 +6,7 @@
 
 #include "exact/angular_order.hpp"
 #include "sphere/exposed_caps.hpp"
+#include "sphere/meridian_sectors.hpp"
 #include "sphere/near_caps.hpp"
 
 namespace hsp {
@@ -23,7 +24,7 @@ struct MeridianCap {
   double along, up;  // its axis
   double b;
   uint32_t cap;
-  uint32_t free_ends;
+  uint32_t free_ends;  // while they are looked for, with the place of its entry
 
   static constexpr uint32_t free_entry = 1;
   static constexpr uint32_t free_exit = 2;
@@ -48,6 +49,14 @@ class FreeIntervals {
     const auto part = [&](uint32_t number) { return Span<uint32_t>(words + size_t{capacity} * number, capacity); };
     return NearCaps({part(0), part(1), part(2), {reinterpret_cast<float *>(part(3).data()), capacity}});
   }
+  // Before the meridians of a ball with these caps, of which there may be so many. Until the last of them the caps stay
+  // as they are, and so does the memory.
+  void start(const Caps &caps, uint32_t meridians) {
+    if constexpr (!small_code) {
+      indexed_ = caps.count >= MeridianSectors::fewest && meridians >= fewest_indexed;
+      if (indexed_) make_index(caps);
+    }
+  }
   // Finds the free intervals of a meridian. None if it is free as a whole or covered as a whole.
   void find(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian);
 
@@ -63,8 +72,15 @@ class FreeIntervals {
   }
 
  private:
+  static constexpr uint32_t fewest_indexed = 4;
+
+  void make_index(const Caps &caps);
+
   Span<MeridianCap> caps_;      // those that the meridian crosses; then of these the ones with a free end point
   uint32_t bounding_caps_ = 0;  // of which there are so many
+  bool indexed_ = false;        // then memory behind the first `room_` of them is that of the sectors
+  uint32_t room_;
+  MeridianSectors sectors_;
 };
 
 // Which of several free intervals of circle P, each from the exit of a plane to the entry of another, contains the free
@@ -117,6 +133,7 @@ struct GatheredBall {
   void gather(const CubeGrid &grid, const CubeBlock &block, uint32_t i) {
     caps.gather(grid.balls(), block, i, nullptr);
     intervals.exposed_caps().keep(ExposedCaps::Part::sphere, caps);
+    intervals.start(caps, 1);
   }
   static CubeCoordinates cube_of(const CubeGrid &grid, uint32_t i) { return grid.cube_at(grid.balls().ball(i).centre); }
 };

@@ -1,10 +1,12 @@
 // Which half-edge of one sphere follows which: half_edges.hpp's find_next() for all at once. Half-edges that arrive at
 // a vertex along one circle, and those that leave along it, are bits of words that belong to the circle. So nearly
 // every half-edge finds its follower without a comparison, and the cyclic order decides between what is left. Every
-// half-edge follows one other, so that one that was found is no candidate any more.
+// half-edge follows one other, so that one that was found is no candidate any more. Where there are more half-edges
+// than bits, the words are the heads of lists.
 #pragma once
 
 #include "core/id_range.hpp"
+#include "core/small_code.hpp"
 #include "core/workspace.hpp"
 #include "sphere/half_edges.hpp"
 
@@ -23,16 +25,21 @@ class HalfEdgeChain {
     for (uint32_t &word : leaving_.part(circles.first, circles.last)) word = 0;
   }
 
-  // Stores in each half-edge the number of its follower, the first of them being number `first`. previous(h) is the
-  // circle of the half-edge that ends where h starts, direction(c) the normal of the plane of circle c.
-  template <class Item, class Previous, class Direction>
-  void link(Span<Item> half_edges, uint32_t first, Previous previous, Direction direction) const {
-    if (half_edges.size() > most) {
-      for (Item &half_edge : half_edges) half_edge.next = first + find_next(half_edges, half_edge, previous, direction);
-      return;
+  // Stores in each half-edge the number of its follower, the first of them being number `first`. `previous` is the
+  // circle of the half-edge that ends where it starts, direction(c) the normal of the plane of circle c. O(n) but for
+  // circles of several arcs, where each half-edge looks at all of its circle.
+  template <class Item, class Direction>
+  void link(Span<Item> half_edges, uint32_t first, uint32_t Item::*previous, Direction direction) const {
+    if (half_edges.size() <= most) {
+      for (uint32_t k = 0; k < half_edges.size(); ++k) mark(half_edges[k].*previous, half_edges[k].circle, k);
+      return link_marked(half_edges, first, previous, direction);
     }
-    for (uint32_t k = 0; k < half_edges.size(); ++k) mark(previous(half_edges[k]), half_edges[k].circle, k);
-    link_marked(half_edges, first, previous, direction);
+    if constexpr (small_code) {
+      const auto previous_of = [previous](const Item &half_edge) { return half_edge.*previous; };
+      for (Item &each : half_edges) each.next = first + find_next(half_edges, each, previous_of, direction);
+    } else {
+      link_lists(half_edges, first, previous, direction);
+    }
   }
 
   // The same in two steps, for at most that many half-edges: all are marked first, in any order. The sum of what is
@@ -45,13 +52,13 @@ class HalfEdgeChain {
     leaving_[circle] |= bit;
     return static_cast<uint32_t>(others == 0);
   }
-  template <class Item, class Previous, class Direction>
-  void link_marked(Span<Item> half_edges, uint32_t first, Previous previous, Direction direction) const {
+  template <class Item, class Direction>
+  void link_marked(Span<Item> half_edges, uint32_t first, uint32_t Item::*previous, Direction direction) const {
     // Those that can follow one half-edge alone are taken from the others first: no branch depends on them.
     uint32_t open = 0;
     for (uint32_t k = 0; k < half_edges.size(); ++k) {
       Item &half_edge = half_edges[k];
-      const uint32_t left = candidates(half_edge.circle, previous(half_edge));
+      const uint32_t left = candidates(half_edge.circle, half_edge.*previous);
       const uint32_t lowest = left & (0 - left);
       const uint32_t is_open = static_cast<uint32_t>(left != lowest);
       half_edge.next = first + lowest_of(left);
@@ -60,20 +67,54 @@ class HalfEdgeChain {
     }
     for (; open != 0; open &= open - 1) {
       Item &half_edge = half_edges[lowest_of(open)];
-      const uint32_t left = candidates(half_edge.circle, previous(half_edge));
-      const uint32_t best = first_of(half_edges, half_edge.circle, previous(half_edge), left, direction);
+      const uint32_t left = candidates(half_edge.circle, half_edge.*previous);
+      const uint32_t best = first_of(half_edges, half_edge.circle, half_edge.*previous, left, direction);
       arriving_[half_edge.circle] ^= UINT32_C(1) << best;
       half_edge.next = first + best;
     }
     for (const Item &half_edge : half_edges) leaving_[half_edge.circle] = 0;
   }
   // Instead of linking.
-  template <class Item, class Previous>
-  void unmark(Span<Item> half_edges, Previous previous) const {
-    for (const Item &half_edge : half_edges) arriving_[previous(half_edge)] = leaving_[half_edge.circle] = 0;
+  template <class Item>
+  void unmark(Span<Item> half_edges, uint32_t Item::*previous) const {
+    for (const Item &half_edge : half_edges) arriving_[half_edge.*previous] = leaving_[half_edge.circle] = 0;
   }
 
  private:
+  // Those that arrive along one circle are a list: it begins in the circle's word, and goes on in `next`, each number
+  // increased by 1. Until lists are not needed any more, followers are kept in place of the previous circles, which
+  // followers tell again.
+  template <class Item, class Direction>
+  void link_lists(Span<Item> half_edges, uint32_t first, uint32_t Item::*previous, Direction direction) const {
+    for (uint32_t k = 0; k < half_edges.size(); ++k) {
+      uint32_t &head = arriving_[half_edges[k].*previous];
+      half_edges[k].next = head;
+      head = k + 1;
+    }
+    for (Item &half_edge : half_edges) {
+      const exact::Vector axis = direction(half_edge.circle);
+      const uint32_t from = half_edge.*previous, list = arriving_[half_edge.circle];
+      uint32_t best = list;
+      for (uint32_t other = half_edges[list - 1].next; other != 0; other = half_edges[other - 1].next) {
+        const uint32_t nearest = half_edges[best - 1].circle, circle = half_edges[other - 1].circle;
+        if (circle == from) continue;  // a whole turn away
+        if (nearest == from ||
+            exact::counter_clockwise_before(axis, direction(from), direction(nearest), direction(circle))) {
+          best = other;
+        }
+      }
+      half_edge.*previous = best - 1;
+    }
+    for (Item &half_edge : half_edges) {
+      arriving_[half_edge.circle] = 0;
+      half_edge.next = half_edge.*previous;
+    }
+    for (Item &half_edge : half_edges) {
+      half_edges[half_edge.next].*previous = half_edge.circle;
+      half_edge.next += first;
+    }
+  }
+
   static uint32_t lowest_of(uint32_t bits) { return static_cast<uint32_t>(__builtin_ctz(bits)); }
 
   // A follower that leaves along the circle before the half-edge is a whole turn away: it is the last.

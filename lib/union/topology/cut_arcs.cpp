@@ -61,6 +61,7 @@ void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, Gathered
     const uint32_t i = boundary.face(face).ball;
     if (i != gathered_ball) {
       gathered.gather(grid, sweep.block_around_ball(i), i);
+      gathered.intervals.start(gathered.caps, boundary.loops(i).size());
       gathered_ball = i;
       around = gathered.caps.count;
     }

@@ -73,6 +73,7 @@ bool traverse_shells(const Boundary &boundary, Topology &topology, Span<uint32_t
   uint32_t first = 0;
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     ShellRecord &shell = topology.shells[s];
+    if (!patience.allows(200 * uint64_t{shell.simple_faces})) return false;
     shell.first_traversed = first;
     first += shell.simple_faces;
     const uint32_t visited = traverse_shell(topology, shell.start_face,

@@ -39,6 +39,9 @@ program fortran_periodic_test
   type(hsp_morphometric_energy) :: morphometric
   type(hsp_group_contact) :: between(2)
   real(c_double) :: area(n), share_volume(n), d_centre(3, n), d_radius(n), d_strain(9), d_box(9), rod, mean(n)
+  type(hsp_gradient_request) :: asked
+  real(c_double) :: block(3, 3, 9)
+  integer(c_int32_t) :: column(9), row_flags(n + 1)
   integer(c_int32_t) :: thirds(n), component(n), flags(n), first(n + 1), needed, invariant, id, bad
   integer(c_size_t) :: bytes
 
@@ -109,6 +112,17 @@ program fortran_periodic_test
   call check(abs(d_strain(1) - 2.25_c_double*pi) < 1e-11_c_double, 'strain')
   call check(maxval(abs(d_strain(2:))) < 1e-11_c_double, 'no more strain')
   call check(abs(d_box(1) - 0.5625_c_double*pi) < 1e-11_c_double, 'by the box')
+
+  ! Second derivatives of the two balls of the rod: two circles of radius 3/4, halfway between centres 2 apart.
+  call expect(hsp_gradient_request_init(asked, int(c_sizeof(asked), c_int32_t)), HSP_OK, 'hsp_gradient_request_init')
+  asked%pressure = 1
+  call expect(hsp_periodic_get_hessian_rows(periodic, asked, first, column, block, flags=row_flags, &
+                                            capacity=size(column, kind=c_int32_t), needed=needed), HSP_OK, &
+              'hsp_periodic_get_hessian_rows')
+  call check(needed == 5 .and. all(first == [0, 2, 4, 5]) .and. all(column(:5) == [0, 1, 0, 1, 2]), 'rows')
+  call check(abs(block(1, 1, 2) - 2*pi) < 1e-11_c_double .and. abs(block(2, 2, 2) + 0.5625_c_double*pi) < &
+             1e-11_c_double .and. maxval(abs(block(:, :, 1) + block(:, :, 2))) < 1e-11_c_double, 'a block')
+  call check(maxval(abs(block(:, :, 5))) == 0 .and. all(row_flags == 0), 'of the ball beside it')
 
   call expect(hsp_periodic_get_morphometry(periodic, pressure=0.5_c_double, bending=2.0_c_double, gaussian=1.0_c_double, &
                                            energy=morphometric, d_centre=d_centre, d_radius=d_radius, flags=flags, &

@@ -158,6 +158,10 @@ static void check_refused(uint32_t n, const double *at, const double *radii, con
 
 static void refused_input(void) {
   hsp_model_options options;
+  static const double in_plane[9] = {4, 1, 2, -1, 5, 3, 3, 6, 5}, on_line[9] = {4, 1, 2, 8, 2, 4, 1, 1, 7};
+  static const double enormous[9] = {1e308, 1e308, 1e308, -1e308, 1e308, 0, 0, 1e308, -1e308};
+  static const double minute[9] = {5e-324, 5e-324, 0, 0, 5e-324, 0, 0, 0, 5e-324};
+  static const double turned[9] = {2.5, 1, -1, 1, 3, 2, -0.75, 1.25, -2.75};
   double changed[9], moved[3 * BALLS], grown[BALLS];
   int k;
   make();
@@ -172,10 +176,15 @@ static void refused_input(void) {
   check_refused(BALLS, xyz, radius, &options, box, HSP_E_RANGE, 0);
   for (k = 0; k < 9; ++k) {
     memcpy(changed, box, sizeof changed);
-    changed[k] = k == 1 || k == 2 || k == 5 ? 0.5 : k % 4 == 0 ? -4 : 1e4;
-    check_refused(BALLS, xyz, radius, NULL, changed, k == 1 || k == 2 || k == 5 ? HSP_E_ARGUMENT : HSP_E_RANGE,
-                  HSP_NONE);
+    changed[k] = k % 4 == 0 ? 0 : 1e6;
+    check_refused(BALLS, xyz, radius, NULL, changed, HSP_E_RANGE, HSP_NONE);
+    changed[k] = (double)INFINITY;
+    check_refused(BALLS, xyz, radius, NULL, changed, HSP_E_NOT_FINITE, HSP_NONE);
   }
+  check_refused(BALLS, xyz, radius, NULL, in_plane, HSP_E_RANGE, HSP_NONE);
+  check_refused(BALLS, xyz, radius, NULL, on_line, HSP_E_RANGE, HSP_NONE);
+  check_refused(BALLS, xyz, radius, NULL, enormous, HSP_E_RANGE, HSP_NONE);
+  check_refused(BALLS, xyz, radius, NULL, minute, HSP_E_RANGE, HSP_NONE);
   memcpy(changed, box, sizeof changed);
   changed[8] = 0.01;
   check_refused(BALLS, xyz, radius, NULL, changed, HSP_E_RANGE, HSP_NONE);
@@ -187,6 +196,18 @@ static void refused_input(void) {
   memcpy(grown, radius, sizeof grown);
   grown[3] = -0.5;
   check_refused(BALLS, xyz, grown, NULL, box, HSP_E_NEGATIVE, 3);
+  /* The same of balls that are turned, also where a number is too large once it is turned. */
+  memcpy(moved, xyz, sizeof moved);
+  moved[7] = (double)NAN;
+  check_refused(BALLS, moved, radius, NULL, turned, HSP_E_NOT_FINITE, 2);
+  moved[7] = 2e6;
+  check_refused(BALLS, moved, radius, NULL, turned, HSP_E_RANGE, 2);
+  moved[6] = moved[7] = moved[8] = 1.7e308;
+  check_refused(BALLS, moved, radius, NULL, turned, HSP_E_RANGE, 2);
+  compute(BALLS, xyz, radius, turned);
+  CHECK_EQUAL(hsp_periodic_query_point(periodic, moved + 6, image, OUT, &number), HSP_E_RANGE);
+  moved[8] = (double)INFINITY;
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, moved + 6, 1, image, OUT, &number), HSP_E_NOT_FINITE);
   compute(BALLS, xyz, radius, box);
   compute(0, NULL, NULL, box);
   CHECK_EQUAL(counts.balls + counts.images + counts.faces + counts.components, 0);

@@ -73,19 +73,35 @@ static void defaults(const computed *c) {
 }
 
 static void wrong_loops(void) {
+  enum { ROOM = 12 * BALL_SET_MOST };
   static ball_set set;
-  static double chain_direction[3 * BALL_SET_MOST], chain_product[3 * BALL_SET_MOST];
-  loop own = loop_of(LOOP_FORGETS);
-  const hsp_executor executor = executor_of(&own, 2);
-  const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = &executor};
+  static double chain_direction[3 * BALL_SET_MOST], chain_product[3 * BALL_SET_MOST], chain_block[9 * ROOM];
+  static uint32_t chain_first[BALL_SET_MOST + 1], chain_ball[ROOM];
   computed c;
   ball_set_start(&set, "chain", 1e-8);
   ball_set_add_chain(&set, 200, 3);
-  check_scene("an executor that forgets a task");
-  if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK))
-    CHECK_EQUAL(
-        hsp_boundary_get_hessian_product(c.boundary, &request, chain_direction, chain_product, NULL, set.n, NULL),
-        HSP_E_EXECUTOR);
+  if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK)) {
+    int way;
+    /* rows take two passes, either of which may fail */
+    for (way = LOOP_RIGHT_WAYS; way < LOOP_WAYS; ++way) {
+      uint32_t pass;
+      check_scene("an executor of wrong way %d", way);
+      for (pass = 0; pass < 3; ++pass) {
+        loop own = loop_of(way);
+        const hsp_executor executor = executor_of(&own, 2);
+        const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = &executor};
+        const int32_t expected = pass < 2 ? HSP_E_EXECUTOR : HSP_OK;
+        own.first_wrong = pass;
+        CHECK_EQUAL(
+            hsp_boundary_get_hessian_rows(c.boundary, &request, chain_first, chain_ball, chain_block, NULL, ROOM, NULL),
+            expected);
+        own.runs = 0;
+        CHECK_EQUAL(
+            hsp_boundary_get_hessian_product(c.boundary, &request, chain_direction, chain_product, NULL, set.n, NULL),
+            pass < 1 ? HSP_E_EXECUTOR : HSP_OK);
+      }
+    }
+  }
   computed_release(&c);
 }
 

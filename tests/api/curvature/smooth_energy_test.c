@@ -32,7 +32,7 @@ static void check_scan(double r, double s, double weight, double window) {
   smooth_energy surface = {.window = window, .sigma = sigma, .step = 1e-8, .largest_radius = 3};
   int k;
   check_scene("two balls, weight %g, window %g", weight, window);
-  for (k = 150; k < 3600; k += 7) {
+  for (k = 150; k < 3600; ++k) {
     const double d = 0.001 * k + 0.0003, xyz[6] = {0.125, -1, 2, 0.125 + d, -1, 2};
     double value, gradient[6], matrix[36] = {0};
     lens grown, shrunk;

@@ -7,10 +7,11 @@ static const struct {
   const char *name;
   double value;
 } numbers[] = {
-    {"count", 1},   {"poses", 2},    {"tension", 1},    {"pressure", 0.5}, {"radius", 0.1},      {"margin", 1},
-    {"workers", 1}, {"first", 1},    {"face", 1},       {"dimension", 2},  {"atomic_number", 6}, {"patches", 100},
-    {"shell", 0},   {"x", 0.3},      {"y", 0.2},        {"z", 0.1},        {"narrow", 0.1},      {"wide", 1},
-    {"bending", 1}, {"gaussian", 1}, {"full_width", 2}, {"gap", 1},        {"nearest", 1},       {"mean_radius", 1},
+    {"count", 1},         {"poses", 2},     {"tension", 1}, {"pressure", 0.5},  {"radius", 0.1},
+    {"margin", 1},        {"workers", 1},   {"first", 1},   {"face", 1},        {"dimension", 2},
+    {"atomic_number", 6}, {"patches", 100}, {"shell", 0},   {"x", 0.3},         {"y", 0.2},
+    {"z", 0.1},           {"narrow", 0.1},  {"wide", 1},    {"bending", 1},     {"gaussian", 1},
+    {"full_width", 2},    {"gap", 1},       {"nearest", 1}, {"mean_radius", 1}, {"bricks", 1},
 };
 
 static double number_named(const argument *a) {
@@ -87,10 +88,22 @@ static void fill_sized(const argument *a, void *out) {
   }
 }
 
+/* Which summary of the fixture an argument is, or the number of its bytes. */
+static int summary_named(const char *name) {
+  return name[0] == 'a' ? 1 : name[0] == 'b' && strcmp(name, "bytes") != 0 ? 2 : 0;
+}
+
 void fill_base(const argument *a, void *out, size_t count) {
   size_t i;
   if (is_sized(a)) {
     fill_sized(a, out);
+  } else if (strcmp(a->base, "uint8_t") == 0 && strcmp(a->name, "selected") != 0) {
+    memcpy(out, given.summary[summary_named(a->name)], count);
+  } else if (strcmp(a->name, "id") == 0) { /* ascending */
+    for (i = 0; i < count; ++i) {
+      const uint64_t id = i;
+      memcpy((unsigned char *)out + i * sizeof id, &id, sizeof id);
+    }
   } else if (strcmp(a->base, "double") == 0) {
     for (i = 0; i < count; ++i) {
       const double number = number_of_array(a, i, count);
@@ -127,6 +140,8 @@ value base_number(const function *f, int i) {
   memset(&v, 0, sizeof v);
   if (strcmp(a->base, "double") == 0) {
     v.d = number;
+  } else if (strcmp(a->base, "size_t") == 0 && strcmp(f->noun, "bricks") == 0) {
+    v.z = given.summary_bytes[summary_named(a->name)];
   } else if (strcmp(a->base, "size_t") == 0) { /* of the memory for a handle */
     v.z = given.bytes[f->arguments[place_of_kind(f, KIND_handle_out)].noun];
   } else if (strcmp(a->name, "struct_size") == 0) {

@@ -49,6 +49,7 @@ static size_t entries(const call *c, const argument *a, uint32_t capacity) {
   if (a->held) return capacity;
   if (end != a->extent && *end == '\0') return number;
   place = place_of(c->f, a->extent);
+  if (place >= 0 && strcmp(c->f->arguments[place].base, "size_t") == 0) return c->v[place].z;
   if (place >= 0) return c->v[place].u;
   if (strcmp(a->extent, "n") == 0) return given.balls;
   if (strcmp(a->extent, "n + 1") == 0) return given.balls + 1;

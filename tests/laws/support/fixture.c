@@ -251,7 +251,33 @@ static void release(void) {
     free(given.refused_memory[i]);
   }
   for (i = 0; i < 2; ++i) free(given.spare_memory[i]);
+  for (i = 0; i < 3; ++i) free(given.summary[i]);
   memset(&given, 0, sizeof given);
+}
+
+/* Balls belong to the bricks by turns, and the model of each has all. */
+static void summarise(int which, uint32_t brick, uint32_t bricks, uint32_t flags) {
+  uint64_t id[FIXTURE_BALLS];
+  uint32_t owner[FIXTURE_BALLS], i;
+  hsp_brick_request request;
+  size_t bytes = 0;
+  for (i = 0; i < FIXTURE_BALLS; ++i) {
+    id[i] = i;
+    owner[i] = i % bricks;
+  }
+  memset(&request, 0, sizeof request);
+  request.struct_size = sizeof request;
+  request.brick = brick;
+  request.bricks = bricks;
+  request.flags = flags;
+  request.id = id;
+  request.owner = owner;
+  while (hsp_brick_summarise(given.handle[NOUN_boundary], &request, given.summary[which], &bytes, NULL) ==
+         HSP_E_CAPACITY) {
+    free(given.summary[which]);
+    given.summary[which] = test_zeros(bytes, 1);
+  }
+  given.summary_bytes[which] = bytes;
 }
 
 void fixture_make(uint32_t balls) {
@@ -259,6 +285,9 @@ void fixture_make(uint32_t balls) {
   release();
   given.balls = balls;
   for (noun = NOUN_none + 1; noun < NOUNS; ++noun) make(noun);
+  summarise(0, 0, 1, HSP_BRICK_KEEP_SHELLS);
+  summarise(1, 0, 2, 0);
+  summarise(2, 1, 2, 0);
   given.spare_model = empty_handle(NOUN_model, &given.spare_memory[0]);
   given.moving_body = empty_handle(NOUN_body, &given.spare_memory[1]);
   need(compute(NOUN_body, given.moving_body, NULL), "the body that moves");

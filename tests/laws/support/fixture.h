@@ -21,6 +21,9 @@ typedef struct fixture {
   hsp_body *moving_body;
   hsp_model *spare_model;
   void *spare_memory[2];
+  /* Summaries of bricks: one brick that is all, with its shells, and two that make all. */
+  unsigned char *summary[3];
+  size_t summary_bytes[3];
   void *refused[NOUNS], *refused_memory[NOUNS]; /* a model and a body whose set has failed */
 } fixture;
 extern fixture given;

@@ -58,5 +58,6 @@ size_t row_of(const argument *a) {
 }
 
 int names_reason(const function *f, const argument *a) {
-  return strcmp(a->name, "first_bad") == 0 || (strcmp(f->noun, "picture") == 0 && strcmp(a->name, "bytes") == 0);
+  return strcmp(a->name, "first_bad") == 0 || (strcmp(f->noun, "bricks") == 0 && strcmp(a->name, "brick") == 0) ||
+         (strcmp(f->noun, "picture") == 0 && strcmp(a->name, "bytes") == 0);
 }

@@ -985,6 +985,65 @@ static int64_t call_hsp_boundary_get_hessian_product(const value *v) {
   return (int64_t)hsp_boundary_get_hessian_product(v[0].p, v[1].p, v[7].p, v[8].p, v[9].p, v[10].u, v[11].p);
 }
 
+static const argument of_hsp_brick_summarise[] = {
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_brick_request", .kind = KIND_sized_in, .size = sizeof(hsp_brick_request), .is_const = 1},
+  {"brick", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset = offsetof(hsp_brick_request,
+      brick)},
+  {"bricks", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset = offsetof(hsp_brick_request,
+      bricks)},
+  {"flags", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset = offsetof(hsp_brick_request,
+      flags)},
+  {"id", "uint64_t", .kind = KIND_array_in, .size = sizeof(uint64_t), .extent = "n", .of = 1, .offset =
+      offsetof(hsp_brick_request, id), .is_const = 1},
+  {"owner", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "n", .of = 1, .offset =
+      offsetof(hsp_brick_request, owner), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_brick_request, executor), .is_const = 1},
+  {"summary", "void", .kind = KIND_memory},
+  {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_brick_summarise(const value *v) {
+  return (int64_t)hsp_brick_summarise(v[0].p, v[1].p, v[8].p, v[9].p, v[10].p);
+}
+
+static const argument of_hsp_brick_merge[] = {
+  {"a", "uint8_t", .kind = KIND_array_in, .size = sizeof(uint8_t), .extent = "a_bytes", .is_const = 1},
+  {"a_bytes", "size_t", .kind = KIND_value, .size = sizeof(size_t)},
+  {"b", "uint8_t", .kind = KIND_array_in, .size = sizeof(uint8_t), .extent = "b_bytes", .is_const = 1},
+  {"b_bytes", "size_t", .kind = KIND_value, .size = sizeof(size_t)},
+  {"summary", "void", .kind = KIND_memory},
+  {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
+  {"brick", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_brick_merge(const value *v) {
+  return (int64_t)hsp_brick_merge(v[0].p, v[1].z, v[2].p, v[3].z, v[4].p, v[5].p, v[6].p);
+}
+
+static const argument of_hsp_brick_get_totals[] = {
+  {"summary", "uint8_t", .kind = KIND_array_in, .size = sizeof(uint8_t), .extent = "bytes", .is_const = 1},
+  {"bytes", "size_t", .kind = KIND_value, .size = sizeof(size_t)},
+  {"totals", "hsp_brick_totals", .kind = KIND_struct_out, .size = sizeof(hsp_brick_totals)},
+  {"brick", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_brick_get_totals(const value *v) {
+  return (int64_t)hsp_brick_get_totals(v[0].p, v[1].z, v[2].p, v[3].p);
+}
+
+static const argument of_hsp_brick_get_shells[] = {
+  {"summary", "uint8_t", .kind = KIND_array_in, .size = sizeof(uint8_t), .extent = "bytes", .is_const = 1},
+  {"bytes", "size_t", .kind = KIND_value, .size = sizeof(size_t)},
+  {"out", "hsp_brick_shell", .kind = KIND_array_out, .size = sizeof(hsp_brick_shell), .extent = "needed", .null =
+      NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+  {"brick", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_brick_get_shells(const value *v) {
+  return (int64_t)hsp_brick_get_shells(v[0].p, v[1].z, v[2].p, v[3].u, v[4].p, v[5].p);
+}
+
 static const argument of_hsp_contacts_limits_init[] = {
   {"limits", "hsp_contacts_limits", .kind = KIND_sized, .size = sizeof(hsp_contacts_limits)},
   {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -1335,6 +1394,33 @@ static const argument of_hsp_periodic_get_gradient[] = {
 };
 static int64_t call_hsp_periodic_get_gradient(const value *v) {
   return (int64_t)hsp_periodic_get_gradient(v[0].p, v[1].p, v[7].p);
+}
+
+static const argument of_hsp_periodic_get_hessian_rows[] = {
+  {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
+  {"request", "hsp_gradient_request", .kind = KIND_sized_in, .size = sizeof(hsp_gradient_request), .null = NULL_always,
+      .is_const = 1},
+  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset =
+      offsetof(hsp_gradient_request, tangency)},
+  {"tension", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      tension)},
+  {"pressure", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      pressure)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, executor), .is_const = 1},
+  {"first", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n + 1"},
+  {"ball", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
+      1},
+  {"block", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .row = 3 * 3, .null =
+      NULL_empty, .held = 1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n + 1", .null = NULL_always},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_periodic_get_hessian_rows(const value *v) {
+  return (int64_t)hsp_periodic_get_hessian_rows(v[0].p, v[1].p, v[7].p, v[8].p, v[9].p, v[10].p, v[11].u, v[12].p);
 }
 
 static const argument of_hsp_periodic_query_point[] = {
@@ -3410,6 +3496,17 @@ const function registry[] = {
   {"hsp_boundary_get_hessian_product", "hessian", RESULT_status, 12, of_hsp_boundary_get_hessian_product,
       call_hsp_boundary_get_hessian_product, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)
       | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
+  {"hsp_brick_summarise", "bricks", RESULT_status, 11, of_hsp_brick_summarise, call_hsp_brick_summarise, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_ID) | BIT(HSP_E_STOPPED)},
+  {"hsp_brick_merge", "bricks", RESULT_status, 7, of_hsp_brick_merge, call_hsp_brick_merge, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_ID) | BIT(HSP_E_RANGE) |
+      BIT(HSP_E_CONFLICT) | BIT(HSP_E_DAMAGED)},
+  {"hsp_brick_get_totals", "bricks", RESULT_status, 4, of_hsp_brick_get_totals, call_hsp_brick_get_totals, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_STATE) | BIT(HSP_E_CONFLICT) | BIT(HSP_E_DAMAGED)},
+  {"hsp_brick_get_shells", "bricks", RESULT_status, 6, of_hsp_brick_get_shells, call_hsp_brick_get_shells, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_CONFLICT) |
+      BIT(HSP_E_DAMAGED)},
   {"hsp_contacts_limits_init", "contacts", RESULT_status, 3, of_hsp_contacts_limits_init, call_hsp_contacts_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE)},
   {"hsp_contacts_bytes", "contacts", RESULT_status, 2, of_hsp_contacts_bytes, call_hsp_contacts_bytes, BIT(HSP_OK) |
@@ -3472,6 +3569,9 @@ const function registry[] = {
       BIT(HSP_E_STATE)},
   {"hsp_periodic_get_gradient", "periodic", RESULT_status, 18, of_hsp_periodic_get_gradient,
       call_hsp_periodic_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
+  {"hsp_periodic_get_hessian_rows", "periodic", RESULT_status, 13, of_hsp_periodic_get_hessian_rows,
+      call_hsp_periodic_get_hessian_rows, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_periodic_query_point", "periodic", RESULT_status, 5, of_hsp_periodic_query_point, call_hsp_periodic_query_point,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
@@ -4099,6 +4199,37 @@ const field registry_fields[] = {
   {"hsp_morphometry_outputs", "d_centre", "double *", offsetof(hsp_morphometry_outputs, d_centre), 1},
   {"hsp_morphometry_outputs", "d_radius", "double *", offsetof(hsp_morphometry_outputs, d_radius), 1},
   {"hsp_morphometry_outputs", "flags", "uint32_t *", offsetof(hsp_morphometry_outputs, flags), 1},
+  {"hsp_brick_request", "struct_size", "uint32_t", offsetof(hsp_brick_request, struct_size), 1},
+  {"hsp_brick_request", "brick", "uint32_t", offsetof(hsp_brick_request, brick), 1},
+  {"hsp_brick_request", "bricks", "uint32_t", offsetof(hsp_brick_request, bricks), 1},
+  {"hsp_brick_request", "flags", "uint32_t", offsetof(hsp_brick_request, flags), 1},
+  {"hsp_brick_request", "id", "uint64_t *", offsetof(hsp_brick_request, id), 1},
+  {"hsp_brick_request", "owner", "uint32_t *", offsetof(hsp_brick_request, owner), 1},
+  {"hsp_brick_request", "executor", "hsp_executor *", offsetof(hsp_brick_request, executor), 1},
+  {"hsp_brick_totals", "balls", "uint64_t", offsetof(hsp_brick_totals, balls), 1},
+  {"hsp_brick_totals", "exposed_balls", "uint64_t", offsetof(hsp_brick_totals, exposed_balls), 1},
+  {"hsp_brick_totals", "contained_balls", "uint64_t", offsetof(hsp_brick_totals, contained_balls), 1},
+  {"hsp_brick_totals", "vertices", "uint64_t", offsetof(hsp_brick_totals, vertices), 1},
+  {"hsp_brick_totals", "arcs", "uint64_t", offsetof(hsp_brick_totals, arcs), 1},
+  {"hsp_brick_totals", "circles", "uint64_t", offsetof(hsp_brick_totals, circles), 1},
+  {"hsp_brick_totals", "faces", "uint64_t", offsetof(hsp_brick_totals, faces), 1},
+  {"hsp_brick_totals", "loops", "uint64_t", offsetof(hsp_brick_totals, loops), 1},
+  {"hsp_brick_totals", "shells", "uint64_t", offsetof(hsp_brick_totals, shells), 1},
+  {"hsp_brick_totals", "components", "uint64_t", offsetof(hsp_brick_totals, components), 1},
+  {"hsp_brick_totals", "voids", "uint64_t", offsetof(hsp_brick_totals, voids), 1},
+  {"hsp_brick_totals", "tied_vertices", "uint64_t", offsetof(hsp_brick_totals, tied_vertices), 1},
+  {"hsp_brick_totals", "euler", "int64_t", offsetof(hsp_brick_totals, euler), 1},
+  {"hsp_brick_totals", "area", "double", offsetof(hsp_brick_totals, area), 1},
+  {"hsp_brick_totals", "volume", "double", offsetof(hsp_brick_totals, volume), 1},
+  {"hsp_brick_totals", "void_volume", "double", offsetof(hsp_brick_totals, void_volume), 1},
+  {"hsp_brick_totals", "reserved", "uint64_t", offsetof(hsp_brick_totals, reserved), 2},
+  {"hsp_brick_shell", "component", "uint64_t", offsetof(hsp_brick_shell, component), 1},
+  {"hsp_brick_shell", "faces", "uint64_t", offsetof(hsp_brick_shell, faces), 1},
+  {"hsp_brick_shell", "euler", "int64_t", offsetof(hsp_brick_shell, euler), 1},
+  {"hsp_brick_shell", "area", "double", offsetof(hsp_brick_shell, area), 1},
+  {"hsp_brick_shell", "volume", "double", offsetof(hsp_brick_shell, volume), 1},
+  {"hsp_brick_shell", "kind", "uint32_t", offsetof(hsp_brick_shell, kind), 1},
+  {"hsp_brick_shell", "reserved", "uint32_t", offsetof(hsp_brick_shell, reserved), 3},
   {"hsp_contacts_limits", "struct_size", "uint32_t", offsetof(hsp_contacts_limits, struct_size), 1},
   {"hsp_contacts_limits", "balls", "uint32_t", offsetof(hsp_contacts_limits, balls), 1},
   {"hsp_contacts_limits", "neighbours", "uint32_t", offsetof(hsp_contacts_limits, neighbours), 1},

@@ -1004,6 +1004,59 @@ int32_t __wrap_hsp_boundary_get_hessian_product(const hsp_boundary *boundary, co
   return result;
 }
 
+int32_t __real_hsp_brick_summarise(const hsp_boundary *boundary, const hsp_brick_request *request, void *summary, size_t
+    *bytes, uint32_t *first_bad);
+int32_t __wrap_hsp_brick_summarise(const hsp_boundary *boundary, const hsp_brick_request *request, void *summary, size_t
+    *bytes, uint32_t *first_bad);
+int32_t __wrap_hsp_brick_summarise(const hsp_boundary *boundary, const hsp_brick_request *request, void *summary, size_t
+    *bytes, uint32_t *first_bad) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_brick_summarise");
+  result = __real_hsp_brick_summarise(boundary, request, summary, bytes, first_bad);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, void *summary, size_t
+    *bytes, uint32_t *brick);
+int32_t __wrap_hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, void *summary, size_t
+    *bytes, uint32_t *brick);
+int32_t __wrap_hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, void *summary, size_t
+    *bytes, uint32_t *brick) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_brick_merge");
+  result = __real_hsp_brick_merge(a, a_bytes, b, b_bytes, summary, bytes, brick);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_brick_get_totals(const uint8_t *summary, size_t bytes, hsp_brick_totals *totals, uint32_t *brick);
+int32_t __wrap_hsp_brick_get_totals(const uint8_t *summary, size_t bytes, hsp_brick_totals *totals, uint32_t *brick);
+int32_t __wrap_hsp_brick_get_totals(const uint8_t *summary, size_t bytes, hsp_brick_totals *totals, uint32_t *brick) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_brick_get_totals");
+  result = __real_hsp_brick_get_totals(summary, bytes, totals, brick);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_brick_get_shells(const uint8_t *summary, size_t bytes, hsp_brick_shell *out, uint32_t capacity,
+    uint32_t *needed, uint32_t *brick);
+int32_t __wrap_hsp_brick_get_shells(const uint8_t *summary, size_t bytes, hsp_brick_shell *out, uint32_t capacity,
+    uint32_t *needed, uint32_t *brick);
+int32_t __wrap_hsp_brick_get_shells(const uint8_t *summary, size_t bytes, hsp_brick_shell *out, uint32_t capacity,
+    uint32_t *needed, uint32_t *brick) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_brick_get_shells");
+  result = __real_hsp_brick_get_shells(summary, bytes, out, capacity, needed, brick);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary
     *boundary);
 int32_t __wrap_hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary
@@ -1343,6 +1396,20 @@ int32_t __wrap_hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp
   host_call call;
   host_call_begins(&call, "hsp_periodic_get_gradient");
   result = __real_hsp_periodic_get_gradient(periodic, request, outputs);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_periodic_get_hessian_rows(const hsp_periodic *periodic, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_hessian_rows(const hsp_periodic *periodic, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_periodic_get_hessian_rows(const hsp_periodic *periodic, const hsp_gradient_request *request, uint32_t
+    *first, uint32_t *ball, double *block, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_periodic_get_hessian_rows");
+  result = __real_hsp_periodic_get_hessian_rows(periodic, request, first, ball, block, flags, capacity, needed);
   host_call_ends(&call);
   return result;
 }

@@ -81,9 +81,11 @@ TEST(PeriodicMorphometry, DerivesByTheStrainAndTheBox) {
       }
     }
     const hsp::BoxGradient all = hsp::box_gradient_of_morphometry(built.get(), weights, everything);
-    derivatives.expect(all.strain[4], quotient(set, everything, [](WeightedBox &s, double e) { s.strain(1, 1, e); }));
+    derivatives.expect(all.strain.by[4],
+                       quotient(set, everything, [](WeightedBox &s, double e) { s.strain(1, 1, e); }));
     for (const size_t k : {0U, 3U, 4U, 6U, 7U, 8U}) {
-      derivatives.expect(all.box[k], quotient(set, everything, [&](WeightedBox &s, double e) { s.change_box(k, e); }));
+      derivatives.expect(all.vectors.by[k],
+                         quotient(set, everything, [&](WeightedBox &s, double e) { s.change_box(k, e); }));
     }
   }
 }

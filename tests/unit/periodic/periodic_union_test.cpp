@@ -523,7 +523,7 @@ TEST(PeriodicUnion, IsEmptyOrRefused) {
   EXPECT_EQ(none.totals().free_volume, 64.0);
   EXPECT_EQ(none->counts().components, 0U);
   EXPECT_EQ(BuiltPeriodic(balls_of({{0, 0, 0, 300}}), cube(4)).status(), hsp::Status::range);
-  EXPECT_EQ(BuiltPeriodic(balls_of({{0, 0, 0, 1}}), {4, 1, 0, 0, 4, 0, 0, 0, 4}).status(), hsp::Status::argument);
+  EXPECT_EQ(BuiltPeriodic(balls_of({{0, 0, 0, 1}}), {4, 1, 0, 4, 1, 0, 0, 0, 4}).status(), hsp::Status::range);
   const BuiltPeriodic far(balls_of({{0, 0, 0, 1}, {0, 0x1p40, 0, 1}}), cube(4));
   EXPECT_EQ(far.status(), hsp::Status::range);
   EXPECT_EQ(far.first_bad(), 1U);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "built_topology.hpp"
+#include "bumps.hpp"
 #include "circle_order.hpp"
 #include "random_balls.hpp"
 
@@ -177,6 +178,45 @@ TEST(GreatCircles, OfBallsWithRings) {
         check_set(oracle::belted_balls(random, static_cast<std::size_t>(random.in(9, 20))), random, seen));
   }
   EXPECT_GT(seen.more_arcs, 100);
+}
+
+// So many caps that they have an index, of which a meridian crosses so many that their ends are compared by place; and
+// the same intervals in the same order without the index.
+TEST(GreatCircles, OfBallsWithVeryManyCaps) {
+  oracle::RandomSource random(6);
+  Seen seen;
+  int by_place = 0;
+  for (const auto &[least, most] : {std::pair{0.004, 0.05}, std::pair{0.02, 0.02}, std::pair{0.001, 0.3}}) {
+    Balls balls = bumps(random, 260, least, most);
+    for (int k = 0; k < 60; ++k) {  // along one meridian
+      const double angle = 0.1 * k;
+      balls.push_back({std::llround(8e5 * std::sin(angle)), std::llround(6e5 * std::sin(angle)),
+                       std::llround(1e6 * std::cos(angle)), std::llround(1e6 * (least + most) / 2)});
+    }
+    BuiltTopology built(balls);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    Gathered gathered(static_cast<uint32_t>(balls.size()));
+    const TiedBalls set(balls);
+    for (uint32_t i = 0; i < built.balls().n; ++i) {
+      if (built.balls().r[i] < 1e6) continue;
+      gathered.ball.gather(built.grid(), i);
+      const hsp::Caps &caps = gathered.ball.caps;
+      ASSERT_GE(caps.count, hsp::MeridianSectors::fewest);
+      for (const hsp::exact::Vector &axis : {hsp::exact::Vector{4, 3, 0}, {123456, 654321, 0}}) {
+        const hsp::exact::Plane circle = hsp::meridian_through(axis);
+        std::vector<Arc> arcs[2];
+        for (uint32_t indexed = 0; indexed < 2; ++indexed) {
+          gathered.ball.intervals.start(caps, indexed == 0 ? 1 : 1000);
+          ASSERT_NO_FATAL_FAILURE(check_circle(balls, set, gathered.ball, built, circle, seen));
+          gathered.ball.intervals.visit(
+              [&](const hsp::FreeInterval &each) { arcs[indexed].emplace_back(each.exit_cap, each.entry_cap); });
+        }
+        EXPECT_EQ(arcs[0], arcs[1]);
+        by_place += arcs[0].size() > 16;
+      }
+    }
+  }
+  EXPECT_GE(by_place, 2);
 }
 
 // Every way in which two caps can lie to the poles: two balls on the upright great circle across y, at all pairs of

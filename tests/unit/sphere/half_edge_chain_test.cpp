@@ -35,8 +35,10 @@ void check(const BuiltBoundary &built, const hsp::HalfEdgeChain &chain, oracle::
     for (uint32_t k = count; k > 1; --k) std::swap(items[k - 1], items[random.below(k)]);
     const auto direction = [&](uint32_t j) { return built.balls().exact_difference(i, j); };
     const hsp::Span<Item> all(items.data(), count);
-    chain.link(all, 1000, previous, direction);
+    const std::vector<Item> given = items;
+    chain.link(all, 1000, &Item::previous_circle, direction);
     for (uint32_t k = 0; k < count; ++k) {
+      ASSERT_EQ(items[k].previous_circle, given[k].previous_circle);
       ASSERT_EQ(items[k].next, 1000 + hsp::find_next(all, items[k], previous, direction)) << k << " of " << count;
       int candidates = 0;
       for (const Item &other : items) candidates += other.previous_circle == items[k].circle;

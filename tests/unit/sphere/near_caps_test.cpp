@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "built_grid.hpp"
+#include "bumps.hpp"
 #include "lattice_lengths.hpp"
 #include "random_balls.hpp"
 #include "sphere/cap_clusters.hpp"
@@ -78,20 +79,6 @@ class Search {
   std::vector<hsp::VertexRecord> vertices_;
   std::vector<hsp::CircleRecord> circles_;
 };
-
-// Small balls on a large one, of radii that grow by powers.
-Balls bumps(oracle::RandomSource &random, uint32_t n, double least, double most) {
-  Balls balls = {{0, 0, 0, 1000000}};
-  while (balls.size() < n) {
-    const double z = static_cast<double>(random.in(-1000000, 1000000)) / 1e6;
-    const double angle = static_cast<double>(random.in(0, 1000000)) / 1e6 * 2 * std::numbers::pi;
-    const double across = std::sqrt(1 - z * z);
-    const double radius = least * std::pow(most / least, static_cast<double>(random.in(0, 1000)) / 1000);
-    balls.push_back({std::llround(1e6 * across * std::cos(angle)), std::llround(1e6 * across * std::sin(angle)),
-                     std::llround(1e6 * z), std::llround(1e6 * radius)});
-  }
-  return balls;
-}
 
 // Whether two caps have a common point, with a margin for which all of them are listed.
 bool certainly_meet(const hsp::Caps &caps, uint32_t j, uint32_t k) {

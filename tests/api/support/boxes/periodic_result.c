@@ -47,13 +47,23 @@ static void choose_box(periodic_result *p) {
   p->box[7] = 0.375 * p->box[4];
 }
 
-int32_t periodic_result_make(const computed *base, periodic_result *p) {
+/* By a rotation of sevenths. */
+static void turn_box(periodic_result *p) {
+  static const double sevenths[9] = {2, 3, 6, 3, -6, 2, 6, 2, -3};
+  double turned[9];
+  int k, l;
+  for (k = 0; k < 9; ++k) {
+    turned[k] = 0;
+    for (l = 0; l < 3; ++l) turned[k] += sevenths[3 * (k % 3) + l] * p->box[3 * (k / 3) + l] / 7;
+  }
+  memcpy(p->box, turned, sizeof turned);
+}
+
+static int32_t make_in_box(periodic_result *p) {
+  const computed *const base = p->base;
   void *periodic = NULL;
   uint32_t needed = 0;
   int32_t status;
-  memset(p, 0, sizeof *p);
-  p->base = base;
-  choose_box(p);
   status = grow_until_computed(&periodic_handle, p, base->n, &p->memory, &periodic, &p->needed, &p->enlargements);
   p->periodic = periodic;
   if (status == HSP_OK) status = hsp_periodic_get_counts(p->periodic, &p->counts);
@@ -72,6 +82,21 @@ int32_t periodic_result_make(const computed *base, periodic_result *p) {
   if (status == HSP_OK) status = hsp_periodic_get_circles(p->periodic, p->circles, p->counts.circles, &needed);
   if (status != HSP_OK) return status;
   return hsp_periodic_get_windings(p->periodic, p->windings, p->counts.components, &needed);
+}
+
+int32_t periodic_result_make(const computed *base, periodic_result *p) {
+  memset(p, 0, sizeof *p);
+  p->base = base;
+  choose_box(p);
+  return make_in_box(p);
+}
+
+int32_t periodic_result_make_turned(const computed *base, periodic_result *p) {
+  memset(p, 0, sizeof *p);
+  p->base = base;
+  choose_box(p);
+  turn_box(p);
+  return make_in_box(p);
 }
 
 void periodic_result_release(periodic_result *p) {

@@ -362,6 +362,32 @@ static int32_t ask_move(scene *s, const hsp_executor *executor) {
   return status;
 }
 
+static int32_t ask_hessian_rows(scene *s, const hsp_executor *executor) {
+  const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = executor};
+  static uint32_t first[BALLS + 1], ball[32 * BALLS], flags[BALLS + 1];
+  static double block[9 * 32 * BALLS];
+  return hsp_boundary_get_hessian_rows(s->work.boundary, &request, first, ball, block, flags, 32 * BALLS, NULL);
+}
+static int32_t ask_hessian_product(scene *s, const hsp_executor *executor) {
+  const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1, .executor = executor};
+  static double product[3 * BALLS];
+  return hsp_boundary_get_hessian_product(s->work.boundary, &request, s->set->xyz, product, NULL, s->n, NULL);
+}
+/* Of two bricks the first, with every second ball. */
+static int32_t ask_brick(scene *s, const hsp_executor *executor) {
+  static uint8_t summary[1000000];
+  static uint64_t id[BALL_SET_MOST];
+  static uint32_t owner[BALL_SET_MOST];
+  const hsp_brick_request request = {sizeof request, 0, 2, 0, id, owner, executor};
+  size_t bytes = sizeof summary;
+  uint32_t i;
+  for (i = 0; i < s->n; ++i) {
+    id[i] = i;
+    owner[i] = i % 2;
+  }
+  return hsp_brick_summarise(s->work.boundary, &request, summary, &bytes, NULL);
+}
+
 static const question questions[] = {
     {"boundary", ask_boundary, read_boundary, 0, 0},
     {"measures", ask_measures, NULL, 0, 0},
@@ -377,6 +403,9 @@ static const question questions[] = {
     {"periodic", ask_periodic, read_periodic, 0, 0},
     {"gradient in a box", ask_periodic_gradient, NULL, 0, 0},
     {"morphometry in a box", ask_periodic_morphometry, NULL, 0, 0},
+    {"second derivatives", ask_hessian_rows, NULL, 0, 0},
+    {"second derivatives times a direction", ask_hessian_product, NULL, 0, 0},
+    {"summary of a brick", ask_brick, NULL, 0, 0},
     {"view", ask_view, read_view, 0, 0},
     {"view of a boundary", ask_whole_view, read_view, 0, 0},
     {"map", ask_map, read_map, 0, 0},

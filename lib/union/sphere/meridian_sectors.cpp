@@ -1,0 +1,72 @@
+#include "sphere/meridian_sectors.hpp"
+
+#include "core/rows.hpp"
+
+namespace hsp {
+namespace {
+
+// A cap that reaches into more sectors is wide.
+constexpr uint32_t most_sectors = 16;
+
+// How far a direction has come of the half turn from (1, 0) to (-1, 0), from 0 to 2: not as an angle, but in the same
+// order.
+double part_of_turn(double x, double y) {
+  if (y < 0.0 || (y == 0.0 && x < 0.0)) {
+    x = -x;
+    y = -y;
+  }
+  return x >= 0.0 ? y / (x + y) : 1.0 - x / (y - x);
+}
+
+}  // namespace
+
+uint32_t MeridianSectors::sector_of(double x, double y) const {
+  const double sector = part_of_turn(x, y) * (0.5 * sectors_);
+  return sector < sectors_ ? static_cast<uint32_t>(sector) : sectors_ - 1;
+}
+
+// A meridian with the normal n meets a cap with the axis u only if |u.n| is at most the sine of the cap's angle: if its
+// direction is, seen from above, no farther from u than the angle whose sine is that by the length of u there. The
+// square is made larger by more than the errors of b, 16 units of 2^-53, and the sine by more than all others.
+MeridianSectors::Reach MeridianSectors::reach_of(const Caps &caps, uint32_t cap) const {
+  const Reach wide{0, most_sectors + 1};
+  const double x = caps.ux[cap], y = caps.uy[cap], b = caps.b[cap];
+  const double squared = 1.0 - b * b + 0x1p-40, across = std::sqrt(x * x + y * y);
+  if (!(b > 0.5 && squared > 0.0 && across > 0x1p-10)) return wide;
+  const double sine = std::sqrt(squared) / across + 0x1p-30;
+  if (!(sine < 0.5)) return wide;
+  const double cosine = std::sqrt(1.0 - sine * sine);
+  const uint32_t first = sector_of(x * cosine + y * sine, y * cosine - x * sine);
+  const uint32_t last = sector_of(x * cosine - y * sine, y * cosine + x * sine);
+  return {first, (last >= first ? last - first : last + sectors_ - first) + 1};
+}
+
+void MeridianSectors::start(const Caps &caps, const Memory &memory) {
+  memory_ = memory;
+  const uint32_t count = caps.count;
+  sectors_ = 1;
+  while (4 * sectors_ * sectors_ <= count) sectors_ *= 2;
+  // As many sectors as there is room for.
+  const Span<uint32_t> first = memory_.first;
+  for (;; sectors_ /= 2) {
+    for (uint32_t s = 0; s <= sectors_; ++s) first[s] = 0;
+    all_ = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      const Reach reach = reach_of(caps, k);
+      all_ += reach.count > most_sectors ? 1 : reach.count;
+      for (uint32_t s = 0; s < reach.count && reach.count <= most_sectors; ++s) ++first[(reach.first + s) % sectors_];
+    }
+    if (all_ <= memory_.listed.size()) break;
+  }
+  placed_ = end_rows(first, sectors_);
+  uint32_t wide = all_;
+  for (uint32_t k = count; k-- > 0;) {
+    const Reach reach = reach_of(caps, k);
+    if (reach.count > most_sectors) memory_.listed[--wide] = k;
+    for (uint32_t s = 0; s < reach.count && reach.count <= most_sectors; ++s) {
+      memory_.listed[--first[(reach.first + s) % sectors_]] = k;
+    }
+  }
+}
+
+}  // namespace hsp
