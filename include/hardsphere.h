@@ -144,8 +144,8 @@
  *   with _set, _compute, _find, _move, _undo; and that of these, which work in its own memory: hsp_model_get_packing;
  *   hsp_boundary_check, hsp_topology_check, hsp_contacts_check, hsp_periodic_check, hsp_surface_check, hsp_cells_check,
  *   hsp_map_check, hsp_sticks_check; hsp_contacts_group; hsp_periodic_group_contacts; hsp_pores_get_channels,
- *   _measure_pockets; hsp_picture_write, _write_map, _write_sticks. These leave results as they are, but that
- *   _measure_pockets finds mouths.
+ *   _measure_pockets, _measure_pockets_with; hsp_picture_write, _write_map, _write_sticks. These leave results as they
+ *   are, but that those of pockets find mouths.
  *   HSP_X_BYTES, at least as much as hsp_X_bytes of the library of this header, is for static arrays of a program that
  *   links the archive. It may grow with a minor version: a program that loads a shared library asks hsp_X_bytes.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds

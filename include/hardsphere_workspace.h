@@ -29,7 +29,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** All zeros at first. The handles may be read; the rest is this file's. */
+/** All zeros at first. The handles may be read, and the executor set; the rest is this file's. */
 typedef struct hsp_workspace {
   hsp_model *model;       /**< NULL before hsp_workspace_set (hardsphere/model.h) */
   hsp_boundary *boundary; /**< NULL before hsp_workspace_boundary (hardsphere/boundary.h) */
@@ -74,6 +74,7 @@ typedef struct hsp_workspace {
   void (*drop_paths)(struct hsp_workspace *work); /**< drops its results (hardsphere/paths.h) */
   void (*drop_pores)(struct hsp_workspace *work); /**< drops its results (hardsphere/pores.h) */
 #endif
+  const hsp_executor *executor;        /**< or NULL, may be set: of all without request and options */
   void *memory[13];                    /**< of the handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
@@ -551,7 +552,11 @@ static inline int32_t hsp_workspace_boundary_with(hsp_workspace *work, const hsp
 
 /** The same without a request. */
 static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
-  return hsp_workspace_boundary_with(work, NULL);
+  hsp_boundary_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.executor = work->executor;
+  return hsp_workspace_boundary_with(work, &request);
 }
 
 /** Area of each of n balls that a probe can reach, and area and volume of all, in one call; arguments and statuses as
@@ -570,8 +575,12 @@ static inline int32_t hsp_workspace_areas(hsp_workspace *work, uint32_t n, const
 static inline int32_t hsp_workspace_topology(hsp_workspace *work) {
   int32_t status = hsp_workspace_ready_topology(work);
   hsp_topology_limits limits = work->topology_limits;
+  hsp_topology_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.executor = work->executor;
   while (status == HSP_OK) {
-    status = hsp_topology_compute(work->topology, work->boundary, &limits);
+    status = hsp_topology_compute_with(work->topology, work->boundary, &request, &limits);
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_topology(work, &limits);
   }
@@ -615,8 +624,12 @@ static inline int32_t hsp_workspace_map(hsp_workspace *work, const hsp_view_opti
 static inline int32_t hsp_workspace_contacts(hsp_workspace *work) {
   int32_t status = hsp_workspace_ready_contacts(work);
   hsp_contacts_limits limits = work->contacts_limits;
+  hsp_contacts_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.executor = work->executor;
   while (status == HSP_OK) {
-    status = hsp_contacts_compute(work->contacts, work->boundary, &limits);
+    status = hsp_contacts_compute_with(work->contacts, work->boundary, &request, &limits);
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_contacts(work, &limits);
   }
@@ -629,8 +642,12 @@ static inline int32_t hsp_workspace_contacts(hsp_workspace *work) {
 static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
   int32_t status = hsp_workspace_ready_cells(work);
   hsp_cells_limits limits = work->cells_limits;
+  hsp_cells_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.executor = work->executor;
   while (status == HSP_OK) {
-    status = hsp_cells_compute(work->cells, work->model, &limits);
+    status = hsp_cells_compute_with(work->cells, work->model, &request, &limits);
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_cells(work, &limits);
   }
@@ -642,10 +659,14 @@ static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
 static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from, const double *to, hsp_path *path) {
   int32_t status = hsp_workspace_ready_paths(work);
   hsp_paths_limits limits = work->paths_limits;
+  hsp_paths_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.executor = work->executor;
   while (status == HSP_OK) {
-    status = hsp_paths_find(work->paths, from, to, path, &limits);
+    status = hsp_paths_find_with(work->paths, from, to, &request, path, &limits);
     if (status == HSP_E_STATE) {
-      status = hsp_paths_compute(work->paths, work->model, &limits);
+      status = hsp_paths_compute_with(work->paths, work->model, &request, &limits);
       if (status == HSP_OK) continue;
     }
     if (status != HSP_E_CAPACITY) return status;
@@ -685,9 +706,13 @@ static inline int32_t hsp_workspace_some_tunnel(hsp_workspace *work, int cheapes
                                                 const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel) {
   int32_t status = hsp_workspace_ready_pores(work);
   hsp_pores_limits limits = work->pores_limits;
+  hsp_tunnel_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.executor = work->executor;
+  request.cheapest = cheapest != 0;
   while (status == HSP_OK) {
-    status = cheapest ? hsp_pores_find_cheapest_tunnel(work->pores, from, to, avoided, count, tunnel, &limits)
-                      : hsp_pores_find_tunnel(work->pores, from, to, avoided, count, tunnel, &limits);
+    status = hsp_pores_find_tunnel_with(work->pores, from, to, avoided, count, &request, tunnel, &limits);
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_pores(work, &limits);
     if (status != HSP_OK) return status;
@@ -736,8 +761,16 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
                                            uint32_t tangency, uint32_t *first_bad) {
   int32_t status = hsp_workspace_ready_moving(work);
   hsp_moving_limits limits = work->moving_limits;
+  hsp_gradient_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.executor = work->executor;
+  request.tangency = tangency;
+  request.tension = tension;
+  request.pressure = pressure;
+  request.sigma = sigma;
   while (status == HSP_OK) {
-    status = hsp_moving_set(work->moving, work->model, sigma, tension, pressure, tangency, &limits, first_bad);
+    status = hsp_moving_set_with(work->moving, work->model, &request, &limits, first_bad);
     if (status != HSP_E_CAPACITY) return status;
     /* Moves need room as well. */
     if (limits.neighbours < 256) limits.neighbours = limits.balls < 256 ? limits.balls : 256;
@@ -785,9 +818,14 @@ static inline int32_t hsp_workspace_periodic_with(hsp_workspace *work, uint32_t 
 static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32_t *shells, uint32_t count) {
   int32_t status = hsp_workspace_ready_surface(work);
   hsp_surface_limits limits = work->surface_limits;
+  hsp_surface_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.executor = work->executor;
+  request.shells = shells;
+  request.count = count;
   while (status == HSP_OK) {
-    status = shells == NULL ? hsp_surface_compute(work->surface, work->boundary, &limits)
-                            : hsp_surface_compute_shells(work->surface, work->boundary, shells, count, &limits);
+    status = hsp_surface_compute_with(work->surface, work->boundary, &request, &limits);
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_surface(work, &limits);
   }
@@ -819,6 +857,10 @@ static inline int32_t hsp_workspace_raise_mesh_limits(hsp_workspace *work, int u
  *  or, with use_surface not 0, for the smooth surface over it that hsp_workspace_surface has computed. */
 static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, double edge) {
   int32_t status = work->mesh == NULL ? HSP_E_CAPACITY : HSP_OK;
+  hsp_mesh_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.executor = work->executor;
   for (;;) {
     if (status == HSP_E_CAPACITY) {
       status = hsp_workspace_raise_mesh_limits(work, use_surface, edge);
@@ -826,8 +868,8 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
       if (status != HSP_OK) return status;
     }
     hsp_mesh_limits limits = work->mesh_limits;
-    status = use_surface != 0 ? hsp_mesh_compute_surface(work->mesh, work->surface, edge, &limits)
-                              : hsp_mesh_compute(work->mesh, work->boundary, edge, &limits);
+    status = use_surface != 0 ? hsp_mesh_compute_surface_with(work->mesh, work->surface, edge, &request, &limits)
+                              : hsp_mesh_compute_with(work->mesh, work->boundary, edge, &request, &limits);
     if (status != HSP_E_CAPACITY) return status;
     work->mesh_limits = limits;
   }

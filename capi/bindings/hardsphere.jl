@@ -384,6 +384,12 @@ struct hsp_moving_limits
     neighbours::UInt32
 end
 
+struct hsp_moving_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_moving_info
     step::Cdouble
     probe::Cdouble
@@ -692,6 +698,13 @@ struct hsp_surface_limits
     cusped_circles::UInt32
 end
 
+struct hsp_surface_request
+    struct_size::UInt32
+    count::UInt32
+    executor::Ptr{hsp_executor}
+    shells::Ptr{UInt32}
+end
+
 struct hsp_surface_counts
     convex_patches::UInt32
     saddle_patches::UInt32
@@ -892,6 +905,12 @@ struct hsp_cells_limits
     cube_corners::UInt32
 end
 
+struct hsp_cells_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_cells_counts
     cubes::UInt32
     power_cells::UInt32
@@ -936,6 +955,12 @@ struct hsp_paths_limits
     points::UInt32
 end
 
+struct hsp_paths_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_path
     length::Cdouble
     clearance::Cdouble
@@ -960,6 +985,8 @@ struct hsp_pores_options
     struct_size::UInt32
     reserved::UInt32
     floor::Cdouble
+    executor::Ptr{hsp_executor}
+    unused::Ptr{Cvoid}
 end
 
 struct hsp_pores_counts
@@ -1047,6 +1074,12 @@ struct hsp_tunnel
     reserved::UInt32
 end
 
+struct hsp_tunnel_request
+    struct_size::UInt32
+    cheapest::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_tunnel_route
     cost::Cdouble
     shift::NTuple{3, Int32}
@@ -1086,6 +1119,12 @@ struct hsp_pore_access
     blocked::UInt32
 end
 
+struct hsp_pores_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_pore_region
     radius::Cdouble
     area::Cdouble
@@ -1122,6 +1161,8 @@ struct hsp_view_options
     reserved::UInt32
     towards::NTuple{3, Cdouble}
     up::NTuple{3, Cdouble}
+    executor::Ptr{hsp_executor}
+    unused::Ptr{Cvoid}
 end
 
 struct hsp_view_info
@@ -1613,9 +1654,20 @@ function hsp_moving_set(moving, model, sigma, tension, pressure, tangency, limit
           first_bad)
 end
 
+function hsp_moving_set_with(moving, model, request, limits, first_bad)
+    ccall((:hsp_moving_set_with, libhardsphere), Int32, (Ptr{hsp_moving}, Ptr{hsp_model}, Ptr{hsp_gradient_request},
+          Ptr{hsp_moving_limits}, Ptr{UInt32}), moving, model, request, limits, first_bad)
+end
+
 function hsp_moving_move(moving, count, ball, xyz, radius, limits, first_bad)
     ccall((:hsp_moving_move, libhardsphere), Int32, (Ptr{hsp_moving}, UInt32, Ptr{UInt32}, Ptr{Cdouble}, Ptr{Cdouble},
           Ptr{hsp_moving_limits}, Ptr{UInt32}), moving, count, ball, xyz, radius, limits, first_bad)
+end
+
+function hsp_moving_move_with(moving, count, ball, xyz, radius, request, limits, first_bad)
+    ccall((:hsp_moving_move_with, libhardsphere), Int32, (Ptr{hsp_moving}, UInt32, Ptr{UInt32}, Ptr{Cdouble},
+          Ptr{Cdouble}, Ptr{hsp_moving_request}, Ptr{hsp_moving_limits}, Ptr{UInt32}), moving, count, ball, xyz,
+          radius, request, limits, first_bad)
 end
 
 function hsp_moving_undo(moving)
@@ -1911,6 +1963,11 @@ function hsp_surface_compute_shells(surface, boundary, shells, count, limits)
           UInt32, Ptr{hsp_surface_limits}), surface, boundary, shells, count, limits)
 end
 
+function hsp_surface_compute_with(surface, boundary, request, limits)
+    ccall((:hsp_surface_compute_with, libhardsphere), Int32, (Ptr{hsp_surface}, Ptr{hsp_boundary},
+          Ptr{hsp_surface_request}, Ptr{hsp_surface_limits}), surface, boundary, request, limits)
+end
+
 function hsp_surface_get_counts(surface, counts)
     ccall((:hsp_surface_get_counts, libhardsphere), Int32, (Ptr{hsp_surface}, Ptr{hsp_surface_counts}), surface, counts)
 end
@@ -2162,6 +2219,11 @@ function hsp_cells_compute(cells, model, limits)
           model, limits)
 end
 
+function hsp_cells_compute_with(cells, model, request, limits)
+    ccall((:hsp_cells_compute_with, libhardsphere), Int32, (Ptr{hsp_cells}, Ptr{hsp_model}, Ptr{hsp_cells_request},
+          Ptr{hsp_cells_limits}), cells, model, request, limits)
+end
+
 function hsp_cells_get_counts(cells, counts)
     ccall((:hsp_cells_get_counts, libhardsphere), Int32, (Ptr{hsp_cells}, Ptr{hsp_cells_counts}), cells, counts)
 end
@@ -2214,9 +2276,19 @@ function hsp_paths_compute(paths, model, limits)
           model, limits)
 end
 
+function hsp_paths_compute_with(paths, model, request, limits)
+    ccall((:hsp_paths_compute_with, libhardsphere), Int32, (Ptr{hsp_paths}, Ptr{hsp_model}, Ptr{hsp_paths_request},
+          Ptr{hsp_paths_limits}), paths, model, request, limits)
+end
+
 function hsp_paths_find(paths, from, to, path, limits)
     ccall((:hsp_paths_find, libhardsphere), Int32, (Ptr{hsp_paths}, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{hsp_path},
           Ptr{hsp_paths_limits}), paths, from, to, path, limits)
+end
+
+function hsp_paths_find_with(paths, from, to, request, path, limits)
+    ccall((:hsp_paths_find_with, libhardsphere), Int32, (Ptr{hsp_paths}, Ptr{Cdouble}, Ptr{Cdouble},
+          Ptr{hsp_paths_request}, Ptr{hsp_path}, Ptr{hsp_paths_limits}), paths, from, to, request, path, limits)
 end
 
 function hsp_paths_get_points(paths, points, capacity, needed)
@@ -2336,6 +2408,12 @@ function hsp_pores_find_cheapest_tunnel(pores, from, to, avoided, count, tunnel,
           Ptr{UInt32}, UInt32, Ptr{hsp_tunnel}, Ptr{hsp_pores_limits}), pores, from, to, avoided, count, tunnel, limits)
 end
 
+function hsp_pores_find_tunnel_with(pores, from, to, avoided, count, request, tunnel, limits)
+    ccall((:hsp_pores_find_tunnel_with, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{Cdouble}, Ptr{Cdouble},
+          Ptr{UInt32}, UInt32, Ptr{hsp_tunnel_request}, Ptr{hsp_tunnel}, Ptr{hsp_pores_limits}), pores, from, to,
+          avoided, count, request, tunnel, limits)
+end
+
 function hsp_pores_get_tunnel_route(pores, route)
     ccall((:hsp_pores_get_tunnel_route, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_route}), pores, route)
 end
@@ -2385,6 +2463,11 @@ function hsp_pores_find_regions(pores, boundary, access, regions)
           Ptr{UInt32}), pores, boundary, access, regions)
 end
 
+function hsp_pores_find_regions_with(pores, boundary, request, access, regions)
+    ccall((:hsp_pores_find_regions_with, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_boundary},
+          Ptr{hsp_pores_request}, Ptr{hsp_pore_access}, Ptr{UInt32}), pores, boundary, request, access, regions)
+end
+
 function hsp_pores_get_regions(pores, first, count, out)
     ccall((:hsp_pores_get_regions, libhardsphere), Int32, (Ptr{hsp_pores}, UInt32, UInt32, Ptr{hsp_pore_region}),
           pores, first, count, out)
@@ -2393,6 +2476,12 @@ end
 function hsp_pores_measure_pockets(pores, plugged, boundary, out, capacity, needed)
     ccall((:hsp_pores_measure_pockets, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_pores}, Ptr{hsp_boundary},
           Ptr{hsp_pore_pocket_size}, UInt32, Ptr{UInt32}), pores, plugged, boundary, out, capacity, needed)
+end
+
+function hsp_pores_measure_pockets_with(pores, plugged, boundary, request, out, capacity, needed)
+    ccall((:hsp_pores_measure_pockets_with, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_pores}, Ptr{hsp_boundary},
+          Ptr{hsp_pores_request}, Ptr{hsp_pore_pocket_size}, UInt32, Ptr{UInt32}), pores, plugged, boundary, request,
+          out, capacity, needed)
 end
 
 function hsp_view_limits_init(limits, struct_size, balls)

@@ -507,6 +507,14 @@ pub struct hsp_moving_limits {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_moving_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_moving_info {
     pub step: f64,
     pub probe: f64,
@@ -879,6 +887,15 @@ pub struct hsp_surface_limits {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_surface_request {
+    pub struct_size: u32,
+    pub count: u32,
+    pub executor: *const hsp_executor,
+    pub shells: *const u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_surface_counts {
     pub convex_patches: u32,
     pub saddle_patches: u32,
@@ -1119,6 +1136,14 @@ pub struct hsp_cells_limits {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_cells_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_cells_counts {
     pub cubes: u32,
     pub power_cells: u32,
@@ -1173,6 +1198,14 @@ pub struct hsp_paths_limits {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_paths_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_path {
     pub length: f64,
     pub clearance: f64,
@@ -1201,6 +1234,8 @@ pub struct hsp_pores_options {
     pub struct_size: u32,
     pub reserved: u32,
     pub floor: f64,
+    pub executor: *const hsp_executor,
+    pub unused: *const c_void,
 }
 
 #[repr(C)]
@@ -1310,6 +1345,14 @@ pub struct hsp_tunnel {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_tunnel_request {
+    pub struct_size: u32,
+    pub cheapest: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_tunnel_route {
     pub cost: f64,
     pub shift: [i32; 3],
@@ -1359,6 +1402,14 @@ pub struct hsp_pore_access {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_pores_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_pore_region {
     pub radius: f64,
     pub area: f64,
@@ -1401,6 +1452,8 @@ pub struct hsp_view_options {
     pub reserved: u32,
     pub towards: [f64; 3],
     pub up: [f64; 3],
+    pub executor: *const hsp_executor,
+    pub unused: *const c_void,
 }
 
 #[repr(C)]
@@ -1903,12 +1956,29 @@ extern "C" {
         limits: *mut hsp_moving_limits,
         first_bad: *mut u32,
     ) -> i32;
+    pub fn hsp_moving_set_with(
+        moving: *mut hsp_moving,
+        model: *const hsp_model,
+        request: *const hsp_gradient_request,
+        limits: *mut hsp_moving_limits,
+        first_bad: *mut u32,
+    ) -> i32;
     pub fn hsp_moving_move(
         moving: *mut hsp_moving,
         count: u32,
         ball: *const u32,
         xyz: *const f64,
         radius: *const f64,
+        limits: *mut hsp_moving_limits,
+        first_bad: *mut u32,
+    ) -> i32;
+    pub fn hsp_moving_move_with(
+        moving: *mut hsp_moving,
+        count: u32,
+        ball: *const u32,
+        xyz: *const f64,
+        radius: *const f64,
+        request: *const hsp_moving_request,
         limits: *mut hsp_moving_limits,
         first_bad: *mut u32,
     ) -> i32;
@@ -2248,6 +2318,12 @@ extern "C" {
         count: u32,
         limits: *mut hsp_surface_limits,
     ) -> i32;
+    pub fn hsp_surface_compute_with(
+        surface: *mut hsp_surface,
+        boundary: *const hsp_boundary,
+        request: *const hsp_surface_request,
+        limits: *mut hsp_surface_limits,
+    ) -> i32;
     pub fn hsp_surface_get_counts(surface: *const hsp_surface, counts: *mut hsp_surface_counts) -> i32;
     pub fn hsp_surface_measure(
         surface: *const hsp_surface,
@@ -2468,6 +2544,12 @@ extern "C" {
         cells: *mut *mut hsp_cells,
     ) -> i32;
     pub fn hsp_cells_compute(cells: *mut hsp_cells, model: *const hsp_model, limits: *mut hsp_cells_limits) -> i32;
+    pub fn hsp_cells_compute_with(
+        cells: *mut hsp_cells,
+        model: *const hsp_model,
+        request: *const hsp_cells_request,
+        limits: *mut hsp_cells_limits,
+    ) -> i32;
     pub fn hsp_cells_get_counts(cells: *const hsp_cells, counts: *mut hsp_cells_counts) -> i32;
     pub fn hsp_cells_get_cells(cells: *const hsp_cells, first: u32, count: u32, out: *mut hsp_free_cell) -> i32;
     pub fn hsp_cells_get_neighbours(
@@ -2502,10 +2584,24 @@ extern "C" {
         paths: *mut *mut hsp_paths,
     ) -> i32;
     pub fn hsp_paths_compute(paths: *mut hsp_paths, model: *const hsp_model, limits: *mut hsp_paths_limits) -> i32;
+    pub fn hsp_paths_compute_with(
+        paths: *mut hsp_paths,
+        model: *const hsp_model,
+        request: *const hsp_paths_request,
+        limits: *mut hsp_paths_limits,
+    ) -> i32;
     pub fn hsp_paths_find(
         paths: *mut hsp_paths,
         from: *const f64,
         to: *const f64,
+        path: *mut hsp_path,
+        limits: *mut hsp_paths_limits,
+    ) -> i32;
+    pub fn hsp_paths_find_with(
+        paths: *mut hsp_paths,
+        from: *const f64,
+        to: *const f64,
+        request: *const hsp_paths_request,
         path: *mut hsp_path,
         limits: *mut hsp_paths_limits,
     ) -> i32;
@@ -2609,6 +2705,16 @@ extern "C" {
         tunnel: *mut hsp_tunnel,
         limits: *mut hsp_pores_limits,
     ) -> i32;
+    pub fn hsp_pores_find_tunnel_with(
+        pores: *mut hsp_pores,
+        from: *const f64,
+        to: *const f64,
+        avoided: *const u32,
+        count: u32,
+        request: *const hsp_tunnel_request,
+        tunnel: *mut hsp_tunnel,
+        limits: *mut hsp_pores_limits,
+    ) -> i32;
     pub fn hsp_pores_get_tunnel_route(pores: *const hsp_pores, route: *mut hsp_tunnel_route) -> i32;
     pub fn hsp_pores_get_tunnel_points(
         pores: *const hsp_pores,
@@ -2658,11 +2764,27 @@ extern "C" {
         access: *mut hsp_pore_access,
         regions: *mut u32,
     ) -> i32;
+    pub fn hsp_pores_find_regions_with(
+        pores: *mut hsp_pores,
+        boundary: *const hsp_boundary,
+        request: *const hsp_pores_request,
+        access: *mut hsp_pore_access,
+        regions: *mut u32,
+    ) -> i32;
     pub fn hsp_pores_get_regions(pores: *const hsp_pores, first: u32, count: u32, out: *mut hsp_pore_region) -> i32;
     pub fn hsp_pores_measure_pockets(
         pores: *mut hsp_pores,
         plugged: *mut hsp_pores,
         boundary: *const hsp_boundary,
+        out: *mut hsp_pore_pocket_size,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_pores_measure_pockets_with(
+        pores: *mut hsp_pores,
+        plugged: *mut hsp_pores,
+        boundary: *const hsp_boundary,
+        request: *const hsp_pores_request,
         out: *mut hsp_pore_pocket_size,
         capacity: u32,
         needed: *mut u32,

@@ -318,7 +318,10 @@ module hardsphere
     ! NULL, or says whether to go on: 0 does, anything else stops. Also asked with workers 0 or 1. It is asked between
     ! balls and stages of the work, by the caller's thread and by those of tasks, several at a time, with a copy of the
     ! caller's floating-point environment; not by a library that is compiled for size. It must not call functions with
-    ! the handles of the function that asks.
+    ! the handles of the function that asks. Of molecules of some thousand balls fewer than 10 million instructions lie
+    ! between two questions, as a rule one million; where many balls tie in one place there may be more. Functions
+    ! without an executor in their request or options do not ask: of so many balls they take less than that, or may be
+    ! asked for less at a time, as poses and lists, or have a sibling that asks (splitting_the_work.md lists them).
     type(c_funptr) :: proceed
   end type
 
@@ -594,6 +597,13 @@ module hardsphere
     integer(c_int32_t) :: struct_size = 12_c_int32_t  ! sizeof(hsp_moving_limits)
     integer(c_int32_t) :: balls                       ! most balls
     integer(c_int32_t) :: neighbours                  ! most balls that meet any one ball that lies inside no other
+  end type
+
+  type, bind(C) :: hsp_moving_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_moving_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_moving_info
@@ -941,6 +951,15 @@ module hardsphere
     integer(c_int32_t) :: cusped_circles              ! circles whose saddle patches reach their axis
   end type
 
+  type, bind(C) :: hsp_surface_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_surface_request)
+    integer(c_int32_t) :: count = 0_c_int32_t                            ! how many shells are chosen
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+    ! [count] as of hsp_surface_compute_shells, or NULL for all of the boundary
+    type(c_ptr) :: shells = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_surface_counts
     integer(c_int32_t) :: convex_patches   ! faces of the boundary
     integer(c_int32_t) :: saddle_patches   ! arcs and circles of the boundary
@@ -1161,6 +1180,13 @@ module hardsphere
     integer(c_int32_t) :: cube_corners                ! vertices of all power cells of one cube
   end type
 
+  type, bind(C) :: hsp_cells_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_cells_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_cells_counts
     integer(c_int32_t) :: cubes        ! that balls meet
     integer(c_int32_t) :: power_cells  ! in all of these, free or not
@@ -1208,6 +1234,13 @@ module hardsphere
     integer(c_int32_t) :: points                      ! of a path before it is shortened
   end type
 
+  type, bind(C) :: hsp_paths_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_paths_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_path
     real(c_double) :: length         ! of the polyline; 0 if there is none
     ! least distance of the polyline from a ball; 0 if there is none, infinite without balls
@@ -1234,11 +1267,14 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_pores_options
-    integer(c_int32_t) :: struct_size = 16_c_int32_t  ! sizeof(hsp_pores_options)
-    integer(c_int32_t) :: reserved                    ! 0
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_pores_options)
+    integer(c_int32_t) :: reserved                                        ! 0
     ! radius of the narrowest probe of interest, rounded down to the lattice; may be negative down to where the largest
     ! ball has no radius left; default 0: what not even a point passes is closed
     real(c_double) :: floor
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor
+    type(c_ptr) :: unused                                                 ! NULL
   end type
 
   type, bind(C) :: hsp_pores_counts
@@ -1345,6 +1381,14 @@ module hardsphere
     integer(c_int32_t) :: reserved  ! 0
   end type
 
+  type, bind(C) :: hsp_tunnel_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_tunnel_request)
+    ! 1: that of hsp_pores_find_cheapest_tunnel; 0: that of hsp_pores_find_tunnel
+    integer(c_int32_t) :: cheapest = 0_c_int32_t
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_tunnel_route
     ! as of hsp_pores_find_cheapest_tunnel, for both kinds, in 1/length; 0 without gates, infinite through a gate that
     ! is no wider than 0
@@ -1392,6 +1436,13 @@ module hardsphere
     integer(c_int32_t) :: blocked        ! how many are not
   end type
 
+  type, bind(C) :: hsp_pores_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_pores_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_pore_region
     real(c_double) :: radius          ! of the widest probe, beyond that of the model, that fits in it; infinite outside
     real(c_double) :: area            ! of its boundary, length^2
@@ -1426,14 +1477,19 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_view_options
-    integer(c_int32_t) :: struct_size = 64_c_int32_t  ! sizeof(hsp_view_options); hsp_view_options_init sets it
-    integer(c_int32_t) :: pieces                      ! HSP_PIECES_*
-    integer(c_int32_t) :: flags                       ! HSP_VIEW_*
-    integer(c_int32_t) :: reserved                    ! 0
-    real(c_double) :: towards(3)                      ! from the balls towards the viewer, of any length; default 0 0 1
+    ! sizeof(hsp_view_options); hsp_view_options_init sets it
+    integer(c_int32_t) :: struct_size = 64_c_int32_t + 2 * pointer_bytes
+    integer(c_int32_t) :: pieces                                          ! HSP_PIECES_*
+    integer(c_int32_t) :: flags                                           ! HSP_VIEW_*
+    integer(c_int32_t) :: reserved                                        ! 0
+    ! from the balls towards the viewer, of any length; default 0 0 1
+    real(c_double) :: towards(3)
     ! what appears upwards, of any length, not necessarily across towards; default, and if it is parallel to towards: 0
     ! 1 0, or 0 0 1 if towards is parallel to that
     real(c_double) :: up(3)
+    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    type(c_ptr) :: executor
+    type(c_ptr) :: unused                                                 ! NULL
   end type
 
   type, bind(C) :: hsp_view_info
@@ -2302,6 +2358,17 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_moving_set_with(moving, model, request, limits, first_bad) result(status) &
+      bind(C, name="hsp_moving_set_with")
+      import :: c_int32_t, c_ptr, hsp_gradient_request, hsp_moving_limits
+      type(c_ptr), value :: moving
+      type(c_ptr), value :: model
+      type(hsp_gradient_request), intent(in), optional :: request
+      type(hsp_moving_limits), intent(inout), optional :: limits
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_moving_move(moving, count, ball, xyz, radius, limits, first_bad) result(status) &
       bind(C, name="hsp_moving_move")
       import :: c_double, c_int32_t, c_ptr, hsp_moving_limits
@@ -2310,6 +2377,20 @@ module hardsphere
       integer(c_int32_t), intent(in), optional :: ball(*)  ! count
       real(c_double), intent(in), optional :: xyz(3, *)  ! 3, count
       real(c_double), intent(in), optional :: radius(*)  ! count
+      type(hsp_moving_limits), intent(inout), optional :: limits
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_move_with(moving, count, ball, xyz, radius, request, limits, first_bad) result(status) &
+      bind(C, name="hsp_moving_move_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_moving_limits, hsp_moving_request
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: count
+      integer(c_int32_t), intent(in), optional :: ball(*)  ! count
+      real(c_double), intent(in), optional :: xyz(3, *)  ! 3, count
+      real(c_double), intent(in), optional :: radius(*)  ! count
+      type(hsp_moving_request), intent(in), optional :: request
       type(hsp_moving_limits), intent(inout), optional :: limits
       integer(c_int32_t), intent(inout), optional :: first_bad
       integer(c_int32_t) :: status
@@ -2924,6 +3005,16 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_surface_compute_with(surface, boundary, request, limits) result(status) &
+      bind(C, name="hsp_surface_compute_with")
+      import :: c_int32_t, c_ptr, hsp_surface_limits, hsp_surface_request
+      type(c_ptr), value :: surface
+      type(c_ptr), value :: boundary
+      type(hsp_surface_request), intent(in), optional :: request
+      type(hsp_surface_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_surface_get_counts(surface, counts) result(status) bind(C, name="hsp_surface_get_counts")
       import :: c_int32_t, c_ptr, hsp_surface_counts
       type(c_ptr), value :: surface
@@ -3405,6 +3496,15 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_cells_compute_with(cells, model, request, limits) result(status) bind(C, name="hsp_cells_compute_with")
+      import :: c_int32_t, c_ptr, hsp_cells_limits, hsp_cells_request
+      type(c_ptr), value :: cells
+      type(c_ptr), value :: model
+      type(hsp_cells_request), intent(in), optional :: request
+      type(hsp_cells_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_cells_get_counts(cells, counts) result(status) bind(C, name="hsp_cells_get_counts")
       import :: c_int32_t, c_ptr, hsp_cells_counts
       type(c_ptr), value :: cells
@@ -3504,11 +3604,32 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_paths_compute_with(paths, model, request, limits) result(status) bind(C, name="hsp_paths_compute_with")
+      import :: c_int32_t, c_ptr, hsp_paths_limits, hsp_paths_request
+      type(c_ptr), value :: paths
+      type(c_ptr), value :: model
+      type(hsp_paths_request), intent(in), optional :: request
+      type(hsp_paths_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_paths_find(paths, from, to, path, limits) result(status) bind(C, name="hsp_paths_find")
       import :: c_double, c_int32_t, c_ptr, hsp_path, hsp_paths_limits
       type(c_ptr), value :: paths
       real(c_double), intent(in) :: from(3)
       real(c_double), intent(in) :: to(3)
+      type(hsp_path), intent(inout) :: path
+      type(hsp_paths_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_paths_find_with(paths, from, to, request, path, limits) result(status) &
+      bind(C, name="hsp_paths_find_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_path, hsp_paths_limits, hsp_paths_request
+      type(c_ptr), value :: paths
+      real(c_double), intent(in) :: from(3)
+      real(c_double), intent(in) :: to(3)
+      type(hsp_paths_request), intent(in), optional :: request
       type(hsp_path), intent(inout) :: path
       type(hsp_paths_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
@@ -3743,6 +3864,20 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_pores_find_tunnel_with(pores, from, to, avoided, count, request, tunnel, limits) result(status) &
+      bind(C, name="hsp_pores_find_tunnel_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_pores_limits, hsp_tunnel, hsp_tunnel_request
+      type(c_ptr), value :: pores
+      real(c_double), intent(in) :: from(3)
+      real(c_double), intent(in), optional :: to(3)
+      integer(c_int32_t), intent(in), optional :: avoided(*)  ! count
+      integer(c_int32_t), value :: count
+      type(hsp_tunnel_request), intent(in), optional :: request
+      type(hsp_tunnel), intent(inout) :: tunnel
+      type(hsp_pores_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_pores_get_tunnel_route(pores, route) result(status) bind(C, name="hsp_pores_get_tunnel_route")
       import :: c_int32_t, c_ptr, hsp_tunnel_route
       type(c_ptr), value :: pores
@@ -3844,6 +3979,17 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_pores_find_regions_with(pores, boundary, request, access, regions) result(status) &
+      bind(C, name="hsp_pores_find_regions_with")
+      import :: c_int32_t, c_ptr, hsp_pore_access, hsp_pores_request
+      type(c_ptr), value :: pores
+      type(c_ptr), value :: boundary
+      type(hsp_pores_request), intent(in), optional :: request
+      type(hsp_pore_access), intent(inout), optional :: access
+      integer(c_int32_t), intent(inout), optional :: regions
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_pores_get_regions(pores, first, count, out) result(status) bind(C, name="hsp_pores_get_regions")
       import :: c_int32_t, c_ptr, hsp_pore_region
       type(c_ptr), value :: pores
@@ -3859,6 +4005,19 @@ module hardsphere
       type(c_ptr), value :: pores
       type(c_ptr), value :: plugged
       type(c_ptr), value :: boundary  ! c_null_ptr in a box
+      type(hsp_pore_pocket_size), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_measure_pockets_with(pores, plugged, boundary, request, out, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_measure_pockets_with")
+      import :: c_int32_t, c_ptr, hsp_pore_pocket_size, hsp_pores_request
+      type(c_ptr), value :: pores
+      type(c_ptr), value :: plugged
+      type(c_ptr), value :: boundary
+      type(hsp_pores_request), intent(in), optional :: request
       type(hsp_pore_pocket_size), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed

@@ -91,6 +91,23 @@ HSP_API int32_t HSP_CALL hsp_cells_init(void *memory, size_t bytes, const hsp_ce
  *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
 HSP_API int32_t HSP_CALL hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits);
 
+/** How cells are computed. Zero means default in every field but the first. */
+typedef struct hsp_cells_request {
+  uint32_t struct_size;         /**< sizeof(hsp_cells_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_cells_request;
+
+/** The same as hsp_cells_compute, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  cells or model is NULL; an executor with several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  as hsp_cells_compute
+ *  @retval HSP_E_STATE     as hsp_cells_compute
+ *  @retval HSP_E_CHECK     as hsp_cells_compute
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_cells_compute_with(hsp_cells *cells, const hsp_model *model,
+                                                const hsp_cells_request *request, hsp_cells_limits *limits);
+
 /** How many of everything. Frozen. */
 typedef struct hsp_cells_counts {
   uint32_t cubes;       /**< that balls meet */

@@ -95,6 +95,18 @@ HSP_API int32_t HSP_CALL hsp_moving_set(hsp_moving *moving, const hsp_model *mod
                                         double pressure, uint32_t tangency, hsp_moving_limits *limits,
                                         uint32_t *first_bad);
 
+/** The same as hsp_moving_set, of the energy that a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT    moving or model is NULL; unknown tangency; an executor with several workers and without
+ *                            run
+ *  @retval HSP_E_VERSION     bad struct_size of request, executor or limits
+ *  @retval HSP_E_CAPACITY    as hsp_moving_set
+ *  @retval HSP_E_STATE       as hsp_moving_set
+ *  @retval HSP_E_NOT_FINITE  as hsp_moving_set
+ *  @retval HSP_E_STOPPED     the executor said not to go on. Its threads share nothing yet */
+HSP_API int32_t HSP_CALL hsp_moving_set_with(hsp_moving *moving, const hsp_model *model,
+                                             const hsp_gradient_request *request, hsp_moving_limits *limits,
+                                             uint32_t *first_bad);
+
 /** Move some balls: ball [count] to the centres xyz [count][3], with the radii radius [count], the probe not included.
  *  xyz may be NULL, and all centres stay; radius may be NULL, and all radii stay. Coordinates and radii are rounded as
  *  hsp_model_set does. first_bad may be NULL and else becomes the first of the `count` moves that is to blame, or
@@ -117,6 +129,30 @@ HSP_API int32_t HSP_CALL hsp_moving_set(hsp_moving *moving, const hsp_model *mod
  *  @retval HSP_E_RANGE       a ball would leave the lattice, or be larger than the largest radius */
 HSP_API int32_t HSP_CALL hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
                                          const double *radius, hsp_moving_limits *limits, uint32_t *first_bad);
+
+/** How balls are moved. Zero means default in every field but the first. */
+typedef struct hsp_moving_request {
+  uint32_t struct_size;         /**< sizeof(hsp_moving_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_moving_request;
+
+/** The same as hsp_moving_move, as a request says; request may be NULL: all defaults. Where it is stopped everything is
+ *  as before, but that the last move cannot be taken back any more.
+ *  @retval HSP_E_ARGUMENT    moving is NULL; ball is NULL with count > 0; an executor with several workers and
+ *                            without run
+ *  @retval HSP_E_VERSION     bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY    as hsp_moving_move
+ *  @retval HSP_E_STATE       as hsp_moving_move
+ *  @retval HSP_E_ID          as hsp_moving_move
+ *  @retval HSP_E_NOT_FINITE  as hsp_moving_move
+ *  @retval HSP_E_NEGATIVE    as hsp_moving_move
+ *  @retval HSP_E_RANGE       as hsp_moving_move
+ *  @retval HSP_E_STOPPED     the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_moving_move_with(hsp_moving *moving, uint32_t count, const uint32_t *ball,
+                                              const double *xyz, const double *radius,
+                                              const hsp_moving_request *request, hsp_moving_limits *limits,
+                                              uint32_t *first_bad);
 
 /** Take the last move back: all numbers are as before it, bit for bit. Only one move can be taken back.
  *  Cost: copies what the move changed, and adds up totals: far less than the move.

@@ -86,6 +86,23 @@ HSP_API int32_t HSP_CALL hsp_paths_init(void *memory, size_t bytes, const hsp_pa
  *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
 HSP_API int32_t HSP_CALL hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits);
 
+/** How paths are computed and found. Zero means default in every field but the first. */
+typedef struct hsp_paths_request {
+  uint32_t struct_size;         /**< sizeof(hsp_paths_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_paths_request;
+
+/** The same as hsp_paths_compute, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  paths or model is NULL; an executor with several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  as hsp_paths_compute
+ *  @retval HSP_E_STATE     as hsp_paths_compute
+ *  @retval HSP_E_CHECK     as hsp_paths_compute
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_paths_compute_with(hsp_paths *paths, const hsp_model *model,
+                                                const hsp_paths_request *request, hsp_paths_limits *limits);
+
 #define HSP_PATH_CONNECTED UINT32_C(0) /**< there is a path */
 #define HSP_PATH_APART UINT32_C(1)     /**< the ends lie in two regions of free space */
 #define HSP_PATH_COVERED UINT32_C(2)   /**< at least one of the ends lies in a ball */
@@ -117,6 +134,20 @@ typedef struct hsp_path {
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps */
 HSP_API int32_t HSP_CALL hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
                                         hsp_paths_limits *limits);
+
+/** The same as hsp_paths_find, as a request says; request may be NULL: all defaults. Where it is stopped there is no
+ *  path, and the paths keep their cells.
+ *  @retval HSP_E_ARGUMENT    paths, from, to or path is NULL; an executor with several workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY    as hsp_paths_find
+ *  @retval HSP_E_STATE       as hsp_paths_find
+ *  @retval HSP_E_CHECK       as hsp_paths_find
+ *  @retval HSP_E_NOT_FINITE  as hsp_paths_find
+ *  @retval HSP_E_RANGE       as hsp_paths_find
+ *  @retval HSP_E_STOPPED     the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_paths_find_with(hsp_paths *paths, const double *from, const double *to,
+                                             const hsp_paths_request *request, hsp_path *path,
+                                             hsp_paths_limits *limits);
 
 /** The points [needed][3] of the last path, from its start to its end; none if there was none.
  *  @retval HSP_E_ARGUMENT  paths is NULL; points is NULL with a capacity above 0

@@ -138,6 +138,25 @@ typedef struct hsp_pore_access {
 HSP_API int32_t HSP_CALL hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
                                                 uint32_t *regions);
 
+/** How questions of pores are answered. Zero means default in every field but the first. */
+typedef struct hsp_pores_request {
+  uint32_t struct_size;         /**< sizeof(hsp_pores_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_pores_request;
+
+/** The same as hsp_pores_find_regions, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; boundary is NULL without a box, of another model, or given with one; an
+ *                          executor with several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request or executor, or reserved is not 0
+ *  @retval HSP_E_STATE     as hsp_pores_find_regions
+ *  @retval HSP_E_RANGE     as hsp_pores_find_regions
+ *  @retval HSP_E_CHECK     as hsp_pores_find_regions
+ *  @retval HSP_E_STOPPED   the executor said not to go on: there are no regions */
+HSP_API int32_t HSP_CALL hsp_pores_find_regions_with(hsp_pores *pores, const hsp_boundary *boundary,
+                                                     const hsp_pores_request *request, hsp_pore_access *access,
+                                                     uint32_t *regions);
+
 /** A region of free space. Frozen. */
 typedef struct hsp_pore_region {
   double radius;       /**< of the widest probe, beyond that of the model, that fits in it; infinite outside */
@@ -210,6 +229,21 @@ typedef struct hsp_pore_pocket_size {
  *  @retval HSP_E_CHECK     a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t HSP_CALL hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
                                                    hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
+
+/** The same as hsp_pores_measure_pockets, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  pores or plugged is NULL; out is NULL with a capacity above 0; `plugged` are of other balls
+ *                          or of another box; boundary is NULL without a box, of another model, or given with one; an
+ *                          executor with several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request or executor, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  as hsp_pores_measure_pockets
+ *  @retval HSP_E_STATE     as hsp_pores_measure_pockets
+ *  @retval HSP_E_RANGE     as hsp_pores_measure_pockets
+ *  @retval HSP_E_CHECK     as hsp_pores_measure_pockets
+ *  @retval HSP_E_STOPPED   the executor said not to go on: `plugged` has no regions and no leaks, nothing is written to
+ *                          out */
+HSP_API int32_t HSP_CALL hsp_pores_measure_pockets_with(hsp_pores *pores, hsp_pores *plugged,
+                                                        const hsp_boundary *boundary, const hsp_pores_request *request,
+                                                        hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus
 }

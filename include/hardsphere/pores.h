@@ -83,6 +83,8 @@ typedef struct hsp_pores_options {
   uint32_t reserved;    /**< 0 */
   double floor; /**< radius of the narrowest probe of interest, rounded down to the lattice; may be negative down to
                      where the largest ball has no radius left; default 0: what not even a point passes is closed */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const void *unused;           /**< NULL */
 } hsp_pores_options;
 
 /** Default options.
@@ -107,7 +109,8 @@ HSP_API int32_t HSP_CALL hsp_pores_options_init(hsp_pores_options *options, uint
  *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
  *  @retval HSP_E_RANGE       a way up between balls leads to probes of 2^50 lattice steps: set the model with a larger
  *                            step, ten times hsp_model_info.step or more
- *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
+ *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it
+ *  @retval HSP_E_STOPPED     the executor of the options said not to go on */
 HSP_API int32_t HSP_CALL hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
                                            hsp_pores_limits *limits);
 
@@ -128,7 +131,8 @@ HSP_API int32_t HSP_CALL hsp_pores_compute(hsp_pores *pores, const hsp_model *mo
  *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
  *  @retval HSP_E_RANGE       the box is more than a hundred times longer than wide, or a way leads farther than 511
  *                            boxes
- *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
+ *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it
+ *  @retval HSP_E_STOPPED     the executor of the options said not to go on */
 HSP_API int32_t HSP_CALL hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic,
                                                     const hsp_pores_options *options, hsp_pores_limits *limits);
 
@@ -454,6 +458,30 @@ HSP_API int32_t HSP_CALL hsp_pores_find_tunnel(hsp_pores *pores, const double *f
 HSP_API int32_t HSP_CALL hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to,
                                                         const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel,
                                                         hsp_pores_limits *limits);
+
+/** Which tunnel is found, and how. Zero means default in every field but the first. */
+typedef struct hsp_tunnel_request {
+  uint32_t struct_size;         /**< sizeof(hsp_tunnel_request) */
+  uint32_t cheapest;            /**< 1: that of hsp_pores_find_cheapest_tunnel; 0: that of hsp_pores_find_tunnel */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+} hsp_tunnel_request;
+
+/** The same as hsp_pores_find_tunnel or hsp_pores_find_cheapest_tunnel, as a request says; request may be NULL: all
+ *  defaults. Where it is stopped there is no tunnel.
+ *  @retval HSP_E_ARGUMENT    pores, from or tunnel is NULL; avoided is NULL with a count above 0; cheapest is neither 0
+ *                            nor 1; an executor with several workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size of request, executor or limits
+ *  @retval HSP_E_CAPACITY    as hsp_pores_find_tunnel
+ *  @retval HSP_E_STATE       as hsp_pores_find_tunnel
+ *  @retval HSP_E_ID          as hsp_pores_find_tunnel
+ *  @retval HSP_E_CHECK       as hsp_pores_find_tunnel
+ *  @retval HSP_E_NOT_FINITE  as hsp_pores_find_tunnel
+ *  @retval HSP_E_RANGE       as hsp_pores_find_tunnel
+ *  @retval HSP_E_STOPPED     the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_pores_find_tunnel_with(hsp_pores *pores, const double *from, const double *to,
+                                                    const uint32_t *avoided, uint32_t count,
+                                                    const hsp_tunnel_request *request, hsp_tunnel *tunnel,
+                                                    hsp_pores_limits *limits);
 
 /** The cost of a tunnel, and where it leads. Frozen. */
 typedef struct hsp_tunnel_route {

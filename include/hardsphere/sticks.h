@@ -130,14 +130,15 @@ typedef struct hsp_sticks_conflict {
  *  with it; without an order also for each those that may cover a part of it, sorted.
  *  @retval HSP_E_ARGUMENT    sticks or model is NULL; unknown pieces or flags; stick is NULL and count is not 0; an
  *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0
- *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
+ *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
  *  @retval HSP_E_NEGATIVE    radius is negative
  *  @retval HSP_E_RANGE       radius is 0
  *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
- *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times */
+ *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times
+ *  @retval HSP_E_STOPPED     the executor of the options said not to go on */
 HSP_API int32_t HSP_CALL hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                                             const hsp_stick *stick, uint32_t count, double radius,
                                             hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
@@ -149,14 +150,15 @@ HSP_API int32_t HSP_CALL hsp_sticks_compute(hsp_sticks *sticks, const hsp_model 
  *  Cost: as for hsp_sticks_compute without an order.
  *  @retval HSP_E_ARGUMENT    sticks or model is NULL; unknown pieces or flags; stick is NULL and count is not 0; an
  *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0
- *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
+ *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
  *  @retval HSP_E_NEGATIVE    radius is negative
  *  @retval HSP_E_RANGE       radius is 0
  *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
- *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times */
+ *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times
+ *  @retval HSP_E_STOPPED     the executor of the options said not to go on */
 HSP_API int32_t HSP_CALL hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model,
                                                 const hsp_view_options *options, const hsp_stick *stick, uint32_t count,
                                                 double radius, hsp_sticks_conflict *conflict,

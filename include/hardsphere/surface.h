@@ -157,6 +157,25 @@ HSP_API int32_t HSP_CALL hsp_surface_compute(hsp_surface *surface, const hsp_bou
 HSP_API int32_t HSP_CALL hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary,
                                                     const uint32_t *shells, uint32_t count, hsp_surface_limits *limits);
 
+/** How a surface is computed. Zero means default in every field but the first. */
+typedef struct hsp_surface_request {
+  uint32_t struct_size;         /**< sizeof(hsp_surface_request) */
+  uint32_t count;               /**< how many shells are chosen */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const uint32_t *shells;       /**< [count] as of hsp_surface_compute_shells, or NULL for all of the boundary */
+} hsp_surface_request;
+
+/** The same as hsp_surface_compute or hsp_surface_compute_shells, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  surface or boundary is NULL; an executor with several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits
+ *  @retval HSP_E_CAPACITY  as hsp_surface_compute
+ *  @retval HSP_E_STATE     as hsp_surface_compute
+ *  @retval HSP_E_ID        the boundary has not all of these shells
+ *  @retval HSP_E_DEGENERATE  as hsp_surface_compute
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_surface_compute_with(hsp_surface *surface, const hsp_boundary *boundary,
+                                                  const hsp_surface_request *request, hsp_surface_limits *limits);
+
 /** How many of everything. Frozen. */
 typedef struct hsp_surface_counts {
   uint32_t convex_patches;  /**< faces of the boundary */

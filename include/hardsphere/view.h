@@ -86,6 +86,8 @@ typedef struct hsp_view_options {
   double towards[3];    /**< from the balls towards the viewer, of any length; default 0 0 1 */
   double up[3]; /**< what appears upwards, of any length, not necessarily across towards; default, and if it is parallel
                      to towards: 0 1 0, or 0 0 1 if towards is parallel to that */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const void *unused;           /**< NULL */
 } hsp_view_options;
 
 /** Fill options with defaults.
@@ -115,10 +117,11 @@ HSP_API int32_t HSP_CALL hsp_view_options_turn(hsp_view_options *options, double
  *  and O(k^2) at G-pieces expected, with k balls that meet it.
  *  @retval HSP_E_ARGUMENT    view or model is NULL; unknown pieces or flags; H-pieces without a boundary; a boundary of
  *                            another model
- *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
+ *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       the boundary holds no results, or the model has changed since; hsp_model_set has failed
- *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite */
+ *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite
+ *  @retval HSP_E_STOPPED     the executor of the options said not to go on */
 HSP_API int32_t HSP_CALL hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
                                           const hsp_view_options *options, hsp_view_limits *limits);
 

@@ -14,7 +14,7 @@ enum { NUMBERS = LIMIT_BYTES / 4, MOST_RETRIES = 40 };
 static int limits_of(const function *f) {
   const int place = place_of(f, "limits");
   if (place <= 0 || f->arguments[place].kind != KIND_sized || f->arguments[0].kind != KIND_handle) return -1;
-  return strstr(f->name, "_compute") != NULL || strcmp(f->name, "hsp_moving_set") == 0 ? place : -1;
+  return strstr(f->name, "_compute") != NULL || strstr(f->name, "hsp_moving_set") != NULL ? place : -1;
 }
 
 /* Calls with a new handle that has these limits, which become those that come back. */

@@ -57,7 +57,10 @@ def workspace_header(interface):
     def part(name):
         if name.startswith("compute "):
             noun, join, how = name.removeprefix("compute ").partition("_")
-            return compute_rows(interface.function(f"hsp_{noun}_compute{join}{how}"), noun, join + how)
+            with_request = interface.function(f"hsp_{noun}_compute_with")
+            asks = not how and with_request is not None and len(passed_on(with_request)) == 1
+            compute = with_request if asks else interface.function(f"hsp_{noun}_compute{join}{how}")
+            return compute_rows(compute, noun, join + how, asks)
         return {"fields": field_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
     return "\n".join(guarded(filled(TEMPLATE, r" */\* <(.*)> \*/", part).split("\n"), component_of_headers()))
@@ -70,7 +73,8 @@ def field_rows(interface):
     fields += [(f"void (*drop_{noun})(struct hsp_workspace *work);",
                 f"drops its results (hardsphere/{header_of(interface, noun)})")
                for noun in dropped(interface)]
-    fields += [(f"void *memory[{len(nouns)}];", "of the handles"),
+    fields += [("const hsp_executor *executor;", "or NULL, may be set: of all without request and options"),
+               (f"void *memory[{len(nouns)}];", "of the handles"),
                ("uint32_t most_balls;", "what the model has room for"), ("uint32_t reserved;", "0")]
     fields += [(f"hsp_{noun}_limits {noun}_limits;", f"what it has room for (hardsphere/{header_of(interface, noun)})")
                for noun in HANDLES]
@@ -139,12 +143,20 @@ def make_rows(interface):
     return rows[:-1]
 
 
-def compute_rows(compute, noun, how):
-    """A function that computes a handle, and makes it larger until it suffices; how: "_with" a request, "_periodic" or "" """
-    own = {"limits": "&limits"} | {a.name: f"work->{a.name}" for a in compute.arguments if a.kind == "handle"}
+def request_rows(indent):
+    """A request with the executor of the workspace alone."""
+    return [f"{indent}memset(&request, 0, sizeof request);",
+            f"{indent}request.struct_size = (uint32_t)sizeof request;",
+            f"{indent}request.executor = work->executor;"]
+
+
+def compute_rows(compute, noun, how, asks):
+    """A function that computes a handle, and makes it larger until it suffices; how: "_with" a request, "_periodic" or
+    ""; asks: whether the request has the executor of the workspace alone"""
+    own = {"limits": "&limits"} | ({"request": "&request"} if asks else {}) | {a.name: f"work->{a.name}" for a in compute.arguments if a.kind == "handle"}
     call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
     begin, arguments = f"static inline int32_t hsp_workspace_{noun}{how}(", ["hsp_workspace *work"]
-    for argument in passed_on(compute):
+    for argument in () if asks else passed_on(compute):
         if len(begin + arguments[-1] + argument.c) > WIDTH - len(", ) {"):
             arguments.append(argument.c)
             continue
@@ -154,6 +166,7 @@ def compute_rows(compute, noun, how):
     return [*f"{begin}{head}) {{".split("\n"),
             f"  int32_t status = hsp_workspace_ready_{noun}(work{n});",
             f"  hsp_{noun}_limits limits = work->{noun}_limits;",
+            *([f"  hsp_{noun}_request request;", *request_rows("  ")] if asks else []),
             "  while (status == HSP_OK) {",
             f"    status = {call};",
             "    if (status != HSP_E_CAPACITY) return status;",

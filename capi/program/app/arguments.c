@@ -162,6 +162,7 @@ static bool begin(struct reading *reading, struct request *request, enum command
   request->selection = (struct selection)SELECTION_EVERYTHING;
   request->measure.part = (struct selection)SELECTION_EVERYTHING;
   request->set = &radii_bondi;
+  request->timeout = -1.0;
   request->measure.surface = -1;
   request->hessian = (struct hessian_request){HUGE_VAL, HUGE_VAL};
   request->pores.pockets = -1.0;

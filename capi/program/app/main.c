@@ -24,6 +24,7 @@
 #include "read/line_reader.h"
 #include "read/radii_list.h"
 #include "read/read_molecule.h"
+#include "read/stopping.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
@@ -103,6 +104,7 @@ static bool run_two(enum command command, int count, char **arguments, struct te
     done = request_parse(&request[k], command, k, count, arguments, failure);
     if (request[0].list_radii) break;
   }
+  stopping_after(request[0].timeout);
   if (done && request[0].list_radii) {
     done = radii_list_print(out, failure);
   } else {
@@ -190,6 +192,7 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
   if (row->run_two != NULL) return run_two(command, count - 1, arguments + 1, out, failure);
   struct request request;
   bool done = request_parse(&request, command, 0, count - 1, arguments + 1, failure);
+  stopping_after(request.timeout);
   if (request.list_radii) {
     done = done && radii_list_print(out, failure);
   } else if (request.files < 2) {
@@ -209,9 +212,11 @@ int main(int count, char **arguments) {
   _setmode(_fileno(stdin), _O_BINARY);
   _setmode(_fileno(stdout), _O_BINARY);
 #endif
-  const bool done = run(count > 0 ? count - 1 : 0, arguments + 1, &out, &failure) &&
+  stopping_by_interrupt();
+  const bool done = run(count > 0 ? count - 1 : 0, arguments + 1, &out, &failure) && !stopping_asked() &&
                     text_buffer_print(&out, &failure) && output_files_keep(&failure);
   text_buffer_free(&out);
+  if (!done && stopping_asked()) stopping_is_why(&failure);
   if (!done) failure_print(&failure);
   output_files_drop();
   return failure.exit_status;

@@ -65,6 +65,9 @@ const struct option *option_at(size_t i) {
       {"--threads", "N", take_count, EVERY, .target = IN(threads), .what = "how many threads", .most = MOST_THREADS,
        .help = "let N threads work on files, on frames of a trajectory or on a large molecule; default one\n"
                "for each processor. The output is the same for any number"},
+      {"--timeout", "SECONDS", take_number, EVERY, .target = IN(timeout), .most = 1e9, .positive = true,
+       .help = "stop, with exit status 124, if the work takes longer; files are as they were then, as after\n"
+               "Ctrl-C, which gives 130"},
 
       {"--shells", NULL, take_flag, OF(BOUNDARY), .target = IN(boundary.shells),
        .help = "list them in any case, in JSON too"},

@@ -7,6 +7,7 @@
 #include "app/arguments.h"
 #include "read/line_reader.h"
 #include "read/progress.h"
+#include "read/stopping.h"
 #include "read/threads.h"
 #include "write/csv.h"
 
@@ -168,6 +169,7 @@ static bool print_file(void *of, uint32_t slot) {
     file->done = print(several, &own, &file->out, &file->failure);
   }
   notes_free(&file->notes);
+  if (!file->done && stopping_asked()) return false;
   if (!file->done) {
     failure_print(&file->failure);
     several->exit_status = file->failure.exit_status;
@@ -194,6 +196,7 @@ bool several_files_run(const struct request *first, int count, char **arguments,
     done = in_order_run(loop) || failure_of_memory(failure);
     progress_end(&several.progress);
     *failure = (struct failure){several.exit_status, NULL, 0, ""};
+    done = done && !stopping_asked();
   }
   for (uint32_t k = 0; several.file != NULL && k < loop->slots; ++k) {
     text_buffer_free(&several.file[k].out);

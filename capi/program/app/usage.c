@@ -34,12 +34,12 @@ static const char statuses[] =
     "volumes in its cube; times in ps, or as .xyz says. Balls, shells, maxima and gates count from 0; voids, regions,\n"
     "pockets, tunnels, models and frames from 1.\n"
     "\n"
-    "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
-    "nothing; of a --trajectory it has the frames before the one at fault. With status 0 a line on stderr tells of "
-    "names\n"
-    "in --only, --hide, --highlight and --radius that nothing has, of dummies that are left out, of atoms' names that\n"
-    "say another element than the file, of water that is counted in --csv, of labels of a picture that have no room,\n"
-    "and of a lattice that is coarse beside the smallest radius.\n";
+    "Exit status: 0 success, 1 bad input, 2 bad usage, 124 after --timeout, 130 after Ctrl-C; if not 0 one line on\n"
+    "stderr says why, and of that file stdout has nothing; of a --trajectory it has the frames before the one at\n"
+    "fault. With status 0 a line on stderr tells of names in --only, --hide, --highlight and --radius that nothing\n"
+    "has, of dummies that are left out, of atoms' names that say another element than the file, of water that is\n"
+    "counted in --csv, of labels of a picture that have no room, and of a lattice that is coarse beside the smallest\n"
+    "radius.\n";
 
 /* So that the help of a command fits a screen. */
 #define FOR_ALL_COMMANDS                                                             \

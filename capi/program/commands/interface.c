@@ -1,5 +1,7 @@
 #include "commands/interface.h"
 
+#include "read/stopping.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -71,6 +73,7 @@ static int32_t measure(struct geometry *geometry, const hsp_model_options *optio
   hsp_workspace *work = &geometry->work;
   hsp_totals totals;
   double *areas = malloc(((size_t)atoms + 1) * sizeof *areas);
+  work->executor = stopping_executor();
   int32_t status = areas == NULL ? HSP_E_MEMORY : hsp_workspace_set(work, atoms, xyz, radius, options, NULL);
   if (status == HSP_OK) status = hsp_workspace_boundary(work);
   if (status == HSP_OK) status = hsp_boundary_measure(work->boundary, NULL, &totals, areas, NULL, atoms, NULL);

@@ -152,6 +152,7 @@ struct request {
   struct radii radii;
   struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */
   uint32_t threads;             /* 0: as many as the machine has processors */
+  double timeout;               /* in seconds; below 0 if there is none */
 
   const char *weights;    /* of areas: a file, or NULL; of `measure` and `hessian` */
   double window;          /* of radii, over which areas are averaged; 0: none; likewise */

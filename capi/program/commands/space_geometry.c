@@ -1,5 +1,7 @@
 #include "commands/space_geometry.h"
 
+#include "read/stopping.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -34,8 +36,13 @@ static bool try_coarser(struct geometry *geometry, const struct molecule *molecu
   return true;
 }
 
+static hsp_pores_request request_of_pores(void) {
+  return (hsp_pores_request){.struct_size = (uint32_t)sizeof(hsp_pores_request), .executor = stopping_executor()};
+}
+
 static hsp_pores_options pores_of(double narrowest) {
-  return (hsp_pores_options){.struct_size = (uint32_t)sizeof(hsp_pores_options), .reserved = 0, .floor = narrowest};
+  return (hsp_pores_options){
+      .struct_size = (uint32_t)sizeof(hsp_pores_options), .floor = narrowest, .executor = stopping_executor()};
 }
 
 static int32_t find_pores(hsp_workspace *work, const void *of) {
@@ -142,8 +149,9 @@ bool geometry_find_regions(struct geometry *geometry, const struct molecule *mol
                            hsp_pore_access *access, uint32_t *regions, struct failure *failure) {
   if (!find_pores_and_surface(geometry, molecule, box, probe, 0.0, failure)) return false;
   progress_show(&geometry->progress, "measuring regions");
-  const int32_t status =
-      hsp_pores_find_regions(geometry->work.pores, box != NULL ? NULL : geometry->work.boundary, access, regions);
+  const hsp_pores_request request = request_of_pores();
+  const int32_t status = hsp_pores_find_regions_with(geometry->work.pores, box != NULL ? NULL : geometry->work.boundary,
+                                                     &request, access, regions);
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--regions: free space is too narrow somewhere");
   return status == HSP_OK || failure_in_library(failure, status);
 }
@@ -213,8 +221,10 @@ static bool measure_plugged(const struct geometry *geometry, struct geometry *pl
     }
     free_balls(&balls);
     if (!done || !more || *status != HSP_OK) return done;
-    *status = hsp_pores_measure_pockets(geometry->work.pores, plugged->work.pores,
-                                        box != NULL ? NULL : plugged->work.boundary, sizes, pockets, NULL);
+    const hsp_pores_request request = request_of_pores();
+    *status =
+        hsp_pores_measure_pockets_with(geometry->work.pores, plugged->work.pores,
+                                       box != NULL ? NULL : plugged->work.boundary, &request, sizes, pockets, NULL);
     if (*status == HSP_E_RANGE || *status == HSP_E_ARGUMENT) return true;
     if (*status != HSP_OK) return failure_in_library(failure, *status);
     if (are_closed(sizes, pockets)) return true;
@@ -252,10 +262,12 @@ bool geometry_find_tunnel(struct geometry *geometry, const struct tunnel_questio
   hsp_workspace *const work = &geometry->work;
   hsp_pores_limits limits = work->pores_limits;
   int32_t status = HSP_OK;
+  const hsp_tunnel_request request = {
+      .struct_size = (uint32_t)sizeof request, .cheapest = question->cheapest ? 1 : 0, .executor = stopping_executor()};
   progress_show(&geometry->progress, "looking for tunnels");
   while (status == HSP_OK) {
-    status = (question->cheapest ? hsp_pores_find_cheapest_tunnel : hsp_pores_find_tunnel)(
-        work->pores, question->from, question->to, question->avoided, question->count, tunnel, &limits);
+    status = hsp_pores_find_tunnel_with(work->pores, question->from, question->to, question->avoided, question->count,
+                                        &request, tunnel, &limits);
     if (status != HSP_E_CAPACITY) break;
     status = hsp_workspace_grow_pores(work, &limits);
     if (status == HSP_OK) status = compute_pores(geometry, question->in_box, question->narrowest, NULL);

@@ -6,6 +6,7 @@
 #include "draw/stick_repair.h"
 #include "draw/view_axes.h"
 #include "read/bonds.h"
+#include "read/stopping.h"
 
 static const double default_ball_size = 0.25;
 static const double default_stick = 0.12;
@@ -20,6 +21,7 @@ double ball_and_stick_radius(const struct drawing *drawing) {
 
 static bool set_balls(const struct molecule *molecule, const double *radius, struct geometry *geometry,
                       struct failure *failure) {
+  geometry->work.executor = stopping_executor();
   const int32_t status = hsp_workspace_set(&geometry->work, molecule->atoms, molecule->xyz, radius, NULL, NULL);
   return status == HSP_OK || failure_in_library(failure, status);
 }

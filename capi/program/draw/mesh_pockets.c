@@ -6,6 +6,7 @@
 
 #include "draw/mesh_split.h"
 #include "draw/smooth_borders.h"
+#include "read/stopping.h"
 
 enum { MOST_LIFTS = 4 };
 
@@ -168,7 +169,7 @@ static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh,
 bool mesh_pockets_find(struct geometry *geometry, const struct molecule *molecule, struct triangle_mesh *mesh,
                        bool smooth, double wide, double least, struct mesh_pockets *pockets, struct failure *failure) {
   const hsp_pores_options options = {
-      .struct_size = (uint32_t)sizeof options, .reserved = 0, .floor = -below * mesh->edge};
+      .struct_size = (uint32_t)sizeof options, .floor = -below * mesh->edge, .executor = stopping_executor()};
   uint8_t *of_maximum = NULL;
   uint32_t patches = 0;
   progress_show(&geometry->progress, "looking for pockets");

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "read/geometry.h"
+#include "read/stopping.h"
 #include "write/output_file.h"
 #include "write/pdf_update.h"
 
@@ -58,7 +59,7 @@ static bool end(struct sink *sink, const struct picture *picture, uint64_t *byte
 
 static int32_t take(void *context, const char *bytes, size_t count) {
   struct sink *sink = context;
-  if (!put(sink, bytes, count)) return 1;
+  if (stopping_asked() || !put(sink, bytes, count)) return 1;
   const uint64_t step = sink->written / BYTES_A_STEP;
   sink->written += count;
   if (sink->written / BYTES_A_STEP != step) progress_show_bytes(sink->progress, "writing", sink->written);

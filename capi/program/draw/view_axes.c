@@ -6,6 +6,7 @@
 #include "draw/dot_product.h"
 #include "draw/principal_axes.h"
 #include "read/molecule.h"
+#include "read/stopping.h"
 
 static void cross(const double a[3], const double b[3], double out[3]) {
   for (int i = 0; i < 3; ++i) {
@@ -82,6 +83,7 @@ int32_t viewing_options(const struct viewing *viewing, const struct molecule *mo
   double axis[3][3];
   int32_t status = hsp_view_options_init(options, (uint32_t)sizeof *options);
   if (status != HSP_OK) return status;
+  options->executor = stopping_executor();
   if (viewing->view.given && !viewing->rotate.given && viewing->spin == 0.0) {
     memcpy(options->towards, viewing->view.xyz, sizeof options->towards);
     if (viewing->up.given) memcpy(options->up, viewing->up.xyz, sizeof options->up);

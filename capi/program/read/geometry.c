@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "read/stopping.h"
 #include "read/threads.h"
 
 /* A thread is worth its start for so many balls, a millisecond or two of work. */
@@ -20,10 +21,11 @@ void geometry_share_work(struct geometry *geometry, uint32_t threads, uint32_t b
   executor->workers = threads < most ? threads : most;
   executor->context = executor;
   executor->run = run_tasks;
+  executor->proceed = stopping_proceed;
 }
 
 const hsp_executor *geometry_executor(const struct geometry *geometry) {
-  return geometry->executor.workers > 1 ? &geometry->executor : NULL;
+  return geometry->executor.workers > 1 ? &geometry->executor : stopping_executor();
 }
 
 bool failure_in_library(struct failure *failure, int32_t status) {
@@ -46,6 +48,7 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
   options.largest_radius = geometry->largest_radius;
   progress_show(&geometry->progress, "building the model");
   uint32_t first_bad = HSP_NONE;
+  geometry->work.executor = stopping_executor();
   status = hsp_workspace_set(&geometry->work, molecule->atoms, molecule->xyz, molecule->radius, &options, &first_bad);
   if (status != HSP_OK && first_bad < molecule->atoms) {
     const uint64_t line = molecule->line[first_bad];
@@ -77,11 +80,12 @@ bool geometry_compute_boundary_of(struct geometry *geometry, const uint8_t *sele
   const hsp_boundary_request request = {
       .struct_size = sizeof request, .reserved = 0, .executor = geometry_executor(geometry), .selected = selected};
   int32_t status = hsp_workspace_boundary_with(&geometry->work, &request);
-  if (status == HSP_E_MEMORY && request.executor != NULL) { /* each thread needs some of its own */
+  if (status == HSP_E_MEMORY && request.executor->workers > 1) { /* each thread needs some of its own */
     geometry->executor.workers = 1;
     geometry->work.boundary_limits.workers = 0;
-    status = hsp_workspace_boundary_with(&geometry->work,
-                                         &(hsp_boundary_request){.struct_size = sizeof request, .selected = selected});
+    status = hsp_workspace_boundary_with(
+        &geometry->work,
+        &(hsp_boundary_request){.struct_size = sizeof request, .executor = stopping_executor(), .selected = selected});
   }
   return status == HSP_OK || failure_in_library(failure, status);
 }
@@ -136,8 +140,10 @@ bool geometry_compute_periodic(struct geometry *geometry, const struct molecule 
   }
   while (status == HSP_OK) {
     hsp_periodic_limits limits = geometry->periodic_limits;
-    status = hsp_periodic_compute(geometry->periodic, molecule->atoms, molecule->xyz, molecule->radius, box, &options,
-                                  &limits, NULL);
+    const hsp_periodic_request request = {
+        .struct_size = (uint32_t)sizeof request, .options = &options, .executor = stopping_executor()};
+    status = hsp_periodic_compute_with(geometry->periodic, molecule->atoms, molecule->xyz, molecule->radius, box,
+                                       &request, &limits, NULL);
     if (status != HSP_E_CAPACITY) break;
     geometry->periodic_limits = limits;
     status = make_periodic(geometry);

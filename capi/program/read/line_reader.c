@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "read/stopping.h"
 #include "read/words.h"
 
 bool input_is_standard(const char *path) {
@@ -106,6 +107,10 @@ static enum line_status refill(struct line_reader *reader, struct failure *failu
     }
     reader->block = block;
     reader->capacity = capacity;
+  }
+  if (stopping_asked()) {
+    failure_in_input(failure, 0, "stopped");
+    return LINE_FAILED;
   }
   errno = 0;
   const size_t got = fread(reader->block + kept, 1, reader->capacity - kept, reader->file);

@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "read/stopping.h"
 #include "write/same_file.h"
 
 /* Names that are tried for a new file. */
@@ -31,8 +32,11 @@ enum { SIGNALS = sizeof ending_signals / sizeof ending_signals[0] };
 static struct sigaction action_before[SIGNALS];
 static struct sigaction size_action_before;
 
-/* The signal strikes again, and ends the program, as soon as this returns: its action is the default by then. */
+/* The signal strikes again, and ends the program, as soon as this returns: its action is the default by then. The first
+ * SIGINT stops the run instead, which takes files away at its end. */
 static void take_away(int signal_number) {
+  if (signal_number == SIGINT && stopping_note()) return;
+  signal(signal_number, SIG_DFL);
   for (const struct new_file *at = unkept; at != NULL; at = at->next) unlink(at->temporary);
   raise(signal_number);
 }
@@ -53,7 +57,6 @@ static void catch_signals(void) {
   action.sa_handler = SIG_IGN;
   sigaction(SIGXFSZ, &action, &size_action_before);
   action.sa_handler = take_away;
-  action.sa_flags = (int)SA_RESETHAND;
   for (size_t i = 0; i < SIGNALS; ++i) {
     sigaction(ending_signals[i], NULL, &action_before[i]);
     if (action_before[i].sa_handler != SIG_IGN) sigaction(ending_signals[i], &action, NULL);

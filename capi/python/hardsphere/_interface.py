@@ -304,6 +304,11 @@ class MovingLimits(Record):
     _fields_ = [("struct_size", C.c_uint32), ("balls", C.c_uint32), ("neighbours", C.c_uint32)]
 
 
+class MovingRequest(Record):
+    """How balls are moved."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class MovingInfo(Record):
     """Lattice and counts."""
     _fields_ = [("step", C.c_double), ("probe", C.c_double), ("largest_radius", C.c_double), ("vertices", C.c_uint64),
@@ -501,6 +506,11 @@ class SurfaceLimits(Record):
                 ("cusped_circles", C.c_uint32)]
 
 
+class SurfaceRequest(Record):
+    """How a surface is computed."""
+    _fields_ = [("struct_size", C.c_uint32), ("count", C.c_uint32), ("executor", C.c_void_p), ("shells", C.c_void_p)]
+
+
 class SurfaceCounts(Record):
     """How many of everything."""
     _fields_ = [("convex_patches", C.c_uint32), ("saddle_patches", C.c_uint32), ("concave_patches", C.c_uint32),
@@ -626,6 +636,11 @@ class CellsLimits(Record):
                 ("cube_balls", C.c_uint32), ("cube_corners", C.c_uint32)]
 
 
+class CellsRequest(Record):
+    """How cells are computed."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class CellsCounts(Record):
     """How many of everything."""
     _fields_ = [("cubes", C.c_uint32), ("power_cells", C.c_uint32), ("cells", C.c_uint32), ("runs", C.c_uint32),
@@ -655,6 +670,11 @@ class PathsLimits(Record):
                 ("cube_balls", C.c_uint32), ("cube_corners", C.c_uint32), ("points", C.c_uint32)]
 
 
+class PathsRequest(Record):
+    """How paths are computed and found."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class Path(Record):
     """A path."""
     _fields_ = [("length", C.c_double), ("clearance", C.c_double), ("ends", C.c_uint32), ("certified", C.c_uint32),
@@ -669,7 +689,8 @@ class PoresLimits(Record):
 
 class PoresOptions(Record):
     """Which part of free space is computed."""
-    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("floor", C.c_double)]
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("floor", C.c_double), ("executor", C.c_void_p),
+                ("unused", C.c_void_p)]
 
 
 class PoresCounts(Record):
@@ -730,6 +751,11 @@ class Tunnel(Record):
                 ("gates", C.c_uint32), ("points", C.c_uint32), ("outside", C.c_uint32), ("reserved", C.c_uint32)]
 
 
+class TunnelRequest(Record):
+    """Which tunnel is found, and how."""
+    _fields_ = [("struct_size", C.c_uint32), ("cheapest", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class TunnelRoute(Record):
     """The cost of a tunnel, and where it leads."""
     _fields_ = [("cost", C.c_double), ("shift", C.c_int32 * 3), ("reserved", C.c_uint32)]
@@ -758,6 +784,11 @@ class PoreAccess(Record):
                 ("blocked_volume", C.c_double), ("accessible", C.c_uint32), ("blocked", C.c_uint32)]
 
 
+class PoresRequest(Record):
+    """How questions of pores are answered."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class PoreRegion(Record):
     """A region of free space."""
     _fields_ = [("radius", C.c_double), ("area", C.c_double), ("volume", C.c_double), ("maximum", C.c_uint32),
@@ -779,7 +810,7 @@ class ViewLimits(Record):
 class ViewOptions(Record):
     """From where to look, and what to cut."""
     _fields_ = [("struct_size", C.c_uint32), ("pieces", C.c_uint32), ("flags", C.c_uint32), ("reserved", C.c_uint32),
-                ("towards", C.c_double * 3), ("up", C.c_double * 3)]
+                ("towards", C.c_double * 3), ("up", C.c_double * 3), ("executor", C.c_void_p), ("unused", C.c_void_p)]
 
 
 class ViewInfo(Record):
@@ -1124,10 +1155,21 @@ class Moving(Handle):
         return call("hsp_moving_set", self, model=model, tension=tension, pressure=pressure, tangency=tangency,
                     sigma=sigma)
 
+    def set_with(self, model: Model, *, tangency: int | None = None, tension: float | None = None,
+                 pressure: float | None = None, sigma: Any | None = None, threads: int | None = None) -> Moving:
+        """The same as hsp_moving_set, of the energy that a request says; request may be NULL: all defaults."""
+        return call("hsp_moving_set_with", self, model=model, tangency=tangency, tension=tension, pressure=pressure,
+                    sigma=sigma, threads=threads)
+
     def move(self, ball: Any, xyz: Any | None = None, radius: Any | None = None) -> Moving:
         """Move some balls: ball [count] to the centres xyz [count][3], with the radii radius [count], the probe not
         included."""
         return call("hsp_moving_move", self, ball=ball, xyz=xyz, radius=radius)
+
+    def move_with(self, ball: Any, xyz: Any | None = None, radius: Any | None = None, *,
+                  threads: int | None = None) -> Moving:
+        """The same as hsp_moving_move, as a request says; request may be NULL: all defaults."""
+        return call("hsp_moving_move_with", self, ball=ball, xyz=xyz, radius=radius, threads=threads)
 
     def undo(self) -> Moving:
         """Take the last move back: all numbers are as before it, bit for bit."""
@@ -1344,6 +1386,12 @@ class Surface(Handle):
         order."""
         return call("hsp_surface_compute_shells", self, boundary=boundary, shells=shells)
 
+    def compute_with(self, boundary: Boundary, *, count: int | None = None, threads: int | None = None,
+                     shells: Any | None = None) -> Surface:
+        """The same as hsp_surface_compute or hsp_surface_compute_shells, as a request says; request may be NULL: all
+        defaults."""
+        return call("hsp_surface_compute_with", self, boundary=boundary, count=count, threads=threads, shells=shells)
+
     def get_counts(self) -> SurfaceCounts:
         """How many patches of each kind there are, and how many meet themselves or others."""
         return call("hsp_surface_get_counts", self)
@@ -1543,6 +1591,10 @@ class Cells(Handle):
         """Cut the free space of a model into cells."""
         return call("hsp_cells_compute", self, model=model)
 
+    def compute_with(self, model: Model, *, threads: int | None = None) -> Cells:
+        """The same as hsp_cells_compute, as a request says; request may be NULL: all defaults."""
+        return call("hsp_cells_compute_with", self, model=model, threads=threads)
+
     def get_counts(self) -> CellsCounts:
         """How many cells, neighbours and regions there are."""
         return call("hsp_cells_get_counts", self)
@@ -1575,10 +1627,18 @@ class Paths(Handle):
         """Cut the free space of a model into cells, so that paths can be found."""
         return call("hsp_paths_compute", self, model=model)
 
+    def compute_with(self, model: Model, *, threads: int | None = None) -> Paths:
+        """The same as hsp_paths_compute, as a request says; request may be NULL: all defaults."""
+        return call("hsp_paths_compute_with", self, model=model, threads=threads)
+
     def find(self, from_: Any, to: Any) -> Path:
         """Find a path between two points, from [3] and to [3], after hsp_paths_compute; they are rounded to the
         lattice."""
         return call("hsp_paths_find", self, from_=from_, to=to)
+
+    def find_with(self, from_: Any, to: Any, *, threads: int | None = None) -> Path:
+        """The same as hsp_paths_find, as a request says; request may be NULL: all defaults."""
+        return call("hsp_paths_find_with", self, from_=from_, to=to, threads=threads)
 
     def get_points(self) -> Any:
         """The points [needed][3] of the last path, from its start to its end; none if there was none."""
@@ -1588,14 +1648,14 @@ class Paths(Handle):
 class Pores(Handle):
     noun = "pores"
 
-    def compute(self, model: Model, *, floor: float | None = None) -> Pores:
+    def compute(self, model: Model, *, floor: float | None = None, threads: int | None = None) -> Pores:
         """Find all maxima and gates of a model above the floor, and the tree of their classes; options may be NULL."""
-        return call("hsp_pores_compute", self, model=model, floor=floor)
+        return call("hsp_pores_compute", self, model=model, floor=floor, threads=threads)
 
-    def compute_periodic(self, periodic: Periodic, *, floor: float | None = None) -> Pores:
+    def compute_periodic(self, periodic: Periodic, *, floor: float | None = None, threads: int | None = None) -> Pores:
         """The same of the balls in a periodic box, which must outlive the pores; they can be read until it computes
         other balls or another box."""
-        return call("hsp_pores_compute_periodic", self, periodic=periodic, floor=floor)
+        return call("hsp_pores_compute_periodic", self, periodic=periodic, floor=floor, threads=threads)
 
     def get_counts(self) -> PoresCounts:
         """How many maxima, gates and cavities there are."""
@@ -1671,6 +1731,13 @@ class Pores(Handle):
         """The same with the tunnel of the least cost, which weighs how wide a way is against how long."""
         return call("hsp_pores_find_cheapest_tunnel", self, from_=from_, avoided=avoided, to=to)
 
+    def find_tunnel_with(self, from_: Any, avoided: Any, to: Any | None = None, *, cheapest: int | None = None,
+                         threads: int | None = None) -> Tunnel:
+        """The same as hsp_pores_find_tunnel or hsp_pores_find_cheapest_tunnel, as a request says; request may be NULL:
+        all defaults."""
+        return call("hsp_pores_find_tunnel_with", self, from_=from_, avoided=avoided, to=to, cheapest=cheapest,
+                    threads=threads)
+
     def get_tunnel_route(self) -> TunnelRoute:
         """The cost of the last tunnel and its vector: *route becomes the record, all 0 if there was none."""
         return call("hsp_pores_get_tunnel_route", self)
@@ -1716,6 +1783,11 @@ class Pores(Handle):
         .access, .regions."""
         return call("hsp_pores_find_regions", self, boundary=boundary)
 
+    def find_regions_with(self, boundary: Boundary, *, threads: int | None = None) -> Any:
+        """The same as hsp_pores_find_regions, as a request says; request may be NULL: all defaults. Gives .access,
+        .regions."""
+        return call("hsp_pores_find_regions_with", self, boundary=boundary, threads=threads)
+
     def get_regions(self, first: int, count: int) -> Any:
         """The regions first .."""
         return call("hsp_pores_get_regions", self, first=first, count=count)
@@ -1724,15 +1796,20 @@ class Pores(Handle):
         """Measure all pockets of the last hsp_pores_find_pockets: out gets a record for each, in their order."""
         return call("hsp_pores_measure_pockets", self, plugged=plugged, boundary=boundary)
 
+    def measure_pockets_with(self, plugged: Pores, boundary: Boundary, *, threads: int | None = None) -> Any:
+        """The same as hsp_pores_measure_pockets, as a request says; request may be NULL: all defaults."""
+        return call("hsp_pores_measure_pockets_with", self, plugged=plugged, boundary=boundary, threads=threads)
+
 
 class View(Handle):
     noun = "view"
 
     def compute(self, model: Model, boundary: Boundary | None = None, *, pieces: int | None = None,
-                flags: int | None = None, towards: Any | None = None, up: Any | None = None) -> View:
+                flags: int | None = None, towards: Any | None = None, up: Any | None = None,
+                threads: int | None = None) -> View:
         """Cut and sort the pieces for one direction; any number of times, from any directions."""
         return call("hsp_view_compute", self, model=model, boundary=boundary, pieces=pieces, flags=flags,
-                    towards=towards, up=up)
+                    towards=towards, up=up, threads=threads)
 
     def get_info(self) -> ViewInfo:
         """Describe the view."""
@@ -1770,9 +1847,10 @@ class Map(Handle):
     noun = "map"
 
     def compute(self, model: Model, *, pieces: int | None = None, flags: int | None = None, towards: Any | None = None,
-                up: Any | None = None) -> Map:
+                up: Any | None = None, threads: int | None = None) -> Map:
         """Find what is seen from one direction; any number of times, from any directions."""
-        return call("hsp_map_compute", self, model=model, pieces=pieces, flags=flags, towards=towards, up=up)
+        return call("hsp_map_compute", self, model=model, pieces=pieces, flags=flags, towards=towards, up=up,
+                    threads=threads)
 
     def get_info(self) -> MapInfo:
         """Describe the map."""
@@ -1858,16 +1936,17 @@ class Sticks(Handle):
     noun = "sticks"
 
     def compute(self, model: Model, stick: Any, radius: float, *, pieces: int | None = None, flags: int | None = None,
-                towards: Any | None = None, up: Any | None = None) -> SticksConflict:
+                towards: Any | None = None, up: Any | None = None, threads: int | None = None) -> SticksConflict:
         """Find what is painted from one direction; any number of times."""
         return call("hsp_sticks_compute", self, model=model, stick=stick, radius=radius, pieces=pieces, flags=flags,
-                    towards=towards, up=up)
+                    towards=towards, up=up, threads=threads)
 
     def compute_map(self, model: Model, stick: Any, radius: float, *, pieces: int | None = None,
-                    flags: int | None = None, towards: Any | None = None, up: Any | None = None) -> SticksConflict:
+                    flags: int | None = None, towards: Any | None = None, up: Any | None = None,
+                    threads: int | None = None) -> SticksConflict:
         """The same with a map in any case: also where there is an order to paint, which the conflict then tells."""
         return call("hsp_sticks_compute_map", self, model=model, stick=stick, radius=radius, pieces=pieces, flags=flags,
-                    towards=towards, up=up)
+                    towards=towards, up=up, threads=threads)
 
     def get_info(self) -> SticksInfo:
         """Describe what is painted."""
@@ -2183,9 +2262,16 @@ FUNCTIONS = {
     "hsp_moving_set": "int32_t moving:handle:hsp_moving::never model:handle:hsp_model::never "
         "sigma:array_in:double:n:always tension:value:double::never pressure:value:double::never "
         "tangency:value:uint32_t::never limits:sized:hsp_moving_limits::always first_bad:value_out:uint32_t::always",
+    "hsp_moving_set_with": "int32_t moving:handle:hsp_moving::never model:handle:hsp_model::never "
+        "request:sized_in:hsp_gradient_request::always limits:sized:hsp_moving_limits::always "
+        "first_bad:value_out:uint32_t::always",
     "hsp_moving_move": "int32_t moving:handle:hsp_moving::never count:value:uint32_t::never "
         "ball:array_in:uint32_t:count:empty xyz:array_in:double:count;3:always radius:array_in:double:count:always "
         "limits:sized:hsp_moving_limits::always first_bad:value_out:uint32_t::always",
+    "hsp_moving_move_with": "int32_t moving:handle:hsp_moving::never count:value:uint32_t::never "
+        "ball:array_in:uint32_t:count:empty xyz:array_in:double:count;3:always radius:array_in:double:count:always "
+        "request:sized_in:hsp_moving_request::always limits:sized:hsp_moving_limits::always "
+        "first_bad:value_out:uint32_t::always",
     "hsp_moving_undo": "int32_t moving:handle:hsp_moving::never",
     "hsp_moving_get_info": "int32_t moving:handle:hsp_moving::never info:struct_out:hsp_moving_info::never",
     "hsp_moving_measure": "int32_t moving:handle:hsp_moving::never totals:struct_out:hsp_totals::always "
@@ -2325,6 +2411,8 @@ FUNCTIONS = {
         "limits:sized:hsp_surface_limits::always",
     "hsp_surface_compute_shells": "int32_t surface:handle:hsp_surface::never boundary:handle:hsp_boundary::never "
         "shells:array_in:uint32_t:count:empty count:value:uint32_t::never limits:sized:hsp_surface_limits::always",
+    "hsp_surface_compute_with": "int32_t surface:handle:hsp_surface::never boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_surface_request::always limits:sized:hsp_surface_limits::always",
     "hsp_surface_get_counts": "int32_t surface:handle:hsp_surface::never counts:struct_out:hsp_surface_counts::never",
     "hsp_surface_measure": "int32_t surface:handle:hsp_surface::never totals:struct_out:hsp_surface_totals::always "
         "balls:array_out:hsp_surface_totals:needed:always capacity:capacity:uint32_t::never "
@@ -2423,6 +2511,8 @@ FUNCTIONS = {
         "limits:sized_in:hsp_cells_limits::never cells:handle_out:hsp_cells::never",
     "hsp_cells_compute": "int32_t cells:handle:hsp_cells::never model:handle:hsp_model::never "
         "limits:sized:hsp_cells_limits::always",
+    "hsp_cells_compute_with": "int32_t cells:handle:hsp_cells::never model:handle:hsp_model::never "
+        "request:sized_in:hsp_cells_request::always limits:sized:hsp_cells_limits::always",
     "hsp_cells_get_counts": "int32_t cells:handle:hsp_cells::never counts:struct_out:hsp_cells_counts::never",
     "hsp_cells_get_cells": "int32_t cells:handle:hsp_cells::never first:value:uint32_t::never "
         "count:value:uint32_t::never out:array_out:hsp_free_cell:count:empty",
@@ -2444,8 +2534,13 @@ FUNCTIONS = {
         "limits:sized_in:hsp_paths_limits::never paths:handle_out:hsp_paths::never",
     "hsp_paths_compute": "int32_t paths:handle:hsp_paths::never model:handle:hsp_model::never "
         "limits:sized:hsp_paths_limits::always",
+    "hsp_paths_compute_with": "int32_t paths:handle:hsp_paths::never model:handle:hsp_model::never "
+        "request:sized_in:hsp_paths_request::always limits:sized:hsp_paths_limits::always",
     "hsp_paths_find": "int32_t paths:handle:hsp_paths::never from:array_in:double:3:never to:array_in:double:3:never "
         "path:struct_out:hsp_path::never limits:sized:hsp_paths_limits::always",
+    "hsp_paths_find_with": "int32_t paths:handle:hsp_paths::never from:array_in:double:3:never "
+        "to:array_in:double:3:never request:sized_in:hsp_paths_request::always path:struct_out:hsp_path::never "
+        "limits:sized:hsp_paths_limits::always",
     "hsp_paths_get_points": "int32_t paths:handle:hsp_paths::never points:array_out:double:needed;3:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_limits_init": "int32_t limits:sized:hsp_pores_limits::never struct_size:value:uint32_t::never "
@@ -2493,6 +2588,10 @@ FUNCTIONS = {
     "hsp_pores_find_cheapest_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
         "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
         "tunnel:struct_out:hsp_tunnel::never limits:sized:hsp_pores_limits::always",
+    "hsp_pores_find_tunnel_with": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
+        "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
+        "request:sized_in:hsp_tunnel_request::always tunnel:struct_out:hsp_tunnel::never "
+        "limits:sized:hsp_pores_limits::always",
     "hsp_pores_get_tunnel_route": "int32_t pores:handle:hsp_pores::never route:struct_out:hsp_tunnel_route::never",
     "hsp_pores_get_tunnel_points": "int32_t pores:handle:hsp_pores::never "
         "points:array_out:hsp_tunnel_point:needed:empty capacity:capacity:uint32_t::never "
@@ -2514,11 +2613,18 @@ FUNCTIONS = {
         "radius:array_out:double:needed:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_find_regions": "int32_t pores:handle:hsp_pores::never boundary:handle:hsp_boundary::box "
         "access:struct_out:hsp_pore_access::always regions:value_out:uint32_t::always",
+    "hsp_pores_find_regions_with": "int32_t pores:handle:hsp_pores::never boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_pores_request::always access:struct_out:hsp_pore_access::always "
+        "regions:value_out:uint32_t::always",
     "hsp_pores_get_regions": "int32_t pores:handle:hsp_pores::never first:value:uint32_t::never "
         "count:value:uint32_t::never out:array_out:hsp_pore_region:count:empty",
     "hsp_pores_measure_pockets": "int32_t pores:handle:hsp_pores::never plugged:handle:hsp_pores::never "
         "boundary:handle:hsp_boundary::box out:array_out:hsp_pore_pocket_size:needed:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_pores_measure_pockets_with": "int32_t pores:handle:hsp_pores::never plugged:handle:hsp_pores::never "
+        "boundary:handle:hsp_boundary::never request:sized_in:hsp_pores_request::always "
+        "out:array_out:hsp_pore_pocket_size:needed:empty capacity:capacity:uint32_t::never "
+        "needed:needed:uint32_t::always",
     "hsp_view_limits_init": "int32_t limits:sized:hsp_view_limits::never struct_size:value:uint32_t::never "
         "balls:value:uint32_t::never",
     "hsp_view_bytes": "int32_t limits:sized_in:hsp_view_limits::never bytes:value_out:size_t::never",
@@ -2636,6 +2742,7 @@ FIELDS = {
         "first_bad:value_out:uint32_t::never area_centre:array_out:double:n;3:always "
         "area_radius:array_out:double:n:always volume_centre:array_out:double:n;3:always "
         "volume_radius:array_out:double:n:always flags:array_out:uint32_t:n:always",
+    "hsp_moving_request": "executor:sized_in:hsp_executor::always",
     "hsp_morphometry_request": "pressure:value:double::never tension:value:double::never bending:value:double::never "
         "gaussian:value:double::never sigma:array_in:double:n:always executor:sized_in:hsp_executor::always",
     "hsp_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
@@ -2654,11 +2761,17 @@ FIELDS = {
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "
         "d_strain:array_out:double:9:always d_box:array_out:double:9:always area:array_out:double:n:always",
+    "hsp_surface_request": "count:value:uint32_t::never executor:sized_in:hsp_executor::always "
+        "shells:array_in:uint32_t:count:always",
     "hsp_mesh_request": "executor:sized_in:hsp_executor::always",
     "hsp_topology_request": "executor:sized_in:hsp_executor::always",
-    "hsp_pores_options": "floor:value:double::always",
+    "hsp_cells_request": "executor:sized_in:hsp_executor::always",
+    "hsp_paths_request": "executor:sized_in:hsp_executor::always",
+    "hsp_pores_options": "floor:value:double::always executor:array_in:hsp_executor:n:always",
+    "hsp_tunnel_request": "cheapest:value:uint32_t::never executor:sized_in:hsp_executor::always",
+    "hsp_pores_request": "executor:sized_in:hsp_executor::always",
     "hsp_view_options": "pieces:value:uint32_t::always flags:value:uint32_t::always towards:value:double:3:always "
-        "up:value:double:3:always",
+        "up:value:double:3:always executor:array_in:hsp_executor:n:always",
     "hsp_picture_options": "format:value:uint32_t::always style:value:uint32_t::always unit:value:uint32_t::always "
         "width:value:double::always height:value:double::always margin:value:double::always "
         "outline:value:double::always fog:value:double::always outline_colour:value:uint32_t::always "
@@ -2676,35 +2789,37 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          'hsp_measure_outputs': MeasureOutputs, 'hsp_energy': Energy, 'hsp_gradient_request': GradientRequest,
          'hsp_gradient_outputs': GradientOutputs, 'hsp_derivatives_request': DerivativesRequest,
          'hsp_derivatives_outputs': DerivativesOutputs, 'hsp_area_derivative': AreaDerivative, 'hsp_moving_limits':
-         MovingLimits, 'hsp_moving_info': MovingInfo, 'hsp_moving_ball': MovingBall, 'hsp_curvatures': Curvatures,
-         'hsp_morphometry_request': MorphometryRequest, 'hsp_morphometric_energy': MorphometricEnergy,
-         'hsp_morphometry_outputs': MorphometryOutputs, 'hsp_brick_request': BrickRequest, 'hsp_brick_totals':
-         BrickTotals, 'hsp_brick_shell': BrickShell, 'hsp_contacts_limits': ContactsLimits, 'hsp_contacts_request':
-         ContactsRequest, 'hsp_contact': Contact, 'hsp_group_contact': GroupContact, 'hsp_complex': Complex,
-         'hsp_simplex': Simplex, 'hsp_periodic_limits': PeriodicLimits, 'hsp_periodic_request': PeriodicRequest,
-         'hsp_periodic_counts': PeriodicCounts, 'hsp_periodic_totals': PeriodicTotals,
-         'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs, 'hsp_periodic_contact': PeriodicContact,
-         'hsp_winding': Winding, 'hsp_periodic_gradient_outputs': PeriodicGradientOutputs, 'hsp_image': Image,
-         'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex': PeriodicVertex, 'hsp_periodic_arc': PeriodicArc,
-         'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face': PeriodicFace, 'hsp_periodic_loop': PeriodicLoop,
-         'hsp_periodic_loop_arc': PeriodicLoopArc, 'hsp_surface_limits': SurfaceLimits, 'hsp_surface_counts':
+         MovingLimits, 'hsp_moving_request': MovingRequest, 'hsp_moving_info': MovingInfo, 'hsp_moving_ball':
+         MovingBall, 'hsp_curvatures': Curvatures, 'hsp_morphometry_request': MorphometryRequest,
+         'hsp_morphometric_energy': MorphometricEnergy, 'hsp_morphometry_outputs': MorphometryOutputs,
+         'hsp_brick_request': BrickRequest, 'hsp_brick_totals': BrickTotals, 'hsp_brick_shell': BrickShell,
+         'hsp_contacts_limits': ContactsLimits, 'hsp_contacts_request': ContactsRequest, 'hsp_contact': Contact,
+         'hsp_group_contact': GroupContact, 'hsp_complex': Complex, 'hsp_simplex': Simplex, 'hsp_periodic_limits':
+         PeriodicLimits, 'hsp_periodic_request': PeriodicRequest, 'hsp_periodic_counts': PeriodicCounts,
+         'hsp_periodic_totals': PeriodicTotals, 'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs,
+         'hsp_periodic_contact': PeriodicContact, 'hsp_winding': Winding, 'hsp_periodic_gradient_outputs':
+         PeriodicGradientOutputs, 'hsp_image': Image, 'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex':
+         PeriodicVertex, 'hsp_periodic_arc': PeriodicArc, 'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face':
+         PeriodicFace, 'hsp_periodic_loop': PeriodicLoop, 'hsp_periodic_loop_arc': PeriodicLoopArc,
+         'hsp_surface_limits': SurfaceLimits, 'hsp_surface_request': SurfaceRequest, 'hsp_surface_counts':
          SurfaceCounts, 'hsp_surface_totals': SurfaceTotals, 'hsp_surface_part_counts': SurfacePartCounts,
          'hsp_surface_patch': SurfacePatch, 'hsp_surface_edge': SurfaceEdge, 'hsp_surface_corner': SurfaceCorner,
          'hsp_surface_shell': SurfaceShell, 'hsp_mesh_limits': MeshLimits, 'hsp_mesh_request': MeshRequest,
          'hsp_mesh_counts': MeshCounts, 'hsp_topology_limits': TopologyLimits, 'hsp_topology_request': TopologyRequest,
          'hsp_topology_counts': TopologyCounts, 'hsp_shell': Shell, 'hsp_component': Component, 'hsp_region': Region,
          'hsp_topology_vertex': TopologyVertex, 'hsp_topology_edge': TopologyEdge, 'hsp_simple_face': SimpleFace,
-         'hsp_cells_limits': CellsLimits, 'hsp_cells_counts': CellsCounts, 'hsp_free_cell': FreeCell, 'hsp_cell_pair':
-         CellPair, 'hsp_arrangement': Arrangement, 'hsp_paths_limits': PathsLimits, 'hsp_path': Path,
-         'hsp_pores_limits': PoresLimits, 'hsp_pores_options': PoresOptions, 'hsp_pores_counts': PoresCounts,
-         'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate, 'hsp_pore_gate_shifts': PoreGateShifts,
-         'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel': PoreChannel, 'hsp_pore_place': PorePlace,
-         'hsp_pore_place_shifts': PorePlaceShifts, 'hsp_pore_passage': PorePassage, 'hsp_tunnel': Tunnel,
+         'hsp_cells_limits': CellsLimits, 'hsp_cells_request': CellsRequest, 'hsp_cells_counts': CellsCounts,
+         'hsp_free_cell': FreeCell, 'hsp_cell_pair': CellPair, 'hsp_arrangement': Arrangement, 'hsp_paths_limits':
+         PathsLimits, 'hsp_paths_request': PathsRequest, 'hsp_path': Path, 'hsp_pores_limits': PoresLimits,
+         'hsp_pores_options': PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum,
+         'hsp_pore_gate': PoreGate, 'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation,
+         'hsp_pore_channel': PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts,
+         'hsp_pore_passage': PorePassage, 'hsp_tunnel': Tunnel, 'hsp_tunnel_request': TunnelRequest,
          'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point': TunnelPoint, 'hsp_tunnel_point_shifts':
-         TunnelPointShifts, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access': PoreAccess, 'hsp_pore_region':
-         PoreRegion, 'hsp_pore_pocket_size': PorePocketSize, 'hsp_view_limits': ViewLimits, 'hsp_view_options':
-         ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop': ViewLoop,
-         'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex': MapVertex,
-         'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point': MapPoint,
-         'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick, 'hsp_sticks_conflict':
-         SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})
+         TunnelPointShifts, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access': PoreAccess, 'hsp_pores_request':
+         PoresRequest, 'hsp_pore_region': PoreRegion, 'hsp_pore_pocket_size': PorePocketSize, 'hsp_view_limits':
+         ViewLimits, 'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece,
+         'hsp_view_loop': ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo,
+         'hsp_map_vertex': MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight,
+         'hsp_map_point': MapPoint, 'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick,
+         'hsp_sticks_conflict': SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})

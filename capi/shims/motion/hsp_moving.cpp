@@ -1,5 +1,6 @@
 #include "hsp_moving.hpp"
 
+#include "caller_executor.hpp"
 #include "core/sorting.hpp"
 #include "gradient_arrays.hpp"
 #include "hsp_model.hpp"
@@ -34,6 +35,36 @@ hsp_moving_ball to_c(const hsp::MovingBalls &balls, uint32_t i) {
   return result;
 }
 
+// Without a request nothing of one is linked: both ways are whole. asked: what is wrong with the request.
+[[gnu::always_inline]] inline int32_t set(hsp_moving *moving, const hsp_model *model, int32_t asked,
+                                          const hsp_gradient_request &given, hsp::Patience patience,
+                                          hsp_moving_limits *limits, uint32_t *first_bad) {
+  if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
+  moving->complete = false;
+  const int32_t refused = first_failure(check_handle(model), check_struct(limits), asked);
+  if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
+  if (!model->has_results()) return HSP_E_STATE;
+  const hsp::IdRange all{0, model->balls().n};
+  if (const int32_t status = hsp::capi::check_weights(given.sigma, all, first_bad); status != HSP_OK) return status;
+  if (!hsp::is_finite(given.tension) || !hsp::is_finite(given.pressure)) return HSP_E_NOT_FINITE;
+  const hsp::EnergyTerms terms{
+      {given.sigma, hsp::capi::to_touching_balls(given.tangency)}, given.tension, given.pressure};
+  return hsp::capi::finish(*moving, moving->builder.set(model->grid, terms, patience), limits);
+}
+
+[[gnu::always_inline]] inline int32_t move(hsp_moving *moving, int32_t asked, const hsp::BallMoves &moves,
+                                           hsp::Patience patience, hsp_moving_limits *limits, uint32_t *first_bad) {
+  const int32_t refused = first_failure(first_failure(check_handle(moving), check_struct(limits)), asked,
+                                        moves.ball == nullptr && moves.count > 0 ? HSP_E_ARGUMENT : HSP_OK);
+  if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
+  if (!moving->has_results()) return HSP_E_STATE;
+  uint32_t bad = HSP_NONE;
+  const hsp::Status status = moving->builder.move(moves, bad, patience);
+  if (first_bad != nullptr) *first_bad = bad;
+  hsp::capi::hand_back_limits(*moving, status, limits);
+  return hsp::capi::to_c(status);
+}
+
 }  // namespace
 
 int32_t hsp_moving_limits_init(hsp_moving_limits *limits, uint32_t struct_size, uint32_t balls) {
@@ -51,31 +82,33 @@ int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *lim
 int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure,
                        uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad) {
   LibraryArithmetic arithmetic(tension, pressure);
-  if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
-  moving->complete = false;
-  const int32_t refused = first_failure(check_handle(model), check_struct(limits),
-                                        hsp::capi::is_tangency(tangency) ? HSP_OK : HSP_E_ARGUMENT);
-  if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
-  if (!model->has_results()) return HSP_E_STATE;
-  const hsp::IdRange all{0, model->balls().n};
-  if (const int32_t status = hsp::capi::check_weights(sigma, all, first_bad); status != HSP_OK) return status;
-  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
-  const hsp::EnergyTerms terms{{sigma, hsp::capi::to_touching_balls(tangency)}, tension, pressure};
-  return hsp::capi::finish(*moving, moving->builder.set(model->grid, terms), limits);
+  const int32_t asked = hsp::capi::is_tangency(tangency) ? HSP_OK : HSP_E_ARGUMENT;
+  const hsp_gradient_request given{sizeof given, tangency, tension, pressure, sigma, nullptr};
+  return set(moving, model, asked, given, hsp::Patience(), limits, first_bad);
+}
+
+int32_t hsp_moving_set_with(hsp_moving *moving, const hsp_model *model, const hsp_gradient_request *request,
+                            hsp_moving_limits *limits, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
+  hsp::capi::GradientRequest asked(arithmetic);
+  const int32_t status = asked.read(request);
+  return set(moving, model, status, asked.given, hsp::Patience(&asked.executor), limits, first_bad);
 }
 
 int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
                         const double *radius, hsp_moving_limits *limits, uint32_t *first_bad) {
   LibraryArithmetic arithmetic;
-  const int32_t refused =
-      first_failure(check_handle(moving), check_struct(limits), ball == nullptr && count > 0 ? HSP_E_ARGUMENT : HSP_OK);
-  if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
-  if (!moving->has_results()) return HSP_E_STATE;
-  uint32_t bad = HSP_NONE;
-  const hsp::Status status = moving->builder.move({count, ball, xyz, radius}, bad);
-  if (first_bad != nullptr) *first_bad = bad;
-  hsp::capi::hand_back_limits(*moving, status, limits);
-  return hsp::capi::to_c(status);
+  return move(moving, HSP_OK, {count, ball, xyz, radius}, hsp::Patience(), limits, first_bad);
+}
+
+int32_t hsp_moving_move_with(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
+                             const double *radius, const hsp_moving_request *request, hsp_moving_limits *limits,
+                             uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
+  hsp_moving_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  const int32_t status = hsp::capi::read_request(request, asked, executor);
+  return move(moving, status, {count, ball, xyz, radius}, hsp::Patience(&executor), limits, first_bad);
 }
 
 int32_t hsp_moving_undo(hsp_moving *moving) {

@@ -38,12 +38,13 @@ int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_opt
   if (const int32_t status = check_handle(map); status != HSP_OK) return status;
   map->complete = false;
   hsp_view_options wanted;
-  if (const int32_t status =
-          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t status = first_failure(check_handle(model), check_struct(limits),
+                                           hsp::capi::read_view_options(options, wanted, executor));
       status != HSP_OK)
     return status;
   if (!model->has_results()) return HSP_E_STATE;
-  const hsp::Status status = map->builder.build(model->grid, hsp::capi::direction_of(wanted));
+  const hsp::Status status = map->builder.build(model->grid, hsp::capi::direction_of(wanted), hsp::Patience(&executor));
   map->model.set(model);
   return hsp::capi::finish(*map, status, limits);
 }

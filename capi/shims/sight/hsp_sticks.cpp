@@ -60,13 +60,15 @@ struct Given {
   bool as_map;
 };
 
-int32_t compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const Given &given,
-                hsp_sticks_conflict *conflict, hsp_sticks_limits *limits) {
+int32_t compute(LibraryArithmetic &arithmetic, hsp_sticks *sticks, const hsp_model *model,
+                const hsp_view_options *options, const Given &given, hsp_sticks_conflict *conflict,
+                hsp_sticks_limits *limits) {
   if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
   sticks->complete = false;
   hsp_view_options wanted;
-  if (const int32_t status =
-          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t status = first_failure(check_handle(model), check_struct(limits),
+                                           hsp::capi::read_view_options(options, wanted, executor));
       status != HSP_OK)
     return status;
   if (!are_valid(given.stick, given.count)) return HSP_E_ARGUMENT;
@@ -74,13 +76,15 @@ int32_t compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_optio
   if (!hsp::is_finite(given.radius)) return HSP_E_NOT_FINITE;
   if (given.radius < 0.0) return HSP_E_NEGATIVE;
   if (given.radius == 0.0) return HSP_E_RANGE;
-  const hsp::Status status =
-      sticks->builder.build(model->balls(), hsp::capi::direction_of(wanted), given.count,
-                            model->balls().lattice.steps(given.radius), given.as_map, [&given](uint32_t k) {
-                              const hsp_stick &stick = given.stick[k];
-                              return hsp::StickEnds{stick.ball[0], stick.ball[1], (stick.flags & HSP_STICK_WHOLE) != 0,
-                                                    strands_of(stick.flags)};
-                            });
+  const hsp::Status status = sticks->builder.build(
+      model->balls(), hsp::capi::direction_of(wanted), given.count, model->balls().lattice.steps(given.radius),
+      given.as_map,
+      [&given](uint32_t k) {
+        const hsp_stick &stick = given.stick[k];
+        return hsp::StickEnds{stick.ball[0], stick.ball[1], (stick.flags & HSP_STICK_WHOLE) != 0,
+                              strands_of(stick.flags)};
+      },
+      hsp::Patience(&executor));
   sticks->model.set(model);
   if (conflict != nullptr && (status == hsp::Status::ok || status == hsp::Status::conflict)) {
     const hsp::StickViolation &violation = sticks->builder.violation();
@@ -107,14 +111,14 @@ int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp
                            const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
                            hsp_sticks_limits *limits) {
   LibraryArithmetic arithmetic(radius);
-  return compute(sticks, model, options, {stick, count, radius, false}, conflict, limits);
+  return compute(arithmetic, sticks, model, options, {stick, count, radius, false}, conflict, limits);
 }
 
 int32_t hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                                const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
                                hsp_sticks_limits *limits) {
   LibraryArithmetic arithmetic(radius);
-  return compute(sticks, model, options, {stick, count, radius, true}, conflict, limits);
+  return compute(arithmetic, sticks, model, options, {stick, count, radius, true}, conflict, limits);
 }
 
 int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info) {

@@ -10,8 +10,6 @@ using hsp::capi::first_failure;
 using hsp::capi::LibraryArithmetic;
 using hsp::capi::versions_first;
 
-namespace {}  // namespace
-
 int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls) {
   return hsp::capi::init_limits<hsp_view>(limits, struct_size, balls);
 }
@@ -48,9 +46,10 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   if (const int32_t status = check_handle(view); status != HSP_OK) return status;
   view->complete = false;
   hsp_view_options wanted;
+  hsp::capi::Executor executor(arithmetic);
   if (const int32_t status =
           first_failure(check_handle(model), boundary == nullptr ? HSP_OK : check_handle(boundary),
-                        versions_first(check_struct(limits), hsp::capi::read_view_options(options, wanted)));
+                        versions_first(check_struct(limits), hsp::capi::read_view_options(options, wanted, executor)));
       status != HSP_OK)
     return status;
   hsp::ViewRequest request;
@@ -61,8 +60,8 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   if (boundary == nullptr && request.kind == hsp::PieceKind::outside_all) return HSP_E_ARGUMENT;
   if (!model->has_results() || (boundary != nullptr && !boundary->has_results())) return HSP_E_STATE;
   if (boundary != nullptr && !boundary->model.is(model)) return HSP_E_ARGUMENT;
-  const hsp::Status status =
-      view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->structure(), request);
+  const hsp::Status status = view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->structure(),
+                                                 request, hsp::Patience(&executor));
   view->model.set(model);
   return hsp::capi::finish(*view, status, limits);
 }

@@ -1,6 +1,7 @@
 // Common to views and maps: where to look from, and how their coordinates come back in the caller's unit.
 #pragma once
 
+#include "caller_executor.hpp"
 #include "conversion.hpp"
 #include "versioned_struct.hpp"
 #include "view/view_frame.hpp"
@@ -9,15 +10,17 @@ namespace hsp::capi {
 
 // A function, so that the archive has no symbol for it.
 constexpr hsp_view_options default_view_options() {
-  return {sizeof(hsp_view_options), HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
+  return {
+      sizeof(hsp_view_options), HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, nullptr, nullptr};
 }
 
 // Options as a program gives them, completed; null means defaults.
-inline int32_t read_view_options(const hsp_view_options *given, hsp_view_options &complete) {
+inline int32_t read_view_options(const hsp_view_options *given, hsp_view_options &complete, Executor &executor) {
   complete = default_view_options();
   if (given == nullptr) return HSP_OK;
   if (const int32_t status = read_struct(given, default_view_options(), complete); status != HSP_OK) return status;
-  if (complete.reserved != 0) return HSP_E_VERSION;
+  if (complete.reserved != 0 || complete.unused != nullptr) return HSP_E_VERSION;
+  if (const int32_t status = executor.read(complete.executor); status != HSP_OK) return status;
   const bool known = complete.pieces <= HSP_PIECES_OUTSIDE_ALL && (complete.flags & ~HSP_VIEW_ALL_BALLS) == 0;
   return known ? HSP_OK : HSP_E_ARGUMENT;
 }

@@ -16,20 +16,6 @@ hsp_surface_totals to_c(const hsp::SurfaceMeasure &measure) {
   return {measure.area(), measure.volume, measure.convex, measure.saddle, measure.concave};
 }
 
-// Whether a computation may begin; the surface has no results from here on.
-int32_t begin(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_limits *limits, bool bad = false) {
-  if (const int32_t status = check_handle(surface); status != HSP_OK) return status;
-  surface->complete = false;
-  if (const int32_t status = first_failure(check_handle(boundary, bad), check_struct(limits)); status != HSP_OK)
-    return status;
-  return boundary->has_results() ? HSP_OK : HSP_E_STATE;
-}
-
-int32_t finish(hsp_surface &surface, const hsp_boundary &boundary, hsp::Status status, hsp_surface_limits *limits) {
-  surface.boundary.set(&boundary);
-  return hsp::capi::finish(surface, status, limits);
-}
-
 // Cases that no ball's own faces show. Of equal balls all but one have no vertices. Without a probe all balls that
 // touch from inside count, with one those of different weights: their shares have a kink, the sum has not.
 void flag_degenerate_balls(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, const hsp::Surface &surface,
@@ -44,6 +30,32 @@ void flag_degenerate_balls(const hsp::CubeGrid &grid, const hsp::Boundary &bound
     flag(outer);
   });
   hsp::visit_degenerate_balls(grid, boundary, surface, any_tied, flag);
+}
+
+int32_t compute(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_request *request,
+                hsp_surface_limits *limits) {
+  LibraryArithmetic arithmetic;
+  if (const int32_t status = check_handle(surface); status != HSP_OK) return status;
+  surface->complete = false;
+  hsp_surface_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t status =
+          first_failure(check_handle(boundary), check_struct(limits), hsp::capi::read_request(request, asked));
+      status != HSP_OK)
+    return status;
+  if (const int32_t status = executor.read(asked.executor); status != HSP_OK) return status;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::Span<const uint32_t> chosen(asked.shells, asked.shells == nullptr ? 0 : asked.count);
+  for (const uint32_t shell : chosen) {
+    if (shell >= boundary->structure().shell_count()) return HSP_E_ID;
+  }
+  hsp::SurfaceBuilder &builder = surface->builder;
+  const hsp::Patience patience(&executor);
+  const hsp::Status status = asked.shells == nullptr
+                                 ? builder.build(boundary->balls(), boundary->structure(), patience)
+                                 : builder.build(boundary->balls(), boundary->structure(), chosen, patience);
+  surface->boundary.set(boundary);
+  return hsp::capi::finish(*surface, status, limits);
 }
 
 }  // namespace
@@ -67,21 +79,24 @@ int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *l
 }
 
 int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = begin(surface, boundary, limits); status != HSP_OK) return status;
-  return finish(*surface, *boundary, surface->builder.build(boundary->balls(), boundary->structure()), limits);
+  return compute(surface, boundary, nullptr, limits);
 }
 
 int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
                                    uint32_t count, hsp_surface_limits *limits) {
-  LibraryArithmetic arithmetic;
-  const int32_t status = begin(surface, boundary, limits, shells == nullptr && count > 0);
-  if (status != HSP_OK) return status;
-  const hsp::Span<const uint32_t> chosen(shells, count);
-  for (const uint32_t shell : chosen) {
-    if (shell >= boundary->structure().shell_count()) return HSP_E_ID;
+  const uint32_t none = 0;
+  const hsp_surface_request request{sizeof request, count, nullptr, count == 0 ? &none : shells};
+  const int32_t handles = first_failure(check_handle(surface), check_handle(boundary), check_struct(limits));
+  if (handles == HSP_OK && request.shells == nullptr) {
+    surface->complete = false;
+    return HSP_E_ARGUMENT;
   }
-  return finish(*surface, *boundary, surface->builder.build(boundary->balls(), boundary->structure(), chosen), limits);
+  return compute(surface, boundary, &request, limits);
+}
+
+int32_t hsp_surface_compute_with(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_request *request,
+                                 hsp_surface_limits *limits) {
+  return compute(surface, boundary, request, limits);
 }
 
 int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts) {

@@ -4,6 +4,7 @@
 
 #include "cells/arrangement.hpp"
 #include "cells/cell_location.hpp"
+#include "compute_from_model.hpp"
 #include "conversion.hpp"
 #include "handle_memory.hpp"
 #include "hsp_topology.hpp"
@@ -64,14 +65,12 @@ int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limit
 }
 
 int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(cells); status != HSP_OK) return status;
-  cells->complete = false;
-  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
-  if (!model->has_results()) return HSP_E_STATE;
-  const hsp::Status status = cells->builder.build(model->grid);
-  cells->model.set(model);
-  return hsp::capi::finish(*cells, status, limits);
+  return hsp_cells_compute_with(cells, model, nullptr, limits);
+}
+
+int32_t hsp_cells_compute_with(hsp_cells *cells, const hsp_model *model, const hsp_cells_request *request,
+                               hsp_cells_limits *limits) {
+  return hsp::capi::compute_from_model(cells, model, request, limits);
 }
 
 int32_t hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts) {

@@ -1,6 +1,6 @@
 #include "hsp_paths.hpp"
 
-#include "conversion.hpp"
+#include "compute_from_model.hpp"
 #include "handle_memory.hpp"
 #include "rounded_point.hpp"
 
@@ -17,6 +17,32 @@ static_assert(static_cast<uint32_t>(hsp::PathEnds::connected) == HSP_PATH_CONNEC
               static_cast<uint32_t>(hsp::PathEnds::apart) == HSP_PATH_APART &&
               static_cast<uint32_t>(hsp::PathEnds::covered) == HSP_PATH_COVERED);
 
+int32_t find_path(hsp_paths *paths, const double *from, const double *to, const hsp_paths_request *request,
+                  hsp_path *path, hsp_paths_limits *limits) {
+  LibraryArithmetic arithmetic;
+  hsp_paths_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
+  paths->builder.forget_path();
+  if (const int32_t refused = first_failure(check_struct(limits), hsp::capi::read_request(request, asked, executor));
+      refused != HSP_OK)
+    return refused;
+  if (from == nullptr || to == nullptr || path == nullptr) return HSP_E_ARGUMENT;
+  if (!paths->has_results()) return HSP_E_STATE;
+  const hsp::BallSet &balls = paths->model->balls();
+  hsp::exact::Vector start, end;
+  int32_t status = round_point(balls.lattice, from, start);
+  if (status == HSP_OK) status = round_point(balls.lattice, to, end);
+  if (status != HSP_OK) return status;
+  hsp::PathSummary found;
+  const hsp::Status searched = paths->builder.find(balls, start, end, found, hsp::Patience(&executor));
+  hsp::capi::hand_back_limits(*paths, searched, limits);
+  if (searched != hsp::Status::ok) return hsp::capi::to_c(searched);
+  *path = {balls.lattice.length(found.length), balls.lattice.length(found.clearance), static_cast<uint32_t>(found.ends),
+           found.certified ? 1U : 0U,          paths->builder.points().size(),        0};
+  return HSP_OK;
+}
+
 }  // namespace
 
 int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_size, uint32_t balls) {
@@ -32,36 +58,22 @@ int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limit
 }
 
 int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
-  paths->complete = false;
-  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
-  if (!model->has_results()) return HSP_E_STATE;
-  const hsp::Status status = paths->builder.build(model->grid);
-  paths->model.set(model);
-  return hsp::capi::finish(*paths, status, limits);
+  return hsp_paths_compute_with(paths, model, nullptr, limits);
+}
+
+int32_t hsp_paths_compute_with(hsp_paths *paths, const hsp_model *model, const hsp_paths_request *request,
+                               hsp_paths_limits *limits) {
+  return hsp::capi::compute_from_model(paths, model, request, limits);
 }
 
 int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
                        hsp_paths_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
-  paths->builder.forget_path();
-  if (const int32_t refused = check_struct(limits); refused != HSP_OK) return refused;
-  if (from == nullptr || to == nullptr || path == nullptr) return HSP_E_ARGUMENT;
-  if (!paths->has_results()) return HSP_E_STATE;
-  const hsp::BallSet &balls = paths->model->balls();
-  hsp::exact::Vector start, end;
-  int32_t status = round_point(balls.lattice, from, start);
-  if (status == HSP_OK) status = round_point(balls.lattice, to, end);
-  if (status != HSP_OK) return status;
-  hsp::PathSummary found;
-  const hsp::Status searched = paths->builder.find(balls, start, end, found);
-  hsp::capi::hand_back_limits(*paths, searched, limits);
-  if (searched != hsp::Status::ok) return hsp::capi::to_c(searched);
-  *path = {balls.lattice.length(found.length), balls.lattice.length(found.clearance), static_cast<uint32_t>(found.ends),
-           found.certified ? 1U : 0U,          paths->builder.points().size(),        0};
-  return HSP_OK;
+  return find_path(paths, from, to, nullptr, path, limits);
+}
+
+int32_t hsp_paths_find_with(hsp_paths *paths, const double *from, const double *to, const hsp_paths_request *request,
+                            hsp_path *path, hsp_paths_limits *limits) {
+  return find_path(paths, from, to, request, path, limits);
 }
 
 int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity, uint32_t *needed) {

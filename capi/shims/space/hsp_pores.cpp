@@ -1,3 +1,4 @@
+#include "caller_executor.hpp"
 #include "core/sorting.hpp"
 #include "pore_records.hpp"
 
@@ -22,16 +23,17 @@ namespace {
 static_assert(hsp::pore_outside == HSP_PORE_OUTSIDE);
 
 hsp_pores_options default_options() {
-  return {sizeof(hsp_pores_options), 0, 0.0};
+  return {sizeof(hsp_pores_options), 0, 0.0, nullptr, nullptr};
 }
 
-int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete) {
+int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete, hsp::capi::Executor &executor) {
   complete = default_options();
   if (given == nullptr) return HSP_OK;
   if (const int32_t status = hsp::capi::read_struct(given, default_options(), complete); status != HSP_OK) {
     return status;
   }
-  return complete.reserved != 0 ? HSP_E_VERSION : HSP_OK;
+  if (complete.reserved != 0 || complete.unused != nullptr) return HSP_E_VERSION;
+  return executor.read(complete.executor);
 }
 
 // In steps, rounded down, and no farther than points can be.
@@ -104,15 +106,18 @@ int32_t get_images(const hsp_pores *pores, uint32_t record, hsp_image *images, u
 template <class Handle, class Compute>
 int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_options *options, hsp_pores_limits *limits,
                      Compute compute) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->complete = false;
   pores->narrow_steps = 0;
   hsp_pores_options asked;
-  const int32_t refused = first_failure(check_handle(source), check_struct(limits), read_options(options, asked));
+  hsp::capi::Executor executor(arithmetic);
+  const int32_t refused =
+      first_failure(check_handle(source), check_struct(limits), read_options(options, asked, executor));
   if (refused != HSP_OK) return refused;
   if (!source->has_results()) return HSP_E_STATE;
   if (!hsp::is_finite(asked.floor)) return HSP_E_NOT_FINITE;
-  return hsp::capi::finish(*pores, compute(asked.floor), limits);
+  return hsp::capi::finish(*pores, compute(asked.floor, hsp::Patience(&executor)), limits);
 }
 
 hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined, uint32_t component) {
@@ -138,10 +143,17 @@ int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PoreLocation &pla
 
 // The best tunnel, by width or by cost.
 int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided, uint32_t count,
-                    bool by_cost, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+                    const hsp_tunnel_request *request, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+  LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->builder.forget_tunnel();
-  if (const int32_t refused = check_struct(limits); refused != HSP_OK) return refused;
+  hsp_tunnel_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t refused = first_failure(check_struct(limits), hsp::capi::read_request(request, asked));
+      refused != HSP_OK)
+    return refused;
+  if (const int32_t refused = executor.read(asked.executor); refused != HSP_OK) return refused;
+  if (asked.cheapest > 1) return HSP_E_ARGUMENT;
   if (from == nullptr || tunnel == nullptr || (avoided == nullptr && count > 0)) return HSP_E_ARGUMENT;
   if (!pores->has_results()) return HSP_E_STATE;
   for (uint32_t k = 0; k < count; ++k) {
@@ -151,9 +163,10 @@ int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, cons
   int32_t status = round_point(*pores, from, start);
   if (status == HSP_OK && to != nullptr) status = round_point(*pores, to, end);
   if (status != HSP_OK) return status;
-  const hsp::TunnelEnds ends{start, to != nullptr ? &end : nullptr, {avoided, count}, pores->builder.floor(), by_cost};
+  const hsp::TunnelEnds ends{
+      start, to != nullptr ? &end : nullptr, {avoided, count}, pores->builder.floor(), asked.cheapest != 0};
   hsp::TunnelSummary found;
-  const hsp::Status searched = pores->builder.find_tunnel(pores->balls_around(), ends, found);
+  const hsp::Status searched = pores->builder.find_tunnel(pores->balls_around(), ends, found, hsp::Patience(&executor));
   hsp::capi::hand_back_limits(*pores, searched, limits);
   if (searched != hsp::Status::ok) return hsp::capi::to_c(searched);
   const hsp::exact::Lattice &lattice = pores->lattice();
@@ -188,21 +201,19 @@ int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size)
 
 int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
                           hsp_pores_limits *limits) {
-  LibraryArithmetic arithmetic;
-  return compute_from(pores, model, options, limits, [&](double floor) {
+  return compute_from(pores, model, options, limits, [&](double floor, hsp::Patience patience) {
     pores->in_box = false;
     pores->model.set(model);
-    return pores->builder.build(model->grid, floor_in_steps(model->balls().lattice, floor));
+    return pores->builder.build(model->grid, floor_in_steps(model->balls().lattice, floor), patience);
   });
 }
 
 int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options *options,
                                    hsp_pores_limits *limits) {
-  LibraryArithmetic arithmetic;
-  return compute_from(pores, periodic, options, limits, [&](double floor) {
+  return compute_from(pores, periodic, options, limits, [&](double floor, hsp::Patience patience) {
     pores->in_box = true;
     pores->periodic.set(periodic);
-    return pores->builder.build(periodic->builder.images(), floor_in_steps(periodic->lattice(), floor));
+    return pores->builder.build(periodic->builder.images(), floor_in_steps(periodic->lattice(), floor), patience);
   });
 }
 
@@ -387,14 +398,19 @@ int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const doubl
 
 int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
                               uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
-  LibraryArithmetic arithmetic;
-  return find_tunnel(pores, from, to, avoided, count, false, tunnel, limits);
+  return find_tunnel(pores, from, to, avoided, count, nullptr, tunnel, limits);
 }
 
 int32_t hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
                                        uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
-  LibraryArithmetic arithmetic;
-  return find_tunnel(pores, from, to, avoided, count, true, tunnel, limits);
+  const hsp_tunnel_request request{sizeof request, 1, nullptr};
+  return find_tunnel(pores, from, to, avoided, count, &request, tunnel, limits);
+}
+
+int32_t hsp_pores_find_tunnel_with(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
+                                   uint32_t count, const hsp_tunnel_request *request, hsp_tunnel *tunnel,
+                                   hsp_pores_limits *limits) {
+  return find_tunnel(pores, from, to, avoided, count, request, tunnel, limits);
 }
 
 int32_t hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *route) {

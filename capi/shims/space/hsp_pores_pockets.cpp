@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "caller_executor.hpp"
 #include "hsp_boundary.hpp"
 #include "plugged_balls.hpp"
 
@@ -63,6 +64,12 @@ void forget_pockets(hsp_pores &pores) {
   pores.narrow_steps = 0;
 }
 
+// Whether a boundary is given where there is no box.
+int32_t check_boundary(const hsp_pores &pores, const hsp_boundary *boundary) {
+  if (boundary == nullptr) return pores.in_box ? HSP_OK : HSP_E_ARGUMENT;
+  return check_handle(boundary);
+}
+
 // Whether regions of pores can be found beside a boundary.
 int32_t check_surface(const hsp_pores &pores, const hsp_boundary *boundary) {
   if (pores.in_box != (boundary == nullptr)) return HSP_E_ARGUMENT;
@@ -74,10 +81,93 @@ int32_t check_surface(const hsp_pores &pores, const hsp_boundary *boundary) {
 }
 
 // After that.
-hsp::Status find_regions(hsp_pores &pores, const hsp_boundary *boundary, uint32_t first_plug) {
+hsp::Status find_regions(hsp_pores &pores, const hsp_boundary *boundary, uint32_t first_plug, hsp::Patience patience) {
   const hsp::PeriodicUnion *const periodic = pores.in_box ? &pores.periodic->builder : nullptr;
   return pores.builder.find_regions(pores.balls_around(), pores.in_box ? periodic->boundary() : boundary->structure(),
-                                    periodic, first_plug);
+                                    periodic, first_plug, patience);
+}
+
+int32_t find_all_regions(hsp_pores *pores, const hsp_boundary *boundary, const hsp_pores_request *request,
+                         hsp_pore_access *access, uint32_t *regions) {
+  LibraryArithmetic arithmetic;
+  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
+  pores->builder.forget_regions();
+  hsp_pores_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t refused =
+          first_failure(check_boundary(*pores, boundary), hsp::capi::read_request(request, asked, executor));
+      refused != HSP_OK)
+    return refused;
+  if (!pores->has_results()) return HSP_E_STATE;
+  if (const int32_t refused = check_surface(*pores, boundary); refused != HSP_OK) return refused;
+  const hsp::Status found = find_regions(*pores, boundary, hsp::no_id, hsp::Patience(&executor));
+  if (found != hsp::Status::ok) return hsp::capi::to_c(found);
+  const hsp::Span<const hsp::PoreRegion> there = pores->builder.regions().regions();
+  if (regions != nullptr) *regions = there.size();
+  if (access == nullptr) return HSP_OK;
+  *access = {};
+  for (const hsp::PoreRegion &region : there) {
+    const bool open = region.is_accessible();
+    (open ? access->accessible_area : access->blocked_area) += pores->lattice().area(region.area);
+    (open ? access->accessible_volume : access->blocked_volume) += pores->lattice().volume(region.volume);
+    ++(open ? access->accessible : access->blocked);
+  }
+  return HSP_OK;
+}
+
+int32_t measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+                        const hsp_pores_request *request, hsp_pore_pocket_size *out, uint32_t capacity,
+                        uint32_t *needed) {
+  LibraryArithmetic arithmetic;
+  if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged)); status != HSP_OK) return status;
+  hsp_pores_request asked;
+  hsp::capi::Executor executor(arithmetic);
+  if (const int32_t refused =
+          first_failure(check_boundary(*plugged, boundary), hsp::capi::read_request(request, asked, executor));
+      refused != HSP_OK)
+    return refused;
+  if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
+  if (!pores->has_results() || !plugged->has_results()) return HSP_E_STATE;
+  const PluggedBalls balls(*pores);
+  if (!balls.are_those_of(*plugged)) return HSP_E_ARGUMENT;
+  if (const int32_t refused = check_surface(*plugged, boundary); refused != HSP_OK) return refused;
+  const hsp::PocketFinder &finder = pores->builder.pockets();
+  const uint32_t count = finder.pockets().size();
+  if (!hsp::capi::fits(true, capacity, count, needed)) return HSP_E_CAPACITY;
+  plugged->builder.forget_regions();
+  if (plugged != pores) forget_pockets(*plugged);
+  hsp::Status status = find_regions(*plugged, boundary, balls.given(), hsp::Patience(&executor));
+  if (status == hsp::Status::ok) {
+    status = pores->builder.match_pockets(
+        plugged->builder, plugged->balls_around(),
+        [&](uint32_t maximum, hsp::exact::Vector &point) {
+          double place[3];
+          hsp::capi::to_array(lengths_of(*pores, pores->maxima()[maximum].point.position), place);
+          return plugged->lattice().round(place, point) ? hsp::Status::ok : hsp::Status::range;
+        },
+        hsp::Patience(&executor));
+  }
+  if (status != hsp::Status::ok) {
+    plugged->builder.forget_regions();
+    return hsp::capi::to_c(status);
+  }
+  for (uint32_t k = 0; k < count; ++k) out[k] = {0.0, 0.0, 0.0, 0, 1};
+  const hsp::exact::Lattice &lattice = plugged->lattice();
+  finder.visit_regions(
+      plugged->builder.regions().regions(),
+      [&](uint32_t pocket) {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        out[pocket] = {unknown, unknown, unknown, 0, 0};
+      },
+      [&](uint32_t pocket, const hsp::PoreRegion &region) {
+        hsp_pore_pocket_size &size = out[pocket];
+        if (size.closed == 0) return;
+        size.volume += lattice.volume(region.volume);
+        size.area += lattice.area(region.area - region.plug_area);
+        size.plug_area += lattice.area(region.plug_area);
+        ++size.regions;
+      });
+  return HSP_OK;
 }
 
 }  // namespace
@@ -152,24 +242,12 @@ int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double 
 
 int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
                                uint32_t *regions) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
-  pores->builder.forget_regions();
-  if (!pores->has_results()) return HSP_E_STATE;
-  if (const int32_t refused = check_surface(*pores, boundary); refused != HSP_OK) return refused;
-  const hsp::Status found = find_regions(*pores, boundary, hsp::no_id);
-  if (found != hsp::Status::ok) return hsp::capi::to_c(found);
-  const hsp::Span<const hsp::PoreRegion> there = pores->builder.regions().regions();
-  if (regions != nullptr) *regions = there.size();
-  if (access == nullptr) return HSP_OK;
-  *access = {};
-  for (const hsp::PoreRegion &region : there) {
-    const bool open = region.is_accessible();
-    (open ? access->accessible_area : access->blocked_area) += pores->lattice().area(region.area);
-    (open ? access->accessible_volume : access->blocked_volume) += pores->lattice().volume(region.volume);
-    ++(open ? access->accessible : access->blocked);
-  }
-  return HSP_OK;
+  return find_all_regions(pores, boundary, nullptr, access, regions);
+}
+
+int32_t hsp_pores_find_regions_with(hsp_pores *pores, const hsp_boundary *boundary, const hsp_pores_request *request,
+                                    hsp_pore_access *access, uint32_t *regions) {
+  return find_all_regions(pores, boundary, request, access, regions);
 }
 
 int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out) {
@@ -183,49 +261,11 @@ int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t c
 
 int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
                                   hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged),
-                                           boundary == nullptr ? HSP_OK : check_handle(boundary));
-      status != HSP_OK)
-    return status;
-  if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
-  if (!pores->has_results() || !plugged->has_results()) return HSP_E_STATE;
-  const PluggedBalls balls(*pores);
-  if (!balls.are_those_of(*plugged)) return HSP_E_ARGUMENT;
-  if (const int32_t refused = check_surface(*plugged, boundary); refused != HSP_OK) return refused;
-  const hsp::PocketFinder &finder = pores->builder.pockets();
-  const uint32_t count = finder.pockets().size();
-  if (!hsp::capi::fits(true, capacity, count, needed)) return HSP_E_CAPACITY;
-  plugged->builder.forget_regions();
-  if (plugged != pores) forget_pockets(*plugged);
-  hsp::Status status = find_regions(*plugged, boundary, balls.given());
-  if (status == hsp::Status::ok) {
-    status = pores->builder.match_pockets(
-        plugged->builder, plugged->balls_around(), [&](uint32_t maximum, hsp::exact::Vector &point) {
-          double place[3];
-          hsp::capi::to_array(lengths_of(*pores, pores->maxima()[maximum].point.position), place);
-          return plugged->lattice().round(place, point) ? hsp::Status::ok : hsp::Status::range;
-        });
-  }
-  if (status != hsp::Status::ok) {
-    plugged->builder.forget_regions();
-    return hsp::capi::to_c(status);
-  }
-  for (uint32_t k = 0; k < count; ++k) out[k] = {0.0, 0.0, 0.0, 0, 1};
-  const hsp::exact::Lattice &lattice = plugged->lattice();
-  finder.visit_regions(
-      plugged->builder.regions().regions(),
-      [&](uint32_t pocket) {
-        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-        out[pocket] = {unknown, unknown, unknown, 0, 0};
-      },
-      [&](uint32_t pocket, const hsp::PoreRegion &region) {
-        hsp_pore_pocket_size &size = out[pocket];
-        if (size.closed == 0) return;
-        size.volume += lattice.volume(region.volume);
-        size.area += lattice.area(region.area - region.plug_area);
-        size.plug_area += lattice.area(region.plug_area);
-        ++size.regions;
-      });
-  return HSP_OK;
+  return measure_pockets(pores, plugged, boundary, nullptr, out, capacity, needed);
+}
+
+int32_t hsp_pores_measure_pockets_with(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+                                       const hsp_pores_request *request, hsp_pore_pocket_size *out, uint32_t capacity,
+                                       uint32_t *needed) {
+  return measure_pockets(pores, plugged, boundary, request, out, capacity, needed);
 }

@@ -30,6 +30,7 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], cons
   needed_.balls = input.n;
   needed_.images = clamped_count(images_.counted_images());
   if (status != Status::ok) return status;
+  if (!executor.goes_on()) return Status::stopped;
   grid_.build(images_.in_steps(), images_.balls());
   status = boundary_.build_in_box(grid_, executor, !areas_alone);
   needed_.neighbours = boundary_.needed().neighbours;
@@ -45,7 +46,9 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], cons
                            Patience(&executor));
   needed_.contacts = contacts_.needed().contacts;
   if (status != Status::ok) return status;
+  if (!executor.goes_on()) return Status::stopped;
   status = join_balls();
+  if (status == Status::ok && !executor.goes_on()) status = Status::stopped;
   return status == Status::ok ? count() : status;
 }
 

@@ -11,6 +11,8 @@ class Patience {
   explicit Patience(const Executor *executor = nullptr)
       : executor_(executor != nullptr && executor->may_stop() ? executor : nullptr) {}
 
+  // Whether the caller is asked at all.
+  bool may_end() const { return !small_code && executor_ != nullptr; }
   // Whether to go on after work of about so many instructions. Once not, never again.
   bool allows(uint64_t instructions) {
     if (small_code || executor_ == nullptr) return true;
@@ -30,5 +32,19 @@ class Patience {
   const Executor *executor_;
   uint64_t spent_ = 0;
 };
+
+// Calls visit(range) for all of a range of records, or for parts of it, one behind the other, where it may end between
+// them: without a caller to ask loops are as they would be without this. instructions: about, for each record.
+template <class Range, class Visit>
+void in_parts(Patience &patience, Range range, uint32_t instructions, Visit visit) {
+  constexpr uint32_t of_a_part = 3000000;
+  const uint32_t at_once = patience.may_end() ? of_a_part / instructions : 0;
+  while (patience.may_end() && range.last - range.first > at_once) {
+    visit(Range{range.first, range.first + at_once});
+    range.first += at_once;
+    if (!patience.allows(of_a_part)) return;
+  }
+  visit(range);
+}
 
 }  // namespace hsp

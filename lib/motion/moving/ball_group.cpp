@@ -37,10 +37,13 @@ void BallGroup::clear(const exact::Lattice &lattice, uint32_t n) {
 }
 
 // If there is no room for all neighbours of a ball, the rest is done to learn how many others have.
-uint32_t BallGroup::compute(MovingRecords &records, const BallCells &cells, uint32_t affected, AreaWeights weights) {
+uint32_t BallGroup::compute(MovingRecords &records, const BallCells &cells, uint32_t affected, AreaWeights weights,
+                            Patience &patience) {
   uint32_t needed = 0;
   for (uint32_t first = 0; first < affected;) {
     uint32_t count = choose(records, cells, first, affected);
+    const uint64_t around = needed;
+    if (!patience.allows(count * (10000 + (500 + around) * around))) break;
     Status status = compute_chosen(records, cells, count, weights);
     // A single ball has room for all of its vertices.
     while (status != Status::ok && count > 1 && part_.needed().neighbours <= neighbours_) {

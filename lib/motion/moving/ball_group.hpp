@@ -2,6 +2,7 @@
 // them, as a set of their own.
 #pragma once
 
+#include "core/patience.hpp"
 #include "moving/ball_cells.hpp"
 #include "moving/boundary_part.hpp"
 #include "moving/moving_records.hpp"
@@ -15,8 +16,9 @@ class BallGroup {
   void clear(const exact::Lattice &lattice, uint32_t n);
 
   // Computes what lies on the first `affected` balls of the journal. Returns how many neighbours there has to be room
-  // for; if there was none, some of the balls are as before.
-  uint32_t compute(MovingRecords &records, const BallCells &cells, uint32_t affected, AreaWeights weights);
+  // for; if there was none, or if it is stopped, some of the balls are as before.
+  uint32_t compute(MovingRecords &records, const BallCells &cells, uint32_t affected, AreaWeights weights,
+                   Patience &patience);
   // A ball inside others that touches one of them at a free point: both have one-sided derivatives. Whether it does
   // depends on balls alone that meet either. For the first `affected` balls, once all are computed.
   void flag_inner_contacts(MovingRecords &records, const BallCells &cells, uint32_t affected);

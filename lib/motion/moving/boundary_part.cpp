@@ -32,7 +32,7 @@ Status BoundaryPart::build(const BallSet &balls, uint32_t own, const double (&ce
   worker.placed_circles = {0, a.circles.size()};
   BoundaryWorker::find_root_discriminants(balls, 0, a.vertices.size(), a);
   worker.count(a);
-  distribute_half_edges(worker.touching, {}, a);
+  distribute_half_edges(worker.touching, {}, worker.patience(), a);
   a.first[own].half_edge = worker.counts.half_edges;
   a.first[own].closed_half_edge = worker.counts.closed;
   BlockSweep sweep(CubeBlock{{{0, balls.n}}, 1});

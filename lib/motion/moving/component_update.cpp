@@ -16,13 +16,14 @@ void ComponentUpdate::clear(uint32_t n) {
 }
 
 // Breadth first, so that the trees are low.
-void ComponentUpdate::span(MovingRecords &records, const BallCells &cells) {
+void ComponentUpdate::span(MovingRecords &records, const BallCells &cells, Patience &patience) {
   cut_ = false;
   for (uint32_t root = 0; root < records.balls.n; ++root) {
     if (is_touched(root)) continue;
     const uint32_t first = touched_count_;
     start_set(root);
     for (uint32_t k = first; k < touched_count_; ++k) {
+      if (!patience.allows(2000)) return;
       const uint32_t i = touched_[k];
       const exact::LatticeBall ball = records.balls.ball(i);
       cells.visit_around(ball, [&](uint32_t j) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/disjoint_sets.hpp"
+#include "core/patience.hpp"
 #include "moving/ball_cells.hpp"
 #include "moving/moving_records.hpp"
 
@@ -16,7 +17,8 @@ class ComponentUpdate {
   // Of so many balls nothing is known.
   void clear(uint32_t n);
   // The first update: trees that span the components of balls that have none.
-  void span(MovingRecords &records, const BallCells &cells);
+  // Not of all if it is stopped: then abandon() follows.
+  void span(MovingRecords &records, const BallCells &cells, Patience &patience);
 
   // Any other update. The first `former` balls of the journal are those that moved, at their new positions, and
   // what these met before.

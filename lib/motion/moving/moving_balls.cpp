@@ -32,7 +32,7 @@ void MovingBalls::carve(Workspace &workspace, const MovingLimits &limits) {
   may_undo_ = false;
 }
 
-Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms) {
+Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms, Patience patience) {
   const BallSet &given = grid.balls();
   const uint32_t n = given.n;
   records_.clear(0);
@@ -57,6 +57,7 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms) {
   touching_balls_ = terms.weights.touching_balls;
   weighted_ = terms.weights.weight != nullptr;
   for (uint32_t i = 0; i < n; ++i) {
+    if (!patience.allows(500)) return forget(Status::stopped);
     const exact::LatticeBall ball = given.ball(i);
     balls.store(i, ball);
     slot_[ball.index] = i;
@@ -69,21 +70,24 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms) {
     records_.note_moved(i);
     count_ball(own, true, true, counts_);
   }
-  components_.span(records_, cells_);
-  const Status status = update(n);
+  components_.span(records_, cells_, patience);
+  const Status status = update(n, patience);
   needed_.balls = n;
-  if (status != Status::ok) {
-    records_.clear(0);
-    sums_.resize(0);
-    counts_ = {};
-    return status;
-  }
+  if (status != Status::ok) return forget(status);
   records_.begin();
   changed_count_ = 0;
   return Status::ok;
 }
 
-Status MovingBalls::move(const BallMoves &moves, uint32_t &first_bad) {
+// Of no balls.
+Status MovingBalls::forget(Status status) {
+  records_.clear(0);
+  sums_.resize(0);
+  counts_ = {};
+  return status;
+}
+
+Status MovingBalls::move(const BallMoves &moves, uint32_t &first_bad, Patience patience) {
   needed_ = {};
   if (const Status status = stage(moves, first_bad); status != Status::ok) return status;
   records_.begin();
@@ -93,11 +97,11 @@ Status MovingBalls::move(const BallMoves &moves, uint32_t &first_bad) {
     if (!stays_put(records_.balls.ball(i), new_ball_[k])) records_.note_moved(i);
   }
   const uint32_t former = moves.count == 1 ? place_one(moves.ball[0]) : place_all(moves);
-  const Status status = update(former);
+  const Status status = update(former, patience);
   needed_.balls = size();
   may_undo_ = status == Status::ok;
   if (may_undo_) return status;
-  put_back();
+  take_back();
   records_.begin();
   changed_count_ = 0;
   return status;
@@ -106,13 +110,7 @@ Status MovingBalls::move(const BallMoves &moves, uint32_t &first_bad) {
 Status MovingBalls::undo() {
   if (!may_undo_) return Status::state;
   may_undo_ = false;
-  put_back();
-  counts_ = counts_before_;
-  for (uint32_t k = 0; k < records_.noted(); ++k) {
-    const uint32_t i = records_.entry(k).ball;
-    sums_.set(records_.balls.caller[i], term_of(i));
-  }
-  sums_.update();
+  take_back();
   return Status::ok;
 }
 
@@ -215,24 +213,27 @@ void MovingBalls::note_what_meets(uint32_t i) {
 }
 
 // Computes the balls in the journal again. The first `former` of them are as for ComponentUpdate.
-Status MovingBalls::update(uint32_t former) {
+Status MovingBalls::update(uint32_t former, Patience &patience) {
   const uint32_t affected = records_.noted();
-  needed_.neighbours = group_.compute(records_, cells_, affected, weights());
-  if (needed_.neighbours > limits_.neighbours) {
+  needed_.neighbours = group_.compute(records_, cells_, affected, weights(), patience);
+  const bool stopped = !patience.allows(0);
+  if (stopped || needed_.neighbours > limits_.neighbours) {
     components_.abandon(records_, former);
-    return Status::capacity;
+    return stopped ? Status::stopped : Status::capacity;
   }
   components_.apply(records_, cells_, former);
-  sum_up(affected);
+  sum_up(affected, patience);
+  if (!patience.allows(0)) return Status::stopped;
   if (counts_.contained != 0) group_.flag_inner_contacts(records_, cells_, affected);
   return Status::ok;
 }
 
 // Counts and sums, once everything else is known.
-void MovingBalls::sum_up(uint32_t affected) {
+void MovingBalls::sum_up(uint32_t affected, Patience &patience) {
   const BallSet &balls = records_.balls;
   changed_count_ = 0;
   for (uint32_t k = 0; k < records_.noted(); ++k) {
+    if (!patience.allows(500)) return;
     const JournalEntry &entry = records_.entry(k);
     const uint32_t i = entry.ball;
     MovingBall &ball = records_.ball[i];
@@ -260,6 +261,17 @@ void MovingBalls::put_back() {
     records_.ball[i] = entry.before;
     records_.parent[i] = entry.parent;
   }
+}
+
+// With counts and sums.
+void MovingBalls::take_back() {
+  put_back();
+  counts_ = counts_before_;
+  for (uint32_t k = 0; k < records_.noted(); ++k) {
+    const uint32_t i = records_.entry(k).ball;
+    sums_.set(records_.balls.caller[i], term_of(i));
+  }
+  sums_.update();
 }
 
 MovingBalls::Sums::Term MovingBalls::term_of(uint32_t i) const {

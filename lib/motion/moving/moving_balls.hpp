@@ -45,12 +45,12 @@ class MovingBalls : public Limited<MovingLimits> {
 
   // Takes the balls of a grid, and what energy is to be known; computes everything. Radii may grow up to half the side
   // of its cubes. On failure there are no balls. Status::capacity if a limit is too small: needed() reports what
-  // suffices.
-  Status set(const CubeGrid &grid, const EnergyTerms &terms);
+  // suffices. Status::stopped if more is not allowed.
+  Status set(const CubeGrid &grid, const EnergyTerms &terms, Patience patience = Patience());
   // Moves some balls. Refused moves change nothing; then first_bad is the number of the first move that is to blame, or
   // no_id. Status::id: no such ball, or the same again; not_finite, negative, range: as for a grid, and range for a
-  // radius above half the side of the cubes; capacity as above.
-  Status move(const BallMoves &moves, uint32_t &first_bad);
+  // radius above half the side of the cubes; capacity and stopped as above.
+  Status move(const BallMoves &moves, uint32_t &first_bad, Patience patience = Patience());
   // Takes the last move back; Status::state if there is none, or it has been taken back.
   Status undo();
 
@@ -90,6 +90,7 @@ class MovingBalls : public Limited<MovingLimits> {
  private:
   using Sums = SumTree<4>;
 
+  Status forget(Status status);
   Status stage(const BallMoves &moves, uint32_t &first_bad);
   Status round_move(const BallMoves &moves, uint32_t k);
   void place_again(uint32_t i, const exact::LatticeBall &ball);
@@ -97,9 +98,10 @@ class MovingBalls : public Limited<MovingLimits> {
   uint32_t place_one(uint32_t caller);
   void note_meeting(const exact::LatticeBall &ball);
   void note_what_meets(uint32_t i);
-  Status update(uint32_t former);
-  void sum_up(uint32_t affected);
+  Status update(uint32_t former, Patience &patience);
+  void sum_up(uint32_t affected, Patience &patience);
   void put_back();
+  void take_back();
   Sums::Term term_of(uint32_t i) const;
   AreaWeights weights() const { return {weighted_ ? weight_.data() : nullptr, touching_balls_}; }
   EnergyTerms terms() const { return {weights(), tension_, pressure_}; }

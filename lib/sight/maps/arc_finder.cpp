@@ -216,22 +216,25 @@ void ArcFinder::carve(Workspace &workspace, const MapLimits &limits) {
   hidden_ = FixedVector<HiddenInterval>(workspace.take<HiddenInterval>(intervals));
 }
 
-void ArcFinder::find(SeenBalls &seen, const DiscGrid &grid) {
+bool ArcFinder::find(SeenBalls &seen, const DiscGrid &grid, Patience &patience) {
   arcs_.clear();
   needed_neighbours_ = 0;
   certain_ = complete_ = true;
   const Span<const SeenBall> balls = seen.balls();
   for (uint32_t i = 0; i < balls.size(); ++i) {
     if (balls[i].inside != 0) continue;
+    if (!patience.allows(2000)) return false;
     grid.gather(i, near_);
     needed_neighbours_ = larger_count(needed_neighbours_, clamped_count(near_.required()));
     if (near_.overflowed()) continue;
     const Span<const uint32_t> near = near_.items();
+    if (!patience.allows(200 * uint64_t{near.size()} * near.size())) return false;
     if (!find_silhouette_arcs(seen, i, near, hidden_, arcs_)) complete_ = false;
     for (const uint32_t k : near) {
       if (seen.is_nearer(k, i) && !find_crease_arcs(seen, i, k, near, hidden_, arcs_)) certain_ = false;
     }
   }
+  return true;
 }
 
 }  // namespace hsp

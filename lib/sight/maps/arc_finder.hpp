@@ -27,7 +27,8 @@ class ArcFinder {
   void carve(Workspace &workspace, const MapLimits &limits);
 
   // If the neighbours of a ball are too many, arcs are incomplete.
-  void find(SeenBalls &seen, const DiscGrid &grid);
+  // False if that is stopped.
+  bool find(SeenBalls &seen, const DiscGrid &grid, Patience &patience);
 
   Span<const MapArc> arcs() const { return arcs_.items(); }
   // False if roundings decided whether some whole curve is seen.

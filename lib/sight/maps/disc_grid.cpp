@@ -56,8 +56,8 @@ void DiscGrid::build(Span<const SeenBall> balls) {
 
 // A ball that contains another one reaches at least as high, up to rounding, and the larger one of two with equal tops
 // comes first.
-void DiscGrid::mark_inside(Span<SeenBall> balls) const {
-  for (uint32_t i = 0; i < balls.size(); ++i) {
+void DiscGrid::mark_inside(Span<SeenBall> balls, Patience &patience) const {
+  for (uint32_t i = 0; i < balls.size() && patience.allows(1000); ++i) {
     SeenBall &ball = balls[i];
     const double highest_inside = ball.top() + touching * ball.r;
     visit_squares(ball.x, ball.y, largest_, [&](Span<const uint32_t> items) {

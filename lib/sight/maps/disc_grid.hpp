@@ -16,7 +16,8 @@ class DiscGrid {
   void build(Span<const SeenBall> balls);
   // Finds the balls inside other balls, or nearly: touching from inside is inside. Of equal ones the first stays
   // outside.
-  void mark_inside(Span<SeenBall> balls) const;
+  // Not all if it is stopped.
+  void mark_inside(Span<SeenBall> balls, Patience &patience) const;
 
   // The balls, ascending, whose discs meet that of ball i and whose tops are above its centre; neither i itself nor
   // balls inside others.

@@ -13,14 +13,15 @@ void MapBuilder::carve(Workspace &workspace, const MapLimits &limits) {
   faces_.carve(workspace, most);
 }
 
-Status MapBuilder::build_moved(const BallSet &balls, double perturbation) {
+Status MapBuilder::build_moved(const BallSet &balls, double perturbation, Patience &patience) {
   map_.clear();
-  seen_.place(balls, map_.frame, perturbation);
+  seen_.place(balls, map_.frame, perturbation, patience);
+  if (!patience.allows(100 * uint64_t{balls.n})) return Status::stopped;
   discs_.build(seen_.balls());
-  discs_.mark_inside(seen_.balls());
+  discs_.mark_inside(seen_.balls(), patience);
   map_.scene.balls = seen_.balls();
   map_.perturbation = perturbation * static_cast<double>(balls.largest_radius);
-  arcs_.find(seen_, discs_);
+  if (!arcs_.find(seen_, discs_, patience)) return Status::stopped;
   needed_.neighbours = larger_count(needed_.neighbours, arcs_.needed_neighbours());
   if (arcs_.overflowed()) {
     needed_.edges = larger_count(needed_.edges, arcs_.needed_edges());
@@ -33,10 +34,12 @@ Status MapBuilder::build_moved(const BallSet &balls, double perturbation) {
   needed_.edges = larger_count(needed_.edges, edges);
   if (edges > limits_.edges) return Status::capacity;
   const MapTrust trust = arcs_.complete() ? MapTrust::all_arcs : MapTrust::labels;
-  return linker_.link(map_) && faces_.find(discs_, trust, map_) ? Status::ok : Status::check;
+  const bool fits = linker_.link(map_, patience) && faces_.find(discs_, trust, map_, patience);
+  if (!patience.allows(0)) return Status::stopped;
+  return fits ? Status::ok : Status::check;
 }
 
-Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction) {
+Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction, Patience patience) {
   const BallSet &balls = grid.balls();
   needed_ = {};
   map_.clear();
@@ -44,9 +47,9 @@ Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction) {
   needed_.balls = balls.n;
   if (balls.n > limits_.balls) return Status::capacity;
   centre_on(balls, map_.frame);
-  seen_.choose(grid, map_.frame);
+  if (!seen_.choose(grid, map_.frame, patience)) return Status::stopped;
   for (const double perturbation : perturbations) {
-    const Status status = build_moved(balls, perturbation);
+    const Status status = build_moved(balls, perturbation, patience);
     if (status != Status::check) return status;
   }
   map_.clear();

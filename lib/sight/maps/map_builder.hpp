@@ -28,7 +28,8 @@ class MapBuilder : public Limited<MapLimits> {
 
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
   // Status::degenerate if roundings cannot be overcome, Status::not_finite if a component of the direction is not.
-  Status build(const CubeGrid &grid, const ViewDirection &direction);
+  // Status::stopped if that is no longer allowed.
+  Status build(const CubeGrid &grid, const ViewDirection &direction, Patience patience = Patience());
 
   const VisibilityMap &structure() const { return map_; }
   const DiscGrid &discs() const { return discs_; }
@@ -40,7 +41,7 @@ class MapBuilder : public Limited<MapLimits> {
   Span<uint32_t> more_scratch() { return faces_.more_scratch(); }
 
  private:
-  Status build_moved(const BallSet &balls, double perturbation);
+  Status build_moved(const BallSet &balls, double perturbation, Patience &patience);
 
   VisibilityMap map_;
   SeenBalls seen_;

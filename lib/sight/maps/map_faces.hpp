@@ -37,11 +37,12 @@ inline bool is_short(const MapEdge &edge) {
 // Whether the loops along the far sides of contours may be there: what a loop shows is not before the middles of its
 // edges and has a front there, up to roundings, and where it shows the background there is nothing for certain.
 template <class Map, class Sight>
-bool fits_behind_contours(const Map &map, const Sight &sight) {
+bool fits_behind_contours(const Map &map, const Sight &sight, Patience &patience) {
   const double margin = position_tolerance(map);
   for (uint32_t e = 0; e < map.edges.size(); ++e) {
     const MapEdge &edge = map.edges[e];
     if (!edge.is_silhouette() || is_short(edge)) continue;
+    if (!patience.allows(500)) return false;
     const uint32_t owner = map.loops[map.half_edges[2 * e + 1].loop].owner;
     const Vec3 middle = map.scene.middle_of(edge, map.vertices[edge.vertex[0]], map.vertices[edge.vertex[1]]);
     if (owner != no_id) {
@@ -57,9 +58,10 @@ bool fits_behind_contours(const Map &map, const Sight &sight) {
 // Whether loops say of all edges on contours that begin or end at a short one what is seen behind these. A loop goes
 // wrong at a short edge, and further on what it says is another loop's.
 template <class Map, class Sight>
-bool fits_beside_short_edges(const Map &map, const Sight &sight) {
+bool fits_beside_short_edges(const Map &map, const Sight &sight, Patience &patience) {
   for (const MapEdge &edge : map.edges.items()) {
     if (!is_short(edge)) continue;
+    if (!patience.allows(10000)) return false;
     for (const uint32_t v : edge.vertex) {
       uint32_t h = map.vertices[v].leaving;
       do {
@@ -102,15 +104,16 @@ class MapFaceFinder {
   //   a hole lies in no face of its owner;
   //   what is seen of a body has no area;
   //   the middle of a body is seen, but the body has no face.
+  // Or if that is stopped.
   template <class Sight>
-  bool find(const Sight &sight, MapTrust trust, Map &map) {
-    if (!trace_loops(map) || !name_owners(sight, trust, map)) return false;
-    if (!fits_beside_short_edges(map, sight)) return false;
-    if (trust != MapTrust::all_arcs && !fits_behind_contours(map, sight)) return false;
-    if (!fits_euler(map)) return false;
+  bool find(const Sight &sight, MapTrust trust, Map &map, Patience &patience) {
+    if (!trace_loops(map, patience) || !name_owners(sight, trust, map, patience)) return false;
+    if (!fits_beside_short_edges(map, sight, patience)) return false;
+    if (trust != MapTrust::all_arcs && !fits_behind_contours(map, sight, patience)) return false;
+    if (!patience.allows(50 * uint64_t{map.edges.size()}) || !fits_euler(map)) return false;
     order_loops(map);
     add_outer_loops(map);
-    return add_holes(map) && owners_have_areas(map) && middles_have_faces(sight, map);
+    return add_holes(map) && owners_have_areas(map) && middles_have_faces(sight, map, patience);
   }
 
   // Memory that is free between calls; [2 edges + 1] and [edges].
@@ -144,9 +147,9 @@ class MapFaceFinder {
     return true;
   }
 
-  bool trace_loops(Map &map) {
+  bool trace_loops(Map &map, Patience &patience) {
     for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
-      if (map.half_edges[h].loop == no_id && !trace_loop(h, map)) return false;
+      if (map.half_edges[h].loop == no_id && (!patience.allows(2000) || !trace_loop(h, map))) return false;
     }
     return true;
   }
@@ -176,8 +179,9 @@ class MapFaceFinder {
   }
 
   template <class Sight>
-  static bool name_owners(const Sight &sight, MapTrust trust, Map &map) {
+  static bool name_owners(const Sight &sight, MapTrust trust, Map &map, Patience &patience) {
     for (uint32_t l = 0; l < map.loops.size(); ++l) {
+      if (!patience.allows(500)) return false;
       if ((map.loops[l].owner == no_id || trust == MapTrust::nothing) && !name_owner(sight, l, map)) return false;
     }
     return true;
@@ -249,8 +253,9 @@ class MapFaceFinder {
 
   // Curves that coincide may all be lost.
   template <class Sight>
-  static bool middles_have_faces(const Sight &sight, const Map &map) {
+  static bool middles_have_faces(const Sight &sight, const Map &map, Patience &patience) {
     return map.scene.all_middles([&](uint32_t body, double x, double y) {
+      if (!patience.allows(500)) return false;
       if (map.first_face_of(body) != no_id) return true;
       const auto highest = sight.highest_at(x, y, no_id);
       return !(highest.certain && highest.body == body);

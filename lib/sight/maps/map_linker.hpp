@@ -10,6 +10,7 @@
 // roundings have decided differently about one and the same thing. Then there is no map.
 #pragma once
 
+#include "core/patience.hpp"
 #include "core/rows.hpp"
 #include "core/sorting.hpp"
 #include "maps/ball_scene.hpp"
@@ -95,13 +96,15 @@ class MapLinker {
   }
 
   // Fills the vertices, the edges and the next half-edges of the map, of arcs that are counted. False if ends do not
-  // match.
-  bool link(Map &map) {
+  // match, or if that is stopped.
+  bool link(Map &map, Patience &patience) {
     if (!all_named_) return false;
+    const uint64_t of_a_step = 100 * uint64_t{arcs_.size()};
     sort_named_ends(map.scene);
-    if (!add_corners(map)) return false;
+    if (!patience.allows(of_a_step) || !add_corners(map, patience)) return false;
     add_landings(map);
-    return add_edges(map) && link_half_edges(map);
+    return patience.allows(of_a_step) && add_edges(map, patience) &&
+           patience.allows(100 * uint64_t{map.vertices.size()}) && link_half_edges(map);
   }
 
  private:
@@ -177,8 +180,9 @@ class MapLinker {
     return true;
   }
 
-  bool add_corners(Map &map) {
+  bool add_corners(Map &map, Patience &patience) {
     for (uint32_t group = 0; group < groups_; ++group) {
+      if (!patience.allows(2000)) return false;
       const Span<const NamedEnd> ends = named_.part(first_named_[group], first_named_[group + 1]);
       for (uint32_t first = 0, last = 0; first < ends.size(); first = last) {
         while (last < ends.size() && ends[last].same(ends[first])) ++last;
@@ -264,9 +268,10 @@ class MapLinker {
   }
 
   // False if a stem ends on a contour that is not seen there.
-  bool add_edges(Map &map) {
+  bool add_edges(Map &map, Patience &patience) {
     uint32_t landed = 0;
     for (uint32_t a = 0; a < arcs_.size();) {
+      if (!patience.allows(300)) return false;
       if (arcs_[a].nearer != no_id) {
         add_whole_edge(a++, map);
         continue;

@@ -44,13 +44,13 @@ void SeenBalls::carve(Workspace &workspace, uint32_t balls) {
 }
 
 // A ball that is hidden as a whole hides nothing that others do not hide too, and does not cut what is seen.
-void SeenBalls::choose(const CubeGrid &grid, const ViewFrame &frame) {
+bool SeenBalls::choose(const CubeGrid &grid, const ViewFrame &frame, Patience &patience) {
   const BallSet &balls = grid.balls();
   for (uint32_t i = 0; i < balls.n; ++i) visible_[i] = balls.r[i] > 0.0 ? 1 : 0;
-  hidden_.hide(grid, frame, visible_);
+  return hidden_.hide(grid, frame, visible_, patience);
 }
 
-void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, double perturbation) {
+void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, double perturbation, Patience &patience) {
   moved_ = perturbation > 0.0;
   count_ = 0;
   for (uint32_t i = 0; i < balls.n; ++i) {
@@ -59,11 +59,14 @@ void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, double pertu
     if (moved_) centre = moved_centre(balls, i, centre, perturbation);
     balls_[count_++] = {centre.x, centre.y, centre.z, balls.r[i], i, 0};
   }
-  sort_in_place(balls_.part(0, count_), [&balls](const SeenBall &a, const SeenBall &b) {
+  const auto comes_first = [&balls](const SeenBall &a, const SeenBall &b) {
     if (a.top() != b.top()) return a.top() > b.top();
     if (a.r != b.r) return a.r > b.r;
     return balls.ranks_before(a.ball, b.ball);
-  });
+  };
+  const Span<SeenBall> seen = balls_.part(0, count_);
+  if (!patience.may_end()) return sort_in_place(seen, comes_first);
+  sort_in_place(seen, [&](const SeenBall &a, const SeenBall &b) { return patience.allows(40) && comes_first(a, b); });
 }
 
 }  // namespace hsp

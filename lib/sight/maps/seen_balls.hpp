@@ -39,9 +39,10 @@ class SeenBalls {
   void carve(Workspace &workspace, uint32_t balls);
 
   // Leaves out what is hidden as a whole for certain; that is so for every perturbation afterwards.
-  void choose(const CubeGrid &grid, const ViewFrame &frame);
+  // False if that is stopped.
+  bool choose(const CubeGrid &grid, const ViewFrame &frame, Patience &patience);
   // Places what is left and sorts it, every centre moved as above.
-  void place(const BallSet &balls, const ViewFrame &frame, double perturbation);
+  void place(const BallSet &balls, const ViewFrame &frame, double perturbation, Patience &patience);
 
   Span<const SeenBall> balls() const { return balls_.part(0, count_); }
   Span<SeenBall> balls() { return balls_.part(0, count_); }

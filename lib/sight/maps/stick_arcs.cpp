@@ -328,8 +328,8 @@ void StickArcs::add_contour(uint32_t body) {
   add_line(body, false);
 }
 
-void StickArcs::find(const StickScene &scene, const StickView &view, Span<const StickPair> pairs,
-                     Span<SeenBall> balls) {
+bool StickArcs::find(const StickScene &scene, const StickView &view, Span<const StickPair> pairs, Span<SeenBall> balls,
+                     Patience &patience) {
   scene_ = scene;
   view_ = &view;
   arcs_.clear();
@@ -342,16 +342,23 @@ void StickArcs::find(const StickScene &scene, const StickView &view, Span<const 
   mark_inside(balls);
   for (uint32_t i = 0; i < scene.balls.size(); ++i) {
     if (!(scene.balls[i].r > 0.0) || scene_.balls[i].inside != 0) continue;
+    if (!patience.allows(10000)) return false;
     add_silhouette(i);
-    for (const StickBite &bite : view.bites_of(i)) add_top_ring(bite);
+    for (const StickBite &bite : view.bites_of(i)) {
+      if (!patience.allows(10000)) return false;
+      add_top_ring(bite);
+    }
     for (const uint32_t k : above_.of(i)) {
+      if (!patience.allows(10000)) return false;
       if (scene.is_ball(k) && scene_.balls[k].inside == 0 && is_nearer(k, i)) add_crease(i, k);
     }
   }
   for (uint32_t k = 0; k < scene.sticks.size(); ++k) {
+    if (!patience.allows(40000)) return false;
     add_rings(k);
     for (uint32_t part = 0; part < scene.sticks[k].parts; ++part) add_contour(scene.body_of(k, part));
   }
+  return true;
 }
 
 }  // namespace hsp

@@ -13,7 +13,9 @@ class StickArcs {
 
   // pairs: of all bodies that may cover each other, those of balls that meet both ways. Bites are those of the view.
   // balls: those of the scene; finds which of them lie inside other ones.
-  void find(const StickScene &scene, const StickView &view, Span<const StickPair> pairs, Span<SeenBall> balls);
+  // False if that is stopped.
+  bool find(const StickScene &scene, const StickView &view, Span<const StickPair> pairs, Span<SeenBall> balls,
+            Patience &patience);
 
   // Those of a body's contour follow each other, in ascending order of their parameters. They are named as
   // stick_scene.hpp says. An end is a T on the contour of a body; or, as a tangency with no ball, a natural end of a

@@ -26,8 +26,8 @@ class StickMapBuilder {
 
   // view: balls, sticks and bites. depth [bodies]: faces and paths are sorted by it. Status::capacity if limits.edges
   // is too small; needed_edges() then tells what suffices. Status::check if something does not fit.
-  Status build(const StickView &view, Span<const StickPair> pairs, Span<const SweptBox> boxes,
-               Span<const double> depth);
+  Status build(const StickView &view, Span<const StickPair> pairs, Span<const SweptBox> boxes, Span<const double> depth,
+               Patience &patience);
   void set_frame(const ViewFrame &frame, double perturbation) {
     map_.frame = frame;
     map_.perturbation = perturbation;

@@ -136,7 +136,8 @@ void StickSweep::add_items() {
   });
 }
 
-StickViolation StickSweep::find(const StickView &view, Span<const uint32_t> caller, FixedVector<StickPair> &pairs) {
+StickViolation StickSweep::find(const StickView &view, Span<const uint32_t> caller, FixedVector<StickPair> &pairs,
+                                Patience &patience) {
   view_ = &view;
   caller_ = caller;
   pairs_ = &pairs;
@@ -153,8 +154,9 @@ StickViolation StickSweep::find(const StickView &view, Span<const uint32_t> call
     pairs.push({first + stick.parts - 1, stick.ball[1]});
   }
   add_items();
+  if (!patience.allows(500 * uint64_t{items_.size()})) return violation_;
   const Span<const SweptBox> items = items_.items();
-  for (uint32_t i = 0; i < items.size(); ++i) {
+  for (uint32_t i = 0; i < items.size() && patience.allows(3000); ++i) {
     for (uint32_t j = i + 1; j < items.size() && items[j].left < items[i].right; ++j) {
       if (items[j].bottom >= items[i].top || items[j].top <= items[i].bottom) continue;
       compare(items[i].body, items[j].body);

@@ -13,6 +13,7 @@
 // Two balls that are disjoint have the order of their centres, too.
 #pragma once
 
+#include "core/patience.hpp"
 #include "core/rows.hpp"
 #include "maps/stick_scene.hpp"
 #include "maps/stick_view.hpp"
@@ -57,7 +58,8 @@ class StickSweep {
   // Finds the pairs of the balls and sticks of a view, some more than once. Those of a stick with its two balls and
   // its parts with each other are among them, those of balls that meet both ways. caller: the caller's numbers of
   // balls. The first conflict that is found ends the sweep; that balls meet is none.
-  StickViolation find(const StickView &view, Span<const uint32_t> caller, FixedVector<StickPair> &pairs);
+  StickViolation find(const StickView &view, Span<const uint32_t> caller, FixedVector<StickPair> &pairs,
+                      Patience &patience);
 
   // The first balls found that meet. They have no order, and sticks with them none that holds for pictures.
   const StickViolation &meeting() const { return meeting_; }

@@ -155,27 +155,29 @@ void StickViewBuilder::find_depths() {
   }
 }
 
-Status StickViewBuilder::find_pairs(const BallSet &balls) {
-  violation_ = sweep_.find(view_, balls.caller.part(0, balls_), pairs_);
+Status StickViewBuilder::find_pairs(const BallSet &balls, Patience &patience) {
+  violation_ = sweep_.find(view_, balls.caller.part(0, balls_), pairs_, patience);
+  if (!patience.allows(0)) return Status::stopped;
   if (violation_.conflict != StickConflict::none) return Status::conflict;
   needed_.pairs = larger_count(needed_.pairs, clamped_count(pairs_.required()));
   return pairs_.overflowed() ? Status::capacity : Status::ok;
 }
 
-Status StickViewBuilder::finish(const BallSet &balls, bool as_map) {
-  if (const Status status = find_pairs(balls); status != Status::ok) return status;
+Status StickViewBuilder::finish(const BallSet &balls, bool as_map, Patience &patience) {
+  if (const Status status = find_pairs(balls, patience); status != Status::ok) return status;
   find_depths();
   violation_ = sweep_.meeting();
-  if (violation_.conflict != StickConflict::none) return find_map(balls);
+  if (violation_.conflict != StickConflict::none) return find_map(balls, patience);
   const uint32_t bodies = balls_ + 2 * view_.sticks.size();
   const uint32_t placed = sorter_.sort(pairs_.items(), depth_.part(0, bodies), order_.part(0, bodies));
   if (placed < bodies) {
     const DrawingOrder::Cycle cycle = sorter_.find_cycle(pairs_.items(), bodies);
     // Balls alone have no cycles, and come first.
     violation_ = {StickConflict::cycle, view_.sticks[path_of(cycle.last).stick].caller, cycle.length};
-    return find_map(balls);
+    return find_map(balls, patience);
   }
-  if (as_map) return find_map(balls);
+  if (!patience.allows(500 * uint64_t{bodies})) return Status::stopped;
+  if (as_map) return find_map(balls, patience);
   find_bites();
   add_paths(bodies);
   return Status::ok;
@@ -199,16 +201,16 @@ void StickViewBuilder::move(const BallSet &balls, double perturbation) {
 
 // Where roundings decide differently about one and the same thing, or what is moved meets what it only touched, all
 // balls are moved a little more.
-Status StickViewBuilder::find_map(const BallSet &balls) {
+Status StickViewBuilder::find_map(const BallSet &balls, Patience &patience) {
   const StickViolation reason = violation_;
   for (const double perturbation : perturbations) {
     Status status = Status::ok;
     if (perturbation > 0.0) {
       move(balls, perturbation);
-      status = find_pairs(balls);
+      status = find_pairs(balls, patience);
       if (status == Status::conflict) continue;
     }
-    if (status == Status::ok) status = find_moved_map(balls, perturbation);
+    if (status == Status::ok) status = find_moved_map(balls, perturbation, patience);
     if (status == Status::check) continue;
     violation_ = reason;
     return status;
@@ -219,13 +221,13 @@ Status StickViewBuilder::find_map(const BallSet &balls) {
 }
 
 // A stick that the ball at its top hides as a whole is left out: that ball hides all that it would hide.
-Status StickViewBuilder::find_moved_map(const BallSet &balls, double perturbation) {
+Status StickViewBuilder::find_moved_map(const BallSet &balls, double perturbation, Patience &patience) {
   for (Stick &stick : view_.sticks.items()) {
     if (stick.parts > 0 && hidden_by_top(stick, 0, view_.balls[stick.ball[1]].r)) stick.parts = 0;
   }
   find_bites();
   const uint32_t bodies = balls_ + 2 * view_.sticks.size();
-  const Status status = map_.build(view_, pairs_.items(), sweep_.boxes(), depth_.part(0, bodies));
+  const Status status = map_.build(view_, pairs_.items(), sweep_.boxes(), depth_.part(0, bodies), patience);
   needed_.edges = larger_count(needed_.edges, map_.needed_edges());
   if (status != Status::ok) return status;
   map_.set_frame(view_.frame, perturbation * static_cast<double>(balls.largest_radius));

@@ -36,13 +36,13 @@ class StickViewBuilder : public Limited<StickLimits> {
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
   // Status::conflict if it cannot be drawn; violation() tells why. It also tells why there is no drawing order where
   // there is a result without. Status::degenerate if there is none because roundings cannot be overcome,
-  // Status::not_finite if a component of the direction is not.
+  // Status::not_finite if a component of the direction is not, Status::stopped if more is not allowed.
   template <class EndsOf>
   Status build(const BallSet &balls, const ViewDirection &direction, uint32_t count, double radius, bool as_map,
-               EndsOf ends_of) {
+               EndsOf ends_of, Patience patience = Patience()) {
     Status status = begin(balls, direction, count);
     for (uint32_t k = 0; k < count && status == Status::ok; ++k) status = add_stick(balls, k, ends_of(k), radius);
-    return status == Status::ok ? finish(balls, as_map) : status;
+    return status == Status::ok ? finish(balls, as_map, patience) : status;
   }
 
   // Its sticks and centres are a little moved where the map is of moved balls.
@@ -59,10 +59,10 @@ class StickViewBuilder : public Limited<StickLimits> {
  private:
   Status begin(const BallSet &balls, const ViewDirection &direction, uint32_t count);
   Status add_stick(const BallSet &balls, uint32_t k, const StickEnds &ends, double radius);
-  Status finish(const BallSet &balls, bool as_map);
-  Status find_pairs(const BallSet &balls);
-  Status find_map(const BallSet &balls);
-  Status find_moved_map(const BallSet &balls, double perturbation);
+  Status finish(const BallSet &balls, bool as_map, Patience &patience);
+  Status find_pairs(const BallSet &balls, Patience &patience);
+  Status find_map(const BallSet &balls, Patience &patience);
+  Status find_moved_map(const BallSet &balls, double perturbation, Patience &patience);
   Status refuse(StickConflict conflict, uint32_t first, uint32_t second);
   Stick make_stick(uint32_t one, uint32_t other, double radius, uint32_t caller, bool whole) const;
   void move(const BallSet &balls, double perturbation);

@@ -35,7 +35,8 @@ bool is_farther(const BallSet &balls, const exact::Vector &direction, uint32_t a
 
 // The rounded depths decide where they differ by more than twice their error, 4e times the sum of three products of at
 // most 2^28 by the largest difference from the origin. They are rounded integers, so that a spread is at least 1.
-void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys, Span<uint32_t> scratch) {
+void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys, Span<uint32_t> scratch,
+                   Patience &patience) {
   if (keys.empty()) return;
   const Vec3 direction = exact::to_double(frame.direction);
   double largest = 0.0;
@@ -64,6 +65,7 @@ void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> 
         return slot < slots ? slot : slots - 1;
       },
       [&](const DepthKey &a, const DepthKey &b) {
+        if (!patience.allows(50)) return false;
         const double difference = a.depth - b.depth;
         if (difference < -uncertain) return true;
         if (difference > uncertain) return false;

@@ -3,6 +3,7 @@
 // products of integers, and equal ones go by the rank of the symbolic perturbation.
 #pragma once
 
+#include "core/patience.hpp"
 #include "view/view_frame.hpp"
 
 namespace hsp {
@@ -17,6 +18,7 @@ struct DepthKey {
 };
 
 // Sorts by ball, farthest first; sets the depths of the keys itself. scratch: as many as keys.
-void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys, Span<uint32_t> scratch);
+void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys, Span<uint32_t> scratch,
+                   Patience &patience);
 
 }  // namespace hsp

@@ -61,7 +61,7 @@ void OcclusionCuller::carve(Workspace &workspace, uint32_t balls) {
 }
 
 // One pass over all balls. False if there is nothing that could hide anything.
-bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible) {
+bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible, Patience &patience) {
   constexpr CubeExtent nothing{0.0F, 0.0F, 0.0F, 0.0F, -std::numeric_limits<float>::infinity()};
   const BallSet &balls = grid.balls();
   Extent all;
@@ -69,6 +69,7 @@ bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span
   double largest = 0.0;
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
     const BallRange own = grid.balls_in(cube);
+    if (!patience.allows(100 + 50 * uint64_t{own.last - own.first})) return false;
     Extent here;
     for (uint32_t i = own.first; i < own.last; ++i) {
       if (visible[i] == 0) continue;
@@ -106,9 +107,10 @@ void OcclusionCuller::order_cubes(uint32_t cubes) {
       sort_to_rows(bucket_, most_buckets, cubes, bucket_of, [this](uint32_t at, uint32_t cube) { order_[at] = cube; });
 }
 
-void OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible) {
+bool OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible, Patience &patience) {
   const BallSet &balls = grid.balls();
-  if (!prepare(grid, frame, visible)) return;
+  if (!patience.allows(0)) return false;
+  if (!prepare(grid, frame, visible, patience)) return patience.allows(0);
   order_cubes(grid.cubes());
   for (uint32_t k = 0; k < ordered_; ++k) {
     if (k + ahead::extents < ordered_) __builtin_prefetch(&extent_[order_[k + ahead::extents]]);
@@ -118,6 +120,7 @@ void OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<ui
     const BallRange own = grid.balls_in(order_[k]);
     for (uint32_t i = own.first; i < own.last; ++i) {
       if (visible[i] == 0) continue;
+      if (!patience.allows(1000)) return false;
       const ProjectedBall disc = placed(balls, frame, i);
       if (floor_.hides(disc)) continue;
       floor_.raise(disc);
@@ -126,8 +129,10 @@ void OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<ui
   }
   // Once more against the whole floor: in the first round a ball did not know of all that lies above it.
   for (uint32_t i = 0; i < balls.n; ++i) {
+    if (visible[i] == raised && !patience.allows(500)) return false;
     visible[i] = visible[i] == raised && !floor_.hides(placed(balls, frame, i)) ? 1 : 0;
   }
+  return true;
 }
 
 }  // namespace hsp

@@ -6,6 +6,7 @@
 // what lies deep is left out cube by cube, without a look at its balls.
 #pragma once
 
+#include "core/patience.hpp"
 #include "model/cube_grid.hpp"
 #include "view/depth_buffer.hpp"
 
@@ -17,7 +18,8 @@ class OcclusionCuller {
 
   // Sets visible[i] to 0 for the balls that are found hidden. Balls with visible[i] = 0 before are left out. The
   // result does not depend on the order of the balls.
-  void hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible);
+  // False if that is stopped.
+  bool hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible, Patience &patience);
   // The part covered by the balls that are left.
   DepthBuffer &floor() { return floor_; }
 
@@ -28,7 +30,7 @@ class OcclusionCuller {
     float height;                    // of the highest front
   };
 
-  bool prepare(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible);
+  bool prepare(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible, Patience &patience);
   void order_cubes(uint32_t cubes);
 
   DepthBuffer floor_;

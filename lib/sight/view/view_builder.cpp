@@ -16,17 +16,17 @@ void ViewBuilder::carve(Workspace &workspace, const ViewLimits &limits) {
 
 // Balls of radius 0 have no front and balls without faces are invisible. The pieces of the other balls cover them, so
 // they need not cut anything either.
-void ViewBuilder::choose_balls(const CubeGrid &grid, const Boundary *boundary, bool all_balls) {
+bool ViewBuilder::choose_balls(const CubeGrid &grid, const Boundary *boundary, bool all_balls, Patience &patience) {
   const BallSet &balls = grid.balls();
   for (uint32_t i = 0; i < balls.n; ++i) {
     const bool has_face = boundary == nullptr || boundary->is_exposed(i);
     visible_[i] = balls.r[i] > 0.0 && has_face ? 1 : 0;
   }
-  if (!all_balls) hidden_.hide(grid, structure_.frame, visible_);
+  return all_balls || hidden_.hide(grid, structure_.frame, visible_, patience);
 }
 
 // Cube by cube, so that the block of neighbouring cubes is looked up once for all balls of a cube.
-void ViewBuilder::cut_pieces(const CubeGrid &grid, const Boundary *boundary) {
+bool ViewBuilder::cut_pieces(const CubeGrid &grid, const Boundary *boundary, Patience &patience) {
   const BallSet &balls = grid.balls();
   const exact::Vector &direction = structure_.frame.direction;
   cut_.clear();
@@ -34,11 +34,13 @@ void ViewBuilder::cut_pieces(const CubeGrid &grid, const Boundary *boundary) {
   structure_.arcs.clear();
   needed_.neighbours = 0;
   BlockSweep sweep(grid);
+  uint64_t met = 0;  // by the ball before: what lies around the next one is not known yet
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
     const BallRange own = grid.balls_in(cube);
     for (uint32_t i = own.first; i < own.last; ++i) {
       if (visible_[i] == 0) continue;
       const CubeBlock &block = sweep.block_around(cube);
+      if (!patience.allows(5000 + (500 + met) * met)) return false;
       if (kind_ == PieceKind::outside_all) {
         piece_.cut_faces(balls, block, *boundary, direction, i);
       } else {
@@ -46,9 +48,11 @@ void ViewBuilder::cut_pieces(const CubeGrid &grid, const Boundary *boundary) {
           return visible_[other] != 0 && is_farther(balls, direction, other, i);
         });
       }
+      met = piece_.caps().met;
       add_piece(balls);
     }
   }
+  return true;
 }
 
 void ViewBuilder::add_piece(const BallSet &balls) {
@@ -64,15 +68,17 @@ void ViewBuilder::add_piece(const BallSet &balls) {
              first_arc, static_cast<uint32_t>(structure_.arcs.required()) - first_arc});
 }
 
-void ViewBuilder::sort_pieces(const BallSet &balls) {
+bool ViewBuilder::sort_pieces(const BallSet &balls, Patience &patience) {
   const Span<DepthKey> keys = keys_.part(0, cut_.size());
   for (uint32_t k = 0; k < keys.size(); ++k) keys[k] = {0.0, cut_[k].ball, k};
-  sort_by_depth(balls, structure_.frame, keys, scratch_.part(0, keys.size()));
+  sort_by_depth(balls, structure_.frame, keys, scratch_.part(0, keys.size()), patience);
   structure_.pieces.clear();
   for (const DepthKey &key : keys) structure_.pieces.push(cut_[key.item]);
+  return patience.allows(0);
 }
 
-Status ViewBuilder::build(const CubeGrid &grid, const Boundary *boundary, const ViewRequest &request) {
+Status ViewBuilder::build(const CubeGrid &grid, const Boundary *boundary, const ViewRequest &request,
+                          Patience patience) {
   const BallSet &balls = grid.balls();
   needed_ = {};
   kind_ = request.kind;
@@ -80,14 +86,13 @@ Status ViewBuilder::build(const CubeGrid &grid, const Boundary *boundary, const 
   needed_.balls = balls.n;
   if (balls.n > limits_.balls) return Status::capacity;
   centre_on(balls, structure_.frame);
-  choose_balls(grid, boundary, request.all_balls);
-  cut_pieces(grid, boundary);
+  if (!choose_balls(grid, boundary, request.all_balls, patience) || !cut_pieces(grid, boundary, patience))
+    return Status::stopped;
   if (needed_.neighbours > limits_.neighbours) return Status::capacity;
   const uint64_t arcs = structure_.arcs.required();
   needed_.arcs = arcs < no_id ? static_cast<uint32_t>(arcs) : no_id;
   if (structure_.arcs.overflowed()) return Status::capacity;
-  sort_pieces(balls);
-  return Status::ok;
+  return sort_pieces(balls, patience) ? Status::ok : Status::stopped;
 }
 
 }  // namespace hsp

@@ -29,7 +29,9 @@ class ViewBuilder : public Limited<ViewLimits> {
 
   // boundary may be null for pieces outside farther balls. Status::capacity if a limit is too small; needed() then
   // tells what suffices, with 0 for what is not known yet.
-  Status build(const CubeGrid &grid, const Boundary *boundary, const ViewRequest &request);
+  // Status::stopped if that is no longer allowed.
+  Status build(const CubeGrid &grid, const Boundary *boundary, const ViewRequest &request,
+               Patience patience = Patience());
 
   const View &structure() const { return structure_; }
   PieceKind kind() const { return kind_; }
@@ -37,10 +39,10 @@ class ViewBuilder : public Limited<ViewLimits> {
   Span<uint32_t> scratch() { return scratch_; }
 
  private:
-  void choose_balls(const CubeGrid &grid, const Boundary *boundary, bool all_balls);
-  void cut_pieces(const CubeGrid &grid, const Boundary *boundary);
+  bool choose_balls(const CubeGrid &grid, const Boundary *boundary, bool all_balls, Patience &patience);
+  bool cut_pieces(const CubeGrid &grid, const Boundary *boundary, Patience &patience);
   void add_piece(const BallSet &balls);
-  void sort_pieces(const BallSet &balls);
+  bool sort_pieces(const BallSet &balls, Patience &patience);
 
   View structure_;
   PieceKind kind_ = PieceKind::outside_farther;

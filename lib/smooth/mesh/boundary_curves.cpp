@@ -51,10 +51,11 @@ void BoundaryCurves::carve(Workspace &workspace, uint32_t curves) {
   curve_ = workspace.take<MeshCurve>(curves);
 }
 
-bool BoundaryCurves::build(const BallSet &balls, const Boundary &boundary, double length) {
+bool BoundaryCurves::build(const BallSet &balls, const Boundary &boundary, double length, Patience &patience) {
   double all = 0.0;
   count_ = 0;
   for (uint32_t i = 0; i < balls.n; ++i) {
+    if (!patience.allows(100 + 500 * uint64_t{boundary.half_edges(i).size()})) return false;
     for (const uint32_t e : boundary.half_edges(i)) {
       if (!balls.ranks_before(i, boundary.half_edge(e).circle)) continue;
       const double segments = segments_of_arc(balls, boundary, e, length);
@@ -66,6 +67,7 @@ bool BoundaryCurves::build(const BallSet &balls, const Boundary &boundary, doubl
   }
   first_circle_ = count_;
   for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
+    if (!patience.allows(500)) return false;
     const double segments = segments_of_circle(balls, boundary, c, length);
     all += segments;
     if (!(all < max_count)) return false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/elementary.hpp"
+#include "core/patience.hpp"
 #include "mesh/mesh_curve.hpp"
 
 namespace hsp {
@@ -37,7 +38,7 @@ class BoundaryCurves {
 
   // Numbers all curves and says how many segments of about the given length they have. The limit suffices. False if
   // there are more than max_count.
-  bool build(const BallSet &balls, const Boundary &boundary, double length);
+  bool build(const BallSet &balls, const Boundary &boundary, double length, Patience &patience);
 
   uint32_t count() const { return count_; }
   uint32_t of_half_edge(uint32_t e) const { return curve_of_[e]; }

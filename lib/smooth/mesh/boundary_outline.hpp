@@ -62,7 +62,7 @@ class BoundaryOutline {
   uint32_t curve_count() const { return boundary_.arc_count() + boundary_.circle_count(); }
   MeshCurve &curve(uint32_t c) { return curves_.curve(c); }
   // False if there are more points than any limit allows.
-  bool divide_curves(double length) { return curves_.build(balls_, boundary_, length); }
+  bool divide_curves(double length, Patience &patience) { return curves_.build(balls_, boundary_, length, patience); }
 
   MeshVertex corner(uint32_t v) const;
   // Every point between the curve's ends.
@@ -91,7 +91,7 @@ class BoundaryOutline {
   // Of a triangle with this middle.
   uint32_t ball_at(uint32_t sphere, const double (&)[3]) const { return sphere; }
 
-  bool add_bands(double, FixedVector<MeshVertex> &, FixedVector<MeshTriangle> &) const { return true; }
+  bool add_bands(double, Patience &, FixedVector<MeshVertex> &, FixedVector<MeshTriangle> &) const { return true; }
 
  private:
   // In the order of their ranks for arcs.

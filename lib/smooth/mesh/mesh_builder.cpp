@@ -49,12 +49,15 @@ template <class Outline>
 Status MeshBuilder::build_all(Outline &outline, double edge, Patience &patience) {
   needed_ = {outline.sphere_count(), outline.curve_count(), 0, 0, 0};
   if (needed_.balls > limits_.balls || needed_.curves > limits_.curves) return Status::capacity;
-  if (has_too_many_inside(outline, edge)) return Status::range;
+  const bool too_many = has_too_many_inside(outline, edge, patience);
+  if (!patience.allows(0)) return Status::stopped;
+  if (too_many) return Status::range;
   if (!patience.allows(2000 * uint64_t{needed_.curves})) return Status::stopped;
   const Status status = triangulate_all(outline, edge, patience);
   if (status == Status::degenerate || status == Status::range || status == Status::stopped) return status;
   const uint32_t first_of_bands = clamped_count(mesh_.triangles_.required());
-  if (!outline.add_bands(edge, mesh_.vertices_, mesh_.triangles_)) return Status::range;
+  if (!outline.add_bands(edge, patience, mesh_.vertices_, mesh_.triangles_))
+    return patience.allows(0) ? Status::range : Status::stopped;
   const uint64_t vertices = mesh_.vertices_.required();
   const uint64_t triangles = mesh_.triangles_.required();
   needed_.vertices = clamped_count(vertices);
@@ -63,21 +66,22 @@ Status MeshBuilder::build_all(Outline &outline, double edge, Patience &patience)
   if (vertices > limits_.vertices || triangles > limits_.triangles || needed_.points > limits_.points) {
     return Status::capacity;
   }
-  if (!patience.allows(50 * (vertices + triangles))) return Status::stopped;
-  remove_outdated(first_of_bands);
-  if (!name_balls(outline, patience) || !patience.allows(50 * triangles)) return Status::stopped;
-  sort_by_patches();
-  return Status::ok;
+  remove_outdated(first_of_bands, patience);
+  if (!name_balls(outline, patience)) return Status::stopped;
+  sort_by_patches(patience);
+  return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
 // Follows from areas, before any point is made. Most meshes are not too fine even if all spheres were free.
 template <class Outline>
-bool MeshBuilder::has_too_many_inside(const Outline &outline, double edge) const {
+bool MeshBuilder::has_too_many_inside(const Outline &outline, double edge, Patience &patience) const {
   PointsInside at_most;
-  for (uint32_t s = 0; s < outline.sphere_count(); ++s) at_most.add(4 * pi, outline.spacing(s, edge));
+  for (uint32_t s = 0; s < outline.sphere_count() && patience.allows(100); ++s)
+    at_most.add(4 * pi, outline.spacing(s, edge));
   if (!at_most.are_too_many()) return false;
   PointsInside points;
-  for (uint32_t s = 0; s < outline.sphere_count(); ++s) points.add(outline.steradians(s), outline.spacing(s, edge));
+  for (uint32_t s = 0; s < outline.sphere_count() && patience.allows(3000); ++s)
+    points.add(outline.steradians(s), outline.spacing(s, edge));
   return points.are_too_many();
 }
 
@@ -87,15 +91,21 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge, Patience &pat
   const uint32_t spheres = outline.sphere_count();
   mesh_.vertices_.clear();
   mesh_.triangles_.clear();
-  if (!outline.divide_curves(edge)) return Status::range;
+  if (!outline.divide_curves(edge, patience)) return patience.allows(0) ? Status::range : Status::stopped;
   mesh_.curves_ = outline.curve_count();
   mesh_.refined_ = 0;
-  for (uint32_t v = 0; v < outline.corner_count(); ++v) mesh_.vertices_.push(outline.corner(v));
+  for (uint32_t v = 0; v < outline.corner_count(); ++v) {
+    if (!patience.allows(300)) return Status::stopped;
+    mesh_.vertices_.push(outline.corner(v));
+  }
   for (uint32_t c = 0; c < outline.curve_count(); ++c) {
     if (!patience.allows(3000)) return Status::stopped;
     add_samples(outline, c);
   }
-  for (uint32_t s = 0; s < spheres; ++s) range_[s] = {0, 0, outline.has_patches(s), false};
+  for (uint32_t s = 0; s < spheres; ++s) {
+    if (!patience.allows(50)) return Status::stopped;
+    range_[s] = {0, 0, outline.has_patches(s), false};
+  }
   // Patches need none of what is stored, so that everything is counted even if there is no room for it.
   uint64_t most_vertices = 0;
   uint64_t before = 0;  // points of the sphere before
@@ -103,7 +113,10 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge, Patience &pat
   for (int round = 0; round < most_rounds; ++round) {
     bool complete = true;
     for (uint32_t s = 0; s < spheres; ++s) {
-      if (!range_[s].outdated) continue;
+      if (!range_[s].outdated) {
+        if (!patience.allows(10)) return Status::stopped;
+        continue;
+      }
       if (!patience.allows(10000 + 2000 * before)) return Status::stopped;
       range_[s].outdated = false;
       range_[s].unfinished = !triangulate(outline, edge, s, round >= pinching_from);
@@ -114,7 +127,9 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge, Patience &pat
     if (needed_.points > limits_.points) return Status::capacity;
     if (complete) return Status::ok;
     if (round == 0) most_vertices = most_growth * mesh_.vertices_.required() + growth_of_small_meshes;
-    if (refine(outline) && mesh_.vertices_.required() <= most_vertices) continue;
+    const bool refined = refine(outline, patience);
+    if (!patience.allows(0)) return Status::stopped;
+    if (refined && mesh_.vertices_.required() <= most_vertices) continue;
     if (round >= pinching_from) break;
     pinching_from = round + 1;
     for (uint32_t s = 0; s < spheres; ++s) range_[s].outdated = range_[s].outdated || range_[s].unfinished;
@@ -174,14 +189,16 @@ void MeshBuilder::emit(Outline &outline, uint32_t sphere, Triangles &triangles) 
 // Twice as many points on the curves that want them, and on those that must have as many; the spheres on both sides are
 // triangulated again. False if there is no such curve, or one has too many points already; those behind it get none.
 template <class Outline>
-bool MeshBuilder::refine(Outline &outline) {
+bool MeshBuilder::refine(Outline &outline, Patience &patience) {
   bool any = false;
   bool may_go_on = true;
   for (uint32_t c = 0; c < outline.curve_count(); ++c) {
+    if (!patience.allows(10)) return false;
     if (outline.curve(c).refine) outline.curve(outline.partner(c)).refine = true;
   }
   for (uint32_t c = 0; c < outline.curve_count(); ++c) {
     MeshCurve &curve = outline.curve(c);
+    if (!patience.allows(curve.refine ? 5000 : 10)) return false;
     if (!curve.refine) continue;
     curve.refine = false;
     may_go_on = may_go_on && curve.segments <= most_segments && !outline.is_too_fine(c);
@@ -197,7 +214,7 @@ bool MeshBuilder::refine(Outline &outline) {
 }
 
 // Keeps the latest triangles of every sphere, and the vertices that they have.
-void MeshBuilder::remove_outdated(uint32_t first_of_bands) {
+void MeshBuilder::remove_outdated(uint32_t first_of_bands, Patience &patience) {
   FixedVector<MeshTriangle> &triangles = mesh_.triangles_;
   FixedVector<MeshVertex> &vertices = mesh_.vertices_;
   const uint32_t old_vertices = vertices.size();
@@ -205,6 +222,7 @@ void MeshBuilder::remove_outdated(uint32_t first_of_bands) {
   for (uint32_t v = 0; v < old_vertices; ++v) vertex_moves_[v] = no_id;
   uint32_t kept = 0;
   for (uint32_t t = 0; t < old_triangles; ++t) {
+    if (!patience.allows(50)) return;
     if (t < first_of_bands) {
       const PatchRange &range = range_[triangles[t].ball];
       if (t < range.first || t >= range.last) continue;
@@ -215,12 +233,14 @@ void MeshBuilder::remove_outdated(uint32_t first_of_bands) {
   triangles.shrink(kept);
   kept = 0;
   for (uint32_t v = 0; v < old_vertices; ++v) {
+    if (!patience.allows(50)) return;
     if (vertex_moves_[v] == no_id) continue;
     vertices[kept] = vertices[v];
     vertex_moves_[v] = kept++;
   }
   vertices.shrink(kept);
   for (MeshTriangle &triangle : triangles.items()) {
+    if (!patience.allows(20)) return;
     for (uint32_t &v : triangle.vertex) v = vertex_moves_[v];
   }
 }
@@ -239,12 +259,13 @@ bool MeshBuilder::name_balls(const Outline &outline, Patience &patience) {
   return true;
 }
 
-void MeshBuilder::sort_by_patches() {
+void MeshBuilder::sort_by_patches(Patience &patience) {
   const Span<MeshTriangle> triangles = mesh_.triangles_.items();
   bool sorted = true;
   for (uint32_t t = 1; t < triangles.size(); ++t) sorted &= triangles[t - 1].patch <= triangles[t].patch;
   if (sorted) return;
-  sort_in_place(triangles, [](const MeshTriangle &a, const MeshTriangle &b) {
+  sort_in_place(triangles, [&](const MeshTriangle &a, const MeshTriangle &b) {
+    if (!patience.allows(50)) return false;
     if (a.patch != b.patch) return a.patch < b.patch;
     for (uint32_t k = 0; k < 3; ++k) {
       if (a.vertex[k] != b.vertex[k]) return a.vertex[k] < b.vertex[k];

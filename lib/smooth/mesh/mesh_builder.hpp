@@ -31,7 +31,7 @@ class MeshBuilder : public Limited<MeshLimits> {
   template <class Outline>
   Status build_all(Outline &outline, double edge, Patience &patience);
   template <class Outline>
-  bool has_too_many_inside(const Outline &outline, double edge) const;
+  bool has_too_many_inside(const Outline &outline, double edge, Patience &patience) const;
   template <class Outline>
   Status triangulate_all(Outline &outline, double edge, Patience &patience);
   template <class Outline>
@@ -41,11 +41,11 @@ class MeshBuilder : public Limited<MeshLimits> {
   template <class Outline>
   void add_samples(Outline &outline, uint32_t c);
   template <class Outline>
-  bool refine(Outline &outline);
-  void remove_outdated(uint32_t first_of_bands);
+  bool refine(Outline &outline, Patience &patience);
+  void remove_outdated(uint32_t first_of_bands, Patience &patience);
   template <class Outline>
   bool name_balls(const Outline &outline, Patience &patience);
-  void sort_by_patches();
+  void sort_by_patches(Patience &patience);
 
   Mesh mesh_;
   BoundaryCurves curves_;

@@ -93,9 +93,10 @@ SaddleGrids::Grid SaddleGrids::grid_of_circle(uint32_t circle, uint32_t part, co
 
 // Calls visit(band, grid) for the parts of chosen patches, until it says false.
 template <class Visit>
-bool SaddleGrids::for_each_grid(double length, Visit visit) const {
+bool SaddleGrids::for_each_grid(double length, Patience &patience, Visit visit) const {
   const uint32_t arcs = curves_.boundary().arc_count();
   for (uint32_t k = 0; k < curves_.saddle_count(); ++k) {
+    if (!patience.allows(2000)) return false;
     const bool is_arc = k < arcs;
     const SaddleBand band = curves_.band_of_saddle(k);
     for (uint32_t part = 0; part < band.parts(); ++part) {
@@ -106,18 +107,19 @@ bool SaddleGrids::for_each_grid(double length, Visit visit) const {
   return true;
 }
 
-bool SaddleGrids::fit(double length) const {
+bool SaddleGrids::fit(double length, Patience &patience) const {
   double triangles = 0.0;
-  return for_each_grid(length, [&](const SaddleBand &, const Grid &grid) {
+  return for_each_grid(length, patience, [&](const SaddleBand &, const Grid &grid) {
     triangles += grid.triangles();
     return triangles <= max_count;
   });
 }
 
-bool SaddleGrids::add_triangles(double length, FixedVector<MeshVertex> &vertices,
+bool SaddleGrids::add_triangles(double length, Patience &patience, FixedVector<MeshVertex> &vertices,
                                 FixedVector<MeshTriangle> &triangles) const {
-  return for_each_grid(length, [&](const SaddleBand &band, Grid &grid) {
+  return for_each_grid(length, patience, [&](const SaddleBand &band, Grid &grid) {
     if (grid.triangles() + static_cast<double>(triangles.required()) > max_count) return false;
+    if (!patience.allows(200 * uint64_t{grid.turns} * grid.rows)) return false;
     add_grid(band, grid, vertices, triangles);
     return true;
   });

@@ -14,15 +14,16 @@ class SaddleGrids {
   // The room that they are expected to need. The curves need not be divided yet.
   void add_sizes(double length, MeshSizes &sizes) const;
   // Whether the chosen patches have no more triangles than any limit allows. Makes none.
-  bool fit(double length) const;
+  bool fit(double length, Patience &patience) const;
   // Of chosen patches. Edges of whole circles' profiles have about this length. False if there are more triangles than
   // any limit allows.
-  bool add_triangles(double length, FixedVector<MeshVertex> &vertices, FixedVector<MeshTriangle> &triangles) const;
+  bool add_triangles(double length, Patience &patience, FixedVector<MeshVertex> &vertices,
+                     FixedVector<MeshTriangle> &triangles) const;
 
  private:
   struct Grid;
   template <class Visit>
-  bool for_each_grid(double length, Visit visit) const;
+  bool for_each_grid(double length, Patience &patience, Visit visit) const;
   Grid grid_of_arc(uint32_t arc, uint32_t part, bool has_cusps) const;
   Grid grid_of_circle(uint32_t circle, uint32_t part, const SaddleBand &band, double length) const;
   void add_grid(const SaddleBand &band, Grid &grid, FixedVector<MeshVertex> &vertices,

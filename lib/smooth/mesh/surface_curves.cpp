@@ -49,9 +49,10 @@ double SurfaceCurves::segments(uint32_t c, double length) const {
   return segments_of(arc.radius * arc.angle, length, is_closed(c) ? fewest_of_circle : 2.0);
 }
 
-bool SurfaceCurves::divide(double length) {
+bool SurfaceCurves::divide(double length, Patience &patience) {
   double all = 0.0;
   for (uint32_t c = 0; c < count(); ++c) {
+    if (!patience.allows(1000)) return false;
     const double wanted = segments(c, length);
     all += wanted;
     if (!(all < max_count)) return false;

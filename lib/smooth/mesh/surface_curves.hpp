@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/elementary.hpp"
+#include "core/patience.hpp"
 #include "mesh/mesh_curve.hpp"
 #include "mesh/saddle_band.hpp"
 #include "surface/surface_positions.hpp"
@@ -45,7 +46,7 @@ class SurfaceCurves {
   // Segments of about the given length, in doubles, which may be more than fits.
   double segments(uint32_t c, double length) const;
   // Gives all curves their segments. False if there are more than max_count.
-  bool divide(double length);
+  bool divide(double length, Patience &patience);
   // More points on it would lie too near each other to tell anything apart.
   bool is_too_fine(uint32_t c) const;
   // The curve that has as many points, if not itself.

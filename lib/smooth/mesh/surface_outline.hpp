@@ -30,7 +30,9 @@ class SurfaceOutline {
   uint32_t corner_count() const { return map().corner_count(); }
   uint32_t curve_count() const { return curves_.count(); }
   MeshCurve &curve(uint32_t c) { return curves_.curve(c); }
-  bool divide_curves(double length) { return curves_.divide(length) && SaddleGrids(curves_).fit(length); }
+  bool divide_curves(double length, Patience &patience) {
+    return curves_.divide(length, patience) && SaddleGrids(curves_).fit(length, patience);
+  }
   Status expected_limits(double edge, MeshLimits &limits) const;
 
   MeshVertex corner(uint32_t id) const { return vertices_.corner(id); }
@@ -61,8 +63,9 @@ class SurfaceOutline {
   uint32_t ball_at(uint32_t sphere, const double (&middle)[3]) const;
 
   // The saddles. False if there are more triangles than any limit allows.
-  bool add_bands(double length, FixedVector<MeshVertex> &vertices, FixedVector<MeshTriangle> &triangles) const {
-    return SaddleGrids(curves_).add_triangles(length, vertices, triangles);
+  bool add_bands(double length, Patience &patience, FixedVector<MeshVertex> &vertices,
+                 FixedVector<MeshTriangle> &triangles) const {
+    return SaddleGrids(curves_).add_triangles(length, patience, vertices, triangles);
   }
 
  private:

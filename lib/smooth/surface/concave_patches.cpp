@@ -14,12 +14,13 @@ void ConcavePatches::clear(uint32_t vertices) {
 }
 
 // A vector area is stored over the offset that it is computed from, after the last of its four has been read.
-void ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
-                             const CutPatches &cut) {
+bool ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
+                             const CutPatches &cut, Patience &patience) {
   constexpr uint32_t lanes = ProbeTriangles::lanes;
   const uint32_t vertices = boundary.vertex_count();
   ProbeTriangles triangles;
   for (uint32_t first = 0; first < vertices; first += lanes) {
+    if (!patience.allows(2000)) return false;
     const uint32_t count = vertices - first < lanes ? vertices - first : lanes;
     FourVertices four;
     for (uint32_t lane = 0; lane < lanes; ++lane) four[lane] = first + (lane < count ? lane : 0);
@@ -35,6 +36,7 @@ void ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, con
       put(v, ConcaveScale(balls, boundary, positions[v]).patch(triangles.steradians[lane], vector_area));
     }
   }
+  return true;
 }
 
 }  // namespace hsp

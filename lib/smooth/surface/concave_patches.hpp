@@ -29,7 +29,9 @@ class ConcavePatches {
     area_and_volume_ = grid.shared_doubles();
   }
   // The probes must stand at their positions; they do not any more thereafter.
-  void measure(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions, const CutPatches &cut);
+  // False if that is stopped.
+  bool measure(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions, const CutPatches &cut,
+               Patience &patience);
   // Without a probe.
   void clear(uint32_t vertices);
 

@@ -48,11 +48,12 @@ Span<BorderArc> CreasedPatches::find_border(const Inputs &in, const NearVertices
   return arcs_.items();
 }
 
-Status CreasedPatches::fill(const Inputs &in, CutPatches &cut) {
+Status CreasedPatches::fill(const Inputs &in, CutPatches &cut, Patience &patience) {
   const uint32_t vertices = in.actual.boundary().vertex_count();
   NearVertices near(in.actual.balls(), in.actual.boundary(), in.chosen, in.grid, in.creases.near_list());
   cut.clear();
   for (uint32_t v = 0; v < vertices; ++v) {
+    if (!patience.allows(20000)) return Status::stopped;
     cut.begin_vertex(v);
     near.find(v);
     if (find_border(in, near, v).empty()) continue;

@@ -25,7 +25,8 @@ class CreasedPatches {
   }
 
   // Status::degenerate if borders do not close, or no width tells what they bound. Cut patches may have no room.
-  Status fill(const Inputs &in, CutPatches &cut);
+  // Status::stopped if more is not allowed.
+  Status fill(const Inputs &in, CutPatches &cut, Patience &patience);
 
   // The border of the patch of the vertex whose near ones are listed, in no order; none if no crease is there.
   Span<BorderArc> find_border(const Inputs &in, const NearVertices &near, uint32_t v);

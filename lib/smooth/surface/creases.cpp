@@ -7,6 +7,9 @@
 namespace hsp {
 namespace {
 
+// Instructions that two vertices near each other, or three, take where doubles do not do.
+constexpr uint32_t of_a_pair = 20000;
+
 bool comes_before(const CreaseCorner &a, const uint32_t (&vertex)[3]) {
   if (a.vertex[0] != vertex[0]) return a.vertex[0] < vertex[0];
   if (a.vertex[1] != vertex[1]) return a.vertex[1] < vertex[1];
@@ -24,7 +27,7 @@ void Creases::carve(Workspace &workspace, uint32_t near, uint32_t creases, uint3
 }
 
 Status Creases::build(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid,
-                      const CuspedCircles &cusped) {
+                      const CuspedCircles &cusped, Patience &patience) {
   actual_ = &actual;
   cusped_ = &cusped;
   first_cusp_ = 3 * actual.boundary().vertex_count();
@@ -33,9 +36,9 @@ Status Creases::build(const ActualBalls &actual, const ChosenFaces &chosen, cons
   creases_.clear();
   corners_.clear();
   NearVertices near(actual.balls(), actual.boundary(), chosen, grid, near_);
-  const Status status = find_corners(near);
+  const Status status = find_corners(near, patience);
   if (status != Status::ok) return status;
-  return find_creases(chosen, grid, near);
+  return find_creases(chosen, grid, near, patience);
 }
 
 // Their corner would be on the axis, where cusps are.
@@ -64,13 +67,15 @@ bool Creases::in_other_probe(const BorderPoint &point, uint32_t w, uint32_t x) c
 }
 
 // Each at its lowest vertex.
-Status Creases::find_corners(NearVertices &near) {
+Status Creases::find_corners(NearVertices &near, Patience &patience) {
   for (uint32_t a = 0; a < actual_->boundary().vertex_count(); ++a) {
     const bool fits = near.find(a);
     most_near_ = larger_count(most_near_, clamped_count(near_.required()));
     if (!fits) continue;
     const Span<const uint32_t> others = near.list();
+    if (!patience.allows(5000)) return Status::stopped;
     for (uint32_t k = 0; k < others.size(); ++k) {
+      if (others[k] > a && !patience.allows(of_a_pair * uint64_t{others.size() - k})) return Status::stopped;
       for (uint32_t j = k + 1; others[k] > a && j < others.size(); ++j) {
         const uint32_t b = others[k], c = others[j];
         if (on_one_circle(a, b, c) || actual_->have_corners(a, b, c) <= 0) continue;
@@ -144,11 +149,13 @@ void Creases::add_corner_ends(uint32_t v, uint32_t w, uint32_t x) {
   }
 }
 
-Status Creases::find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, NearVertices &near) {
+Status Creases::find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, NearVertices &near, Patience &patience) {
   for (uint32_t v = 0; v < actual_->boundary().vertex_count(); ++v) {
     near.find(v);
+    if (!patience.allows(5000)) return Status::stopped;
     for (const uint32_t w : near.list()) {
       if (w < v) continue;
+      if (!patience.allows(of_a_pair)) return Status::stopped;
       ends_.clear();
       if (!corners_.items().empty()) {
         for (const uint32_t x : near.list()) {

@@ -35,9 +35,9 @@ class Creases {
  public:
   void carve(Workspace &workspace, uint32_t near, uint32_t creases, uint32_t corners);
 
-  // Status::capacity if there is no room; Status::degenerate if a sign is not certain in any width.
-  Status build(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid,
-               const CuspedCircles &cusped);
+  // Status::capacity if there is no room; Status::degenerate if a sign is not certain in any width; Status::stopped.
+  Status build(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid, const CuspedCircles &cusped,
+               Patience &patience);
 
   // Near any one vertex, and all of them: also if there is no room, but of creases only if there is for the others.
   uint32_t most_near() const { return most_near_; }
@@ -56,8 +56,8 @@ class Creases {
   BorderPoint point(uint32_t corner) const;
 
  private:
-  Status find_corners(NearVertices &near);
-  Status find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, NearVertices &near);
+  Status find_corners(NearVertices &near, Patience &patience);
+  Status find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, NearVertices &near, Patience &patience);
   bool in_patch(const BorderPoint &point, uint32_t v) const;
   bool in_other_probe(const BorderPoint &point, uint32_t w, uint32_t x) const;
   bool on_one_circle(uint32_t a, uint32_t b, uint32_t c) const;

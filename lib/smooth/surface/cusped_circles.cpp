@@ -29,10 +29,11 @@ void CuspedCircles::clear() {
 }
 
 // The half-edges of a ball are sorted by their circles: those of one circle are neighbours.
-void CuspedCircles::find(const ActualBalls &actual) {
+bool CuspedCircles::find(const ActualBalls &actual, Patience &patience) {
   const Boundary &boundary = actual.boundary();
   clear();
   for (uint32_t i = 0; i < actual.balls().n; ++i) {
+    if (!patience.allows(100 + 100 * uint64_t{boundary.half_edges(i).size()})) return false;
     uint32_t last = no_id;
     bool has = false;
     for (const uint32_t e : boundary.half_edges(i)) {
@@ -48,10 +49,12 @@ void CuspedCircles::find(const ActualBalls &actual) {
   }
   first_whole_ = clamped_count(required());
   for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
+    if (!patience.allows(100)) return false;
     const CircleRecord &circle = boundary.circle(c);
     if (circle_has_cusps(actual, circle.ball[0], circle.ball[1]))
       circle_.push({{circle.ball[0], circle.ball[1]}, c, arcs_});
   }
+  return true;
 }
 
 uint32_t CuspedCircles::of_arc(uint32_t a, uint32_t b) const {

@@ -1,6 +1,7 @@
 // Circles whose saddle patches reach their own axis (saddle.hpp). All arcs of such a circle share its two cusps.
 #pragma once
 
+#include "core/patience.hpp"
 #include "core/workspace.hpp"
 #include "surface/actual_balls.hpp"
 
@@ -11,7 +12,8 @@ class CuspedCircles {
   // For at most so many circles.
   void carve(Workspace &workspace, uint32_t circles) { circle_ = FixedVector(workspace.take<Circle>(circles)); }
   void clear();
-  void find(const ActualBalls &actual);
+  // False if that is stopped.
+  bool find(const ActualBalls &actual, Patience &patience);
 
   // Their number, also if there is no room for all.
   uint64_t required() const { return circle_.required(); }

@@ -7,9 +7,10 @@ namespace {
 
 class Joiner {
  public:
-  Joiner(const Boundary &boundary, const CuspedCircles &cusped, CutPatches &patches)
+  Joiner(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience, CutPatches &patches)
       : boundary_(boundary),
         cusped_(cusped),
+        patience_(patience),
         patches_(patches),
         first_cusp_(3 * boundary.vertex_count()),
         first_crease_corner_(first_cusp_ + 2 * cusped.count()) {}
@@ -41,6 +42,7 @@ class Joiner {
   template <class Visit>
   void for_each_arc(Visit visit) {
     for (uint32_t piece = 0; piece < patches_.piece_count(); ++piece) {
+      if (!patience_.allows(100 * uint64_t{patches_.arcs(piece).size()})) return;
       for (const uint32_t a : patches_.arcs(piece)) visit(patches_.piece(piece).vertex, a);
     }
   }
@@ -129,6 +131,7 @@ class Joiner {
 
   const Boundary &boundary_;
   const CuspedCircles &cusped_;
+  Patience &patience_;
   CutPatches &patches_;
   const uint32_t first_cusp_, first_crease_corner_;
   uint32_t cusps_ = 0;
@@ -138,8 +141,9 @@ class Joiner {
 
 }  // namespace
 
-PatchJoints join_patches(const Boundary &boundary, const CuspedCircles &cusped, CutPatches &patches) {
-  return Joiner(boundary, cusped, patches).join();
+PatchJoints join_patches(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience,
+                         CutPatches &patches) {
+  return Joiner(boundary, cusped, patience, patches).join();
 }
 
 }  // namespace hsp

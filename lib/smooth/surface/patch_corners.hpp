@@ -14,6 +14,8 @@ struct PatchJoints {
   uint32_t uneven = 0;          // creases that may differ in their two patches (crease_lengths.hpp)
 };
 
-PatchJoints join_patches(const Boundary &boundary, const CuspedCircles &cusped, CutPatches &patches);
+// Not all of them if that is stopped.
+PatchJoints join_patches(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience,
+                         CutPatches &patches);
 
 }  // namespace hsp

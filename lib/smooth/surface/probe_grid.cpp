@@ -208,9 +208,10 @@ bool ProbeGrid::mixes_cubes(const BallSet &balls) const {
 }
 
 // By cubes as in a bucket of each: in one of them by vertices.
-void ProbeGrid::sort_by_cubes(const BallSet &balls) {
+void ProbeGrid::sort_by_cubes(const BallSet &balls, Patience &patience) {
   buckets_ = 0;
   sort_in_place(vertex_.part(0, probes_), [&](uint32_t v, uint32_t w) {
+    if (!patience.allows(100)) return false;
     const CubeCoordinates a = cube_of(balls, v), b = cube_of(balls, w);
     return a == b ? v < w : comes_before(a, b);
   });
@@ -229,11 +230,12 @@ uint32_t ProbeGrid::first_from(const BallSet &balls, const CubeCoordinates &cube
   return first_index(0, probes_, [&](uint32_t k) { return !comes_before(cube_of(balls, vertex_[k]), cube); });
 }
 
-void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
+bool ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary, Patience &patience) {
   const uint32_t n = boundary.vertex_count();
   for (uint32_t v = 0; v < n; ++v) position_.order[v] = order_of_rank(balls, boundary.vertex(v));
   ProbeTriangles triangles;
   for (uint32_t first = 0; first < n; first += ProbeTriangles::lanes) {
+    if (!patience.allows(2000)) return false;
     FourVertices four;
     for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) four[lane] = first + lane < n ? first + lane : n - 1;
     gather_triangles(boundary, position_, four, triangles);
@@ -252,6 +254,7 @@ void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
       position_.offset[v] = position.offset;
     }
   }
+  return true;
 }
 
 void ProbeGrid::place_touching(const BallSet &balls, const Boundary &boundary, uint32_t v) {
@@ -262,11 +265,11 @@ void ProbeGrid::place_touching(const BallSet &balls, const Boundary &boundary, u
   position_.offset[v] = position.offset;
 }
 
-void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
+bool ProbeGrid::build(const BallSet &balls, const Boundary &boundary, Patience &patience) {
   const uint32_t n = boundary.vertex_count();
   ++builds_;
   choose_units(balls);
-  place_all(balls, boundary);
+  if (!place_all(balls, boundary, patience)) return false;
   lay_out(n);
   probes_ = n;
   buckets_ = buckets_for(n);
@@ -278,8 +281,10 @@ void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
         return bucket_of(at);
       },
       [&](uint32_t to, uint32_t v) { store(to, at, v); });
-  if (mixes_cubes(balls)) sort_by_cubes(balls);
+  if (!patience.allows(100 * uint64_t{n})) return false;
+  if (mixes_cubes(balls)) sort_by_cubes(balls, patience);
   for (uint32_t k = n; k < n + spare_probes; ++k) x_[k] = y_[k] = z_[k] = 0.0F;
+  return patience.allows(0);
 }
 
 void ProbeGrid::start_search(const BallSet &balls, uint32_t vertex, ProbeSearch &search) const {

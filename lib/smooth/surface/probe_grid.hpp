@@ -9,6 +9,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/patience.hpp"
 #include "measure/boundary_positions.hpp"
 #include "surface/near_probes.hpp"
 #include "surface/probe_triangles.hpp"
@@ -41,7 +42,8 @@ class ProbeGrid {
   Span<Vec3> shared_vectors() const { return position_.offset; }
   Span<double> shared_doubles() const { return doubles_; }
   // The boundary must not have more vertices, the probe must not be 0.
-  void build(const BallSet &balls, const Boundary &boundary);
+  // False if that is stopped.
+  bool build(const BallSet &balls, const Boundary &boundary, Patience &patience);
 
   // Changes with every build.
   uint32_t builds() const { return builds_; }
@@ -61,13 +63,13 @@ class ProbeGrid {
  private:
   void choose_units(const BallSet &balls);
   void lay_out(uint32_t vertices);
-  void place_all(const BallSet &balls, const Boundary &boundary);
+  bool place_all(const BallSet &balls, const Boundary &boundary, Patience &patience);
   void place_touching(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
   Vec3 in_units(const BallSet &balls, const Position &position) const;
   uint32_t bucket_of(const Vec3 &at) const;
   CubeCoordinates cube_of(const BallSet &balls, uint32_t vertex) const;
   bool mixes_cubes(const BallSet &balls) const;
-  void sort_by_cubes(const BallSet &balls);
+  void sort_by_cubes(const BallSet &balls, Patience &patience);
   void store(uint32_t to, const Vec3 &at, uint32_t vertex);
   uint32_t first_from(const BallSet &balls, const CubeCoordinates &cube) const;
 

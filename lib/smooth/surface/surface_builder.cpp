@@ -35,15 +35,17 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   creases_.carve(workspace, limits.neighbours, limits.arcs / arcs_for_crease, limits.arcs / arcs_for_corner);
 }
 
-Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
-  return build(balls, boundary, nullptr);
+Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Patience patience) {
+  return build(balls, boundary, nullptr, patience);
 }
 
-Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells) {
-  return build(balls, boundary, &shells);
+Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells,
+                             Patience patience) {
+  return build(balls, boundary, &shells, patience);
 }
 
-Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells) {
+Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells,
+                             Patience &patience) {
   CutPatches &cut = surface_.cut_patches_;
   CuspedCircles &cusped = surface_.cusped_circles_;
   surface_.counts_ = {};
@@ -58,36 +60,38 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     surface_.chosen_.choose(boundary, *shells, surface_.scratch_);
   }
   number_arcs(boundary);
+  if (!patience.allows(50 * uint64_t{boundary.ball_count()})) return Status::stopped;
   surface_.touching_.clear(needed_.vertices);
   if (balls.probe_steps == 0) {
     for (uint32_t v = 0; v < needed_.vertices; ++v) cut.begin_vertex(v);
     cut.finish(needed_.vertices);
     surface_.touching_.count();
     surface_.concave_.clear(needed_.vertices);
-    surface_.shells_.find(boundary, cusped, cut);
-    return Status::ok;
+    surface_.shells_.find(boundary, cusped, cut, patience);
+    return patience.allows(0) ? Status::ok : Status::stopped;
   }
-  grid_.build(balls, boundary);
+  if (!grid_.build(balls, boundary, patience)) return Status::stopped;
   const ActualBalls actual(balls, boundary);
-  const Status status = find_patches(actual);
+  const Status status = find_patches(actual, patience);
   if (status != Status::ok) return status;
   surface_.touching_.count();
-  surface_.concave_.measure(balls, boundary, grid_.positions(), cut);
+  if (!surface_.concave_.measure(balls, boundary, grid_.positions(), cut, patience)) return Status::stopped;
   surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
-  surface_.shells_.find(boundary, cusped, cut);
-  return Status::ok;
+  surface_.shells_.find(boundary, cusped, cut, patience);
+  return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
-Status SurfaceBuilder::find_patches(const ActualBalls &actual) {
-  surface_.cusped_circles_.find(actual);
+Status SurfaceBuilder::find_patches(const ActualBalls &actual, Patience &patience) {
+  if (!surface_.cusped_circles_.find(actual, patience)) return Status::stopped;
   needed_.cusped_circles = clamped_count(surface_.cusped_circles_.required());
-  cut_patches(actual.balls(), actual.boundary());
+  if (!cut_patches(actual.balls(), actual.boundary(), patience)) return Status::stopped;
   if (!fits()) return Status::capacity;
   if (certain_) {
-    const PatchJoints joints = join_patches(actual.boundary(), surface_.cusped_circles_, surface_.cut_patches_);
+    const PatchJoints joints =
+        join_patches(actual.boundary(), surface_.cusped_circles_, patience, surface_.cut_patches_);
     if (joints.open == 0 && joints.uneven == 0) return Status::ok;
   }
-  return cut_actual_patches(actual);
+  return cut_actual_patches(actual, patience);
 }
 
 // Whether there is room for all that is needed, as far as that is known.
@@ -96,12 +100,15 @@ bool SurfaceBuilder::fits() const {
          needed_.pieces <= limits_.pieces && needed_.arcs <= limits_.arcs;
 }
 
-// Each on its own, in doubles.
-void SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary) {
+// Each on its own, in doubles. False if that is stopped.
+bool SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary, Patience &patience) {
   CutPatches &cut = surface_.cut_patches_;
   certain_ = true;
   uint32_t most_found = 0;
   for (uint32_t v = 0; v < needed_.vertices; ++v) {
+    // As the vertex before.
+    const uint64_t met = v > 0 ? probe_.met() : 0;
+    if (!patience.allows(3000 + (500 + met) * met)) return false;
     cut.begin_vertex(v);
     const ProbeState state = probe_.gather(balls, boundary, surface_.chosen_, grid_, v);
     if (probe_.touches()) surface_.touching_.set(v);
@@ -125,17 +132,18 @@ void SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary)
   // The actual set asks for more, and then has other pieces.
   if (!certain_) {
     needed_.neighbours = larger_count(needed_.neighbours, most_found);
-    return;
+    return true;
   }
   needed_.pieces = clamped_count(cut.required_pieces());
   needed_.arcs = clamped_count(cut.required_arcs());
+  return true;
 }
 
-Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual) {
+Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &patience) {
   CutPatches &cut = surface_.cut_patches_;
   surface_.counts_ = {};
   surface_.of_actual_balls_ = true;
-  Status status = creases_.build(actual, surface_.chosen_, grid_, surface_.cusped_circles_);
+  Status status = creases_.build(actual, surface_.chosen_, grid_, surface_.cusped_circles_, patience);
   needed_.neighbours = larger_count(needed_.neighbours, creases_.most_near());
   need_arcs(arcs_for_corner * uint64_t{creases_.required_corners()});
   need_arcs(arcs_for_crease * uint64_t{creases_.required_creases()});
@@ -149,7 +157,7 @@ Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual) {
   }
   if (status != Status::ok) return status;
   creased_.use(begin_array<BorderArc>(arcs_.room()), begin_array<ArcFigures>(corners_.room()));
-  status = creased_.fill({actual, surface_.chosen_, grid_, surface_.cusped_circles_, creases_}, cut);
+  status = creased_.fill({actual, surface_.chosen_, grid_, surface_.cusped_circles_, creases_}, cut, patience);
   corners_ = FixedVector(begin_array<RegionCorner>(corners_.room()));
   arcs_ = FixedVector(begin_array<RegionArc>(arcs_.room()));
   if (status != Status::ok) return status;

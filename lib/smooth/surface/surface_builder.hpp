@@ -16,18 +16,19 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
   void carve(Workspace &workspace, const SurfaceLimits &limits);
 
   // Status::capacity if a limit is too small; needed() then reports what suffices. Status::degenerate if a sign of the
-  // actual set is not certain in any width, or borders do not close.
-  Status build(const BallSet &balls, const Boundary &boundary);
+  // actual set is not certain in any width, or borders do not close. Status::stopped if more is not allowed.
+  Status build(const BallSet &balls, const Boundary &boundary, Patience patience = Patience());
   // Of some shells of the boundary alone.
-  Status build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells);
+  Status build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells,
+               Patience patience = Patience());
 
   const Surface &surface() const { return surface_; }
 
  private:
-  Status build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells);
-  Status find_patches(const ActualBalls &actual);
-  void cut_patches(const BallSet &balls, const Boundary &boundary);
-  Status cut_actual_patches(const ActualBalls &actual);
+  Status build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells, Patience &patience);
+  Status find_patches(const ActualBalls &actual, Patience &patience);
+  bool cut_patches(const BallSet &balls, const Boundary &boundary, Patience &patience);
+  Status cut_actual_patches(const ActualBalls &actual, Patience &patience);
   bool fits() const;
   void need_arcs(uint64_t arcs) { needed_.arcs = larger_count(needed_.arcs, clamped_count(arcs)); }
   bool measure_cut_patch(double &steradians, Vec3 &vector_area, bool &is_cut);

@@ -2,12 +2,14 @@
 
 namespace hsp {
 
-void SurfaceShells::find(const Boundary &boundary, const CuspedCircles &cusped, const CutPatches &cut) {
+void SurfaceShells::find(const Boundary &boundary, const CuspedCircles &cusped, const CutPatches &cut,
+                         Patience &patience) {
   faces_ = boundary.face_count();
   const uint32_t nodes = faces_ + cut.piece_count();
   DisjointSets sets(shell_.part(0, nodes));
   sets.reset();
-  join_saddles(boundary, cusped, sets);
+  join_saddles(boundary, cusped, patience, sets);
+  if (!patience.allows(100 * uint64_t{nodes})) return;
   join_pieces(boundary, cut, sets);
   sets.flatten();
   // No number has a larger representative: that has its shell already.
@@ -19,9 +21,11 @@ void SurfaceShells::find(const Boundary &boundary, const CuspedCircles &cusped, 
 }
 
 // In the order in which circles with cusps were found: the next one is always known.
-void SurfaceShells::join_saddles(const Boundary &boundary, const CuspedCircles &cusped, DisjointSets &sets) {
+void SurfaceShells::join_saddles(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience,
+                                 DisjointSets &sets) {
   uint32_t next = 0;
   for (uint32_t i = 0; i < boundary.ball_count(); ++i) {
+    if (!patience.allows(50 + 50 * uint64_t{boundary.half_edges(i).size()})) return;
     uint32_t last = no_id;
     bool whole = false;
     for (const uint32_t e : boundary.half_edges(i)) {

@@ -15,7 +15,8 @@ class SurfaceShells {
  public:
   // Memory for all faces and pieces of cut patches.
   void use(Span<uint32_t> memory) { shell_ = memory; }
-  void find(const Boundary &boundary, const CuspedCircles &cusped, const CutPatches &cut);
+  // Not all of them if that is stopped.
+  void find(const Boundary &boundary, const CuspedCircles &cusped, const CutPatches &cut, Patience &patience);
 
   uint32_t count() const { return count_; }
   // no_id for a hidden patch.
@@ -23,7 +24,7 @@ class SurfaceShells {
   uint32_t of_piece(uint32_t piece) const { return shell_[faces_ + piece]; }
 
  private:
-  void join_saddles(const Boundary &boundary, const CuspedCircles &cusped, DisjointSets &sets);
+  void join_saddles(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience, DisjointSets &sets);
   void join_pieces(const Boundary &boundary, const CutPatches &cut, DisjointSets &sets);
 
   Span<uint32_t> shell_;  // [faces + pieces]

@@ -53,13 +53,14 @@ void CubeCover::carve(Workspace &workspace, uint32_t cubes, uint32_t entries) {
   entries_ = workspace.take<uint32_t>(entries);
 }
 
-bool CubeCover::build(const CubeGrid &grid) {
+bool CubeCover::build(const CubeGrid &grid, Patience &patience) {
   const BallSet &balls = grid.balls();
   const CubeAxis axis(grid.side());
   // Those that there is no room for are counted once for every ball that meets them.
   uint64_t cubes = 0, entries = 0;
   table_.clear(capacity_);
   for (uint32_t i = 0; i < balls.n; ++i) {
+    if (!patience.allows(2000)) return false;
     for_each_cube(balls.ball(i), axis, [&](const CubeCoordinates &cube) {
       ++entries;
       const uint32_t known = table_.find(cube);
@@ -77,9 +78,15 @@ bool CubeCover::build(const CubeGrid &grid) {
 
   const Span<CubeCoordinates> sorted = sorted_.part(0, needed_cubes_);
   for (uint32_t k = 0; k < sorted.size(); ++k) sorted[k] = table_.coordinates(k);
-  sort_in_place(sorted, [](const CubeCoordinates &a, const CubeCoordinates &b) { return comes_before(a, b); });
+  sort_in_place(sorted, [&](const CubeCoordinates &a, const CubeCoordinates &b) {
+    return patience.allows(30) && comes_before(a, b);
+  });
+  if (!patience.allows(0)) return false;
   // How many balls meet each, in that order; there are no fewer entries than cubes.
-  for (uint32_t k = 0; k < needed_cubes_; ++k) entries_[k] = first_entry_[table_.find(sorted[k])];
+  for (uint32_t k = 0; k < needed_cubes_; ++k) {
+    if (!patience.allows(200)) return false;
+    entries_[k] = first_entry_[table_.find(sorted[k])];
+  }
   table_.clear(needed_cubes_);
   for (const CubeCoordinates &cube : sorted) table_.append(cube);
   most_balls_ = 0;
@@ -89,6 +96,7 @@ bool CubeCover::build(const CubeGrid &grid) {
   }
   end_rows(first_entry_, needed_cubes_);
   for (uint32_t i = balls.n; i-- > 0;) {
+    if (!patience.allows(2000)) return false;
     const auto enter = [&](const CubeCoordinates &cube) { entries_[--first_entry_[table_.find(cube)]] = i; };
     for_each_cube(balls.ball(i), axis, enter);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/patience.hpp"
 #include "core/workspace.hpp"
 #include "model/cube_grid.hpp"
 #include "model/cube_table.hpp"
@@ -17,7 +18,7 @@ class CubeCover {
   // At most so many cubes, and so many pairs of a cube and a ball that meets it.
   void carve(Workspace &workspace, uint32_t cubes, uint32_t entries);
   // False if they do not suffice; needed_cubes() and needed_entries() then do.
-  bool build(const CubeGrid &grid);
+  bool build(const CubeGrid &grid, Patience &patience);
 
   uint32_t needed_cubes() const { return needed_cubes_; }
   uint32_t needed_entries() const { return needed_entries_; }

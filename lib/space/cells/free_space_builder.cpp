@@ -18,7 +18,7 @@ void FreeSpaceBuilder::carve(Workspace &workspace, const FreeSpaceLimits &limits
   touched_ = workspace.take<uint8_t>(PowerPolytope::most_vertices(limits.cube_balls));
 }
 
-Status FreeSpaceBuilder::build(const CubeGrid &grid) {
+Status FreeSpaceBuilder::build(const CubeGrid &grid, Patience patience) {
   const BallSet &balls = grid.balls();
   FreeSpace &space = structure_;
   needed_ = {};
@@ -29,24 +29,25 @@ Status FreeSpaceBuilder::build(const CubeGrid &grid) {
   kept_.clear();
   space.side = grid.side();
   space.regions = space.power_cells = 0;
-  const bool covered = space.cover.build(grid);
+  const bool covered = space.cover.build(grid, patience);
+  if (!patience.allows(0)) return Status::stopped;
   needed_.cubes = space.cover.needed_cubes();
   needed_.entries = space.cover.needed_entries();
   if (!covered) return Status::capacity;
   needed_.cube_balls = space.cover.most_balls();
   if (needed_.cube_balls > limits_.cube_balls) return Status::capacity;
 
-  add_runs();
+  add_runs(patience);
   for (uint32_t &next : beside_) next = 0;
   for (uint32_t k = 0; k < space.cover.cubes(); ++k) {
-    const Status status = add_cube(balls, surroundings(k));
+    const Status status = add_cube(balls, surroundings(k), patience);
     if (status != Status::ok) return status;
   }
   space.first_part[space.cover.entries()] = clamped_count(space.cells.required());
   if (!gather_needs()) return Status::capacity;
-  link_cells();
-  find_regions();
-  return Status::ok;
+  link_cells(patience);
+  find_regions(patience);
+  return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
 // Whether there was room for everything.
@@ -60,11 +61,14 @@ bool FreeSpaceBuilder::gather_needs() {
          !structure_.contacts.overflowed();
 }
 
-void FreeSpaceBuilder::add_runs() {
+void FreeSpaceBuilder::add_runs(Patience &patience) {
   FreeSpace &space = structure_;
   space.runs.build(space.cover);
   for (uint32_t run = 0; run < space.runs.count(); ++run) space.cells.push({no_id, no_id, CellKind::run, 0, 0});
-  space.runs.for_each_contact(space.cover, [&](uint32_t a, uint32_t b) { space.contacts.push({{a, b}}); });
+  space.runs.for_each_contact(space.cover, [&](uint32_t a, uint32_t b) {
+    static_cast<void>(patience.allows(50));
+    space.contacts.push({{a, b}});
+  });
 }
 
 // To be asked of each cube in turn: as these come in order, so do those on one side of them.
@@ -83,7 +87,7 @@ FreeSpaceBuilder::Cube FreeSpaceBuilder::surroundings(uint32_t number) {
   return cube;
 }
 
-Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
+Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube, Patience &patience) {
   FreeSpace &space = structure_;
   const Span<const uint32_t> members = space.cover.balls(cube.number);
   cell_.enter(balls, cube.frame, members);
@@ -92,6 +96,7 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
   open_.clear();
   first_kept_[cube.number] = clamped_count(kept_.facets().required());
   for (uint32_t k = 0; k < members.size(); ++k) {
+    if (!patience.allows(3000 + 50 * uint64_t{members.size()})) return Status::stopped;
     const uint32_t first_cell = clamped_count(space.cells.required());
     space.first_part[space.cover.first_entry(cube.number) + k] = first_cell;
     cell_.build_unless_covered(k);
@@ -173,7 +178,7 @@ Status FreeSpaceBuilder::touch_cubes(const BallSet &balls, const Cube &cube) {
 
 // The neighbours of each cell, from the contacts: those before it, then those behind it. Cells that are entered into
 // the lists of others in ascending order stand in that order there, so no list is sorted.
-void FreeSpaceBuilder::link_cells() {
+void FreeSpaceBuilder::link_cells(Patience &patience) {
   FreeSpace &space = structure_;
   const uint32_t cells = space.cells.size();
   uint32_t *const first = space.first_neighbour.data(), *const end = space.region_sets.data();
@@ -184,12 +189,14 @@ void FreeSpaceBuilder::link_cells() {
   };
   for (uint32_t c = 0; c < cells; ++c) first[c] = end[c] = 0;
   for (const AdjacentCells &pair : contacts) {
+    if (!patience.allows(20)) return;
     const uint32_t low = lower_of(pair);
     ++end[pair.cell[0] ^ pair.cell[1] ^ low];
     ++first[low];
   }
   uint32_t count = 0;
   for (uint32_t c = 0; c < cells; ++c) {
+    if (!patience.allows(20)) return;
     const uint32_t neighbours = end[c] + first[c];
     first[c] = end[c] = count;
     count += neighbours;
@@ -197,25 +204,33 @@ void FreeSpaceBuilder::link_cells() {
   first[cells] = count;
   // Those before each cell, in the order of contacts; then those behind it, in their order; then those before it anew.
   for (const AdjacentCells &pair : contacts) {
+    if (!patience.allows(20)) return;
     const uint32_t low = lower_of(pair);
     neighbour[end[pair.cell[0] ^ pair.cell[1] ^ low]++] = low;
   }
   for (uint32_t c = 0; c < cells; ++c) {
+    if (!patience.allows(50)) return;
     for (uint32_t k = first[c], before = end[c]; k < before; ++k) neighbour[end[neighbour[k]]++] = c;
   }
   for (uint32_t c = 0; c < cells; ++c) end[c] = first[c];
   for (uint32_t c = 0; c < cells; ++c) {
+    if (!patience.allows(50)) return;
     for (uint32_t k = end[c]; k < first[c + 1]; ++k) neighbour[end[neighbour[k]]++] = c;
   }
 }
 
-void FreeSpaceBuilder::find_regions() {
+void FreeSpaceBuilder::find_regions(Patience &patience) {
   FreeSpace &space = structure_;
   const uint32_t cells = space.cells.size();
   DisjointSets sets(space.region_sets.part(0, cells));
   sets.reset();
-  for (const AdjacentCells &pair : space.contacts.items()) static_cast<void>(sets.join(pair.cell[0], pair.cell[1]));
+  for (const AdjacentCells &pair : space.contacts.items()) {
+    if (!patience.allows(50)) return;
+    static_cast<void>(sets.join(pair.cell[0], pair.cell[1]));
+  }
+
   for (uint32_t c = 0; c < cells; ++c) {
+    if (!patience.allows(30)) return;
     const uint32_t root = sets.root(c);  // the smallest of its set
     space.cells[c].region = root == c ? space.regions++ : space.cells[root].region;
   }

@@ -13,8 +13,8 @@ class FreeSpaceBuilder : public Limited<FreeSpaceLimits> {
   void carve(Workspace &workspace, const FreeSpaceLimits &limits, bool with_portals = false);
 
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
-  // Status::check would mean that cells disagree, and cannot happen.
-  Status build(const CubeGrid &grid);
+  // Status::check would mean that cells disagree, and cannot happen. Status::stopped if more is not allowed.
+  Status build(const CubeGrid &grid, Patience patience = Patience());
 
   const FreeSpace &structure() const { return structure_; }
   // To be broken by tests.
@@ -30,16 +30,16 @@ class FreeSpaceBuilder : public Limited<FreeSpaceLimits> {
     uint32_t run[cube_sides];        // the run there if there is no such cube
   };
 
-  void add_runs();
-  Status add_cube(const BallSet &balls, const Cube &cube);
+  void add_runs(Patience &patience);
+  Status add_cube(const BallSet &balls, const Cube &cube, Patience &patience);
   void add_parts(const Cube &cube);
   void touch_run(const Cube &cube, uint32_t side, uint32_t first, uint32_t first_cell);
   Status touch_cubes(const BallSet &balls, const Cube &cube);
   Cube surroundings(uint32_t number);
   void note(uint32_t &needed, uint64_t count) const { needed = larger_count(needed, clamped_count(count)); }
   bool gather_needs();
-  void link_cells();
-  void find_regions();
+  void link_cells(Patience &patience);
+  void find_regions(Patience &patience);
 
   FreeSpace structure_;
   PowerCell cell_;

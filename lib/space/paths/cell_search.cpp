@@ -22,12 +22,13 @@ void CellSearch::carve(Workspace &workspace, const FreeSpaceLimits &limits) {
   links_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(limits.adjacencies));
 }
 
-void CellSearch::prepare(const FreeSpace &space) {
+bool CellSearch::prepare(const FreeSpace &space, Patience &patience) {
   // Both have as many: the neighbours of a cell and its contacts.
   const uint32_t cells = space.cell_count();
   for (uint32_t c = 0; c < cells; ++c) first_link_[c] = space.first_neighbour[c + 1];
   first_link_[cells] = space.first_neighbour[cells];
   for (uint32_t contact = space.adjacency_count(); contact-- > 0;) {
+    if (!patience.allows(30)) return false;
     for (const uint32_t cell : space.contacts[contact].cell) links_[--first_link_[cell]] = contact;
   }
   constexpr int64_t beyond = INT64_C(1) << 52;
@@ -37,6 +38,7 @@ void CellSearch::prepare(const FreeSpace &space) {
   space.runs.for_each_run(space.cover, [&](uint32_t run, const CubeCoordinates &low, const CubeCoordinates &high) {
     boxes_[run] = {{corner(low.x), corner(low.y), corner(low.z)}, {corner(high.x), corner(high.y), corner(high.z)}};
   });
+  return true;
 }
 
 // Of equal estimates that which is nearer to its end, then the lower number, so that the way depends on nothing else.
@@ -58,7 +60,7 @@ exact::Vector CellSearch::portal(const FreeSpace &space, uint32_t contact, const
 }
 
 Status CellSearch::find(const FreeSpace &space, uint32_t from_cell, const exact::Vector &from, uint32_t to_cell,
-                        const exact::Vector &to) {
+                        const exact::Vector &to, Patience &patience) {
   for (uint32_t c = 0; c < space.cell_count(); ++c) visits_[c].next = not_seen;
   visits_[from_cell] = {from, 0.0, distance(from, to), no_id, 0};
   heap_[0] = from_cell;
@@ -67,6 +69,7 @@ Status CellSearch::find(const FreeSpace &space, uint32_t from_cell, const exact:
   uint32_t waiting = 1;
   bool found = false;
   while (waiting > 0 && !found) {
+    if (!patience.allows(2000)) return Status::stopped;
     const uint32_t cell = heap_[0];
     visits_[cell].next = done;
     heap_[0] = heap_[--waiting];

@@ -3,18 +3,19 @@
 #pragma once
 
 #include "cells/free_space.hpp"
+#include "core/patience.hpp"
 
 namespace hsp {
 
 class CellSearch {
  public:
   void carve(Workspace &workspace, const FreeSpaceLimits &limits);
-  // After the cells are built, with portals.
-  void prepare(const FreeSpace &space);
+  // After the cells are built, with portals. False if that is stopped.
+  bool prepare(const FreeSpace &space, Patience &patience);
 
   // Finds a way between points of two cells of one region. Status::check if there is none, which cannot happen.
   Status find(const FreeSpace &space, uint32_t from_cell, const exact::Vector &from, uint32_t to_cell,
-              const exact::Vector &to);
+              const exact::Vector &to, Patience &patience);
   // The cells of the way from the first to the last one; no_id behind that.
   uint32_t next(uint32_t cell) const { return visits_[cell].next; }
   // Where a cell is entered.

@@ -12,16 +12,16 @@ void PathFinder::carve(Workspace &workspace, const PathLimits &limits) {
   points_ = FixedVector<exact::Vector>(workspace.take<exact::Vector>(limits.points));
 }
 
-Status PathFinder::build(const CubeGrid &grid) {
+Status PathFinder::build(const CubeGrid &grid, Patience patience) {
   points_.clear();
   needed_points_ = 0;
-  const Status status = builder_.build(grid);
-  if (status == Status::ok) search_.prepare(builder_.structure());
-  return status;
+  const Status status = builder_.build(grid, patience);
+  if (status != Status::ok) return status;
+  return search_.prepare(builder_.structure(), patience) ? Status::ok : Status::stopped;
 }
 
-Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const exact::Vector &to,
-                        PathSummary &summary) {
+Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const exact::Vector &to, PathSummary &summary,
+                        Patience patience) {
   const FreeSpace &space = builder_.structure();
   points_.clear();
   needed_points_ = 0;
@@ -30,11 +30,12 @@ Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const e
   if (first == no_id || last == no_id) return Status::ok;
   summary.ends = PathEnds::apart;
   if (space.cell(first).region != space.cell(last).region) return Status::ok;
-  if (const Status status = search_.find(space, first, from, last, to); status != Status::ok) return status;
+  if (const Status status = search_.find(space, first, from, last, to, patience); status != Status::ok) return status;
 
   points_.push(from);
   exact::Vector here = from;
   for (uint32_t cell = first; cell != no_id; cell = search_.next(cell)) {
+    if (!patience.allows(10000)) return stop();
     const uint32_t next = search_.next(cell);
     const exact::Vector there = next == no_id ? to : search_.entry(next);
     crossing_.add(balls, space, cell, here, there, points_);
@@ -48,7 +49,8 @@ Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const e
   }
   // A second time from the other end: shortcuts begin elsewhere.
   for (uint32_t time = 0; time < 2; ++time) {
-    shorten(balls);
+    shorten(balls, patience);
+    if (!patience.allows(0)) return stop();
     for (uint32_t a = 0, b = points_.size() - 1; a < b; ++a, --b) {
       const exact::Vector point = points_[a];
       points_[a] = points_[b];
@@ -57,6 +59,7 @@ Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const e
   }
   summary = {PathEnds::connected, true, 0.0, segment_clearance(balls, from, from)};
   for (uint32_t k = 1; k < points_.size(); ++k) {
+    if (!patience.allows(20000 + 100 * uint64_t{balls.n})) return stop();
     const exact::Vector &a = points_[k - 1], &b = points_[k];
     summary.certified = summary.certified && is_free_segment(balls, space, a, b);
     summary.length += distance(a, b);
@@ -66,12 +69,19 @@ Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const e
   return Status::ok;
 }
 
+Status PathFinder::stop() {
+  points_.clear();
+  return Status::stopped;
+}
+
 // From each point on to one as late as can be found by doubling steps and then halving them.
-void PathFinder::shorten(const BallSet &balls) {
+void PathFinder::shorten(const BallSet &balls, Patience &patience) {
   const FreeSpace &space = builder_.structure();
   const uint32_t last = points_.size() - 1;
   uint32_t kept = 0;
-  const auto is_free = [&](uint32_t to) { return is_free_segment(balls, space, points_[kept], points_[to]); };
+  const auto is_free = [&](uint32_t to) {
+    return patience.allows(10000) && is_free_segment(balls, space, points_[kept], points_[to]);
+  };
   for (uint32_t at = 0; at < last;) {
     uint32_t reached = at + 1, beyond = last + 1;
     if (is_free(last)) {

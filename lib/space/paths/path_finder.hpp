@@ -41,10 +41,11 @@ class PathFinder {
  public:
   void carve(Workspace &workspace, const PathLimits &limits);
   // As FreeSpaceBuilder::build.
-  Status build(const CubeGrid &grid);
+  Status build(const CubeGrid &grid, Patience patience = Patience());
   // Status::capacity: needed_points() would have sufficed. Status::check would mean that cells disagree, and cannot
-  // happen.
-  Status find(const BallSet &balls, const exact::Vector &from, const exact::Vector &to, PathSummary &summary);
+  // happen. Status::stopped if more is not allowed.
+  Status find(const BallSet &balls, const exact::Vector &from, const exact::Vector &to, PathSummary &summary,
+              Patience patience = Patience());
 
   void forget_path() { points_.clear(); }
 
@@ -60,7 +61,8 @@ class PathFinder {
   const FreeSpaceBuilder &cells() const { return builder_; }
 
  private:
-  void shorten(const BallSet &balls);
+  Status stop();
+  void shorten(const BallSet &balls, Patience &patience);
 
   FreeSpaceBuilder builder_;
   CellSearch search_;

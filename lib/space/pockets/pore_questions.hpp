@@ -29,30 +29,37 @@ class PoreQuestions {
     tunnel_.carve(workspace, limits.pores.maxima, limits.pores.gates, limits.points);
   }
   // As PoresBuilder::build. There is nothing where the largest ball has no radius left.
-  Status build(const CubeGrid &grid, int64_t floor) { return build(grid, grid.balls().largest_radius, floor); }
+  Status build(const CubeGrid &grid, int64_t floor, Patience patience = Patience()) {
+    return build(grid, grid.balls().largest_radius, floor, patience);
+  }
   // In a periodic box.
-  Status build(const PeriodicImages &images, int64_t floor) { return build(images, images.largest_radius(), floor); }
+  Status build(const PeriodicImages &images, int64_t floor, Patience patience = Patience()) {
+    return build(images, images.largest_radius(), floor, patience);
+  }
   // As TunnelFinder::find, of the balls that pores were built of.
-  Status find_tunnel(const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary) {
-    return tunnel_.find(builder_, balls, ends, summary);
+  Status find_tunnel(const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary,
+                     Patience patience = Patience()) {
+    return tunnel_.find(builder_, balls, ends, summary, patience);
   }
   // As PocketFinder::find.
   void find_pockets(double narrow, double wide) { pockets_.find(builder_, narrow, wide); }
   // As RegionFinder::find, of the balls that pores were built of.
   Status find_regions(const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic,
-                      uint32_t first_plug = no_id) {
-    return regions_.find(builder_, balls, boundary, periodic, floor_, first_plug);
+                      uint32_t first_plug = no_id, Patience patience = Patience()) {
+    return regions_.find(builder_, balls, boundary, periodic, floor_, first_plug, patience);
   }
   // As PocketFinder::match, with the regions that `plugged` has found. point_of(maximum, point) is where it is on the
   // lattice of these, around which `balls` are. Status::range: that is too far away. Unless these are the same pores,
-  // their mouths become leaks.
+  // their mouths become leaks. Status::stopped: more is not allowed.
   template <class PointOf>
-  Status match_pockets(PoreQuestions &plugged, const BallsAround &balls, PointOf point_of) {
+  Status match_pockets(PoreQuestions &plugged, const BallsAround &balls, PointOf point_of,
+                       Patience patience = Patience()) {
     const bool others = this != &plugged;
     if (others) plugged.pockets_.begin_leaks(plugged.builder_);
     const auto region_at = [&](uint32_t maximum, uint32_t &region) {
       exact::Vector point;
       PoreLocation location;
+      if (!patience.allows(50000)) return Status::stopped;
       Status status = point_of(maximum, point);
       if (status == Status::ok) status = locate(plugged.builder_, balls, point, plugged.floor_, location);
       const bool is_free = status == Status::ok && location.maximum != no_id && location.level > 0.0;
@@ -91,13 +98,13 @@ class PoreQuestions {
 
  private:
   template <class Balls>
-  Status build(const Balls &balls, int64_t largest_radius, int64_t floor) {
+  Status build(const Balls &balls, int64_t largest_radius, int64_t floor, Patience patience) {
     pockets_.forget();
     regions_.forget();
     tunnel_.forget();
     floor_ = floor;
     const int64_t lowest = -largest_radius - 1;
-    return builder_.build(balls, floor < lowest ? lowest : floor);
+    return builder_.build(balls, floor < lowest ? lowest : floor, patience);
   }
 
   PoresBuilder builder_;

@@ -62,7 +62,7 @@ void RegionFinder::carve(Workspace &workspace, const PoreLimits &limits) {
 }
 
 Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary,
-                          const PeriodicUnion *periodic, int64_t floor, uint32_t first_plug) {
+                          const PeriodicUnion *periodic, int64_t floor, uint32_t first_plug, Patience patience) {
   regions_.clear();
   if (boundary.shell_count() > region_of_shell_.size()) return Status::check;
   has_outside_ = periodic == nullptr || balls.are_none();
@@ -76,21 +76,18 @@ Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const B
   }
   const uint32_t first = has_outside_ ? 0 : 1;
   for (uint32_t node = 1; node < joined.size(); ++node) ++regions_[joined.component(node) - first].maxima;
-  const Status status = find_shells(pores, balls, boundary, floor);
-  if (status != Status::ok) {
-    regions_.clear();
-    return status;
+  Status status = find_shells(pores, balls, boundary, floor, patience);
+  if (status == Status::ok) {
+    const bool all = periodic != nullptr ? measure_in_box(*periodic, first_plug, patience)
+                                         : measure(balls.set(), boundary, first_plug, patience);
+    if (!all) status = Status::stopped;
   }
-  if (periodic != nullptr) {
-    measure_in_box(*periodic, first_plug);
-  } else {
-    measure(balls.set(), boundary, first_plug);
-  }
-  return Status::ok;
+  if (status != Status::ok) regions_.clear();
+  return status;
 }
 
 Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary,
-                                 int64_t floor) {
+                                 int64_t floor, Patience &patience) {
   for (uint32_t &region : region_of_shell_) region = no_id;
   uint32_t left = boundary.shell_count();
   Status status = Status::ok;
@@ -100,6 +97,10 @@ Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &b
     PoreLocation location{};
     location.maximum = no_id;
     const bool found = visit_points(balls, boundary, face, [&](const Position &position) {
+      if (!patience.allows(20000)) {
+        status = Status::stopped;
+        return true;
+      }
       const exact::Vector start = rounded(balls.set(), position);
       Ascent way(balls, start);
       const bool certain = way.is_outside() ||
@@ -118,10 +119,12 @@ Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &b
   return left == 0 ? Status::ok : Status::range;
 }
 
-void RegionFinder::measure_in_box(const PeriodicUnion &periodic, uint32_t first_plug) {
+bool RegionFinder::measure_in_box(const PeriodicUnion &periodic, uint32_t first_plug, Patience &patience) {
   const Boundary &boundary = periodic.boundary();
   const SurfaceVolume surface(periodic);
   for (uint32_t face = 0; face < boundary.face_count(); ++face) {
+    const uint64_t half_edges = boundary.half_edges(boundary.face(face).ball).size();
+    if (!patience.allows(2000 + 200 * half_edges)) return false;
     PoreRegion &region = regions_[region_of_shell_[boundary.face(face).shell]];
     const BallMeasure term = surface.measure(face, region.origin);
     region.area += term.area;
@@ -139,11 +142,13 @@ void RegionFinder::measure_in_box(const PeriodicUnion &periodic, uint32_t first_
       for (const int64_t k : {0, 1, 2}) static_cast<void>(region.lattice.add({k == 0, k == 1, k == 2}));
     }
   }
+  return true;
 }
 
-void RegionFinder::measure(const BallSet &balls, const Boundary &boundary, uint32_t first_plug) {
+bool RegionFinder::measure(const BallSet &balls, const Boundary &boundary, uint32_t first_plug, Patience &patience) {
   for (uint32_t face = 0; face < boundary.face_count(); ++face) {
     const uint32_t ball = boundary.face(face).ball;
+    if (!patience.allows(2000 + 200 * uint64_t{boundary.half_edges(ball).size()})) return false;
     PoreRegion &region = regions_[region_of_shell_[boundary.face(face).shell]];
     const double r = balls.r[ball];
     FreeSurface surface(boundary, r);
@@ -159,6 +164,7 @@ void RegionFinder::measure(const BallSet &balls, const Boundary &boundary, uint3
                     : region.volume > 0.0          ? region.volume
                                                    : 0.0;
   }
+  return true;
 }
 
 }  // namespace hsp

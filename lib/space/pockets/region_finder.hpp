@@ -35,8 +35,9 @@ class RegionFinder {
   // pores: all above a floor of 0 or less. periodic: null without a box. first_plug: the caller's balls are plugs from
   // that one on. pores.joined() becomes that of the level 0.
   // Status::range: of a shell no point is known to lead anywhere, or as locate(). Status::check cannot happen.
+  // Status::stopped: more is not allowed.
   Status find(PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic,
-              int64_t floor, uint32_t first_plug);
+              int64_t floor, uint32_t first_plug, Patience patience = Patience());
   // The region of a maximum of the same pores, or of the outside, while pores.joined() is as it was; no_id if it is in
   // none.
   uint32_t region_of(const PoresBuilder &pores, uint32_t maximum) const {
@@ -57,9 +58,11 @@ class RegionFinder {
   Span<const PoreRegion> regions() const { return regions_.items(); }
 
  private:
-  Status find_shells(const PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary, int64_t floor);
-  void measure_in_box(const PeriodicUnion &periodic, uint32_t first_plug);
-  void measure(const BallSet &balls, const Boundary &boundary, uint32_t first_plug);
+  Status find_shells(const PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary, int64_t floor,
+                     Patience &patience);
+  // False if they are stopped.
+  bool measure_in_box(const PeriodicUnion &periodic, uint32_t first_plug, Patience &patience);
+  bool measure(const BallSet &balls, const Boundary &boundary, uint32_t first_plug, Patience &patience);
 
   FixedVector<PoreRegion> regions_;
   Span<uint32_t> region_of_shell_;

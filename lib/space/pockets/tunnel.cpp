@@ -71,7 +71,7 @@ double TunnelFinder::cost_of_half(const PoresBuilder &pores, uint32_t gate, uint
 
 // Grows the tree until `to` is in it, or until a step closes it; `to` is no_id then.
 bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uint32_t from, uint32_t to,
-                          Step &closing) {
+                          Patience &patience, Step &closing) {
   const uint32_t nodes = pores.maxima().size() + 1;
   for (uint32_t k = 0; k < nodes; ++k) nodes_[k].slot = no_id;
   list_steps(pores);
@@ -101,6 +101,7 @@ bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uin
   Rank best{0, 0.0, no_id};  // of the step that closes
   nodes_[from] = {0.0, {no_id}, in_tree, {}};
   while (node != to) {
+    if (!patience.allows(2000)) return false;
     for (uint32_t k = first_[node]; k < first_[node + 1]; ++k) {
       const Step step = steps_[k];
       const PoreGate &gate = pores.gates()[step.gate()];
@@ -215,7 +216,7 @@ void TunnelFinder::leave_out_near_points() {
 // From a point, moved by a copy's translation, to near its maximum, or outside. A step is a straight line, of which
 // there are points between where it is long beside how far the centres of the balls are that are nearest along it.
 Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &start, const Vec3 &by,
-                                const BoxShift &copy) {
+                                const BoxShift &copy, Patience &patience) {
   constexpr double apart = 1.0 / 12.0;
   constexpr uint32_t most_parts = 256;
   const auto reach_of = [&](const Ascent &at) {
@@ -232,6 +233,7 @@ Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &s
   for (;;) {
     const Vec3 before = way.offset();
     double reach = reach_of(way);
+    if (!patience.allows(50000)) return Status::stopped;
     if (!way.step()) break;
     const Vec3 step = way.offset() - before;
     const double length = std::sqrt(dot(step, step));
@@ -240,7 +242,7 @@ Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &s
     for (uint32_t parts = 1; parts < most_parts && length > parts * apart * reach;) {
       while (parts < most_parts && length > parts * apart * reach) ++parts;
       points_.set_count(first);
-      for (uint32_t k = 1; k < parts; ++k) {
+      for (uint32_t k = 1; k < parts && patience.allows(10000); ++k) {
         const Vec3 off = before + (k / static_cast<double>(parts)) * step;
         const exact::Vector at{start.x + nearest(off.x), start.y + nearest(off.y), start.z + nearest(off.z)};
         const Ascent between(balls, at);
@@ -275,15 +277,17 @@ Status TunnelFinder::add_way(PoresBuilder &pores, uint32_t gate, uint32_t end, c
   return Status::ok;
 }
 
-Status TunnelFinder::follow_route(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends) {
+Status TunnelFinder::follow_route(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends,
+                                  Patience &patience) {
   const PoreLocation &start = summary_.ends[0], &end = summary_.ends[1];
   bool at_maximum = start.maximum != pore_outside;
   BoxShift copy = start.maximum_shift;
-  Status status = add_way_up(balls, ends.from, {0.0, 0.0, 0.0}, {});
+  Status status = add_way_up(balls, ends.from, {0.0, 0.0, 0.0}, {}, patience);
   if (at_maximum) add_point(pores, pores.maxima()[start.maximum].point, copy, no_id, start.maximum);
   for (uint32_t k = 0; k < route_count_ && status == Status::ok; ++k) {
     const uint32_t passed = route_[k].gate(), side = route_[k].end();
     const PoreGate &gate = pores.gates()[passed];
+    if (!patience.allows(200000 + 50 * uint64_t{pores.outer_balls()})) return Status::stopped;
     if (summary_.gate == no_id || passed > summary_.gate) summary_.gate = passed;
     summary_.cost += cost_of_half(pores, passed, 0, false) + cost_of_half(pores, passed, 1, false);
     copy = copy - gate.end_shift[side].shift();
@@ -304,13 +308,13 @@ Status TunnelFinder::follow_route(PoresBuilder &pores, const BallsAround &balls,
   const exact::Vector *const last = to_copy ? &ends.from : ends.to;
   if (status != Status::ok || last == nullptr) return status;
   const uint64_t first = points_.required();
-  status = add_way_up(balls, *last, translation(pores, summary_.shift), summary_.shift);
+  status = add_way_up(balls, *last, translation(pores, summary_.shift), summary_.shift, patience);
   reverse(first);
   return status;
 }
 
-Status TunnelFinder::find(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends,
-                          TunnelSummary &summary) {
+Status TunnelFinder::find(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary,
+                          Patience patience) {
   forget();
   route_count_ = 0;
   too_far_ = false;
@@ -326,15 +330,17 @@ Status TunnelFinder::find(PoresBuilder &pores, const BallsAround &balls, const T
   Step closing{};
   if (status == Status::ok && start.maximum != no_id && end.maximum != no_id) {
     const uint32_t from = node_of(start.maximum), to = to_copy ? no_id : node_of(end.maximum);
-    found.there = search(pores, ends, from, to, closing);
+    found.there = search(pores, ends, from, to, patience, closing);
     if (found.there && to_copy) close_route(pores, from, closing);
     if (found.there && !to_copy) take_route(pores, from, to);
   }
   if (!found.there && too_far_) status = Status::range;
-  if (found.there) {
+  if (!patience.allows(0)) status = Status::stopped;
+
+  if (found.there && status == Status::ok) {
     found.gates = route_count_;
     found.outside = start.maximum == pore_outside;
-    status = follow_route(pores, balls, ends);
+    status = follow_route(pores, balls, ends, patience);
     needed_ = clamped_count(points_.required());
     if (status == Status::ok && points_.overflowed()) status = Status::capacity;
     if (status == Status::ok) leave_out_near_points();

@@ -53,8 +53,9 @@ class TunnelFinder {
   // Points of a way that are nearer to the one before than nearness of its level are left out, but for gates, maxima
   // and ends; an end that is a maximum or gate, but for rounding, is that, at its own position.
   // Status::capacity: there is no room for so many points; needed_points() would have sufficed. Status::range: so many
-  // boxes away that there are no positions there.
-  Status find(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary);
+  // boxes away that there are no positions there. Status::stopped: more is not allowed.
+  Status find(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary,
+              Patience patience = Patience());
   void forget() {
     points_.clear();
     needed_ = 0;
@@ -86,12 +87,14 @@ class TunnelFinder {
   static constexpr uint32_t in_tree = no_id - 1;
   void list_steps(const PoresBuilder &pores);
   double cost_of_half(const PoresBuilder &pores, uint32_t gate, uint32_t end, bool by_length) const;
-  bool search(const PoresBuilder &pores, const TunnelEnds &ends, uint32_t from, uint32_t to, Step &closing);
+  bool search(const PoresBuilder &pores, const TunnelEnds &ends, uint32_t from, uint32_t to, Patience &patience,
+              Step &closing);
   void take_route(const PoresBuilder &pores, uint32_t from, uint32_t to);
   void close_route(const PoresBuilder &pores, uint32_t from, Step closing);
-  Status add_way_up(const BallsAround &balls, const exact::Vector &start, const Vec3 &by, const BoxShift &copy);
+  Status add_way_up(const BallsAround &balls, const exact::Vector &start, const Vec3 &by, const BoxShift &copy,
+                    Patience &patience);
   Status add_way(PoresBuilder &pores, uint32_t gate, uint32_t end, const BoxShift &copy);
-  Status follow_route(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends);
+  Status follow_route(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends, Patience &patience);
   void reverse(uint64_t first);
   void leave_out_near_points();
   void add_point(const PoresBuilder &pores, const CriticalPoint &point, const BoxShift &copy, uint32_t gate,

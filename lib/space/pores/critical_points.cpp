@@ -62,7 +62,8 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   fine_cubes_ = workspace.take<FineCube>(most_fine_cubes);
 }
 
-Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
+Status CriticalPoints::find(PoreBalls &balls, int64_t floor, Patience patience) {
+  patience_ = patience;
   all_ = &balls;
   balls_ = &balls.set();
   floor_ = floor;
@@ -149,6 +150,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
       --depth;
       continue;
     }
+    if (!patience_.allows(500 + 20 * uint64_t{cube.last - cube.first})) return Status::stopped;
     if (cube.next_part == 0) halve(cube);
     const uint32_t part = cube.next_part++;
     const int64_t step = cube.half / 2;
@@ -171,15 +173,18 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     const Span<const uint32_t> near = candidates_.part(child.first, child.last);
     if (near.size() <= most_tried_whole || child.half <= least_half) {
       const Block own{child.centre, static_cast<double>(child.half + 1)};
+      if (!patience_.allows(3000 + 500 * uint64_t{near.size()})) return Status::stopped;
       try_leaf(near, own, own, PointKind::passing, child.last);
       if (needed_.near > limits_.near || needed_.candidates > limits_.candidates) return Status::capacity;
       continue;
     }
     // Ties do not become fewer.
     if (9 * near.size() >= 8 * (cube.last - cube.first)) search_ties(child);
+    if (!patience_.allows(0)) return Status::stopped;
     if (needed_.near > limits_.near || needed_.candidates > limits_.candidates) return Status::capacity;
     if (!is_searched(child)) ++depth;
   }
+  if (!patience_.allows(0)) return Status::stopped;
   needed_.maxima = clamped_count(maxima_.required());
   needed_.gates = clamped_count(gates_.required());
   needed_.tied = clamped_count(tied_.required());

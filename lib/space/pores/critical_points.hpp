@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/patience.hpp"
 #include "lanes/target.hpp"
 #include "pores/cube_directions.hpp"
 #include "pores/name_table.hpp"
@@ -48,7 +49,8 @@ class CriticalPoints {
   void carve(Workspace &workspace, const CriticalLimits &limits);
   // Of balls none of which lies inside another one; points have their numbers there. Status::capacity: a limit is too
   // small, needed() tells what suffices as far as it is known. Status::range: an image is too many boxes away.
-  Status find(PoreBalls &balls, int64_t floor);
+  // Status::stopped: more is not allowed.
+  Status find(PoreBalls &balls, int64_t floor, Patience patience);
 
   // Unsorted records with only `point` set, and `translation` of gates.
   FixedVector<PoreMaximum> &maxima() { return maxima_; }
@@ -158,6 +160,7 @@ class CriticalPoints {
   CriticalLimits limits_, needed_;
   Work work_;
   bool beyond_reach_ = false;
+  Patience patience_;
 };
 
 // Of candidates of a cube leaves those that may be nearest in it at a critical point, and returns how many. No more

@@ -57,6 +57,7 @@ void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, c
     child.last = enter(child, cube, own);
     if (needed_.candidates > limits_.candidates) return;
     const Span<const uint32_t> here = candidates_.part(child.first, child.last);
+    if (!patience_.allows(5000)) return;
     if (here.empty()) continue;
     // Of balls that all tie at one point none becomes farther.
     const bool least = child.half <= least_fine, stay = here.size() == cube.last - cube.first;
@@ -223,8 +224,10 @@ void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32
       const Vec3 across = cross(hull_[i], hull_[j]);
       const auto is_flat = [&](uint32_t k) { return std::fabs(dot(across, hull_[k])) <= flat; };
       const bool apart = dot(across, across) > flat * flat;
+      if (!patience_.allows(50 * uint64_t{n})) return;
       for (uint32_t k = j + 1; k < n; ++k) {
         if (!is_flat(k)) continue;
+        if (!patience_.allows(2000 + 20 * uint64_t{n})) return;
         const Vec3 to_first = cross(hull_[i], hull_[k]), to_second = cross(hull_[j], hull_[k]);
         const bool wide = apart || dot(to_first, to_first) > flat * flat || dot(to_second, to_second) > flat * flat;
         // Where they span another one, 0 is a mean of their directions up to `flat`. Opposite products of two with the
@@ -295,6 +298,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
       if (!tie(i, j)) continue;
       for (uint32_t k = j + 1; k < n; ++k) {
         if (!tie(i, k) || !tie(j, k)) continue;
+        if (!patience_.allows(200 * uint64_t{n})) return;
         const CubeDirections::Face &own = directed ? face(i, j, k, 3) : made[3];
         const uint32_t three[4] = {near[i], near[j], near[k], no_id};
         if (!directed || !directions.is_outside(own, i, j, k)) {

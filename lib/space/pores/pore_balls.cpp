@@ -26,7 +26,7 @@ void PoreBalls::carve(Workspace &workspace, uint32_t balls, uint32_t near) {
   near_ = workspace.take<uint32_t>(near);
 }
 
-Status PoreBalls::take(const CubeGrid &grid) {
+Status PoreBalls::take(const CubeGrid &grid, Patience &patience) {
   const BallSet &all = grid.balls();
   box_ = nullptr;
   translation_count_ = 1;
@@ -36,10 +36,10 @@ Status PoreBalls::take(const CubeGrid &grid) {
   for (uint32_t i = 0; i < all.n; ++i) set_.store(all.caller[i], all.ball(i));
   set_.largest_radius = all.largest_radius;
   set_.n = all.n;
-  return keep_outer();
+  return keep_outer(patience);
 }
 
-Status PoreBalls::take(const PeriodicImages &images) {
+Status PoreBalls::take(const PeriodicImages &images, Patience &patience) {
   box_ = &images.box();
   needed_near_ = own_ = set_.n = 0;
   needed_balls_ = images.balls();
@@ -52,7 +52,7 @@ Status PoreBalls::take(const PeriodicImages &images) {
   const double diagonal = std::sqrt(a * a + b * b + c * c);
   longest_reach_ = static_cast<int64_t>(0.75 * diagonal) + 64;
   if (diagonal > 200.0 * static_cast<double>(box_->shortest_side())) return Status::range;
-  const Status status = keep_outer();
+  const Status status = keep_outer(patience);
   if (status == Status::ok) find_translations();
   return status;
 }
@@ -133,17 +133,19 @@ PoreBalls::Image PoreBalls::moved_image(uint32_t own_ball, const BoxShift &shift
 // given: in a box that of positions, which ball_at() searches; else grid order, in which neighbours are not far apart.
 // By positions, and of one centre the largest first, many are inside the ball before, or inside what that was found in.
 // A ball that meets one inside another one meets that, too: those that stay have the most neighbours.
-Status PoreBalls::keep_outer() {
+Status PoreBalls::keep_outer(Patience &patience) {
   grid_.build(set_, set_.n);
   const Span<uint32_t> order = callers_.part(0, set_.n);
   for (uint32_t i = 0; i < set_.n; ++i) order[i] = i;
   sort_in_place(order, [&](uint32_t a, uint32_t b) {
+    if (!patience.allows(50)) return false;
     const bool one_centre = set_.x[a] == set_.x[b] && set_.y[a] == set_.y[b] && set_.z[a] == set_.z[b];
     return one_centre && set_.r[a] != set_.r[b] ? set_.r[a] > set_.r[b] : set_.ranks_before(a, b);
   });
   const Span<uint32_t> is_hidden = ball_of_.part(0, set_.n);  // images come later
   exact::LatticeBall around{};
   for (uint32_t k = 0; k < set_.n; ++k) {
+    if (!patience.allows(2000)) return Status::stopped;
     const uint32_t i = order[k];
     const exact::LatticeBall ball = set_.ball(i);
     is_hidden[i] = k > 0 && is_inside(ball, around) ? 1 : 0;
@@ -164,7 +166,8 @@ Status PoreBalls::keep_outer() {
     if (is_hidden[i] == 0) callers_[count++] = i;
   }
   if (box_ != nullptr) {
-    sort_in_place(callers_.part(0, count), [&](uint32_t a, uint32_t b) { return set_.ranks_before(a, b); });
+    sort_in_place(callers_.part(0, count),
+                  [&](uint32_t a, uint32_t b) { return patience.allows(50) && set_.ranks_before(a, b); });
   }
   // The grid has all balls, too.
   for (uint32_t k = 0; k < count; ++k) {
@@ -174,7 +177,7 @@ Status PoreBalls::keep_outer() {
   }
   own_ = set_.n = count;
   grid_.build(set_, count);
-  return Status::ok;
+  return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
 Status PoreBalls::surround(int64_t reach) {

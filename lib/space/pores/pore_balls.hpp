@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/patience.hpp"
 #include "model/queries.hpp"
 #include "periodic/periodic_images.hpp"
 #include "pores/pores.hpp"
@@ -16,8 +17,8 @@ class PoreBalls {
 
   // Status::capacity: needed_balls() or needed_near() is more than there is room for. Status::range: a box that is more
   // than a hundred times longer than wide.
-  Status take(const CubeGrid &grid);
-  Status take(const PeriodicImages &images);
+  Status take(const CubeGrid &grid, Patience &patience);
+  Status take(const PeriodicImages &images, Patience &patience);
   // Puts all images behind the balls whose centres are within `reach` of the box.
   Status surround(int64_t reach);
 
@@ -77,7 +78,7 @@ class PoreBalls {
     for (uint32_t k = 0; k < result.hits; ++k) sink(near_[k], shift);
     return true;
   }
-  Status keep_outer();
+  Status keep_outer(Patience &patience);
   uint32_t ball_at(const exact::Vector &position) const;
   void find_translations();
   bool note_translation(const exact::Vector &by, uint64_t &left);

@@ -36,22 +36,22 @@ void PoresBuilder::begin(uint32_t balls) {
   passages_ = {};
 }
 
-Status PoresBuilder::build(const CubeGrid &grid, int64_t floor) {
+Status PoresBuilder::build(const CubeGrid &grid, int64_t floor, Patience patience) {
   begin(grid.balls().n);
-  const Status status = balls_.take(grid);
+  const Status status = balls_.take(grid, patience);
   needed_.near = balls_.needed_near();
-  return status == Status::ok ? build_from(floor) : status;
+  return status == Status::ok ? build_from(floor, patience) : status;
 }
 
-Status PoresBuilder::build(const PeriodicImages &images, int64_t floor) {
+Status PoresBuilder::build(const PeriodicImages &images, int64_t floor, Patience patience) {
   begin(images.balls());
-  const Status status = balls_.take(images);
+  const Status status = balls_.take(images, patience);
   needed_.near = balls_.needed_near();
-  return status == Status::ok ? build_from(floor) : status;
+  return status == Status::ok ? build_from(floor, patience) : status;
 }
 
-Status PoresBuilder::build_from(int64_t floor) {
-  Status status = critical_.find(balls_, floor);
+Status PoresBuilder::build_from(int64_t floor, Patience &patience) {
+  Status status = critical_.find(balls_, floor, patience);
   const CriticalLimits &needed = critical_.needed();
   needed_.balls = larger_count(needed_.balls, larger_count(balls_.needed_balls(), needed.balls));
   needed_.maxima = needed.maxima;
@@ -60,8 +60,9 @@ Status PoresBuilder::build_from(int64_t floor) {
   needed_.candidates = needed.candidates;
   needed_.near = larger_count(needed_.near, needed.near);
   if (status != Status::ok) return status;
-  status = climb_from_gates();
-  if (status == Status::ok) sort_points();
+  status = climb_from_gates(patience);
+  if (status == Status::ok) sort_points(patience);
+  if (status == Status::ok && !patience.allows(0)) status = Status::stopped;
   if (status == Status::ok) status = balls_.box() != nullptr ? merge_in_box() : merge();
   if (status != Status::ok) {
     maximum_count_ = gate_count_ = 0;
@@ -153,8 +154,8 @@ bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
   return false;
 }
 
-void PoresBuilder::sort_points() {
-  const auto higher = [&](const auto &a, const auto &b) { return is_higher(a.point, b.point); };
+void PoresBuilder::sort_points(Patience &patience) {
+  const auto higher = [&](const auto &a, const auto &b) { return patience.allows(200) && is_higher(a.point, b.point); };
   compared_.reset(balls_);
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = k;
   sort_by_level(critical_.maxima().items(), critical_.scratch(), higher);
@@ -167,7 +168,7 @@ void PoresBuilder::sort_points() {
 }
 
 // In the order in which gates are found, which is that of positions: what is near one is near the next one.
-Status PoresBuilder::climb_from_gates() {
+Status PoresBuilder::climb_from_gates(Patience &patience) {
   tied_shifts_ = critical_.tied_shifts().items();
   maximum_count_ = critical_.maxima().size();
   gate_count_ = critical_.gates().size();
@@ -181,6 +182,7 @@ Status PoresBuilder::climb_from_gates() {
     if (moved == 0) first = k;
     for (const uint32_t side : {0U, 1U}) {
       if (moved == 0) {
+        if (!patience.allows(10000)) return Status::stopped;
         const Status status = ways_.climb(gate.point, tied(gate.point), tied_shifts(gate.point), side == 1, end[side]);
         needed_.near = larger_count(needed_.near, ways_.needed_near());
         if (status != Status::ok) return status;

@@ -40,9 +40,10 @@ class PoresBuilder {
 
   // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits().
   // Status::range: a way up leads to probes of 2^50 steps. Status::check cannot happen.
-  Status build(const CubeGrid &grid, int64_t floor);
+  // Status::stopped: more is not allowed.
+  Status build(const CubeGrid &grid, int64_t floor, Patience patience = Patience());
   // The same in a periodic box. Status::range also if it is more than a hundred times longer than wide.
-  Status build(const PeriodicImages &images, int64_t floor);
+  Status build(const PeriodicImages &images, int64_t floor, Patience patience = Patience());
 
   // In descending order of levels; equal ones by their first balls, in the order of positions (exact/rank.hpp).
   Span<const PoreMaximum> maxima() const { return maxima_.part(0, maximum_count_); }
@@ -88,10 +89,10 @@ class PoresBuilder {
 
  private:
   void begin(uint32_t balls);
-  Status build_from(int64_t floor);
+  Status build_from(int64_t floor, Patience &patience);
   bool is_higher(const CriticalPoint &a, const CriticalPoint &b);
-  void sort_points();
-  Status climb_from_gates();
+  void sort_points(Patience &patience);
+  Status climb_from_gates(Patience &patience);
   WayUp::End moved_end(const WayUp::End &end, uint32_t gates_ball, uint32_t translation);
   Status merge();
   Status merge_in_box();

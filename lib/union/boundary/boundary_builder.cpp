@@ -125,7 +125,7 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
     case joining:
       if (shares_shells() && whole_) {
         SharedDisjointSets shells(scratch_.part(0, a.face_count));
-        join_faces(boundary_, own.placed_vertices, own.placed_circles, shells);
+        join_faces(boundary_, own.placed_vertices, own.placed_circles, own.patience(), shells);
       }
       break;
     default:
@@ -135,8 +135,10 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
       }
       // Neither knows of the other.
       if (worker == 0 && shares_shells()) number_shells(DisjointSets(scratch_.part(0, a.face_count)), a);
-      if (worker == 0 && !shares_shells()) find_shells(boundary_, a, scratch_);
-      if (worker == count_ - 1) number_components(*grid_, a);
+      if (worker == 0 && !shares_shells()) find_shells(boundary_, a, scratch_, own.patience());
+      if (worker < count_ - 1 || !own.patience().allows(50 * uint64_t{a.balls})) return;
+      find_component_origins(grid_->balls(), a);
+      if (own.patience().allows(50 * uint64_t{a.balls})) number_components(*grid_, a);
   }
 }
 
@@ -157,7 +159,9 @@ void BoundaryBuilder::place(uint32_t worker) {
   }
   own.placed_vertices = {first_vertex, first_vertex + own.vertices().size()};
   own.placed_circles = {first_circle, first_circle + own.circles().size()};
-  BoundaryWorker::find_root_discriminants(grid_->balls(), first_vertex, own.placed_vertices.last, a);
+  in_parts(own.patience(), own.placed_vertices, 100, [&](IdRange vertices) {
+    BoundaryWorker::find_root_discriminants(grid_->balls(), vertices.first, vertices.last, a);
+  });
 }
 
 // The sets of worker 0 are those of all. They do not know the balls behind its share and those around it.
@@ -178,13 +182,13 @@ void BoundaryBuilder::leave_out_components() {
 
 void BoundaryBuilder::distribute(uint32_t worker) {
   BoundaryArrays &a = arrays();
-  const BoundaryWorker &own = workers_[worker];
+  BoundaryWorker &own = workers_[worker];
   HalfEdgeCounts before;
   for (const BoundaryWorker &earlier : workers_.part(0, worker)) {
     before.half_edges += earlier.counts.half_edges;
     before.closed += earlier.counts.closed;
   }
-  distribute_half_edges(own.touching, before, a);
+  distribute_half_edges(own.touching, before, own.patience(), a);
   if (worker + 1 < count_) return;
   a.first[a.balls].half_edge = before.half_edges + own.counts.half_edges;
   a.first[a.balls].closed_half_edge = before.closed + own.counts.closed;

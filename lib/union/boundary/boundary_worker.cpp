@@ -281,7 +281,7 @@ void BoundaryWorker::count(BoundaryArrays &a) {
   touching.balls = share_.balls;
   touching.vertices = {first_met(a.vertices, placed_vertices), placed_vertices.last};
   touching.circles = {first_met(a.circles, placed_circles), placed_circles.last};
-  counts = count_half_edges(touching, a);
+  counts = count_half_edges(touching, patience_, a);
 }
 
 // A loop has two half-edges at least, or is closed, and a face has a loop unless it is a whole sphere: so there is room

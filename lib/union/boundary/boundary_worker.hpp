@@ -61,6 +61,8 @@ class alignas(64) BoundaryWorker {
   void move_down(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &arrays) const;
   void renumber(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &arrays) const;
 
+  Patience &patience() { return patience_; }
+
   Caps caps;
   LaneSearch lanes;
   IdRange placed_vertices, placed_circles;  // where in the boundary

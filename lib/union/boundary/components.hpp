@@ -8,8 +8,10 @@
 
 namespace hsp {
 
-// Names the components, joined in arrays.component_origin as disjoint sets, by their balls of lowest rank, and numbers
-// them in the order of their first ball in the input.
+// Names the components, joined in arrays.component_origin as disjoint sets, by their balls of lowest rank.
+void find_component_origins(const BallSet &balls, BoundaryArrays &arrays);
+
+// Numbers them, after that, in the order of their first ball in the input.
 void number_components(const CubeGrid &grid, BoundaryArrays &arrays);
 
 }  // namespace hsp

@@ -33,23 +33,30 @@ void for_sides_on(BallRange range, const Record &record, Visit visit) {
 // A counting sort of sides of records by their balls, in two steps. After the first one first[i].*part is the end of
 // the part of ball i, counted from the range's first one, and after the second its beginning.
 template <uint32_t FirstParts::*part, class Record>
-uint32_t count_sides(Span<const Record> records, BallRange range, Span<FirstParts> first) {
+uint32_t count_sides(Span<const Record> records, BallRange range, Span<FirstParts> first, Patience &patience) {
   for (uint32_t i = range.first; i < range.last; ++i) first[i].*part = 0;
-  for (const Record &record : records) {
-    for_sides_on(range, record, [&](uint32_t side) { ++(first[record.ball[side]].*part); });
-  }
+  in_parts(patience, IdRange{0, records.size()}, 100, [&](IdRange some) {
+    for (const uint32_t id : some) {
+      const Record &record = records[id];
+      for_sides_on(range, record, [&](uint32_t side) { ++(first[record.ball[side]].*part); });
+    }
+  });
   uint32_t total = 0;
   for (uint32_t i = range.first; i < range.last; ++i) first[i].*part = total += first[i].*part;
   return total;
 }
+// In parts where it may be stopped, and not all then.
 template <uint32_t FirstParts::*part, class Record, class Put>
 void distribute_sides(Span<const Record> records, IdRange ids, BallRange range, uint32_t before, Span<FirstParts> first,
-                      Put put) {
+                      Patience &patience, Put put) {
   for (uint32_t i = range.first; i < range.last; ++i) first[i].*part += before;
-  for (uint32_t id = ids.last; id-- > ids.first;) {
-    const Record &record = records[id];
-    for_sides_on(range, record, [&](uint32_t side) { put(--(first[record.ball[side]].*part), record, id, side); });
-  }
+  // From the last one on.
+  in_parts(patience, ids, 100, [&](IdRange some) {
+    for (uint32_t id = ids.last - (some.first - ids.first), end = ids.last - (some.last - ids.first); id-- > end;) {
+      const Record &record = records[id];
+      for_sides_on(range, record, [&](uint32_t side) { put(--(first[record.ball[side]].*part), record, id, side); });
+    }
+  });
 }
 
 uint32_t arriving_circle(const HalfEdge &half_edge) {
@@ -178,28 +185,29 @@ class BallLinker {
 
 }  // namespace
 
-HalfEdgeCounts count_half_edges(const TouchingRecords &touching, BoundaryArrays &a) {
+HalfEdgeCounts count_half_edges(const TouchingRecords &touching, Patience &patience, BoundaryArrays &a) {
   const auto [range, v, c] = touching;
   const Span<const VertexRecord> vertices = a.vertices.items().part(v.first, v.last);
   const Span<const CircleRecord> circles = a.circles.items().part(c.first, c.last);
-  return {count_sides<&FirstParts::half_edge>(vertices, range, a.first),
-          count_sides<&FirstParts::closed_half_edge>(circles, range, a.first)};
+  return {count_sides<&FirstParts::half_edge>(vertices, range, a.first, patience),
+          count_sides<&FirstParts::closed_half_edge>(circles, range, a.first, patience)};
 }
 
-void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts before, BoundaryArrays &a) {
+void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts before, Patience &patience,
+                           BoundaryArrays &a) {
   // Every vertex starts a half-edge on each of its balls. On ball[0] of a positive vertex the loop arrives along the
   // circle of ball[1] and leaves along that of ball[2]; the roles rotate cyclically over the three balls, and swap for
   // a negative vertex. Until half-edges are chained, `next` is where their numbers go in half_edge_at, and `loop` is
   // the circle along which the loop arrives.
   distribute_sides<&FirstParts::half_edge, VertexRecord>(
-      a.vertices.items(), touching.vertices, touching.balls, before.half_edges, a.first,
+      a.vertices.items(), touching.vertices, touching.balls, before.half_edges, a.first, patience,
       [&a](uint32_t to, const VertexRecord &vertex, uint32_t v, uint32_t t) {
         // Which of the other two comes first cannot be predicted: an index tells, not a branch.
         const uint32_t preceding = vertex.positive() ? 1 : 2;
         a.half_edges[to] = {v, vertex.ball[(t + 3 - preceding) % 3], 3 * v + t, vertex.ball[(t + preceding) % 3]};
       });
   distribute_sides<&FirstParts::closed_half_edge, CircleRecord>(
-      a.circles.items(), touching.circles, touching.balls, before.closed, a.first,
+      a.circles.items(), touching.circles, touching.balls, before.closed, a.first, patience,
       [&a](uint32_t to, const CircleRecord &, uint32_t c, uint32_t side) {
         a.closed_half_edge[to] = ClosedHalfEdge(c, side);
       });

@@ -22,11 +22,12 @@ struct HalfEdgeCounts {
 
 // Counts half-edges. Afterwards the first half-edges of both kinds of a ball of the range are those of the next one,
 // counted from the first ball of the range.
-HalfEdgeCounts count_half_edges(const TouchingRecords &touching, BoundaryArrays &boundary);
+HalfEdgeCounts count_half_edges(const TouchingRecords &touching, Patience &patience, BoundaryArrays &boundary);
 
 // After counting: makes half-edges, not chained yet, behind so many that lie on the balls before. Afterwards the first
 // half-edges of every ball are what they should be.
-void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts before, BoundaryArrays &boundary);
+void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts before, Patience &patience,
+                           BoundaryArrays &boundary);
 
 // After distributing, also to the ball behind the range: chains half-edges to loops, numbered from `loops` on. Returns
 // the number after the last one.

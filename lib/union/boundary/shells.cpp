@@ -2,10 +2,11 @@
 
 namespace hsp {
 
-void find_shells(const Boundary &boundary, BoundaryArrays &arrays, Span<uint32_t> scratch) {
+void find_shells(const Boundary &boundary, BoundaryArrays &arrays, Span<uint32_t> scratch, Patience &patience) {
   DisjointSets shells(scratch.part(0, arrays.face_count));
   shells.reset();
-  join_faces(boundary, {0, boundary.vertex_count()}, {0, boundary.circle_count()}, shells);
+  join_faces(boundary, {0, boundary.vertex_count()}, {0, boundary.circle_count()}, patience, shells);
+  if (!patience.allows(100 * uint64_t{arrays.face_count})) return;
   number_shells(shells, arrays);
 }
 

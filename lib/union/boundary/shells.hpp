@@ -6,21 +6,24 @@
 
 #include "boundary/boundary.hpp"
 #include "core/ahead.hpp"
+#include "core/patience.hpp"
 #include "core/small_code.hpp"
 
 namespace hsp {
 
-// Joins the faces that meet at some vertices or share some circles. The sets may be shared.
+// Joins the faces that meet at some vertices or share some circles. The sets may be shared. Not all if it is stopped.
 template <class Sets>
-void join_faces(const Boundary &boundary, IdRange vertices, IdRange circles, Sets &shells) {
+void join_faces(const Boundary &boundary, IdRange vertices, IdRange circles, Patience &patience, Sets &shells) {
   // The three faces at a vertex share arcs, and every arc has a vertex.
   const bool far_apart = !small_code && boundary.vertex_count() > ahead::few_vertices;
-  for (const uint32_t v : vertices) {
-    if (far_apart && v + ahead::vertices < vertices.last) boundary.prefetch_half_edges_at(v + ahead::vertices);
-    const uint32_t first = boundary.face_of(boundary.half_edge_at(v, 0));
-    shells.join(first, boundary.face_of(boundary.half_edge_at(v, 1)));
-    shells.join(first, boundary.face_of(boundary.half_edge_at(v, 2)));
-  }
+  in_parts(patience, vertices, 100, [&](IdRange some) {
+    for (const uint32_t v : some) {
+      if (far_apart && v + ahead::vertices < vertices.last) boundary.prefetch_half_edges_at(v + ahead::vertices);
+      const uint32_t first = boundary.face_of(boundary.half_edge_at(v, 0));
+      shells.join(first, boundary.face_of(boundary.half_edge_at(v, 1)));
+      shells.join(first, boundary.face_of(boundary.half_edge_at(v, 2)));
+    }
+  });
   for (const uint32_t c : circles) {
     const CircleRecord &circle = boundary.circle(c);
     shells.join(boundary.face_of_loop(circle.loop[0]), boundary.face_of_loop(circle.loop[1]));
@@ -28,7 +31,7 @@ void join_faces(const Boundary &boundary, IdRange vertices, IdRange circles, Set
 }
 
 // Numbers the shells in the order of their first face and stores them in the faces. scratch [faces].
-void find_shells(const Boundary &boundary, BoundaryArrays &arrays, Span<uint32_t> scratch);
+void find_shells(const Boundary &boundary, BoundaryArrays &arrays, Span<uint32_t> scratch, Patience &patience);
 
 // The same once the faces have been joined.
 void number_shells(DisjointSets shells, BoundaryArrays &arrays);

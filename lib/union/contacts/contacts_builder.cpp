@@ -233,20 +233,26 @@ void ContactsBuilder::close_shares() {
 
 // Rows in the order in which contacts were found; then all balls in the caller's order, each to the rows of those that
 // it is in contact with.
-void ContactsBuilder::make_rows(const CubeGrid &grid) {
+void ContactsBuilder::make_rows(const CubeGrid &grid, Patience &patience) {
   ContactArrays &a = contacts_.a_;
   candidates_.end();
   const auto [found, next] = walk_.end();
   for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = 0;
-  for (const ContactRecord &contact : a.contacts.items()) {
-    for (const uint32_t ball : contact.ball) ++a.first_in_row[ball];
-  }
+  const uint32_t contacts = a.contacts.size();
+  in_parts(patience, IdRange{0, contacts}, 50, [&](IdRange some) {
+    for (const uint32_t id : some) {
+      for (const uint32_t ball : a.contacts[id].ball) ++a.first_in_row[ball];
+    }
+  });
   end_rows(a.first_in_row, a.balls);
-  for (uint32_t id = a.contacts.size(); id-- > 0;) {
-    for (const uint32_t ball : a.contacts[id].ball) found[--a.first_in_row[ball]] = id;
-  }
+  in_parts(patience, IdRange{0, contacts}, 50, [&](IdRange some) {  // from the last one on
+    for (uint32_t id = contacts - some.first, end = contacts - some.last; id-- > end;) {
+      for (const uint32_t ball : a.contacts[id].ball) found[--a.first_in_row[ball]] = id;
+    }
+  });
+  if (!patience.allows(0)) return;
   for (uint32_t i = 0; i < a.balls; ++i) next[i] = a.first_in_row[i];
-  for (uint32_t given = 0; given < a.balls; ++given) {
+  for (uint32_t given = 0; given < a.balls && patience.allows(200); ++given) {
     const uint32_t i = grid.grid_index(given);
     for (const uint32_t id : found.part(a.first_in_row[i], a.first_in_row[i + 1])) {
       a.row[next[a.contacts[id].other(i)]++] = id;

@@ -106,7 +106,8 @@ class ContactsBuilder : public Limited<ContactLimits> {
     if (const Status status = check_capacity(); status != Status::ok) return status;
     close_shares();
     if (!patience.allows(50 * uint64_t{needed_.contacts})) return Status::stopped;
-    make_rows(grid);
+    make_rows(grid, patience);
+    if (!patience.allows(0)) return Status::stopped;
     count_simplices(boundary);
     return Status::ok;
   }
@@ -147,7 +148,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
   Status check_capacity();
   bool measure_contacts(const BallSet &balls, Target target, Patience &patience);
   void close_shares();
-  void make_rows(const CubeGrid &grid);
+  void make_rows(const CubeGrid &grid, Patience &patience);
   void count_simplices(const Boundary &boundary);
 
   template <class Images>

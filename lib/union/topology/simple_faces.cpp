@@ -14,12 +14,12 @@ namespace {
 
 class SimpleFaceBuilder {
  public:
-  SimpleFaceBuilder(const BallSet &balls, const Boundary &boundary, Topology &topology)
-      : balls_(balls), boundary_(boundary), topology_(topology), quads_(topology.quads) {}
+  SimpleFaceBuilder(const BallSet &balls, const Boundary &boundary, Patience &patience, Topology &topology)
+      : balls_(balls), boundary_(boundary), patience_(patience), topology_(topology), quads_(topology.quads) {}
 
   void run() {
     start_vertices();
-    number_edges();
+    if (!number_edges()) return;
     const Subdivision &points = topology_.subdivision;
     for (uint32_t point = points.first_inner(); point < points.size(); ++point) {
       const uint32_t host = points.host(point);
@@ -27,9 +27,9 @@ class SimpleFaceBuilder {
         link_host(host, boundary_.half_edge(host).vertex, end_of(host));
       }
     }
-    for (uint32_t c = 0; c < boundary_.circle_count(); ++c) link_circle(c);
-    for (uint32_t k = 0; k < topology_.cut_arcs.size(); ++k) branch_off(k);
-    for (uint32_t first = 0; first < topology_.cut_arcs.size();) first = link_cut_arcs(first);
+    for (uint32_t c = 0; c < boundary_.circle_count() && patience_.allows(200); ++c) link_circle(c);
+    for (uint32_t k = 0; k < topology_.cut_arcs.size() && patience_.allows(200); ++k) branch_off(k);
+    for (uint32_t first = 0; first < topology_.cut_arcs.size() && patience_.allows(5000);) first = link_cut_arcs(first);
     link_spheres();
     link_loops_and_number_faces();
   }
@@ -58,17 +58,20 @@ class SimpleFaceBuilder {
   }
 
   // Arcs are numbered by their half-edges on the first of their balls.
-  void number_edges() {
+  bool number_edges() {
     quads_.edges = 0;
     uint32_t arcs = 0;
-    for (uint32_t i = 0; i < balls_.n; ++i) {
-      for (const uint32_t half_edge : boundary_.half_edges(i)) {
-        if (boundary_.half_edge(half_edge).circle < i) continue;
-        topology_.host_of_arc[arcs] = half_edge;
-        topology_.vertex_edge[boundary_.half_edge(half_edge).vertex] = quarter_edge(quads_.edges);
-        topology_.chain[boundary_.twin(half_edge)] = add_host(half_edge, arcs++);
+    in_parts(patience_, BallRange{0, balls_.n}, 500, [&](BallRange some) {
+      for (uint32_t i = some.first; i < some.last; ++i) {
+        for (const uint32_t half_edge : boundary_.half_edges(i)) {
+          if (boundary_.half_edge(half_edge).circle < i) continue;
+          topology_.host_of_arc[arcs] = half_edge;
+          topology_.vertex_edge[boundary_.half_edge(half_edge).vertex] = quarter_edge(quads_.edges);
+          topology_.chain[boundary_.twin(half_edge)] = add_host(half_edge, arcs++);
+        }
       }
-    }
+    });
+    if (!patience_.allows(1000 * uint64_t{balls_.n})) return false;
     topology_.first_circle_edge = quads_.edges;
     for (uint32_t c = 0; c < boundary_.circle_count(); ++c) {
       for (uint32_t half = 0; half < 2; ++half) {
@@ -87,6 +90,7 @@ class SimpleFaceBuilder {
       add_edge(i);
       add_edge(i);
     }
+    return true;
   }
 
   void start_vertices() {
@@ -272,20 +276,22 @@ class SimpleFaceBuilder {
     topology_.face_count = 0;
     uint32_t cut = 0;
     uint32_t sphere = quarter_edge(topology_.first_sphere_edge);
-    for (uint32_t i = 0; i < balls_.n; ++i) {
-      const uint32_t first_cut = cut;
-      while (cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i) ++cut;
-      if (cut != first_cut) {
-        cut_faces(i, first_cut, cut);
-      } else {
-        for (const uint32_t loop : boundary_.loops(i)) face_of_loop(loop);
+    in_parts(patience_, BallRange{0, balls_.n}, 1000, [&](BallRange some) {
+      for (uint32_t i = some.first; i < some.last; ++i) {
+        const uint32_t first_cut = cut;
+        while (cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i) ++cut;
+        if (cut != first_cut) {
+          cut_faces(i, first_cut, cut);
+        } else {
+          for (const uint32_t loop : boundary_.loops(i)) face_of_loop(loop);
+        }
+        if (boundary_.is_whole_sphere(i)) {
+          number_ring(sphere, boundary_.faces(i).first);
+          number_ring(sym(sphere), boundary_.faces(i).first);
+          sphere += 8;
+        }
       }
-      if (boundary_.is_whole_sphere(i)) {
-        number_ring(sphere, boundary_.faces(i).first);
-        number_ring(sym(sphere), boundary_.faces(i).first);
-        sphere += 8;
-      }
-    }
+    });
   }
 
   // The faces of a ball with cut arcs first .. last - 1. The chain of every half-edge is linked to that of the next
@@ -371,6 +377,7 @@ class SimpleFaceBuilder {
 
   const BallSet &balls_;
   const Boundary &boundary_;
+  Patience &patience_;
   Topology &topology_;
   QuadEdges &quads_;
 };
@@ -392,8 +399,8 @@ uint64_t count_edges(const BallSet &balls, const Boundary &boundary, const Topol
   return edges;
 }
 
-void assemble_simple_faces(const BallSet &balls, const Boundary &boundary, Topology &topology) {
-  SimpleFaceBuilder(balls, boundary, topology).run();
+void assemble_simple_faces(const BallSet &balls, const Boundary &boundary, Patience &patience, Topology &topology) {
+  SimpleFaceBuilder(balls, boundary, patience, topology).run();
 }
 
 }  // namespace hsp

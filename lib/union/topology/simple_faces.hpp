@@ -11,7 +11,7 @@ uint64_t count_edges(const BallSet &balls, const Boundary &boundary, const Topol
 // Edges without any cut arc: each arc, two for each free circle and each whole sphere.
 uint64_t count_uncut_edges(const BallSet &balls, const Boundary &boundary);
 
-// Fills quad-edges, vertices and simple faces. There must be room for count_edges.
-void assemble_simple_faces(const BallSet &balls, const Boundary &boundary, Topology &topology);
+// Fills quad-edges, vertices and simple faces. There must be room for count_edges. Not all of them if that is stopped.
+void assemble_simple_faces(const BallSet &balls, const Boundary &boundary, Patience &patience, Topology &topology);
 
 }  // namespace hsp

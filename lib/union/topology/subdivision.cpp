@@ -109,13 +109,15 @@ void Subdivision::carve(Workspace &workspace, uint32_t cut_arcs) {
   points_ = FixedVector<InnerPoint>(workspace.take<InnerPoint>(2 * static_cast<uint64_t>(cut_arcs)));
 }
 
-void Subdivision::insert(const BallSet &balls, const Boundary &boundary, Span<CutArc> arcs, Span<uint32_t> first) {
+void Subdivision::insert(const BallSet &balls, const Boundary &boundary, Span<CutArc> arcs, Span<uint32_t> first,
+                         Patience &patience) {
   first_ = first;
   const uint32_t hosts = half_circle(boundary, boundary.circle_count(), 0);
   for (uint32_t host = 0; host < hosts; ++host) first_[host] = no_id;
   points_.clear();
   first_inner_ = 2 * boundary.circle_count();
   for (CutArc &arc : arcs) {
+    if (!patience.allows(5000)) return;
     for (uint32_t end = 0; end < 2; ++end) arc.ends[end] = insert_end(balls, boundary, arc, end);
   }
 }

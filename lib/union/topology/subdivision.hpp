@@ -12,6 +12,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/patience.hpp"
 #include "core/workspace.hpp"
 #include "topology/cut_arcs.hpp"
 
@@ -39,7 +40,8 @@ class Subdivision {
   // Subdivides the host edges at the ends of the cut arcs, and stores the vertices in these. Every free circle is
   // subdivided at its two points in the plane of its halves, whether or not a cut arc ends there.
   // first [hosts] is memory for first(), which nothing else may use as long as that is called.
-  void insert(const BallSet &balls, const Boundary &boundary, Span<CutArc> arcs, Span<uint32_t> first);
+  void insert(const BallSet &balls, const Boundary &boundary, Span<CutArc> arcs, Span<uint32_t> first,
+              Patience &patience);
 
   // The id of a host edge is that of the half-edge on ball a, or for half a circle half_circle(): the loop of ball a
   // traverses half 0 from point 2 circle to point 2 circle + 1, and half 1 back to the first.

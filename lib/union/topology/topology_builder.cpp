@@ -60,18 +60,19 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
     needed_.edges = 0;
     return Status::capacity;
   }
-  structure_.subdivision.insert(balls, boundary, structure_.cut_arcs.items(), structure_.shared);
+  structure_.subdivision.insert(balls, boundary, structure_.cut_arcs.items(), structure_.shared, patience);
+  if (!patience.allows(0)) return Status::stopped;
   needed_.edges = clamped_count(count_edges(balls, boundary, structure_));
   if (needed_.edges > limits_.edges) return Status::capacity;
 
-  const uint64_t of_a_step = 600 * uint64_t{needed_.edges};
-  if (!patience.allows(of_a_step)) return Status::stopped;
-  assemble_simple_faces(balls, boundary, structure_);
-  if (!patience.allows(of_a_step)) return Status::stopped;
+  if (!patience.allows(100 * uint64_t{needed_.edges})) return Status::stopped;
+  assemble_simple_faces(balls, boundary, patience, structure_);
+  if (!patience.allows(1000 * uint64_t{balls.n})) return Status::stopped;
   gather_components(grid, boundary, structure_);
-  if (!gather_regions(grid, boundary, patience, structure_) || !patience.allows(of_a_step)) return Status::stopped;
-  traverse_shells(boundary, structure_, structure_.marks);
-  return Status::ok;
+  if (!gather_regions(grid, boundary, patience, structure_) || !patience.allows(1000 * uint64_t{balls.n}))
+    return Status::stopped;
+  traverse_shells(boundary, structure_, structure_.marks, patience);
+  return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
 }  // namespace hsp

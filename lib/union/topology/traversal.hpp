@@ -9,6 +9,7 @@ namespace hsp {
 // Counts faces, edges and vertices of every shell, traverses each from its start_face, and stores the order of the
 // visits. entered [simple faces] is scratch memory. Returns false if a traversal does not visit exactly its shell,
 // which no correct structure allows.
-bool traverse_shells(const Boundary &boundary, Topology &topology, Span<uint32_t> entered);
+bool traverse_shells(const Boundary &boundary, Topology &topology, Span<uint32_t> entered,
+                     Patience patience = Patience());
 
 }  // namespace hsp

@@ -72,7 +72,8 @@ int32_t handle_init(int noun, void *memory, size_t bytes, void *limits, void **h
 }
 
 int replaces_contents(const function *f) {
-  return strstr(f->name, "_compute") != NULL || strstr(f->name, "_set") == f->name + strlen(f->name) - 4;
+  return strstr(f->name, "_compute") != NULL || strstr(f->name, "_set") == f->name + strlen(f->name) - 4 ||
+         strstr(f->name, "_set_with") != NULL;
 }
 
 int reads_contents(const function *f, int i) {

@@ -751,6 +751,28 @@ static int64_t call_hsp_moving_set(const value *v) {
   return (int64_t)hsp_moving_set(v[0].p, v[1].p, v[2].p, v[3].d, v[4].d, v[5].u, v[6].p, v[7].p);
 }
 
+static const argument of_hsp_moving_set_with[] = {
+  {"moving", "hsp_moving", .kind = KIND_handle, .noun = NOUN_moving},
+  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
+  {"request", "hsp_gradient_request", .kind = KIND_sized_in, .size = sizeof(hsp_gradient_request), .null = NULL_always,
+      .is_const = 1},
+  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 2, .offset =
+      offsetof(hsp_gradient_request, tangency)},
+  {"tension", "double", .kind = KIND_value, .size = sizeof(double), .of = 2, .offset = offsetof(hsp_gradient_request,
+      tension)},
+  {"pressure", "double", .kind = KIND_value, .size = sizeof(double), .of = 2, .offset = offsetof(hsp_gradient_request,
+      pressure)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_gradient_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_gradient_request, executor), .is_const = 1},
+  {"limits", "hsp_moving_limits", .kind = KIND_sized, .size = sizeof(hsp_moving_limits), .null = NULL_always},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_moving_set_with(const value *v) {
+  return (int64_t)hsp_moving_set_with(v[0].p, v[1].p, v[2].p, v[8].p, v[9].p);
+}
+
 static const argument of_hsp_moving_move[] = {
   {"moving", "hsp_moving", .kind = KIND_handle, .noun = NOUN_moving},
   {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -765,6 +787,26 @@ static const argument of_hsp_moving_move[] = {
 };
 static int64_t call_hsp_moving_move(const value *v) {
   return (int64_t)hsp_moving_move(v[0].p, v[1].u, v[2].p, v[3].p, v[4].p, v[5].p, v[6].p);
+}
+
+static const argument of_hsp_moving_move_with[] = {
+  {"moving", "hsp_moving", .kind = KIND_handle, .noun = NOUN_moving},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"ball", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "count", .null = NULL_empty, .is_const
+      = 1},
+  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "count", .row = 3, .null = NULL_always,
+      .is_const = 1},
+  {"radius", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "count", .null = NULL_always, .is_const
+      = 1},
+  {"request", "hsp_moving_request", .kind = KIND_sized_in, .size = sizeof(hsp_moving_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 5,
+      .offset = offsetof(hsp_moving_request, executor), .is_const = 1},
+  {"limits", "hsp_moving_limits", .kind = KIND_sized, .size = sizeof(hsp_moving_limits), .null = NULL_always},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_moving_move_with(const value *v) {
+  return (int64_t)hsp_moving_move_with(v[0].p, v[1].u, v[2].p, v[3].p, v[4].p, v[5].p, v[7].p, v[8].p);
 }
 
 static const argument of_hsp_moving_undo[] = {
@@ -1565,6 +1607,23 @@ static int64_t call_hsp_surface_compute_shells(const value *v) {
   return (int64_t)hsp_surface_compute_shells(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
 }
 
+static const argument of_hsp_surface_compute_with[] = {
+  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_surface_request", .kind = KIND_sized_in, .size = sizeof(hsp_surface_request), .null = NULL_always,
+      .is_const = 1},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 2, .offset = offsetof(hsp_surface_request,
+      count)},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_surface_request, executor), .is_const = 1},
+  {"shells", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "count", .null = NULL_always, .of =
+      2, .offset = offsetof(hsp_surface_request, shells), .is_const = 1},
+  {"limits", "hsp_surface_limits", .kind = KIND_sized, .size = sizeof(hsp_surface_limits), .null = NULL_always},
+};
+static int64_t call_hsp_surface_compute_with(const value *v) {
+  return (int64_t)hsp_surface_compute_with(v[0].p, v[1].p, v[2].p, v[6].p);
+}
+
 static const argument of_hsp_surface_get_counts[] = {
   {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
   {"counts", "hsp_surface_counts", .kind = KIND_struct_out, .size = sizeof(hsp_surface_counts)},
@@ -2131,6 +2190,19 @@ static int64_t call_hsp_cells_compute(const value *v) {
   return (int64_t)hsp_cells_compute(v[0].p, v[1].p, v[2].p);
 }
 
+static const argument of_hsp_cells_compute_with[] = {
+  {"cells", "hsp_cells", .kind = KIND_handle, .noun = NOUN_cells},
+  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
+  {"request", "hsp_cells_request", .kind = KIND_sized_in, .size = sizeof(hsp_cells_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_cells_request, executor), .is_const = 1},
+  {"limits", "hsp_cells_limits", .kind = KIND_sized, .size = sizeof(hsp_cells_limits), .null = NULL_always},
+};
+static int64_t call_hsp_cells_compute_with(const value *v) {
+  return (int64_t)hsp_cells_compute_with(v[0].p, v[1].p, v[2].p, v[4].p);
+}
+
 static const argument of_hsp_cells_get_counts[] = {
   {"cells", "hsp_cells", .kind = KIND_handle, .noun = NOUN_cells, .is_const = 1},
   {"counts", "hsp_cells_counts", .kind = KIND_struct_out, .size = sizeof(hsp_cells_counts)},
@@ -2242,6 +2314,19 @@ static int64_t call_hsp_paths_compute(const value *v) {
   return (int64_t)hsp_paths_compute(v[0].p, v[1].p, v[2].p);
 }
 
+static const argument of_hsp_paths_compute_with[] = {
+  {"paths", "hsp_paths", .kind = KIND_handle, .noun = NOUN_paths},
+  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
+  {"request", "hsp_paths_request", .kind = KIND_sized_in, .size = sizeof(hsp_paths_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_paths_request, executor), .is_const = 1},
+  {"limits", "hsp_paths_limits", .kind = KIND_sized, .size = sizeof(hsp_paths_limits), .null = NULL_always},
+};
+static int64_t call_hsp_paths_compute_with(const value *v) {
+  return (int64_t)hsp_paths_compute_with(v[0].p, v[1].p, v[2].p, v[4].p);
+}
+
 static const argument of_hsp_paths_find[] = {
   {"paths", "hsp_paths", .kind = KIND_handle, .noun = NOUN_paths},
   {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
@@ -2251,6 +2336,21 @@ static const argument of_hsp_paths_find[] = {
 };
 static int64_t call_hsp_paths_find(const value *v) {
   return (int64_t)hsp_paths_find(v[0].p, v[1].p, v[2].p, v[3].p, v[4].p);
+}
+
+static const argument of_hsp_paths_find_with[] = {
+  {"paths", "hsp_paths", .kind = KIND_handle, .noun = NOUN_paths},
+  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"request", "hsp_paths_request", .kind = KIND_sized_in, .size = sizeof(hsp_paths_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 3,
+      .offset = offsetof(hsp_paths_request, executor), .is_const = 1},
+  {"path", "hsp_path", .kind = KIND_struct_out, .size = sizeof(hsp_path)},
+  {"limits", "hsp_paths_limits", .kind = KIND_sized, .size = sizeof(hsp_paths_limits), .null = NULL_always},
+};
+static int64_t call_hsp_paths_find_with(const value *v) {
+  return (int64_t)hsp_paths_find_with(v[0].p, v[1].p, v[2].p, v[3].p, v[5].p, v[6].p);
 }
 
 static const argument of_hsp_paths_get_points[] = {
@@ -2507,6 +2607,26 @@ static int64_t call_hsp_pores_find_cheapest_tunnel(const value *v) {
   return (int64_t)hsp_pores_find_cheapest_tunnel(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p, v[6].p);
 }
 
+static const argument of_hsp_pores_find_tunnel_with[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .null = NULL_always, .is_const = 1},
+  {"avoided", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "count", .null = NULL_empty,
+      .is_const = 1},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"request", "hsp_tunnel_request", .kind = KIND_sized_in, .size = sizeof(hsp_tunnel_request), .null = NULL_always,
+      .is_const = 1},
+  {"cheapest", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 5, .offset = offsetof(hsp_tunnel_request,
+      cheapest)},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 5,
+      .offset = offsetof(hsp_tunnel_request, executor), .is_const = 1},
+  {"tunnel", "hsp_tunnel", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel)},
+  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits), .null = NULL_always},
+};
+static int64_t call_hsp_pores_find_tunnel_with(const value *v) {
+  return (int64_t)hsp_pores_find_tunnel_with(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p, v[8].p, v[9].p);
+}
+
 static const argument of_hsp_pores_get_tunnel_route[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
   {"route", "hsp_tunnel_route", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel_route)},
@@ -2617,6 +2737,20 @@ static int64_t call_hsp_pores_find_regions(const value *v) {
   return (int64_t)hsp_pores_find_regions(v[0].p, v[1].p, v[2].p, v[3].p);
 }
 
+static const argument of_hsp_pores_find_regions_with[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_pores_request", .kind = KIND_sized_in, .size = sizeof(hsp_pores_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_pores_request, executor), .is_const = 1},
+  {"access", "hsp_pore_access", .kind = KIND_struct_out, .size = sizeof(hsp_pore_access), .null = NULL_always},
+  {"regions", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_find_regions_with(const value *v) {
+  return (int64_t)hsp_pores_find_regions_with(v[0].p, v[1].p, v[2].p, v[4].p, v[5].p);
+}
+
 static const argument of_hsp_pores_get_regions[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
   {"first", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -2639,6 +2773,23 @@ static const argument of_hsp_pores_measure_pockets[] = {
 };
 static int64_t call_hsp_pores_measure_pockets(const value *v) {
   return (int64_t)hsp_pores_measure_pockets(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
+}
+
+static const argument of_hsp_pores_measure_pockets_with[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"plugged", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_pores_request", .kind = KIND_sized_in, .size = sizeof(hsp_pores_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 3,
+      .offset = offsetof(hsp_pores_request, executor), .is_const = 1},
+  {"out", "hsp_pore_pocket_size", .kind = KIND_array_out, .size = sizeof(hsp_pore_pocket_size), .extent = "needed",
+      .null = NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_measure_pockets_with(const value *v) {
+  return (int64_t)hsp_pores_measure_pockets_with(v[0].p, v[1].p, v[2].p, v[3].p, v[5].p, v[6].u, v[7].p);
 }
 
 static const argument of_hsp_view_limits_init[] = {
@@ -3311,9 +3462,15 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_moving_set", "moving", RESULT_status, 8, of_hsp_moving_set, call_hsp_moving_set, BIT(HSP_OK) | BIT(HSP_E_HANDLE)
       | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
+  {"hsp_moving_set_with", "moving", RESULT_status, 10, of_hsp_moving_set_with, call_hsp_moving_set_with, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_STOPPED)},
   {"hsp_moving_move", "moving", RESULT_status, 7, of_hsp_moving_move, call_hsp_moving_move, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE)},
+  {"hsp_moving_move_with", "moving", RESULT_status, 9, of_hsp_moving_move_with, call_hsp_moving_move_with, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_STOPPED)},
   {"hsp_moving_undo", "moving", RESULT_status, 1, of_hsp_moving_undo, call_hsp_moving_undo, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_moving_get_info", "moving", RESULT_status, 2, of_hsp_moving_get_info, call_hsp_moving_get_info, BIT(HSP_OK) |
@@ -3462,6 +3619,9 @@ const function registry[] = {
   {"hsp_surface_compute_shells", "surface", RESULT_status, 5, of_hsp_surface_compute_shells,
       call_hsp_surface_compute_shells, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_DEGENERATE)},
+  {"hsp_surface_compute_with", "surface", RESULT_status, 7, of_hsp_surface_compute_with, call_hsp_surface_compute_with,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_DEGENERATE) | BIT(HSP_E_STOPPED)},
   {"hsp_surface_get_counts", "surface", RESULT_status, 2, of_hsp_surface_get_counts, call_hsp_surface_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_surface_measure", "surface", RESULT_status, 5, of_hsp_surface_measure, call_hsp_surface_measure, BIT(HSP_OK) |
@@ -3582,6 +3742,9 @@ const function registry[] = {
   {"hsp_cells_compute", "cells", RESULT_status, 3, of_hsp_cells_compute, call_hsp_cells_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_CHECK)},
+  {"hsp_cells_compute_with", "cells", RESULT_status, 5, of_hsp_cells_compute_with, call_hsp_cells_compute_with,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_CHECK) | BIT(HSP_E_STOPPED)},
   {"hsp_cells_get_counts", "cells", RESULT_status, 2, of_hsp_cells_get_counts, call_hsp_cells_get_counts, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_cells_get_cells", "cells", RESULT_status, 4, of_hsp_cells_get_cells, call_hsp_cells_get_cells, BIT(HSP_OK) |
@@ -3605,9 +3768,15 @@ const function registry[] = {
   {"hsp_paths_compute", "paths", RESULT_status, 3, of_hsp_paths_compute, call_hsp_paths_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_CHECK)},
+  {"hsp_paths_compute_with", "paths", RESULT_status, 5, of_hsp_paths_compute_with, call_hsp_paths_compute_with,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_CHECK) | BIT(HSP_E_STOPPED)},
   {"hsp_paths_find", "paths", RESULT_status, 5, of_hsp_paths_find, call_hsp_paths_find, BIT(HSP_OK) | BIT(HSP_E_HANDLE)
       | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK) |
       BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+  {"hsp_paths_find_with", "paths", RESULT_status, 7, of_hsp_paths_find_with, call_hsp_paths_find_with, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_CHECK) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_STOPPED)},
   {"hsp_paths_get_points", "paths", RESULT_status, 4, of_hsp_paths_get_points, call_hsp_paths_get_points, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_pores_limits_init", "pores", RESULT_status, 3, of_hsp_pores_limits_init, call_hsp_pores_limits_init, BIT(HSP_OK)
@@ -3620,10 +3789,11 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
   {"hsp_pores_compute", "pores", RESULT_status, 4, of_hsp_pores_compute, call_hsp_pores_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK) | BIT(HSP_E_STOPPED)},
   {"hsp_pores_compute_periodic", "pores", RESULT_status, 4, of_hsp_pores_compute_periodic,
       call_hsp_pores_compute_periodic, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK) |
+      BIT(HSP_E_STOPPED)},
   {"hsp_pores_get_counts", "pores", RESULT_status, 2, of_hsp_pores_get_counts, call_hsp_pores_get_counts, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_pores_get_maxima", "pores", RESULT_status, 4, of_hsp_pores_get_maxima, call_hsp_pores_get_maxima, BIT(HSP_OK) |
@@ -3668,6 +3838,10 @@ const function registry[] = {
       call_hsp_pores_find_cheapest_tunnel, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) |
       BIT(HSP_E_CHECK)},
+  {"hsp_pores_find_tunnel_with", "pores", RESULT_status, 10, of_hsp_pores_find_tunnel_with,
+      call_hsp_pores_find_tunnel_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_CHECK) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_RANGE) | BIT(HSP_E_STOPPED)},
   {"hsp_pores_get_tunnel_route", "pores", RESULT_status, 2, of_hsp_pores_get_tunnel_route,
       call_hsp_pores_get_tunnel_route, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_pores_get_tunnel_points", "pores", RESULT_status, 4, of_hsp_pores_get_tunnel_points,
@@ -3695,11 +3869,17 @@ const function registry[] = {
       BIT(HSP_E_STATE)},
   {"hsp_pores_find_regions", "pockets", RESULT_status, 4, of_hsp_pores_find_regions, call_hsp_pores_find_regions,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+  {"hsp_pores_find_regions_with", "pockets", RESULT_status, 6, of_hsp_pores_find_regions_with,
+      call_hsp_pores_find_regions_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK) | BIT(HSP_E_STOPPED)},
   {"hsp_pores_get_regions", "pockets", RESULT_status, 4, of_hsp_pores_get_regions, call_hsp_pores_get_regions,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_pores_measure_pockets", "pockets", RESULT_status, 6, of_hsp_pores_measure_pockets,
       call_hsp_pores_measure_pockets, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+  {"hsp_pores_measure_pockets_with", "pockets", RESULT_status, 8, of_hsp_pores_measure_pockets_with,
+      call_hsp_pores_measure_pockets_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK) | BIT(HSP_E_STOPPED)},
   {"hsp_view_limits_init", "view", RESULT_status, 3, of_hsp_view_limits_init, call_hsp_view_limits_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_view_bytes", "view", RESULT_status, 2, of_hsp_view_bytes, call_hsp_view_bytes, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT)
@@ -3712,7 +3892,7 @@ const function registry[] = {
       | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_view_compute", "view", RESULT_status, 5, of_hsp_view_compute, call_hsp_view_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_NOT_FINITE)},
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_STOPPED)},
   {"hsp_view_get_info", "view", RESULT_status, 2, of_hsp_view_get_info, call_hsp_view_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_view_get_pieces", "view", RESULT_status, 4, of_hsp_view_get_pieces, call_hsp_view_get_pieces, BIT(HSP_OK) |
@@ -3729,7 +3909,7 @@ const function registry[] = {
       BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_map_compute", "map", RESULT_status, 4, of_hsp_map_compute, call_hsp_map_compute, BIT(HSP_OK) | BIT(HSP_E_HANDLE)
       | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) |
-      BIT(HSP_E_DEGENERATE)},
+      BIT(HSP_E_DEGENERATE) | BIT(HSP_E_STOPPED)},
   {"hsp_map_get_info", "map", RESULT_status, 2, of_hsp_map_get_info, call_hsp_map_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_map_next", "map", RESULT_id, 2, of_hsp_map_next, call_hsp_map_next, 0},
@@ -3764,11 +3944,12 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_sticks_compute", "sticks", RESULT_status, 8, of_hsp_sticks_compute, call_hsp_sticks_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) | BIT(HSP_E_DEGENERATE)},
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) | BIT(HSP_E_DEGENERATE) |
+      BIT(HSP_E_STOPPED)},
   {"hsp_sticks_compute_map", "sticks", RESULT_status, 8, of_hsp_sticks_compute_map, call_hsp_sticks_compute_map,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CONFLICT) |
-      BIT(HSP_E_DEGENERATE)},
+      BIT(HSP_E_DEGENERATE) | BIT(HSP_E_STOPPED)},
   {"hsp_sticks_get_info", "sticks", RESULT_status, 2, of_hsp_sticks_get_info, call_hsp_sticks_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_sticks_get_map_info", "sticks", RESULT_status, 2, of_hsp_sticks_get_map_info, call_hsp_sticks_get_map_info,
@@ -3967,6 +4148,9 @@ const field registry_fields[] = {
   {"hsp_moving_limits", "struct_size", "uint32_t", offsetof(hsp_moving_limits, struct_size), 1},
   {"hsp_moving_limits", "balls", "uint32_t", offsetof(hsp_moving_limits, balls), 1},
   {"hsp_moving_limits", "neighbours", "uint32_t", offsetof(hsp_moving_limits, neighbours), 1},
+  {"hsp_moving_request", "struct_size", "uint32_t", offsetof(hsp_moving_request, struct_size), 1},
+  {"hsp_moving_request", "reserved", "uint32_t", offsetof(hsp_moving_request, reserved), 1},
+  {"hsp_moving_request", "executor", "hsp_executor *", offsetof(hsp_moving_request, executor), 1},
   {"hsp_moving_info", "step", "double", offsetof(hsp_moving_info, step), 1},
   {"hsp_moving_info", "probe", "double", offsetof(hsp_moving_info, probe), 1},
   {"hsp_moving_info", "largest_radius", "double", offsetof(hsp_moving_info, largest_radius), 1},
@@ -4182,6 +4366,10 @@ const field registry_fields[] = {
   {"hsp_surface_limits", "pieces", "uint32_t", offsetof(hsp_surface_limits, pieces), 1},
   {"hsp_surface_limits", "arcs", "uint32_t", offsetof(hsp_surface_limits, arcs), 1},
   {"hsp_surface_limits", "cusped_circles", "uint32_t", offsetof(hsp_surface_limits, cusped_circles), 1},
+  {"hsp_surface_request", "struct_size", "uint32_t", offsetof(hsp_surface_request, struct_size), 1},
+  {"hsp_surface_request", "count", "uint32_t", offsetof(hsp_surface_request, count), 1},
+  {"hsp_surface_request", "executor", "hsp_executor *", offsetof(hsp_surface_request, executor), 1},
+  {"hsp_surface_request", "shells", "uint32_t *", offsetof(hsp_surface_request, shells), 1},
   {"hsp_surface_counts", "convex_patches", "uint32_t", offsetof(hsp_surface_counts, convex_patches), 1},
   {"hsp_surface_counts", "saddle_patches", "uint32_t", offsetof(hsp_surface_counts, saddle_patches), 1},
   {"hsp_surface_counts", "concave_patches", "uint32_t", offsetof(hsp_surface_counts, concave_patches), 1},
@@ -4322,6 +4510,9 @@ const field registry_fields[] = {
   {"hsp_cells_limits", "corners", "uint32_t", offsetof(hsp_cells_limits, corners), 1},
   {"hsp_cells_limits", "cube_balls", "uint32_t", offsetof(hsp_cells_limits, cube_balls), 1},
   {"hsp_cells_limits", "cube_corners", "uint32_t", offsetof(hsp_cells_limits, cube_corners), 1},
+  {"hsp_cells_request", "struct_size", "uint32_t", offsetof(hsp_cells_request, struct_size), 1},
+  {"hsp_cells_request", "reserved", "uint32_t", offsetof(hsp_cells_request, reserved), 1},
+  {"hsp_cells_request", "executor", "hsp_executor *", offsetof(hsp_cells_request, executor), 1},
   {"hsp_cells_counts", "cubes", "uint32_t", offsetof(hsp_cells_counts, cubes), 1},
   {"hsp_cells_counts", "power_cells", "uint32_t", offsetof(hsp_cells_counts, power_cells), 1},
   {"hsp_cells_counts", "cells", "uint32_t", offsetof(hsp_cells_counts, cells), 1},
@@ -4351,6 +4542,9 @@ const field registry_fields[] = {
   {"hsp_paths_limits", "cube_balls", "uint32_t", offsetof(hsp_paths_limits, cube_balls), 1},
   {"hsp_paths_limits", "cube_corners", "uint32_t", offsetof(hsp_paths_limits, cube_corners), 1},
   {"hsp_paths_limits", "points", "uint32_t", offsetof(hsp_paths_limits, points), 1},
+  {"hsp_paths_request", "struct_size", "uint32_t", offsetof(hsp_paths_request, struct_size), 1},
+  {"hsp_paths_request", "reserved", "uint32_t", offsetof(hsp_paths_request, reserved), 1},
+  {"hsp_paths_request", "executor", "hsp_executor *", offsetof(hsp_paths_request, executor), 1},
   {"hsp_path", "length", "double", offsetof(hsp_path, length), 1},
   {"hsp_path", "clearance", "double", offsetof(hsp_path, clearance), 1},
   {"hsp_path", "ends", "uint32_t", offsetof(hsp_path, ends), 1},
@@ -4368,6 +4562,8 @@ const field registry_fields[] = {
   {"hsp_pores_options", "struct_size", "uint32_t", offsetof(hsp_pores_options, struct_size), 1},
   {"hsp_pores_options", "reserved", "uint32_t", offsetof(hsp_pores_options, reserved), 1},
   {"hsp_pores_options", "floor", "double", offsetof(hsp_pores_options, floor), 1},
+  {"hsp_pores_options", "executor", "hsp_executor *", offsetof(hsp_pores_options, executor), 1},
+  {"hsp_pores_options", "unused", "void *", offsetof(hsp_pores_options, unused), 1},
   {"hsp_pores_counts", "maxima", "uint32_t", offsetof(hsp_pores_counts, maxima), 1},
   {"hsp_pores_counts", "gates", "uint32_t", offsetof(hsp_pores_counts, gates), 1},
   {"hsp_pores_counts", "merges", "uint32_t", offsetof(hsp_pores_counts, merges), 1},
@@ -4423,6 +4619,9 @@ const field registry_fields[] = {
   {"hsp_tunnel", "points", "uint32_t", offsetof(hsp_tunnel, points), 1},
   {"hsp_tunnel", "outside", "uint32_t", offsetof(hsp_tunnel, outside), 1},
   {"hsp_tunnel", "reserved", "uint32_t", offsetof(hsp_tunnel, reserved), 1},
+  {"hsp_tunnel_request", "struct_size", "uint32_t", offsetof(hsp_tunnel_request, struct_size), 1},
+  {"hsp_tunnel_request", "cheapest", "uint32_t", offsetof(hsp_tunnel_request, cheapest), 1},
+  {"hsp_tunnel_request", "executor", "hsp_executor *", offsetof(hsp_tunnel_request, executor), 1},
   {"hsp_tunnel_route", "cost", "double", offsetof(hsp_tunnel_route, cost), 1},
   {"hsp_tunnel_route", "shift", "int32_t", offsetof(hsp_tunnel_route, shift), 3},
   {"hsp_tunnel_route", "reserved", "uint32_t", offsetof(hsp_tunnel_route, reserved), 1},
@@ -4447,6 +4646,9 @@ const field registry_fields[] = {
   {"hsp_pore_access", "blocked_volume", "double", offsetof(hsp_pore_access, blocked_volume), 1},
   {"hsp_pore_access", "accessible", "uint32_t", offsetof(hsp_pore_access, accessible), 1},
   {"hsp_pore_access", "blocked", "uint32_t", offsetof(hsp_pore_access, blocked), 1},
+  {"hsp_pores_request", "struct_size", "uint32_t", offsetof(hsp_pores_request, struct_size), 1},
+  {"hsp_pores_request", "reserved", "uint32_t", offsetof(hsp_pores_request, reserved), 1},
+  {"hsp_pores_request", "executor", "hsp_executor *", offsetof(hsp_pores_request, executor), 1},
   {"hsp_pore_region", "radius", "double", offsetof(hsp_pore_region, radius), 1},
   {"hsp_pore_region", "area", "double", offsetof(hsp_pore_region, area), 1},
   {"hsp_pore_region", "volume", "double", offsetof(hsp_pore_region, volume), 1},
@@ -4473,6 +4675,8 @@ const field registry_fields[] = {
   {"hsp_view_options", "reserved", "uint32_t", offsetof(hsp_view_options, reserved), 1},
   {"hsp_view_options", "towards", "double", offsetof(hsp_view_options, towards), 3},
   {"hsp_view_options", "up", "double", offsetof(hsp_view_options, up), 3},
+  {"hsp_view_options", "executor", "hsp_executor *", offsetof(hsp_view_options, executor), 1},
+  {"hsp_view_options", "unused", "void *", offsetof(hsp_view_options, unused), 1},
   {"hsp_view_info", "origin", "double", offsetof(hsp_view_info, origin), 3},
   {"hsp_view_info", "right", "double", offsetof(hsp_view_info, right), 3},
   {"hsp_view_info", "up", "double", offsetof(hsp_view_info, up), 3},

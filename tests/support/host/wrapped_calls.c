@@ -820,6 +820,20 @@ int32_t __wrap_hsp_moving_set(hsp_moving *moving, const hsp_model *model, const 
   return result;
 }
 
+int32_t __real_hsp_moving_set_with(hsp_moving *moving, const hsp_model *model, const hsp_gradient_request *request,
+    hsp_moving_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_moving_set_with(hsp_moving *moving, const hsp_model *model, const hsp_gradient_request *request,
+    hsp_moving_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_moving_set_with(hsp_moving *moving, const hsp_model *model, const hsp_gradient_request *request,
+    hsp_moving_limits *limits, uint32_t *first_bad) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_moving_set_with");
+  result = __real_hsp_moving_set_with(moving, model, request, limits, first_bad);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const double
     *radius, hsp_moving_limits *limits, uint32_t *first_bad);
 int32_t __wrap_hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const double
@@ -830,6 +844,20 @@ int32_t __wrap_hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_
   host_call call;
   host_call_begins(&call, "hsp_moving_move");
   result = __real_hsp_moving_move(moving, count, ball, xyz, radius, limits, first_bad);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_moving_move_with(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const
+    double *radius, const hsp_moving_request *request, hsp_moving_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_moving_move_with(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const
+    double *radius, const hsp_moving_request *request, hsp_moving_limits *limits, uint32_t *first_bad);
+int32_t __wrap_hsp_moving_move_with(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz, const
+    double *radius, const hsp_moving_request *request, hsp_moving_limits *limits, uint32_t *first_bad) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_moving_move_with");
+  result = __real_hsp_moving_move_with(moving, count, ball, xyz, radius, request, limits, first_bad);
   host_call_ends(&call);
   return result;
 }
@@ -1607,6 +1635,20 @@ int32_t __wrap_hsp_surface_compute_shells(hsp_surface *surface, const hsp_bounda
   return result;
 }
 
+int32_t __real_hsp_surface_compute_with(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_request
+    *request, hsp_surface_limits *limits);
+int32_t __wrap_hsp_surface_compute_with(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_request
+    *request, hsp_surface_limits *limits);
+int32_t __wrap_hsp_surface_compute_with(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_request
+    *request, hsp_surface_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_surface_compute_with");
+  result = __real_hsp_surface_compute_with(surface, boundary, request, limits);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts);
 int32_t __wrap_hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts);
 int32_t __wrap_hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts) {
@@ -2272,6 +2314,20 @@ int32_t __wrap_hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_c
   return result;
 }
 
+int32_t __real_hsp_cells_compute_with(hsp_cells *cells, const hsp_model *model, const hsp_cells_request *request,
+    hsp_cells_limits *limits);
+int32_t __wrap_hsp_cells_compute_with(hsp_cells *cells, const hsp_model *model, const hsp_cells_request *request,
+    hsp_cells_limits *limits);
+int32_t __wrap_hsp_cells_compute_with(hsp_cells *cells, const hsp_model *model, const hsp_cells_request *request,
+    hsp_cells_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_cells_compute_with");
+  result = __real_hsp_cells_compute_with(cells, model, request, limits);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts);
 int32_t __wrap_hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts);
 int32_t __wrap_hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts) {
@@ -2399,6 +2455,20 @@ int32_t __wrap_hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_p
   return result;
 }
 
+int32_t __real_hsp_paths_compute_with(hsp_paths *paths, const hsp_model *model, const hsp_paths_request *request,
+    hsp_paths_limits *limits);
+int32_t __wrap_hsp_paths_compute_with(hsp_paths *paths, const hsp_model *model, const hsp_paths_request *request,
+    hsp_paths_limits *limits);
+int32_t __wrap_hsp_paths_compute_with(hsp_paths *paths, const hsp_model *model, const hsp_paths_request *request,
+    hsp_paths_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_paths_compute_with");
+  result = __real_hsp_paths_compute_with(paths, model, request, limits);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path, hsp_paths_limits
     *limits);
 int32_t __wrap_hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path, hsp_paths_limits
@@ -2409,6 +2479,20 @@ int32_t __wrap_hsp_paths_find(hsp_paths *paths, const double *from, const double
   host_call call;
   host_call_begins(&call, "hsp_paths_find");
   result = __real_hsp_paths_find(paths, from, to, path, limits);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_paths_find_with(hsp_paths *paths, const double *from, const double *to, const hsp_paths_request
+    *request, hsp_path *path, hsp_paths_limits *limits);
+int32_t __wrap_hsp_paths_find_with(hsp_paths *paths, const double *from, const double *to, const hsp_paths_request
+    *request, hsp_path *path, hsp_paths_limits *limits);
+int32_t __wrap_hsp_paths_find_with(hsp_paths *paths, const double *from, const double *to, const hsp_paths_request
+    *request, hsp_path *path, hsp_paths_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_paths_find_with");
+  result = __real_hsp_paths_find_with(paths, from, to, request, path, limits);
   host_call_ends(&call);
   return result;
 }
@@ -2713,6 +2797,20 @@ int32_t __wrap_hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *fr
   return result;
 }
 
+int32_t __real_hsp_pores_find_tunnel_with(hsp_pores *pores, const double *from, const double *to, const uint32_t
+    *avoided, uint32_t count, const hsp_tunnel_request *request, hsp_tunnel *tunnel, hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_find_tunnel_with(hsp_pores *pores, const double *from, const double *to, const uint32_t
+    *avoided, uint32_t count, const hsp_tunnel_request *request, hsp_tunnel *tunnel, hsp_pores_limits *limits);
+int32_t __wrap_hsp_pores_find_tunnel_with(hsp_pores *pores, const double *from, const double *to, const uint32_t
+    *avoided, uint32_t count, const hsp_tunnel_request *request, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_pores_find_tunnel_with");
+  result = __real_hsp_pores_find_tunnel_with(pores, from, to, avoided, count, request, tunnel, limits);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *route);
 int32_t __wrap_hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *route);
 int32_t __wrap_hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *route) {
@@ -2844,6 +2942,20 @@ int32_t __wrap_hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boun
   return result;
 }
 
+int32_t __real_hsp_pores_find_regions_with(hsp_pores *pores, const hsp_boundary *boundary, const hsp_pores_request
+    *request, hsp_pore_access *access, uint32_t *regions);
+int32_t __wrap_hsp_pores_find_regions_with(hsp_pores *pores, const hsp_boundary *boundary, const hsp_pores_request
+    *request, hsp_pore_access *access, uint32_t *regions);
+int32_t __wrap_hsp_pores_find_regions_with(hsp_pores *pores, const hsp_boundary *boundary, const hsp_pores_request
+    *request, hsp_pore_access *access, uint32_t *regions) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_pores_find_regions_with");
+  result = __real_hsp_pores_find_regions_with(pores, boundary, request, access, regions);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out);
 int32_t __wrap_hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out);
 int32_t __wrap_hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out) {
@@ -2865,6 +2977,20 @@ int32_t __wrap_hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, c
   host_call call;
   host_call_begins(&call, "hsp_pores_measure_pockets");
   result = __real_hsp_pores_measure_pockets(pores, plugged, boundary, out, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_pores_measure_pockets_with(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary, const
+    hsp_pores_request *request, hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_pores_measure_pockets_with(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary, const
+    hsp_pores_request *request, hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_pores_measure_pockets_with(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary, const
+    hsp_pores_request *request, hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_pores_measure_pockets_with");
+  result = __real_hsp_pores_measure_pockets_with(pores, plugged, boundary, request, out, capacity, needed);
   host_call_ends(&call);
   return result;
 }

@@ -11,7 +11,8 @@ struct Finder {
 
   Finder(PlacedBalls &placed, const hsp::MapLimits &limits) {
     memory_.carve(finder, limits);
-    finder.find(placed.seen, placed.discs);
+    hsp::Patience endless;
+    finder.find(placed.seen, placed.discs, endless);
   }
 
  private:

@@ -97,7 +97,8 @@ TEST(MapFaces, RefusesEdgesThatDoNotFit) {
     map.loops.clear();
     map.faces.clear();
     for (hsp::MapHalfEdge &half_edge : map.half_edges.items()) half_edge.loop = hsp::no_id;
-    return finder.find(built.builder().discs(), hsp::MapTrust::all_arcs, map);
+    hsp::Patience endless;
+    return finder.find(built.builder().discs(), hsp::MapTrust::all_arcs, map, endless);
   };
   ASSERT_TRUE(again());
   for (uint32_t h = 0; h < map.half_edges.size(); h += 3) {
@@ -136,7 +137,8 @@ TEST(MapFaces, RefusesBallsThatWereForgotten) {
     map.loops.clear();
     map.faces.clear();
     for (hsp::MapHalfEdge &half_edge : map.half_edges.items()) half_edge.loop = hsp::no_id;
-    return finder.find(of.discs(), hsp::MapTrust::all_arcs, map);
+    hsp::Patience endless;
+    return finder.find(of.discs(), hsp::MapTrust::all_arcs, map, endless);
   };
   EXPECT_TRUE(again(one));
   EXPECT_FALSE(again(two));

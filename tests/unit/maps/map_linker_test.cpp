@@ -18,7 +18,8 @@ class Linked {
     finder_memory_.carve(finder_, limits);
     linker_memory_.carve(linker_, hsp::MapSizes{placed.size(), placed.size(), limits.edges});
     map_memory_.carve(map, limits.edges);
-    finder_.find(placed.seen, placed.discs);
+    hsp::Patience endless;
+    finder_.find(placed.seen, placed.discs, endless);
     arcs.assign(finder_.arcs().begin(), finder_.arcs().end());
   }
   bool link() {
@@ -26,7 +27,8 @@ class Linked {
     map.scene.balls = placed_.seen.balls();
     const hsp::Span<const MapArc> span(arcs.data(), static_cast<uint32_t>(arcs.size()));
     edges = linker_.count_edges(span, map.scene);
-    return linker_.link(map);
+    hsp::Patience endless;
+    return linker_.link(map, endless);
   }
 
   std::vector<MapArc> arcs;

@@ -95,7 +95,8 @@ inline uint32_t faces_cut_in_two() {
   }
   arrays.loop_face[cut] = band + 1;
   arrays.faces[band + 1] = {middle, cut, hsp::no_id};
-  hsp::find_shells(small_union().boundary(), arrays, small_union().builder().scratch());
+  hsp::Patience endless;
+  hsp::find_shells(small_union().boundary(), arrays, small_union().builder().scratch(), endless);
   const hsp::BoundaryViolation found = metric_violation();
   const bool conditions[] = {arrays.shell_count == 2, structure_is_correct(),
                              found.invariant == hsp::BoundaryInvariant::areas, found.id == middle};

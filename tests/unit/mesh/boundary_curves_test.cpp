@@ -23,7 +23,8 @@ TEST(BoundaryCurves, BothHalfEdgesOfAnArcHaveOneCurve) {
   CarvedMemory memory;
   hsp::BoundaryCurves curves;
   memory.carve(curves, boundary.arc_count());
-  ASSERT_TRUE(curves.build(built.balls(), boundary, 100.0));
+  hsp::Patience endless;
+  ASSERT_TRUE(curves.build(built.balls(), boundary, 100.0, endless));
   ASSERT_EQ(curves.count(), boundary.arc_count());
   for (uint32_t e = 0; e < boundary.half_edge_count(); ++e) {
     const uint32_t c = curves.of_half_edge(e);
@@ -40,7 +41,8 @@ TEST(BoundaryCurves, PointsRunAlongTheArc) {
   CarvedMemory memory;
   hsp::BoundaryCurves curves;
   memory.carve(curves, boundary.arc_count());
-  ASSERT_TRUE(curves.build(balls, boundary, 100.0));
+  hsp::Patience endless;
+  ASSERT_TRUE(curves.build(balls, boundary, 100.0, endless));
   for (uint32_t c = 0; c < curves.count(); ++c) {
     const hsp::MeshCurve &curve = curves.curve(c);
     const hsp::CurvePoints points(balls, boundary, curve, false);
@@ -71,7 +73,8 @@ TEST(BoundaryCurves, CirclesCloseAndMayBeEnlarged) {
   CarvedMemory memory;
   hsp::BoundaryCurves curves;
   memory.carve(curves, 1U);
-  ASSERT_TRUE(curves.build(built.balls(), built.boundary(), 100.0));
+  hsp::Patience endless;
+  ASSERT_TRUE(curves.build(built.balls(), built.boundary(), 100.0, endless));
   ASSERT_EQ(curves.count(), 1U);
   ASSERT_TRUE(curves.is_circle(0));
   const hsp::MeshCurve &curve = curves.curve(0);
@@ -89,7 +92,8 @@ TEST(BoundaryCurves, RefusesMorePointsThanAnyLimitAllows) {
   CarvedMemory memory;
   hsp::BoundaryCurves curves;
   memory.carve(curves, 1U);
-  EXPECT_FALSE(curves.build(built.balls(), built.boundary(), 1e-9));
+  hsp::Patience endless;
+  EXPECT_FALSE(curves.build(built.balls(), built.boundary(), 1e-9, endless));
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ struct Bands {
       curves.curve(c).first_sample = vertices.size();
       source.add_samples(c, vertices);
     }
-    EXPECT_TRUE(hsp::SaddleGrids(curves).add_triangles(length, vertices, triangles));
+    hsp::Patience endless;
+    EXPECT_TRUE(hsp::SaddleGrids(curves).add_triangles(length, endless, vertices, triangles));
     EXPECT_FALSE(vertices.overflowed() || triangles.overflowed());
   }
 

@@ -74,7 +74,8 @@ TEST(SurfaceCurves, RefusesMorePointsThanAnyLimitAllows) {
   std::vector<hsp::MeshCurve> room(hsp::SurfaceMap(built.balls(), built.boundary(), built.surface()).edge_count());
   hsp::SurfaceCurves curves(built.balls(), built.boundary(), built.surface(),
                             hsp::Span<hsp::MeshCurve>(room.data(), static_cast<uint32_t>(room.size())));
-  EXPECT_FALSE(curves.divide(1e-6));
+  hsp::Patience endless;
+  EXPECT_FALSE(curves.divide(1e-6, endless));
 }
 
 // Twice as many points on an arc, again and again: then they are too near each other.

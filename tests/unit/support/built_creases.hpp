@@ -15,11 +15,12 @@ class BuiltCreases {
       return;
     }
     grid_memory_.carve(grid_, vertices);
-    grid_.build(built.balls(), built.boundary());
+    hsp::Patience endless;
+    grid_.build(built.balls(), built.boundary(), endless);
     uint32_t near = 0, creases = 0, corners = 0;
     do {
       crease_memory_.carve(creases_, near, creases, corners);
-      status_ = creases_.build(actual_, chosen_, grid_, built.surface().cusped_circles());
+      status_ = creases_.build(actual_, chosen_, grid_, built.surface().cusped_circles(), endless);
       near = creases_.most_near();
       creases = creases_.required_creases();
       corners = creases_.required_corners();
@@ -29,7 +30,7 @@ class BuiltCreases {
     figures_.resize(arcs_.size());
     patches_.use({arcs_.data(), 2 * creases + 6}, {figures_.data(), 2 * creases + 6});
     cut_memory_.carve(cut_, vertices, 2 * creases + vertices, 2 * creases + 6 * vertices);
-    status_ = patches_.fill(inputs(), cut_);
+    status_ = patches_.fill(inputs(), cut_, endless);
   }
   BuiltCreases(const BuiltCreases &) = delete;
   BuiltCreases &operator=(const BuiltCreases &) = delete;

@@ -28,8 +28,9 @@ class FoundPoints {
     const auto n = static_cast<uint32_t>(outer.size());
     ball_memory_.carve(balls_, n, n);
     memory_.carve(points_, limits);
-    status_ = balls_.take(grid_.grid());
-    if (status_ == hsp::Status::ok) status_ = points_.find(balls_, floor);
+    hsp::Patience endless;
+    status_ = balls_.take(grid_.grid(), endless);
+    if (status_ == hsp::Status::ok) status_ = points_.find(balls_, floor, endless);
   }
   static hsp::CriticalLimits roomy(const oracle::Balls &balls) {
     const auto n = static_cast<uint32_t>(balls.size());

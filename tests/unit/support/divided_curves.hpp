@@ -17,7 +17,8 @@ class DividedCurves {
       : room_(hsp::SurfaceMap(built.balls(), built.boundary(), built.surface()).edge_count()),
         curves_(built.balls(), built.boundary(), built.surface(),
                 hsp::Span<hsp::MeshCurve>(room_.data(), static_cast<uint32_t>(room_.size()))) {
-    EXPECT_TRUE(curves_.divide(length));
+    hsp::Patience endless;
+    EXPECT_TRUE(curves_.divide(length, endless));
   }
 
   hsp::SurfaceCurves &get() { return curves_; }

@@ -18,10 +18,11 @@ class PlacedBalls {
     hsp::ViewFrame frame;
     hsp::look_from({{towards[0], towards[1], towards[2]}, {0, 1, 0}}, frame);
     hsp::centre_on(grid_.grid().balls(), frame);
-    seen.choose(grid_.grid(), frame);
-    seen.place(grid_.grid().balls(), frame, perturbation);
+    hsp::Patience endless;
+    seen.choose(grid_.grid(), frame, endless);
+    seen.place(grid_.grid().balls(), frame, perturbation, endless);
     discs.build(seen.balls());
-    discs.mark_inside(seen.balls());
+    discs.mark_inside(seen.balls(), endless);
   }
 
   uint32_t size() const { return grid_.grid().balls().n; }

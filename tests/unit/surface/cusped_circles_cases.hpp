@@ -25,7 +25,8 @@ inline uint32_t circles_with_cusps() {
     hsp::Workspace workspace(memory, sizeof memory);
     hsp::CuspedCircles cusped;
     cusped.carve(workspace, 4);
-    cusped.find({small_union().balls(), small_union().boundary()});
+    hsp::Patience endless;
+    cusped.find({small_union().balls(), small_union().boundary()}, endless);
     if (cusped.required() != c.circles || cusped.whole_circles() != c.whole || cusped.arcs() != c.arcs) return false;
     for (uint32_t k = 0; k < cusped.count(); ++k) {
       const hsp::LoopElement element = cusped.element(k);
@@ -40,7 +41,8 @@ inline uint32_t circles_with_cusps() {
 inline uint32_t too_many_are_counted() {
   if (!small_union().build(spindle.ball, 2, spindle.probe)) return 0;
   hsp::CuspedCircles none;
-  none.find({small_union().balls(), small_union().boundary()});
+  hsp::Patience endless;
+  none.find({small_union().balls(), small_union().boundary()}, endless);
   return none.required() == 1 && none.count() == 0 ? all_hold : 1;
 }
 

@@ -28,7 +28,8 @@ class SearchedProbes {
     if (measured.bytes() > sizeof memory_) return false;
     hsp::Workspace workspace(memory_, sizeof memory_);
     grid_.carve(workspace, vertices());
-    grid_.build(small_union().balls(), small_union().boundary());
+    hsp::Patience endless;
+    grid_.build(small_union().balls(), small_union().boundary(), endless);
     return true;
   }
 

@@ -49,7 +49,8 @@ class RandomPoints {
     hsp::ProbeCaps caps;
     grid_memory.carve(probes, boundary.vertex_count());
     cap_memory.carve(caps, 4 * boundary.vertex_count());
-    if (boundary.vertex_count() > 0) probes.build(balls(), boundary);
+    hsp::Patience endless;
+    if (boundary.vertex_count() > 0) probes.build(balls(), boundary, endless);
     for (uint32_t v = 0; v < boundary.vertex_count(); ++v) {
       const hsp::ProbeState state = caps.gather(balls(), boundary, built_.surface().chosen(), probes, v);
       ASSERT_FALSE(caps.overflowed());

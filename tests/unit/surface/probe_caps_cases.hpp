@@ -23,7 +23,8 @@ struct ProbeScene {
     hsp::Workspace workspace(memory, sizeof memory);
     grid.carve(workspace, vertices);
     probe.carve(workspace, neighbours);
-    grid.build(small_union().balls(), small_union().boundary());
+    hsp::Patience endless;
+    grid.build(small_union().balls(), small_union().boundary(), endless);
     return true;
   }
   hsp::ProbeState gather(uint32_t vertex) {

@@ -22,7 +22,8 @@ class Groups {
     EXPECT_EQ(builder_.build(built_.grid()), hsp::Status::ok);
     EXPECT_EQ(vertices(), 2 * groups);
     grid_memory_.carve(grid, vertices());
-    grid.build(balls(), builder_.boundary());
+    hsp::Patience endless;
+    grid.build(balls(), builder_.boundary(), endless);
   }
 
   uint32_t vertices() const { return builder_.boundary().vertex_count(); }

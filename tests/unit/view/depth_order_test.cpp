@@ -41,7 +41,8 @@ void expect_order(const Set &set, const hsp::ViewDirection &direction) {
     expected.push_back(i);
   }
   std::vector<uint32_t> scratch(balls.n);
-  hsp::sort_by_depth(balls, frame, {keys.data(), balls.n}, {scratch.data(), balls.n});
+  hsp::Patience endless;
+  hsp::sort_by_depth(balls, frame, {keys.data(), balls.n}, {scratch.data(), balls.n}, endless);
   std::sort(expected.begin(), expected.end(),
             [&](uint32_t a, uint32_t b) { return comes_before(balls, frame.direction, a, b); });
   for (uint32_t k = 0; k < balls.n; ++k) {

@@ -25,7 +25,8 @@ inline uint32_t count_hidden(const hsp::ViewDirection &direction) {
   for (uint8_t &each : visible) each = 1;
   if (hsp::look_from(direction, frame) != hsp::Status::ok) return not_hidden;
   hsp::centre_on(balls, frame);
-  culler.hide(small_grid().grid(), frame, {visible, balls.n});
+  hsp::Patience endless;
+  culler.hide(small_grid().grid(), frame, {visible, balls.n}, endless);
   uint32_t hidden = 0;
   for (uint32_t i = 0; i < balls.n; ++i) {
     if (visible[i] != 0) continue;
