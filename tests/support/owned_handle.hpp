@@ -102,7 +102,10 @@ class OwnedHandle {
 
  private:
   static void expect(int32_t status, const char *function) {
-    if (status != HSP_OK) expect_ok(status, (std::string(Kind::name) + function).c_str());
+    if (status == HSP_OK) return;
+    std::string name = Kind::name;  // g++ 12 warns of a sum in large units
+    name += function;
+    expect_ok(status, name.c_str());
   }
 
   Limits needed_{};
