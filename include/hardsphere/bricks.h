@@ -107,7 +107,10 @@ typedef struct hsp_brick_totals {
 
 /** Totals of the whole, of a summary [bytes] with all bricks in it. brick may be NULL, else it becomes the first that
  *  is missing, or HSP_NONE.
- *  @param[out] totals  one
+ *  @param[in]  summary  [bytes]
+ *  @param[in]  bytes    its size
+ *  @param[out] totals   one
+ *  @param[out] brick    one, or NULL
  *  - Property 1: euler = vertices - arcs + 2 faces - loops, voids = shells - components, 2 arcs = 3 vertices.
  *
  *  Cost: O(bytes).

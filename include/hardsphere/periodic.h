@@ -318,9 +318,9 @@ typedef struct hsp_periodic_gradient_outputs {
  *  outputs->first_bad is written.
  *
  *  With forces F = - dE/dc and distances x of pairs, d_strain [3 p + q] = dE/deps_pq = - sum F_p x_q. Hence E adds
- *    d_strain / V_box               to the stress, positive where the box pulls itself together (ASE)
- *    - d_strain                     to the virial sum F_p x_q (LAMMPS), and d_strain / 2 to that of GROMACS, its -1/2
- *    - trace(d_strain) / (3 V_box)  to the pressure
+ *    d_strain / V_box             to the stress, positive where the box pulls itself together (ASE)
+ *    -d_strain                    to the virial sum F_p x_q (LAMMPS), and d_strain / 2 to that of GROMACS, its -1/2
+ *    -trace(d_strain) / (3 V_box) to the pressure
  *  - Property 1: the sum of d_centre is zero up to rounding.
  *  - Property 2: with all sigma equal, the trace of d_strain + sum_i r_i d_radius_i is 2 A for the area, 3 V for the
  *    volume.

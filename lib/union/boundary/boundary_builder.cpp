@@ -137,8 +137,7 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
       if (worker == 0 && shares_shells()) number_shells(DisjointSets(scratch_.part(0, a.face_count)), a);
       if (worker == 0 && !shares_shells()) find_shells(boundary_, a, scratch_, own.patience());
       if (worker < count_ - 1 || !own.patience().allows(50 * uint64_t{a.balls})) return;
-      find_component_origins(grid_->balls(), a);
-      if (own.patience().allows(50 * uint64_t{a.balls})) number_components(*grid_, a);
+      number_components(*grid_, own.patience(), a);
   }
 }
 

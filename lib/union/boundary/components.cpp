@@ -2,7 +2,8 @@
 
 namespace hsp {
 
-void find_component_origins(const BallSet &balls, BoundaryArrays &arrays) {
+void number_components(const CubeGrid &grid, Patience &patience, BoundaryArrays &arrays) {
+  const BallSet &balls = grid.balls();
   const Span<uint32_t> lowest =
       arrays.component;  // for the time being: of the balls seen so far, at the representative
   DisjointSets components(arrays.component_origin.part(0, arrays.balls));
@@ -12,9 +13,7 @@ void find_component_origins(const BallSet &balls, BoundaryArrays &arrays) {
     if (representative == i || balls.ranks_before(i, lowest[representative])) lowest[representative] = i;
   }
   for (uint32_t i = 0; i < arrays.balls; ++i) arrays.component_origin[i] = lowest[arrays.component_origin[i]];
-}
-
-void number_components(const CubeGrid &grid, BoundaryArrays &arrays) {
+  if (!patience.allows(50 * uint64_t{arrays.balls})) return;
   for (uint32_t i = 0; i < arrays.balls; ++i) arrays.component[i] = no_id;
   arrays.component_count = 0;
   for (uint32_t input = 0; input < arrays.balls; ++input) {

@@ -5,13 +5,12 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/patience.hpp"
 
 namespace hsp {
 
-// Names the components, joined in arrays.component_origin as disjoint sets, by their balls of lowest rank.
-void find_component_origins(const BallSet &balls, BoundaryArrays &arrays);
-
-// Numbers them, after that, in the order of their first ball in the input.
-void number_components(const CubeGrid &grid, BoundaryArrays &arrays);
+// Names the components, joined in arrays.component_origin as disjoint sets, by their balls of lowest rank, and numbers
+// them in the order of their first ball in the input.
+void number_components(const CubeGrid &grid, Patience &patience, BoundaryArrays &arrays);
 
 }  // namespace hsp

@@ -78,7 +78,7 @@ class FreeIntervals {
 
   Span<MeridianCap> caps_;      // those that the meridian crosses; then of these the ones with a free end point
   uint32_t bounding_caps_ = 0;  // of which there are so many
-  bool indexed_ = false;        // then memory behind the first `room_` of them is that of the sectors
+  bool indexed_;                // then memory behind the first `room_` of them is that of the sectors
   uint32_t room_;
   MeridianSectors sectors_;
 };

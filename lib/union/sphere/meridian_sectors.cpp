@@ -42,12 +42,13 @@ MeridianSectors::Reach MeridianSectors::reach_of(const Caps &caps, uint32_t cap)
 }
 
 void MeridianSectors::start(const Caps &caps, const Memory &memory) {
-  memory_ = memory;
+  first_ = memory.first.data();
+  listed_ = memory.listed.data();
   const uint32_t count = caps.count;
   sectors_ = 1;
   while (4 * sectors_ * sectors_ <= count) sectors_ *= 2;
   // As many sectors as there is room for.
-  const Span<uint32_t> first = memory_.first;
+  const Span<uint32_t> first = memory.first;
   for (;; sectors_ /= 2) {
     for (uint32_t s = 0; s <= sectors_; ++s) first[s] = 0;
     all_ = 0;
@@ -56,15 +57,15 @@ void MeridianSectors::start(const Caps &caps, const Memory &memory) {
       all_ += reach.count > most_sectors ? 1 : reach.count;
       for (uint32_t s = 0; s < reach.count && reach.count <= most_sectors; ++s) ++first[(reach.first + s) % sectors_];
     }
-    if (all_ <= memory_.listed.size()) break;
+    if (all_ <= memory.listed.size()) break;
   }
   placed_ = end_rows(first, sectors_);
   uint32_t wide = all_;
   for (uint32_t k = count; k-- > 0;) {
     const Reach reach = reach_of(caps, k);
-    if (reach.count > most_sectors) memory_.listed[--wide] = k;
+    if (reach.count > most_sectors) memory.listed[--wide] = k;
     for (uint32_t s = 0; s < reach.count && reach.count <= most_sectors; ++s) {
-      memory_.listed[--first[(reach.first + s) % sectors_]] = k;
+      memory.listed[--first[(reach.first + s) % sectors_]] = k;
     }
   }
 }

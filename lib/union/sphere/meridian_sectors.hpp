@@ -32,8 +32,8 @@ class MeridianSectors {
   template <class Visit>
   void visit(double along_x, double along_y, Visit visit) const {
     const uint32_t sector = sector_of(along_x, along_y);
-    const Span<uint32_t> near = memory_.listed.part(memory_.first[sector], memory_.first[sector + 1]);
-    const Span<uint32_t> wide = memory_.listed.part(placed_, all_);
+    const Span<const uint32_t> near(listed_ + first_[sector], first_[sector + 1] - first_[sector]);
+    const Span<const uint32_t> wide(listed_ + placed_, all_ - placed_);
     uint32_t k = 0;
     for (const uint32_t cap : near) {
       for (; k < wide.size() && wide[k] < cap; ++k) {
@@ -55,7 +55,7 @@ class MeridianSectors {
   uint32_t sector_of(double x, double y) const;
   Reach reach_of(const Caps &caps, uint32_t cap) const;
 
-  Memory memory_;
+  const uint32_t *first_, *listed_;
   uint32_t sectors_;
   uint32_t placed_, all_;  // entries in sectors, and with the wide caps behind them
 };

@@ -75,7 +75,7 @@ contains
     type(hsp_view_arc) :: arc
     type(hsp_picture_options) :: picture
     call check(c_sizeof(limits) == 16, 'size of hsp_view_limits')
-    call check(c_sizeof(options) == 64, 'size of hsp_view_options')
+    call check(c_sizeof(options) == 80, 'size of hsp_view_options')
     call check(c_sizeof(info) == 160, 'size of hsp_view_info')
     call check(c_sizeof(piece) == 56, 'size of hsp_view_piece')
     call check(c_sizeof(loop) == 16, 'size of hsp_view_loop')
@@ -161,7 +161,7 @@ contains
     type(hsp_view_options) :: options
     type(hsp_view_info) :: info
     call usual_options(options)
-    call check(options%struct_size == 64 .and. options%pieces == HSP_PIECES_OUTSIDE_FARTHER .and. options%flags == 0, 'options')
+    call check(options%struct_size == 80 .and. options%pieces == HSP_PIECES_OUTSIDE_FARTHER .and. options%flags == 0, 'options')
     call expect(hsp_view_options_turn(options, 90.0_c_double, 0.0_c_double, 0.0_c_double), HSP_OK, 'hsp_view_options_turn')
     options%flags = HSP_VIEW_ALL_BALLS
     call expect(hsp_view_compute(view, model, c_null_ptr, options), HSP_OK, 'turned by a quarter')

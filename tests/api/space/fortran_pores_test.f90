@@ -24,7 +24,7 @@ program fortran_pores_test
   integer(c_int32_t) :: list(8), needed, number
   integer(c_size_t) :: bytes
 
-  call check(c_sizeof(limits) == 32 .and. c_sizeof(options) == 16 .and. c_sizeof(counts) == 24, 'sizes of numbers')
+  call check(c_sizeof(limits) == 32 .and. c_sizeof(options) == 32 .and. c_sizeof(counts) == 24, 'sizes of numbers')
   call check(c_sizeof(top(1)) == 64 .and. c_sizeof(gates(1)) == 56 .and. c_sizeof(place) == 16, 'sizes of records')
   call check(c_sizeof(passage) == 32 .and. c_sizeof(pocket(1)) == 40 .and. c_sizeof(tunnel) == 40, 'sizes of answers')
   call expect(hsp_model_bytes(n, bytes), HSP_OK, 'hsp_model_bytes')
