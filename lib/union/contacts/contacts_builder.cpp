@@ -236,7 +236,8 @@ void ContactsBuilder::close_shares() {
 void ContactsBuilder::make_rows(const CubeGrid &grid, Patience &patience) {
   ContactArrays &a = contacts_.a_;
   candidates_.end();
-  const auto [found, next] = walk_.end();
+  const ChordWalk::SpareArrays spare = walk_.end();
+  const Span<uint32_t> found = spare.of_contacts, next = spare.of_balls;
   for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = 0;
   const uint32_t contacts = a.contacts.size();
   in_parts(patience, IdRange{0, contacts}, 50, [&](IdRange some) {
