@@ -320,8 +320,9 @@ module hardsphere
     ! caller's floating-point environment; not by a library that is compiled for size. It must not call functions with
     ! the handles of the function that asks. Of molecules of some thousand balls fewer than 10 million instructions lie
     ! between two questions, as a rule one million; where many balls tie in one place there may be more. Functions
-    ! without an executor in their request or options do not ask: of so many balls they take less than that, or may be
-    ! asked for less at a time, as poses and lists, or have a sibling that asks (splitting_the_work.md lists them).
+    ! without an executor in their request or options do not ask: of such molecules most of them take less than that,
+    ! hsp_model_set 500 instructions a ball, measures of smooth surfaces and curvatures some 2,000; poses and lists may
+    ! be asked for less at a time, and others have a sibling that asks (splitting_the_work.md lists them).
     type(c_funptr) :: proceed
   end type
 

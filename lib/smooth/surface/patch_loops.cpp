@@ -20,12 +20,17 @@ void find_axis(const ActualPoints<Number> &actual, uint32_t vertex, uint32_t acr
   const SideOfPatch side = side_of_patch(record, across & ~PatchArc::side_bit);
   actual.find_inward(vertex, record.ball[side.second], record.ball[side.first], axis);
 }
+// Apart, so that its numbers are not on the stack below ends.
+template <class Number>
+[[gnu::noinline]] void find_middle(const ActualPoints<Number> &actual, const BorderArc &arc, ArcPlace<Number> &place) {
+  place.middle = place.axis;
+  place.middle *= (arc.across & PatchArc::side_bit) != 0 ? actual.number(0) : actual.number(1).scaled(-1);
+}
 template <class Number>
 [[gnu::noinline]] void find_place(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,
                                   ArcPlace<Number> &place) {
   find_axis(actual, vertex, arc.across, place.axis);
-  place.middle = place.axis;
-  place.middle *= (arc.across & PatchArc::side_bit) != 0 ? actual.number(0) : actual.number(1).scaled(-1);
+  find_middle(actual, arc, place);
   if (arc.is_whole()) return;
   actual.find_arm(vertex, arc.from, place.start);
   actual.find_arm(vertex, arc.to, place.end);
