@@ -50,7 +50,7 @@ static const char statuses[] =
 static const char box_text[] = "In a periodic box, whose copies fill space, all images of the balls count:\n";
 
 static const char box_closing[] =
-    "Vectors may be any three; all that has a direction is told in the frame of the atoms.\n"
+    "The three vectors may be any. Coordinates and directions are printed in the frame of the atoms.\n"
     "Not with --shells, --surface ses, --interface, --window and --pdb-out.\n";
 
 /* Of a boundary. */

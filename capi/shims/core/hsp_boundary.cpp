@@ -8,7 +8,7 @@
 //   half-edges of ball 2     both are twins
 #include "hsp_boundary.hpp"
 #include "boundary_records.hpp"
-#include "caller_executor.hpp"
+#include "compute_from.hpp"
 #include "measure/boundary_metric_check.hpp"
 
 using hsp::capi::check_handle;
@@ -117,19 +117,12 @@ int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp
 
 int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request *request,
                                   hsp_boundary_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
-  boundary->complete = false;
-  hsp_boundary_request asked;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t status =
-          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_request(request, asked, executor));
-      status != HSP_OK)
-    return status;
-  if (!model->has_results()) return HSP_E_STATE;
-  boundary->model.set(model);
-  boundary->of_some = asked.selected != nullptr;
-  return hsp::capi::finish(*boundary, boundary->builder.build(model->grid, executor, asked.selected), limits);
+  const auto build = [&](const hsp_boundary_request &asked, hsp::capi::Executor &executor) {
+    boundary->model.set(model);
+    boundary->of_some = asked.selected != nullptr;
+    return boundary->builder.build(model->grid, executor, asked.selected);
+  };
+  return hsp::capi::compute_from(boundary, model, request, limits, build);
 }
 
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {

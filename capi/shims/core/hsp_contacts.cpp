@@ -7,7 +7,7 @@
 // Balls of a record ascend in the caller's order, whatever that of the grid is.
 #include "hsp_contacts.hpp"
 
-#include "compute_from_boundary.hpp"
+#include "compute_from.hpp"
 
 #include "contacts/contacts_check.hpp"
 #include "core/summation.hpp"

@@ -1,6 +1,6 @@
 #include "hsp_topology.hpp"
 
-#include "compute_from_boundary.hpp"
+#include "compute_from.hpp"
 #include "model/queries.hpp"
 #include "topology/positions.hpp"
 #include "topology/shell_volumes.hpp"

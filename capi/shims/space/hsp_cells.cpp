@@ -4,7 +4,7 @@
 
 #include "cells/arrangement.hpp"
 #include "cells/cell_location.hpp"
-#include "compute_from_model.hpp"
+#include "compute_from.hpp"
 #include "conversion.hpp"
 #include "handle_memory.hpp"
 #include "hsp_topology.hpp"

@@ -1,6 +1,6 @@
 #include "hsp_paths.hpp"
 
-#include "compute_from_model.hpp"
+#include "compute_from.hpp"
 #include "handle_memory.hpp"
 #include "rounded_point.hpp"
 

@@ -1,0 +1,48 @@
+// Handles that are computed from another one.
+#pragma once
+
+#include "caller_executor.hpp"
+#include "hsp_boundary.hpp"
+
+namespace hsp::capi {
+
+// Computes what the request asks for by build(asked, executor), which names the source. The handle is without results
+// where that fails.
+template <class Handle, class Source, class Request, class Build>
+int32_t compute_from(Handle *handle, const Source *source, const Request *request, typename Handle::Given *limits,
+                     Build build) {
+  LibraryArithmetic arithmetic;
+  if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
+  handle->complete = false;
+  Request asked;
+  Executor executor(arithmetic);
+  if (const int32_t status =
+          first_failure(check_handle(source), check_struct(limits), read_request(request, asked, executor));
+      status != HSP_OK)
+    return status;
+  if (!source->has_results()) return HSP_E_STATE;
+  return finish(*handle, build(asked, executor), limits);
+}
+
+// From a boundary alone.
+template <class Handle, class Request>
+int32_t compute_from_boundary(Handle *handle, const hsp_boundary *boundary, const Request *request,
+                              typename Handle::Given *limits) {
+  return compute_from(handle, boundary, request, limits, [&](const Request &, Executor &executor) {
+    handle->boundary.set(boundary);
+    return handle->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours,
+                                 Patience(&executor));
+  });
+}
+
+// From a model alone.
+template <class Handle, class Request>
+int32_t compute_from_model(Handle *handle, const hsp_model *model, const Request *request,
+                           typename Handle::Given *limits) {
+  return compute_from(handle, model, request, limits, [&](const Request &, Executor &executor) {
+    handle->model.set(model);
+    return handle->builder.build(model->grid, Patience(&executor));
+  });
+}
+
+}  // namespace hsp::capi
