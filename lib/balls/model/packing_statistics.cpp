@@ -1,5 +1,6 @@
 #include "model/packing_statistics.hpp"
 
+#include "core/extremes.hpp"
 #include "model/block_sweep.hpp"
 
 namespace hsp {
@@ -74,6 +75,75 @@ void offer_neighbouring_cubes(CubeGrid &grid, Span<uint32_t> slots, int64_t side
   }
 }
 
+struct Overlaps {
+  uint64_t all = 0;
+  uint32_t most = 0;
+
+  void add(uint32_t of_ball) {
+    all += of_ball;
+    if (of_ball > most) most = of_ball;
+  }
+};
+
+// Of all balls around each one's cube, with the closest pair among these.
+Overlaps count_in_cubes(const CubeGrid &grid, ClosestPair &closest) {
+  const BallSet &balls = grid.balls();
+  Overlaps overlaps;
+  BlockSweep sweep(grid);
+  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+    const CubeBlock &block = sweep.block_around(cube);
+    const BallRange own = grid.balls_in(cube);
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      uint32_t count = 0;
+      for (uint32_t k = 0; k < block.ranges; ++k) {
+        for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
+          if (j == i) continue;
+          if (overlap(balls, i, j)) ++count;
+          if (j > i) closest.offer(balls, i, j);
+        }
+      }
+      overlaps.add(count);
+    }
+  }
+  return overlaps;
+}
+
+// The same by levels of radii, with the closest pair of all. A pair whose ratio is at most 1 overlaps. For larger ones
+// balls that do not meet are looked at, too, as far away as the ratio allows. False if there is no pair that close.
+bool count_in_levels(CubeGrid &grid, const RadiusLevels &levels, Overlaps &overlaps, ClosestPair &closest) {
+  constexpr double largest_ratio = 64.0;
+  const BallSet &balls = grid.balls();
+  const Span<uint32_t> near = grid.scratch_links();
+  // All balls to which the distance is at most `reach` and their radius, and perhaps others: all, where numbers would be
+  // larger than those of balls are.
+  const auto visit_near = [&](uint32_t i, double reach, auto visit) {
+    const double steps = static_cast<double>(static_cast<int64_t>(reach) + 2);
+    const QueryBall query{balls.x[i], balls.y[i], balls.z[i], steps, i};
+    const uint32_t count = steps < 0x1p30 ? levels.find(query, near.data(), near.size()) : no_id;
+    const bool are_found = count <= near.size();
+    for (uint32_t k = 0; k < (are_found ? count : balls.n); ++k) {
+      const uint32_t j = are_found ? near[k] : k;
+      if (j != i) visit(j);
+    }
+  };
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    uint32_t count = 0;
+    visit_near(i, balls.r[i], [&](uint32_t j) {
+      count += overlap(balls, i, j) ? 1U : 0U;
+      closest.offer(balls, i, j);
+    });
+    overlaps.add(count);
+  }
+  for (double ratio = 1.0; closest.ratio > ratio;) {
+    if (ratio == largest_ratio) return false;
+    ratio = smaller_of(closest.ratio, 4 * ratio);
+    for (uint32_t i = 0; i < balls.n; ++i) {
+      visit_near(i, smaller_of(closest.ratio, ratio) * balls.r[i], [&](uint32_t j) { closest.offer(balls, i, j); });
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 PackingStatistics packing_statistics(CubeGrid &grid) {
@@ -89,27 +159,13 @@ PackingStatistics packing_statistics(CubeGrid &grid) {
   figures.zero_radius = smallest == 0.0;
   if (!figures.zero_radius) figures.k = static_cast<double>(balls.largest_radius) / smallest;
 
-  // Overlaps, and the closest pair among neighbouring cubes.
   ClosestPair closest;
-  uint64_t overlaps = 0;
-  BlockSweep sweep(grid);
-  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
-    const CubeBlock &block = sweep.block_around(cube);
-    const BallRange own = grid.balls_in(cube);
-    for (uint32_t i = own.first; i < own.last; ++i) {
-      uint32_t count = 0;
-      for (uint32_t k = 0; k < block.ranges; ++k) {
-        for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
-          if (j == i) continue;
-          if (overlap(balls, i, j)) ++count;
-          if (j > i) closest.offer(balls, i, j);
-        }
-      }
-      overlaps += count;
-      if (count > figures.max_overlaps) figures.max_overlaps = count;
-    }
-  }
-  figures.mean_overlaps = static_cast<double>(overlaps) / static_cast<double>(balls.n);
+  Overlaps overlaps;
+  const RadiusLevels *const levels = grid.levels();
+  const bool all_seen = levels != nullptr && count_in_levels(grid, *levels, overlaps, closest);
+  if (!all_seen) overlaps = count_in_cubes(grid, closest);
+  figures.max_overlaps = overlaps.most;
+  figures.mean_overlaps = static_cast<double>(overlaps.all) / static_cast<double>(balls.n);
 
   // Balls in cubes that are not neighbours are further apart than the side of the cubes, so their ratio exceeds side /
   // r_max. Coarser cubes are tried only while such a pair could still have the smallest ratio: in sets whose balls
@@ -117,7 +173,7 @@ PackingStatistics packing_statistics(CubeGrid &grid) {
   const double r_max = static_cast<double>(balls.largest_radius);
   constexpr int64_t widest_set = int64_t{1} << 52;
   const auto may_be_closer = [&](int64_t side) {
-    return balls.n >= 2 && side < widest_set && closest.ratio * r_max > static_cast<double>(side);
+    return !all_seen && balls.n >= 2 && side < widest_set && closest.ratio * r_max > static_cast<double>(side);
   };
   if (may_be_closer(grid.side())) {
     grid.lend_slots([&](Span<uint32_t> slots) {

@@ -61,9 +61,11 @@ class LoopElement {
   LoopElement() = default;
   static constexpr LoopElement arc(uint32_t half_edge) { return LoopElement(half_edge); }
   static constexpr LoopElement circle(ClosedHalfEdge e) { return LoopElement(circle_bit | e.id()); }
+  static constexpr LoopElement from_code(uint32_t code) { return LoopElement(code); }
   constexpr bool operator==(const LoopElement &other) const = default;
 
   constexpr bool is_circle() const { return (code_ & circle_bit) != 0; }
+  constexpr uint32_t code() const { return code_; }
   constexpr uint32_t half_edge() const { return code_; }  // if it is none
   constexpr ClosedHalfEdge closed_half_edge() const { return ClosedHalfEdge::from_id(code_ & ~circle_bit); }
 

@@ -79,6 +79,21 @@ uint32_t balls_of_loops(const Boundary &boundary, uint32_t ball, Span<uint32_t> 
   return count;
 }
 
+// By which all numbers below `count` follow each other so that few of them are spread over all: without a common
+// factor, and near to the golden section.
+uint32_t spreading_step(uint32_t count) {
+  if (small_code) return 1;
+  for (uint32_t step = static_cast<uint32_t>(UINT64_C(0x9E3779B9) * count >> 32);; ++step) {
+    uint32_t factor = step, rest = count;
+    while (rest != 0) {
+      const uint32_t next = factor % rest;
+      factor = rest;
+      rest = next;
+    }
+    if (factor == 1) return step;
+  }
+}
+
 }  // namespace
 
 void FaceFinder::carve(Workspace &workspace, uint32_t neighbours) {
@@ -160,15 +175,22 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, u
                                          DisjointSets &loops) {
   const exact::Predicates predicates = caps.predicates();
   intervals_.start(caps, joins);
+  if (!small_code) find_first_elements(caps, boundary, intervals_.of_caps());
   uint32_t pole_loop = no_id;
   const auto join = [&](uint32_t p, uint32_t q) { joins -= static_cast<uint32_t>(loops.join(p, q)); };
-  for (uint32_t representative = 0; representative < caps.count && joins > 0; ++representative) {
+  // In the order of the grid those of one side come first, whose meridians are all much the same.
+  const uint32_t step = intervals_.of_caps().empty() ? 1 : spreading_step(caps.count);
+  uint32_t representative = 0;
+  for (uint32_t left = caps.count; left > 0 && joins > 0;
+       --left, representative = (representative + step) % caps.count) {
     if (!clusters_.is_representative(representative)) continue;
     const exact::Plane meridian = meridian_through(caps.direction(representative));
     intervals_.find(caps, predicates, meridian);
+    const Span<const uint32_t> elements = intervals_.of_caps();
     intervals_.visit([&](const FreeInterval &interval) {
       const auto loop_at = [&](uint32_t cap, int sign) {
-        return boundary.loop_of(locate_on_boundary(caps, predicates, boundary, cap, meridian, sign)) - first_loop;
+        return boundary.loop_of(locate_on_boundary(caps, predicates, boundary, cap, meridian, sign, elements)) -
+               first_loop;
       };
       const uint32_t exit_loop = loop_at(interval.exit_cap, +1);
       const uint32_t entry_loop = loop_at(interval.entry_cap, -1);

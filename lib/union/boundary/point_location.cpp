@@ -13,11 +13,9 @@ namespace {
 // ranks of their neighbours.
 constexpr uint32_t many = small_code ? no_id : 32;
 
-// The arc or free circle of ball i that lies on the sphere of `neighbour` and contains a free point. plane_of(j) is the
-// plane of ball j as seen from ball i.
-template <class PlaneOf>
-LoopElement element_at(const BallSet &balls, const Boundary &boundary, const exact::Predicates &predicates, uint32_t i,
-                       uint32_t neighbour, PlaneOf plane_of, const Plane &other, int sign) {
+// The free circle, or the first arc, of ball i that lies on the sphere of `neighbour`.
+[[gnu::always_inline]] inline LoopElement first_element_at(const BallSet &balls, const Boundary &boundary, uint32_t i,
+                                                           uint32_t neighbour) {
   const Span<const ClosedHalfEdge> circles = boundary.circles(i);
   uint32_t circle = 0, end = circles.size();
   if (end >= many) {
@@ -35,9 +33,21 @@ LoopElement element_at(const BallSet &balls, const Boundary &boundary, const exa
                         [&](uint32_t e) { return !balls.ranks_before(boundary.half_edge(e).circle, neighbour); });
   }
   while (boundary.half_edge(first).circle != neighbour) ++first;
+  return LoopElement::arc(first);
+}
+
+// Of these the one that contains a free point: `found`, which is the first, or a later one on the same circle.
+// plane_of(j) is the plane of ball j as seen from ball i.
+template <class PlaneOf>
+[[gnu::always_inline]] inline LoopElement element_from(LoopElement found, const Boundary &boundary,
+                                                       const exact::Predicates &predicates, uint32_t i,
+                                                       PlaneOf plane_of, const Plane &other, int sign) {
+  if (found.is_circle()) return found;
+  const uint32_t first = found.half_edge(), end = boundary.half_edges(i).last;
+  const uint32_t neighbour = boundary.half_edge(first).circle;
   uint32_t last = first + 1;
-  while (last < all.last && boundary.half_edge(last).circle == neighbour) ++last;
-  if (last - first == 1) return LoopElement::arc(first);
+  while (last < end && boundary.half_edge(last).circle == neighbour) ++last;
+  if (last - first == 1) return found;
   const auto arc = [&](uint32_t k, Plane &leave, Plane &entry) {
     const HalfEdge &half_edge = boundary.half_edge(first + k);
     leave = plane_of(boundary.half_edge(half_edge.next).circle);
@@ -45,6 +55,12 @@ LoopElement element_at(const BallSet &balls, const Boundary &boundary, const exa
   };
   return LoopElement::arc(first +
                           interval_that_contains(predicates, plane_of(neighbour), last - first, arc, other, -sign));
+}
+
+template <class PlaneOf>
+LoopElement element_at(const BallSet &balls, const Boundary &boundary, const exact::Predicates &predicates, uint32_t i,
+                       uint32_t neighbour, PlaneOf plane_of, const Plane &other, int sign) {
+  return element_from(first_element_at(balls, boundary, i, neighbour), boundary, predicates, i, plane_of, other, sign);
 }
 
 // One ball with several faces and the caps that keep them apart: those with arcs on their circles. Of the other caps
@@ -125,6 +141,25 @@ LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predic
                                uint32_t cap, const Plane &other, int sign) {
   const auto plane_of = [&caps](uint32_t neighbour) { return caps.plane_of_ball(neighbour); };
   return element_at(caps.balls(), boundary, predicates, caps.origin, caps.ball[cap], plane_of, other, sign);
+}
+
+void find_first_elements(const Caps &caps, const Boundary &boundary, Span<uint32_t> of_caps) {
+  if (of_caps.empty()) return;
+  for (const ClosedHalfEdge e : boundary.circles(caps.origin)) {
+    of_caps[caps.cap_of(boundary.neighbour(e))] = LoopElement::circle(e).code();
+  }
+  uint32_t before = no_id;
+  for (const uint32_t e : boundary.half_edges(caps.origin)) {
+    const uint32_t circle = boundary.half_edge(e).circle;
+    if (circle != before) of_caps[caps.cap_of(circle)] = LoopElement::arc(e).code();
+    before = circle;
+  }
+}
+
+LoopElement locate_from_first(const Caps &caps, const exact::Predicates &predicates, const Boundary &boundary,
+                              LoopElement first, const Plane &other, int sign) {
+  const auto plane_of = [&caps](uint32_t neighbour) { return caps.plane_of_ball(neighbour); };
+  return element_from(first, boundary, predicates, caps.origin, plane_of, other, sign);
 }
 
 uint32_t face_of_top(const BallSet &balls, const Boundary &boundary, uint32_t i) {

@@ -26,6 +26,8 @@ class ChordClipper {
 
   // Of many caps, those whose planes may touch the power cell, in memory that is idle before start.
   ExposedCaps exposed_caps() const { return {tests_.cap, covered_}; }
+  // All of it, idle until start.
+  CapTests &memory() { return tests_; }
   // Of balls inside other ones there must be no caps.
   void start(const Caps &caps);
   // Whether anything is left of the chord of the caps j < k, and between which ends. For each j and then each k, all

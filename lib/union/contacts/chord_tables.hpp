@@ -28,6 +28,7 @@ struct ChordEnd {
 // it: bits tell.
 class MaskedChords {
  public:
+  static constexpr bool for_many = false;
   static constexpr uint32_t most_caps = 64;
 
   // Of caps from `first` on. There is room for one chord more than there are.
@@ -78,6 +79,7 @@ class MaskedChords {
 // For any number: lists by first caps, ascending in the second ones.
 class ListedChords {
  public:
+  static constexpr bool for_many = true;
   // `heads` is for as many as there are caps.
   ListedChords(Span<FoundChord> chords, Span<uint32_t> heads, uint32_t first, uint32_t caps)
       : chords_(chords), heads_(heads), first_(first) {

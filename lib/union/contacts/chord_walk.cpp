@@ -10,6 +10,7 @@
 #include "contacts/chord_walk.hpp"
 
 #include "contacts/chord_cuts.hpp"
+#include "core/first_index.hpp"
 
 namespace hsp {
 namespace {
@@ -17,16 +18,18 @@ namespace {
 // A ball that is in contact with an earlier one, but no arrivals are left to it; beside no_id for one that is not.
 constexpr uint32_t no_arrival = no_id - 1;
 
-// The exact stage: of later caps in the direction in which they cut, the one whose power vertex is nearer to its balls
-// than to any other.
-uint32_t cut_exactly(const Caps &caps, uint32_t j, uint32_t k, uint32_t side) {
+// The exact stage: of caps cap_at(0) to cap_at(count - 1), in the direction in which they cut, the one whose power
+// vertex is nearer to its balls than to any other.
+template <class CapAt>
+uint32_t cut_exactly(const Caps &caps, uint32_t count, CapAt cap_at, const ChordEnd &end) {
   const exact::Predicates predicates = caps.predicates();
-  const exact::Plane P = caps.plane(j);
-  const exact::Plane Q = caps.plane(k);
-  const int direction = side == 1 ? 1 : -1;
+  const exact::Plane P = caps.plane(end.j);
+  const exact::Plane Q = caps.plane(end.k);
+  const int direction = end.side == 1 ? 1 : -1;
   uint32_t nearest = no_id;
-  for (uint32_t l = caps.first_later; l < caps.count; ++l) {
-    if (l == j || l == k) continue;
+  for (uint32_t n = 0; n < count; ++n) {
+    const uint32_t l = cap_at(n);
+    if (l == end.j || l == end.k) continue;
     const exact::Plane R = caps.plane(l);
     if (exact::Exact::triple_product_sign(P.v, Q.v, R.v) != direction) continue;
     if (nearest == no_id || predicates.near(P, Q, caps.plane(nearest), R).sign < 0) nearest = l;
@@ -34,8 +37,13 @@ uint32_t cut_exactly(const Caps &caps, uint32_t j, uint32_t k, uint32_t side) {
   return nearest;
 }
 
+double direction_of(const ChordEnd &end) {
+  return end.side == 1 ? 1.0 : -1.0;
+}
+
 // Empty caps after the last one, for callers that read whole registers.
-void pad(Caps &caps) {
+template <class Caps>
+void pad(const Caps &caps) {
   for (uint32_t k = caps.count; k < caps.ux.size() && k < caps.count + 3; ++k) {
     caps.ux[k] = caps.uy[k] = caps.uz[k] = 0.0;
     caps.b[k] = 4.0;
@@ -43,6 +51,59 @@ void pad(Caps &caps) {
 }
 
 }  // namespace
+
+// The cap that cuts a chord, where there are very many: a plane that meets the chord inside the ball meets the circles
+// of both of its caps there, so that it is that of a cap near to them. Uses an index of the caps in the second halves
+// of some arrays, and puts those near to the smaller one side by side in the first halves.
+class ChordWalk::NearCuts {
+ public:
+  NearCuts(const Caps &caps, CapTests &memory)
+      : caps_(caps),
+        memory_(memory),
+        half_(memory.ux.size() / 2),
+        near_({words(memory.ux),
+               words(memory.uy),
+               words(memory.uz),
+               {reinterpret_cast<float *>(words(memory.b).data()), memory.ux.size()}}) {
+    near_.start(caps);
+  }
+
+  uint32_t cut_of(const ChordEnd &end, Target target) const {
+    Span<const uint32_t> near = near_.around(caps_, caps_.b[end.j] < caps_.b[end.k] ? end.k : end.j);
+    near = near.part(index_in(near, caps_.first_later), near.size());
+    const uint32_t count = near.size();
+    if (count + 3 <= half_ && count < CapColumns::most_caps) {
+      for (uint32_t n = 0; n < count; ++n) {
+        memory_.ux[n] = caps_.ux[near[n]];
+        memory_.uy[n] = caps_.uy[near[n]];
+        memory_.uz[n] = caps_.uz[near[n]];
+        memory_.b[n] = caps_.b[near[n]];
+      }
+      memory_.count = count;
+      pad(memory_);
+      const CapColumns columns{memory_.ux.data(), memory_.uy.data(), memory_.uz.data(), memory_.b.data()};
+      const uint32_t cut =
+          nearest_cut(target, columns, 0, count, index_in(near, end.j), index_in(near, end.k), direction_of(end));
+      if (cut != no_cut) return near[cut];
+    }
+    return cut_exactly(
+        caps_, count, [near](uint32_t n) { return near[n]; }, end);
+  }
+
+ private:
+  // Of the first that is not less.
+  static uint32_t index_in(Span<const uint32_t> near, uint32_t cap) {
+    return first_index(0, near.size(), [&](uint32_t n) { return near[n] >= cap; });
+  }
+  Span<uint32_t> words(Span<double> array) const {
+    return {reinterpret_cast<uint32_t *>(array.data() + half_), array.size()};
+  }
+
+  const Caps &caps_;
+  CapTests &memory_;
+  const uint32_t half_;
+  NearCaps near_;
+};
 
 void ChordWalk::carve(Workspace &workspace, const ContactLimits &limits) {
   clipper_.carve(workspace, limits.neighbours);
@@ -108,10 +169,23 @@ void ChordWalk::walk(const Boundary &boundary, Caps &caps, Chords &&chords) {
   if (from_any) start_from_any(caps, chords);
   ChordEnd open{};
   if (chords.next_open(open)) {
-    pad(caps);
-    do {
-      add_power_vertex(caps, open, cut_of(caps, open, boundary.target()), chords);
-    } while (chords.next_open(open));
+    const auto walk_on = [&](auto cut_of) {
+      do {
+        add_power_vertex(caps, open, cut_of(open), chords);
+      } while (chords.next_open(open));
+    };
+    const Target target = boundary.target();
+    const bool are_many = Chords::for_many && NearCaps::are_many(caps, caps.b.data());
+    if constexpr (Chords::for_many && !small_code) {
+      if (are_many) {
+        const NearCuts near(caps, clipper_.memory());
+        walk_on([&](const ChordEnd &end) { return near.cut_of(end, target); });
+      }
+    }
+    if (!are_many) {
+      pad(caps);
+      walk_on([&](const ChordEnd &end) { return cut_of(caps, end, target); });
+    }
   }
   chord_count_ = chords.count();
 }
@@ -165,14 +239,14 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
 
 // Of a chord that survives and does not end in a vertex of the boundary at this side.
 uint32_t ChordWalk::cut_of(const Caps &caps, const ChordEnd &end, Target target) const {
-  const auto [j, k, side] = end;
   if (caps.count < CapColumns::most_caps) {
     const CapColumns columns{caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data()};
-    const double direction = side == 1 ? 1.0 : -1.0;
-    const uint32_t cut = nearest_cut(target, columns, caps.first_later, caps.count, j, k, direction);
+    const uint32_t cut = nearest_cut(target, columns, caps.first_later, caps.count, end.j, end.k, direction_of(end));
     if (cut != no_cut) return cut;
   }
-  return cut_exactly(caps, j, k, side);
+  const uint32_t first = caps.first_later;
+  return cut_exactly(
+      caps, caps.count - first, [first](uint32_t n) { return first + n; }, end);
 }
 
 // Of caps a < b < c the ends lie at the side of p+ for the pairs a b and b c, and of p- for a c, if their axes are a

@@ -65,6 +65,8 @@ class ChordWalk {
   }
 
  private:
+  class NearCuts;
+
   void try_all_pairs(const Caps &caps);
   bool has_start(const Boundary &boundary, uint32_t ball) const;
   template <class Chords>

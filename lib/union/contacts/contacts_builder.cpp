@@ -13,6 +13,7 @@
 
 #include "contacts/contact_measures.hpp"
 #include "core/rows.hpp"
+#include "core/small_code.hpp"
 
 namespace hsp {
 namespace {
@@ -28,6 +29,18 @@ CubeBlock part_from(const CubeBlock &block, uint32_t i) {
   }
   return part;
 }
+
+// So many contacts of one ball are looked at one by one.
+constexpr uint32_t most_listed = 32;
+
+// Of a contact in a tree, each increased by 1, or 0. They are where its rim will be, which is 0.
+struct Children {
+  uint32_t of[2];
+
+  explicit Children(const ContactRecord &contact) { std::memcpy(of, &contact.rim, sizeof of); }
+  void put(ContactRecord &contact) const { std::memcpy(&contact.rim, of, sizeof of); }
+};
+static_assert(sizeof(Children) == sizeof(ContactRecord::rim));
 
 }  // namespace
 
@@ -56,7 +69,7 @@ bool ContactsBuilder::start(const CubeGrid &grid, const Boundary &boundary, uint
   const uint32_t balls = grid.balls().n;
   clear(balls);
   own_balls_ = grid.own_balls();
-  some_inside_ = false;
+  some_inside_ = some_trees_ = false;
   lost_across_ = 0;
   needed_.neighbours = neighbours;
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
@@ -89,10 +102,60 @@ void ContactsBuilder::clear(uint32_t balls) {
 
 uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b, uint32_t counted) {
   const ContactArrays &arrays = contacts_.a_;
+  uint32_t left = most_listed;
   for (uint32_t id = arrays.first_in_row[a]; id != no_id; id = arrays.links[id]) {
     if (arrays.contacts[id].ball[1] == b) return id;
+    if (small_code || --left > 0) continue;
+    id = find_in_tree(a, b);
+    if (id != no_id) return id;
+    break;
   }
   return add_contact(a, b, counted);
+}
+
+// Of a ball with very many contacts most are in a tree, too, from the one on whose code says so: by the bits of the
+// other ball, the lowest first, so that no way down is longer than these are. Those that are new since then stand
+// before it in the list.
+uint32_t ContactsBuilder::find_in_tree(uint32_t a, uint32_t b) {
+  ContactArrays &arrays = contacts_.a_;
+  uint32_t waiting = arrays.first_in_row[a], root = waiting;
+  while (root != no_id && arrays.contacts[root].code == 0) root = arrays.links[root];
+  if (root == no_id) {
+    root = waiting;
+    waiting = arrays.links[root];
+    arrays.links[root] = no_id;
+    arrays.contacts[root].code = 1;
+    some_trees_ = true;
+  }
+  while (waiting != no_id && waiting != root) {
+    const uint32_t next = arrays.links[waiting];
+    arrays.links[waiting] = arrays.links[root];
+    arrays.links[root] = waiting;
+    uint32_t at = root, bits = arrays.contacts[waiting].ball[1];
+    Children children(arrays.contacts[root]);
+    for (; children.of[bits % 2] != 0; bits /= 2) {
+      at = children.of[bits % 2] - 1;
+      children = Children(arrays.contacts[at]);
+    }
+    children.of[bits % 2] = waiting + 1;
+    children.put(arrays.contacts[at]);
+    waiting = next;
+  }
+  arrays.first_in_row[a] = root;
+  uint32_t at = root;
+  for (uint32_t bits = b; arrays.contacts[at].ball[1] != b; bits /= 2) {
+    const uint32_t child = Children(arrays.contacts[at]).of[bits % 2];
+    if (child == 0) return no_id;
+    at = child - 1;
+  }
+  return at;
+}
+
+void ContactsBuilder::fell_trees() {
+  for (uint32_t id = 0; some_trees_ && id < contacts_.a_.contacts.size(); ++id) {
+    contacts_.a_.contacts[id].code = 0;
+    contacts_.a_.contacts[id].rim = 0.0;
+  }
 }
 
 uint32_t ContactsBuilder::add_contact(uint32_t a, uint32_t b, uint32_t counted) {

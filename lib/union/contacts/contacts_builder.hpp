@@ -97,9 +97,12 @@ class ContactsBuilder : public Limited<ContactLimits> {
       }
     }
     measure_vertices(grid.balls(), boundary);
+    fell_trees();
+    const Span<uint32_t> contact_with = walk_.end().of_balls;
+    for (uint32_t i = 0; i < contacts_.a_.balls; ++i) contact_with[i] = no_id;
     for (uint32_t i = 0; i < own_balls_; ++i) {
       if (!patience.allows(2000)) return Status::stopped;
-      add_free_edges(grid.balls(), boundary, i, images);
+      add_free_edges(grid.balls(), boundary, i, images, contact_with);
     }
     if (!measure_contacts(grid.balls(), boundary.target(), patience)) return Status::stopped;
     if (!add_other_sides(images)) return Status::check;
@@ -145,6 +148,8 @@ class ContactsBuilder : public Limited<ContactLimits> {
   // no_room if there is none and none may be added, which is counted if it is asked for.
   uint32_t find_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
   uint32_t add_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
+  uint32_t find_in_tree(uint32_t a, uint32_t b);
+  void fell_trees();
   Status check_capacity();
   bool measure_contacts(const BallSet &balls, Target target, Patience &patience);
   void close_shares();
@@ -214,11 +219,15 @@ class ContactsBuilder : public Limited<ContactLimits> {
     if (a.triangles.capacity() == 0) a.triangles.set_count(a.triangles.required() + number);
   }
 
-  // Arcs and circles of ball i: its part of its share, and the free borders of its contacts with later balls.
+  // Arcs and circles of ball i: its part of its share, and the free borders of its contacts with later balls, which
+  // contact_with has while they are added.
   template <class Images>
-  void add_free_edges(const BallSet &balls, const Boundary &boundary, uint32_t i, const Images &images) {
+  void add_free_edges(const BallSet &balls, const Boundary &boundary, uint32_t i, const Images &images,
+                      Span<uint32_t> contact_with) {
     const uint32_t faces = boundary.faces(i).size();
     if (faces == 0) return;
+    const ContactArrays &a = contacts_.a_;
+    for (uint32_t id = a.first_in_row[i]; id != no_id; id = a.links[id]) contact_with[a.contacts[id].ball[1]] = id;
     const double radius = balls.r[i];
     FreeSurface surface(boundary, radius);
     ArcBatches arcs(balls, boundary, i);
@@ -231,8 +240,13 @@ class ContactsBuilder : public Limited<ContactLimits> {
         const uint32_t other = batch.other[s];
         if (other < i || !batch.has_piece(s)) continue;
         if (Images::there && other >= own_balls_ && images.comes_before_its_ball(other)) continue;
-        const uint32_t id = find_contact(i, other);
-        if (id == no_room) continue;
+        // That of an earlier ball is none.
+        uint32_t id = contact_with[other];
+        if (id == no_id || a.contacts[id].ball[0] != i) {
+          id = add_contact(i, other);
+          if (id == no_room) continue;
+          contact_with[other] = id;
+        }
         ContactRecord &contact = contacts_.a_.contacts[id];
         const bool is_served = all_served || ends[s] == ends[s];
         contact.area += is_served ? ends[s] : free_ends_in_integers(balls, i, batch, s);
@@ -285,6 +299,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
 
   uint32_t own_balls_ = 0;    // the first ones
   bool some_inside_ = false;  // others
+  bool some_trees_ = false;
   uint32_t lost_across_ = 0;  // contacts with others for which there was no room
   Contacts contacts_;
   CubeCandidates candidates_;

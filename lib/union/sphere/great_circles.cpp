@@ -204,14 +204,20 @@ void FreeIntervals::carve(Workspace &workspace, uint32_t capacity) {
   caps_ = workspace.take<MeridianCap>(capacity);
 }
 
+bool FreeIntervals::is_marked(const Plane &meridian) const {
+  const MeridianAxis axis(meridian.v);
+  return sectors_.is_marked(axis.along_x, axis.along_y);
+}
+
 void FreeIntervals::make_index(const Caps &caps) {
   constexpr uint32_t words = sizeof(MeridianCap) / sizeof(uint32_t);
   const uint32_t sectors = MeridianSectors::sectors_for(caps.count);
   const uint32_t listed = MeridianSectors::entries_for_each * caps.count;
-  static_assert(MeridianSectors::entries_for_each + 1 < words);
-  room_ = caps_.size() - (listed + sectors + 1 + words - 1) / words;
+  static_assert(MeridianSectors::entries_for_each + 2 < words);
+  room_ = caps_.size() - (caps.count + listed + sectors + 1 + words - 1) / words;
   uint32_t *const behind = reinterpret_cast<uint32_t *>(caps_.data() + room_);
-  sectors_.start(caps, {{behind, sectors + 1}, {behind + sectors + 1, listed}});
+  of_caps_ = {behind, caps.count};
+  sectors_.start(caps, {{behind + caps.count, sectors + 1}, {behind + caps.count + sectors + 1, listed}});
 }
 
 namespace {

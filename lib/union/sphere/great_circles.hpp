@@ -57,6 +57,11 @@ class FreeIntervals {
       if (indexed_) make_index(caps);
     }
   }
+  // Where there is an index, room for a number of each cap. A meridian may need the memory of both: then there is none.
+  Span<uint32_t> of_caps() const { return !small_code && indexed_ ? of_caps_ : Span<uint32_t>(); }
+  // The index, which there is as long as of_caps() is not empty, and whether it has a mark where a meridian is.
+  const MeridianSectors &sectors() const { return sectors_; }
+  bool is_marked(const exact::Plane &meridian) const;
   // Finds the free intervals of a meridian. None if it is free as a whole or covered as a whole.
   void find(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian);
 
@@ -78,9 +83,10 @@ class FreeIntervals {
 
   Span<MeridianCap> caps_;      // those that the meridian crosses; then of these the ones with a free end point
   uint32_t bounding_caps_ = 0;  // of which there are so many
-  bool indexed_;                // then memory behind the first `room_` of them is that of the sectors
+  bool indexed_;                // then memory behind the first `room_` of them is that of the index
   uint32_t room_;
   MeridianSectors sectors_;
+  Span<uint32_t> of_caps_;  // if indexed
 };
 
 // Which of several free intervals of circle P, each from the exit of a plane to the entry of another, contains the free

@@ -29,7 +29,7 @@ uint32_t MeridianSectors::sector_of(double x, double y) const {
 // direction is, seen from above, no farther from u than the angle whose sine is that by the length of u there. The
 // square is made larger by more than the errors of b, 16 units of 2^-53, and the sine by more than all others.
 MeridianSectors::Reach MeridianSectors::reach_of(const Caps &caps, uint32_t cap) const {
-  const Reach wide{0, most_sectors + 1};
+  const Reach wide{0, no_id};
   const double x = caps.ux[cap], y = caps.uy[cap], b = caps.b[cap];
   const double squared = 1.0 - b * b + 0x1p-40, across = std::sqrt(x * x + y * y);
   if (!(b > 0.5 && squared > 0.0 && across > 0x1p-10)) return wide;
@@ -41,11 +41,22 @@ MeridianSectors::Reach MeridianSectors::reach_of(const Caps &caps, uint32_t cap)
   return {first, (last >= first ? last - first : last + sectors_ - first) + 1};
 }
 
+void MeridianSectors::mark_all() const {
+  for (uint32_t s = 0; s < sectors_; ++s) marks()[s] = 1;
+}
+
+void MeridianSectors::unmark(const Caps &caps, uint32_t cap) const {
+  const Reach reach = reach_of(caps, cap);
+  for (uint32_t s = 0; s < reach.count && s < sectors_; ++s) marks()[(reach.first + s) % sectors_] = 0;
+}
+
 void MeridianSectors::start(const Caps &caps, const Memory &memory) {
   first_ = memory.first.data();
   listed_ = memory.listed.data();
   const uint32_t count = caps.count;
   sectors_ = 1;
+  // No more than the root of the caps, and as many marks.
+  static_assert(sectors_for(fewest) * sectors_for(fewest) >= 4 * fewest);
   while (4 * sectors_ * sectors_ <= count) sectors_ *= 2;
   // As many sectors as there is room for.
   const Span<uint32_t> first = memory.first;

@@ -19,13 +19,19 @@ class MeridianSectors {
 
   // Memory, [sectors_for(caps) + 1] and [entries_for_each caps].
   static constexpr uint32_t entries_for_each = 3;
-  static constexpr uint32_t sectors_for(uint32_t caps) { return caps / 8; }
+  static constexpr uint32_t sectors_for(uint32_t caps) { return caps / 8; }  // with their marks
   struct Memory {
     Span<uint32_t> first, listed;
   };
 
   // Of all caps, once before the others.
   void start(const Caps &caps, const Memory &memory);
+
+  // Marks all sectors, or takes the marks from those that a cap reaches into. A mark is the caller's.
+  void mark_all() const;
+  void unmark(const Caps &caps, uint32_t cap) const;
+  bool is_marked(double along_x, double along_y) const { return marks()[sector_of(along_x, along_y)] != 0; }
+  uint32_t count() const { return sectors_; }
 
   // Calls visit(cap), with ascending numbers, for all caps that have a common point with the meridian in a direction,
   // a horizontal unit vector, until it returns false.
@@ -47,15 +53,18 @@ class MeridianSectors {
   }
 
  private:
-  // Sectors from the first to the last, in which a cap is listed, counted on from `sectors_` where the half turn ends.
+  // Sectors from the first to the last, in which a cap is listed, counted on from `sectors_` where the half turn ends;
+  // no_id if it may reach into all.
   struct Reach {
     uint32_t first, count;
   };
 
+  uint32_t *marks() const { return first_ + sectors_ + 1; }
   uint32_t sector_of(double x, double y) const;
   Reach reach_of(const Caps &caps, uint32_t cap) const;
 
-  const uint32_t *first_, *listed_;
+  uint32_t *first_;  // [sectors_ + 1], behind it marks
+  const uint32_t *listed_;
   uint32_t sectors_;
   uint32_t placed_, all_;  // entries in sectors, and with the wide caps behind them
 };

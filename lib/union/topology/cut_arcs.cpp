@@ -62,6 +62,7 @@ void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, Gathered
     if (i != gathered_ball) {
       gathered.gather(grid, sweep.block_around_ball(i), i);
       gathered.intervals.start(gathered.caps, boundary.loops(i).size());
+      if (!small_code) find_first_elements(gathered.caps, boundary, gathered.intervals.of_caps());
       gathered_ball = i;
       around = gathered.caps.count;
     }
@@ -75,11 +76,14 @@ void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBal
                             FixedVector<CutArc> &arcs) {
   reset_nodes(boundary, face);
   const uint32_t first_arc = arcs.size();
-  uint32_t reserved = 0;
+  uint32_t reserved = 0, tried = 0;
   for (const uint32_t loop : boundary.loops_of_face(face)) {
     if (to_join_ == 0) break;
-    find_pieces(boundary, face, boundary.neighbour(boundary.loop_start(loop)), gathered);
+    const uint32_t cap = boundary.neighbour(boundary.loop_start(loop));
+    if (!small_code && tried > 0 && joins_nothing(gathered, cap)) continue;
+    find_pieces(boundary, face, cap, gathered);
     const Joined joined = join_pieces(boundary);
+    if (!small_code) mark_joined(boundary, face, gathered, ++tried);
     if (joined.loops) {
       push_pieces(arcs);
     } else if (joined.poles) {
@@ -91,6 +95,37 @@ void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBal
     push_pieces(arcs);
   }
   make_pole_vertices(arcs.items().part(first_arc, arcs.size()));
+}
+
+// Where there are many loops, most circles would join nothing any more. All loops that have caps in a sector that is
+// marked are joined with each other and with the poles that are in the face, as the first circle has found them.
+bool CutArcFinder::joins_nothing(const GatheredBall &gathered, uint32_t cap) const {
+  const Caps &caps = gathered.caps;
+  return has_marks_ && !gathered.intervals.of_caps().empty() &&
+         gathered.intervals.is_marked(meridian_through(caps.direction(caps.cap_of(cap))));
+}
+
+void CutArcFinder::mark_joined(const Boundary &boundary, uint32_t face, const GatheredBall &gathered, uint32_t tried) {
+  if (tried == 1) has_marks_ = false;
+  if (gathered.intervals.of_caps().empty()) return;
+  const MeridianSectors &sectors = gathered.intervals.sectors();
+  if (tried % (4 * sectors.count()) != 0) return;
+  const uint32_t all = nodes_.find(0), poles = nodes_.size() - 2;
+  for (uint32_t pole = 0; pole < 2; ++pole) {
+    if (pole_joined_[pole] && nodes_.find(poles + pole) != all) return;
+  }
+  has_marks_ = true;
+  sectors.mark_all();
+  const auto unmark = [&](uint32_t loop, uint32_t ball) {
+    const IdRange loops = boundary.loops_of_face(face);
+    if (loop < loops.first || loop >= loops.last || nodes_.find(loop - loops.first) == all) return;
+    sectors.unmark(gathered.caps, gathered.caps.cap_of(ball));
+  };
+  const uint32_t i = gathered.caps.origin;
+  for (const uint32_t e : boundary.half_edges(i)) unmark(boundary.half_edge(e).loop, boundary.half_edge(e).circle);
+  for (const ClosedHalfEdge e : boundary.circles(i)) {
+    unmark(boundary.loop_of(LoopElement::circle(e)), boundary.neighbour(e));
+  }
 }
 
 void CutArcFinder::reset_nodes(const Boundary &boundary, uint32_t face) {
@@ -114,10 +149,12 @@ void CutArcFinder::find_pieces(const Boundary &boundary, uint32_t face, uint32_t
   const exact::Plane meridian = meridian_through(caps.direction(caps.cap_of(cap)));
   gathered.intervals.find(caps, predicates, meridian);
   pending_count_ = 0;
+  const Span<const uint32_t> elements = gathered.intervals.of_caps();
   gathered.intervals.visit([&](const FreeInterval &interval) {
-    const LoopElement leave = locate_on_boundary(caps, predicates, boundary, interval.exit_cap, meridian, +1);
+    const LoopElement leave = locate_on_boundary(caps, predicates, boundary, interval.exit_cap, meridian, +1, elements);
     if (boundary.face_of(leave) != face) return;
-    const LoopElement entry = locate_on_boundary(caps, predicates, boundary, interval.entry_cap, meridian, -1);
+    const LoopElement entry =
+        locate_on_boundary(caps, predicates, boundary, interval.entry_cap, meridian, -1, elements);
     pending_[pending_count_++] = {
         caps.origin, cap, face, {leave, entry}, poles_on(caps, predicates, meridian, interval), {}};
   });

@@ -71,6 +71,8 @@ class CutArcFinder {
     bool poles;
   };
   Joined join_pieces(const Boundary &boundary);
+  bool joins_nothing(const GatheredBall &gathered, uint32_t cap) const;
+  void mark_joined(const Boundary &boundary, uint32_t face, const GatheredBall &gathered, uint32_t tried);
   void push_pieces(FixedVector<CutArc> &arcs) const;
   void reset_nodes(const Boundary &boundary, uint32_t face);
 
@@ -80,6 +82,7 @@ class CutArcFinder {
   // directly do without the poles.
   DisjointSets nodes_, direct_;
   bool pole_joined_[2] = {false, false};
+  bool has_marks_ = false;                       // the index of meridians, of where this face's loops are joined
   uint32_t to_join_ = 0, to_join_directly_ = 0;  // until the face's loops are one set
   Span<uint32_t> reserve_;                       // loops whose circles join nothing but poles
   Span<uint32_t> scratch_;
