@@ -96,6 +96,22 @@ Balls clustered_balls(RandomSource &random, size_t n) {
   return balls;
 }
 
+Balls studded_ball(RandomSource &random, size_t studs, const LatticePoint &centre, int64_t large, int64_t least,
+                   int64_t largest) {
+  Balls balls = {ball_around(centre, large)};
+  while (balls.size() <= studs) {
+    const double z = static_cast<double>(random.in(-1000000, 1000000)) / 1000000, across = std::sqrt(1 - z * z);
+    const double angle = static_cast<double>(random.in(0, 999999)) / 1000000 * 2 * std::numbers::pi;
+    const auto on_sphere = [&](size_t axis, double unit) {
+      return centre[axis] + std::llround(static_cast<double>(large) * unit);
+    };
+    balls.push_back(
+        ball_around({on_sphere(0, across * std::cos(angle)), on_sphere(1, across * std::sin(angle)), on_sphere(2, z)},
+                    random.in(least, largest)));
+  }
+  return balls;
+}
+
 Balls belted_balls(RandomSource &random, size_t n) {
   constexpr double large = 100;
   Balls balls = {{0, 0, 0, static_cast<int64_t>(large)}};

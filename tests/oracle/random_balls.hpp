@@ -35,6 +35,9 @@ Balls loose_balls(RandomSource &random, size_t n);      // like atoms: a few ove
 Balls dense_balls(RandomSource &random, size_t n);      // nearly all meet
 Balls clustered_balls(RandomSource &random, size_t n);  // a few groups of very different size
 Balls belted_balls(RandomSource &random, size_t n);     // a large ball with rings and bumps: nested loops
+// A ball of radius `large` around a centre, and many small ones with centres on its sphere.
+Balls studded_ball(RandomSource &random, size_t studs, const LatticePoint &centre, int64_t large, int64_t least,
+                   int64_t largest);
 
 // Centres and radii as large as a lattice may have them: about the origin, or near a corner of it.
 Balls largest_balls(RandomSource &random, size_t n);

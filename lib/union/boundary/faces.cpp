@@ -82,7 +82,6 @@ uint32_t balls_of_loops(const Boundary &boundary, uint32_t ball, Span<uint32_t> 
 // By which all numbers below `count` follow each other so that few of them are spread over all: without a common
 // factor, and near to the golden section.
 uint32_t spreading_step(uint32_t count) {
-  if (small_code) return 1;
   for (uint32_t step = static_cast<uint32_t>(UINT64_C(0x9E3779B9) * count >> 32);; ++step) {
     uint32_t factor = step, rest = count;
     while (rest != 0) {
@@ -179,10 +178,10 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, u
   uint32_t pole_loop = no_id;
   const auto join = [&](uint32_t p, uint32_t q) { joins -= static_cast<uint32_t>(loops.join(p, q)); };
   // In the order of the grid those of one side come first, whose meridians are all much the same.
-  const uint32_t step = intervals_.of_caps().empty() ? 1 : spreading_step(caps.count);
+  const uint32_t step = small_code || intervals_.of_caps().empty() ? 1 : spreading_step(caps.count);
   uint32_t representative = 0;
   for (uint32_t left = caps.count; left > 0 && joins > 0;
-       --left, representative = (representative + step) % caps.count) {
+       --left, representative += small_code || representative < caps.count - step ? step : step - caps.count) {
     if (!clusters_.is_representative(representative)) continue;
     const exact::Plane meridian = meridian_through(caps.direction(representative));
     intervals_.find(caps, predicates, meridian);

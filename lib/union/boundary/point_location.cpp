@@ -11,14 +11,14 @@ namespace {
 
 // From so many circles, or half-edges, on one is not looked for from the first one on: both are in the order of the
 // ranks of their neighbours.
-constexpr uint32_t many = small_code ? no_id : 32;
+constexpr uint32_t many = 32;
 
 // The free circle, or the first arc, of ball i that lies on the sphere of `neighbour`.
 [[gnu::always_inline]] inline LoopElement first_element_at(const BallSet &balls, const Boundary &boundary, uint32_t i,
                                                            uint32_t neighbour) {
   const Span<const ClosedHalfEdge> circles = boundary.circles(i);
   uint32_t circle = 0, end = circles.size();
-  if (end >= many) {
+  if (!small_code && end >= many) {
     circle = first_index(0, end - 1,
                          [&](uint32_t k) { return !balls.ranks_before(boundary.neighbour(circles[k]), neighbour); });
     end = circle + 1;
@@ -28,7 +28,7 @@ constexpr uint32_t many = small_code ? no_id : 32;
   }
   const IdRange all = boundary.half_edges(i);
   uint32_t first = all.first;
-  if (all.size() >= many) {
+  if (!small_code && all.size() >= many) {
     first = first_index(first, all.last,
                         [&](uint32_t e) { return !balls.ranks_before(boundary.half_edge(e).circle, neighbour); });
   }

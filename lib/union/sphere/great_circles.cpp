@@ -44,7 +44,7 @@ namespace {
 struct MeridianAxis {
   double along_x, along_y;
 
-  explicit MeridianAxis(const Vector &m) {
+  [[gnu::always_inline]] explicit MeridianAxis(const Vector &m) {
     const double inverse = 1.0 / std::sqrt(static_cast<double>(dot(m, m)));
     along_x = static_cast<double>(m.y) * inverse;
     along_y = -static_cast<double>(m.x) * inverse;

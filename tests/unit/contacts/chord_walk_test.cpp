@@ -222,6 +222,23 @@ TEST(ChordWalk, FindsWhatIsLeftAmongCopies) {
   }
 }
 
+// Studs on a large ball, so many that those near to each are looked at alone; also so near to each other that all are,
+// and in steps of the lattice, with ties.
+TEST(ChordWalk, FindsWhatIsLeftOnAStuddedBall) {
+  oracle::RandomSource random(92);
+  uint32_t with_many = 0;
+  for (const auto &[large, least, largest] :
+       {std::array<int64_t, 3>{100000, 12000, 20000}, {100000, 12000, 80000}, {40, 5, 9}, {2000000, 100, 500000}}) {
+    for (const int64_t corner : {-1, 1}) {
+      const oracle::LatticePoint centre = {corner * large, corner * large, corner * large};
+      WalkedBalls walked(oracle::in_lengths(oracle::studded_ball(random, 170, centre, large, least, largest), 1));
+      EXPECT_EQ(walked.by_walk(4000), walked.by_pairs());
+      with_many += walked.with_many_later();
+    }
+  }
+  EXPECT_GE(with_many, 3U);
+}
+
 // A ball in a cage of later ones: nothing leads to its chords, neither vertices nor earlier balls.
 TEST(ChordWalk, FindsAllOfABallThatIsBuriedByLaterOnes) {
   oracle::RandomSource random(84);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "built_contacts.hpp"
 #include "contacts/contacts_check.hpp"
@@ -277,6 +278,28 @@ TEST(Contacts, OfCrambinHaveTheReferenceValues) {
     }
     EXPECT_EQ(hsp::check_contacts(built.balls(), built.boundary(), built.contacts()).invariant,
               hsp::ContactInvariant::none);
+  }
+}
+
+// Balls with so many contacts that these are looked for in trees: every one is there once, with all of its area.
+TEST(Contacts, OfStuddedBallsAreThereOnce) {
+  oracle::RandomSource random(93);
+  for (const auto &[least, largest] : {std::pair{1000, 9000}, std::pair{8000, 9000}, std::pair{8000, 30000}}) {
+    oracle::Balls balls;
+    for (const oracle::LatticePoint &centre :
+         {oracle::LatticePoint{0, 0, 0}, {150000, 2000, 0}, {60000, 140000, 1000}, {70000, 70000, 110000}}) {
+      const oracle::Balls studded = oracle::studded_ball(random, 300, centre, 100000, least, largest);
+      balls.insert(balls.end(), studded.begin(), studded.end());
+    }
+    const BuiltContacts built(oracle::in_lengths(balls, 1), all_simplices);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    std::set<std::pair<uint32_t, uint32_t>> pairs;
+    for (uint32_t id = 0; id < built.contacts().contact_count(); ++id) {
+      const auto [a, b] = built.contacts().contact(id).ball;
+      EXPECT_TRUE(pairs.insert({a, b}).second);
+    }
+    const hsp::ContactViolation violation = hsp::check_contacts(built.balls(), built.boundary(), built.contacts());
+    EXPECT_EQ(violation.invariant, hsp::ContactInvariant::none) << "ball " << violation.id;
   }
 }
 

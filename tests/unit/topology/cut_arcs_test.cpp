@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <set>
 #include <vector>
 
+#include "boundary/boundary_check.hpp"
 #include "built_topology.hpp"
 #include "long_vectors.hpp"
 #include "random_balls.hpp"
@@ -188,6 +190,23 @@ TEST(CutArcs, CutBallsWithHundredsOfBumps) {
   }
   EXPECT_GT(seen.arcs, 500);
   EXPECT_GT(seen.pole_vertices, 50);
+}
+
+// Of thousands of loops most circles are left out: those that would join nothing, and no others, so that the arcs are
+// those of a search that tries all.
+TEST(CutArcs, AreThoseOfACircleForEachLoop) {
+  oracle::RandomSource random(5);
+  for (const auto &[least, largest, arcs, faces] :
+       {std::array<uint32_t, 4>{1000, 9000, 2093, 999}, {4000, 60000, 3061, 944}, {45000, 70000, 743, 1011}}) {
+    const Balls balls = oracle::studded_ball(random, 1000, {3, 5, 8}, 1000000, least, largest);
+    Seen seen;
+    ASSERT_NO_FATAL_FAILURE(check(balls, true, seen));
+    BuiltTopology built(balls);
+    EXPECT_EQ(built.structure().cut_arcs.size(), arcs);
+    EXPECT_EQ(built.boundary().face_count(), faces);
+    EXPECT_EQ(hsp::check_boundary(built.balls(), built.boundary(), built.marks()).invariant,
+              hsp::BoundaryInvariant::none);
+  }
 }
 
 TEST(CutArcs, CutFacesInSetsWithTies) {
