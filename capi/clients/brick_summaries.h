@@ -1,6 +1,6 @@
-/* Summaries of bricks (hardsphere/bricks.h) in memory that grows as they ask for it, and their way down a tree of ranks:
- * what a code with a decomposition of its own calls (capi/guide/ghosts.md). C99 and C++; the part for ranks is there where
- * mpi.h was included before. */
+/* Summaries of bricks (hardsphere/bricks.h) in memory that grows as they ask for it, and their way down a tree of
+ * ranks: for codes with a decomposition of their own (capi/guide/ghosts.md). C99 and C++. The part for ranks is there
+ * where the header of MPI was included before. */
 #ifndef BRICK_SUMMARIES_H
 #define BRICK_SUMMARIES_H
 
@@ -31,15 +31,18 @@ static inline int32_t brick_summary_make(const hsp_boundary *boundary, const hsp
   return status;
 }
 
-/** Merges other into summary, and frees other. After a failure both stay, and *brick is the one at fault or HSP_NONE. */
-static inline int32_t brick_summary_merge(brick_summary *summary, brick_summary *other, uint32_t *brick) {
+/** Merges other into summary, and frees other. After a failure both stay, and *brick is at fault, or HSP_NONE. */
+static inline int32_t brick_summary_merge(brick_summary *summary, brick_summary *other, const hsp_executor *executor,
+                                          uint32_t *brick) {
   brick_summary merged = {NULL, 0};
   uint8_t *shorter;
-  int32_t status = hsp_brick_merge(summary->byte, summary->bytes, other->byte, other->bytes, NULL, &merged.bytes, brick);
+  int32_t status =
+      hsp_brick_merge(summary->byte, summary->bytes, other->byte, other->bytes, executor, NULL, &merged.bytes, brick);
   if (status == HSP_E_CAPACITY) {
     merged.byte = (uint8_t *)malloc(merged.bytes);
     if (merged.byte == NULL) return HSP_E_MEMORY;
-    status = hsp_brick_merge(summary->byte, summary->bytes, other->byte, other->bytes, merged.byte, &merged.bytes, brick);
+    status = hsp_brick_merge(summary->byte, summary->bytes, other->byte, other->bytes, executor, merged.byte,
+                             &merged.bytes, brick);
   }
   if (status != HSP_OK) {
     free(merged.byte);
@@ -56,7 +59,7 @@ static inline int32_t brick_summary_merge(brick_summary *summary, brick_summary 
 
 #ifdef MPI_VERSION
 /** All ranks: their summaries go down a binary tree to rank 0, the very bytes, and merge. A rank that has failed sends
- *  nothing, which is damaged, and so does whoever takes it. Returns how many bytes this rank has sent. */
+ *  nothing, which is damaged, and so is what is merged with it. Returns how many bytes this rank has sent. */
 static inline uint64_t brick_summary_reduce(brick_summary *summary, MPI_Comm communicator) {
   int rank, ranks, step;
   MPI_Comm_rank(communicator, &rank);
@@ -78,7 +81,7 @@ static inline uint64_t brick_summary_reduce(brick_summary *summary, MPI_Comm com
     if (other.byte == NULL) MPI_Abort(communicator, 1);
     other.bytes = (size_t)bytes;
     MPI_Recv(other.byte, bytes, MPI_BYTE, rank + step, 0, communicator, MPI_STATUS_IGNORE);
-    status = brick_summary_merge(summary, &other, &brick);
+    status = brick_summary_merge(summary, &other, NULL, &brick);
     free(other.byte);
     if (status == HSP_OK) continue;
     fprintf(stderr, "summaries of ranks %d and %d, brick %ld: %s\n", rank, rank + step,

@@ -2,7 +2,7 @@
  *   mpirun -np N lammps_components INPUT RADIUS ...      a radius for each type of atom
  * INPUT is LAMMPS's and makes the atoms, with tags, in a box that is not periodic. Prints the same bytes for each N. To
  * compile, with the LAMMPS of Debian:
- *   mpicc -std=c99 -DLAMMPS_SMALLBIG lammps_components.c -llammps $(pkg-config --cflags --libs hardsphere) -o components */
+ *   mpicc -std=c99 -DLAMMPS_SMALLBIG lammps_components.c -llammps $(pkg-config --cflags --libs hardsphere) -o found */
 #define LAMMPS_LIB_MPI /* else lammps_open is not declared */
 #include <hardsphere_workspace.h>
 #include <lammps/library.h>
@@ -67,11 +67,8 @@ static int32_t summarise(void *lammps, const double *radius_of_type, double larg
   }
   hsp_workspace work = {0};
   hsp_model_options options;
-  const hsp_brick_request request = {.struct_size = sizeof request,
-                                     .brick = (uint32_t)rank,
-                                     .bricks = (uint32_t)ranks,
-                                     .id = id,
-                                     .owner = owner};
+  const hsp_brick_request request = {
+      .struct_size = sizeof request, .brick = (uint32_t)rank, .bricks = (uint32_t)ranks, .id = id, .owner = owner};
   int32_t status = hsp_model_options_init(&options, sizeof options);
   options.largest_radius = largest_radius;
   if (status == HSP_OK) status = hsp_workspace_set(&work, all, xyz, radius, &options, NULL);

@@ -20,12 +20,12 @@ input() { # boundary: atoms of two types at random, in a box of 50 angstroms
 input 'f f f' >atoms.in
 input 'p f f' >periodic.in
 for ranks in 1 2 4 8; do
-  mpirun -n $ranks ./components atoms.in 2.0 1.25 >found.$ranks 2>log || { cat log && exit 1; }
-  cmp found.1 found.$ranks
+  mpirun -n $ranks ./found atoms.in 2.0 1.25 >out.$ranks 2>log || { cat log && exit 1; }
+  cmp out.1 out.$ranks
   grep -qE "^$ranks ranks, [0-9]+ ghosts, [0-9]+ bytes" log
 done
 grep -qE '^8 ranks, [1-9][0-9]+ ghosts, [1-9][0-9]+ bytes' log
-if mpirun -n 2 ./components periodic.in 2.0 1.25 >refused 2>log; then exit 1; fi
+if mpirun -n 2 ./found periodic.in 2.0 1.25 >refused 2>log; then exit 1; fi
 grep -q "must not be periodic" log
 if grep -q . refused; then exit 1; fi
 
@@ -41,5 +41,5 @@ awk -v area="$(number area)" -v volume="$(number volume)" -v components="$(numbe
       print "in one piece: area " area ", volume " volume ", components " components ", voids " voids ", Euler number " euler
       exit 1
     }
-  }' found.1
-echo "$(cat found.1); $(tail -n 1 log)"
+  }' out.1
+echo "$(cat out.1); $(tail -n 1 log)"

@@ -1,5 +1,5 @@
-// Summaries of bricks over size: half of a set with the balls around it, by turns with its model and boundary; the merge
-// of both halves.
+// Summaries of bricks over size: half of a set with the balls around it, by turns with its model and boundary; the
+// merge of both halves.
 #include "alternation.hpp"
 #include "halved_set.hpp"
 #include "sizes.hpp"

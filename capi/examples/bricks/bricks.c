@@ -171,7 +171,7 @@ static int32_t summarise(struct crystal *crystal, const int first[3], brick_summ
 
 static int32_t merge(struct block *into, struct block *last) {
   uint32_t brick = HSP_NONE;
-  const int32_t status = brick_summary_merge(&into->summary, &last->summary, &brick);
+  const int32_t status = brick_summary_merge(&into->summary, &last->summary, &stopping, &brick);
   if (status != HSP_OK) {
     fprintf(stderr, "brick %ld: %s\n", brick == HSP_NONE ? -1L : (long)brick, hsp_status_text(status));
   }
