@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The core as one file: hardsphere.cpp and hardsphere.h, for who builds without CMake. Part of a release.
+"""The core as one file: hardsphere.cpp and hardsphere.h, for builds without CMake. Part of a release.
 
     one_file.py FOLDER
 

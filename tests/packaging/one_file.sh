@@ -77,7 +77,7 @@ for compiler in g++ clang++; do
   compile "$compiler" -O2 -fno-exceptions -DHSP_AVX2=1
   "$compiler" -std=c++20 "${warnings[@]}" -O2 -fno-exceptions -DHSP_TARGET=avx2 -mavx2 -mfma -mpopcnt -c one/hardsphere.cpp \
     -o hardsphere_avx2.o
-  # What one of both finds in the other is hidden, and no function is in both: those for AVX2 are not taken for others.
+  # Symbols that join both are hidden. No function is in both: those for AVX2 are not taken for others.
   readelf -sW hardsphere.o hardsphere_avx2.o | awk '($5 == "GLOBAL" || $5 == "WEAK") && $6 == "DEFAULT" && $7 ~ /^[0-9]/ { print $8 }' |
     (! grep -v '^DW\.ref') || { echo "$compiler: visible symbols" && exit 1; }
   nm -g --defined-only hardsphere.o hardsphere_avx2.o | awk 'NF == 3 && $3 !~ /^DW/ { print $3 }' | sort | uniq -d >both
