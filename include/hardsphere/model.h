@@ -152,7 +152,8 @@ typedef struct hsp_packing {
  *  not is still handled exactly; only the time and memory bounds are lost. Uses the model's scratch memory, hence not
  *  const.
  *
- *  Cost: O(n) for sets with bounded figures; O(n c) at worst, with all centres in a few cubes.
+ *  Cost: O(n) for sets with bounded figures, and for small balls and a few much larger ones, as of a colloid in its
+ *  solvent; O(n c) at worst, with all centres in a few cubes.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     hsp_model_set has failed */
 HSP_API int32_t HSP_CALL hsp_model_get_packing(hsp_model *model, hsp_packing *figures);

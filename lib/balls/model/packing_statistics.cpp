@@ -114,8 +114,8 @@ bool count_in_levels(CubeGrid &grid, const RadiusLevels &levels, Overlaps &overl
   constexpr double largest_ratio = 64.0;
   const BallSet &balls = grid.balls();
   const Span<uint32_t> near = grid.scratch_links();
-  // All balls to which the distance is at most `reach` and their radius, and perhaps others: all, where numbers would be
-  // larger than those of balls are.
+  // All balls to which the distance is at most `reach` and their radius, and perhaps others: all, where numbers would
+  // be larger than those of balls are.
   const auto visit_near = [&](uint32_t i, double reach, auto visit) {
     const double steps = static_cast<double>(static_cast<int64_t>(reach) + 2);
     const QueryBall query{balls.x[i], balls.y[i], balls.z[i], steps, i};
