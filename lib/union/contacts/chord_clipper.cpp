@@ -54,18 +54,24 @@ struct Clip {
   uint32_t cap;
 };
 
-// The exact stage. The order in which caps are asked does not matter: the answers agree with each other.
-bool clip_exactly(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &ends) {
+// The exact stage. The order in which caps are asked does not matter: the answers agree with each other. Where many
+// spheres go through one point, the cap that held all of the last chord mostly holds this one, too: it comes first.
+bool clip_exactly(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &ends, uint32_t &holder) {
   const exact::Predicates predicates = caps.predicates();
   const exact::Plane P = caps.plane(j);
   const exact::Plane Q = caps.plane(k);
   if (predicates.crossing(P, Q).sign < 0) return false;
   ends = {{no_id, no_id}};
-  for (uint32_t l = 0; l < caps.count; ++l) {
+  const uint32_t first = holder;
+  for (uint32_t n = 0; n < caps.count; ++n) {
+    const uint32_t l = n == 0 ? first : n - (n <= first ? 1 : 0);
     if (l == j || l == k) continue;
     const exact::Plane R = caps.plane(l);
     const exact::PointStatus status = predicates.point_status(P, Q, R);
-    if (status.side[0] > 0 && status.side[1] > 0) return false;
+    if (status.side[0] > 0 && status.side[1] > 0) {
+      holder = l;
+      return false;
+    }
     for (int end = 0; end < 2; ++end) {
       uint32_t &clipper = ends.clipper[end];
       if (status.side[end] < 0) continue;
@@ -96,7 +102,7 @@ void ChordClipper::carve(Workspace &workspace, uint32_t capacity) {
 void ChordClipper::start(const Caps &caps) {
   tests_.fill(caps);
   for (uint32_t j = 0; j < caps.count; ++j) covered_[j] = 0;
-  hint_ = 0;
+  hint_ = holder_ = 0;
 }
 
 bool ChordClipper::clip(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &ends) {
@@ -111,7 +117,7 @@ bool ChordClipper::clip(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &end
     const Answer answer = clip_in_doubles(caps, j, k, pair, ends);
     if (answer != Answer::uncertain) return answer == Answer::left;
   }
-  return clip_exactly(caps, j, k, ends);
+  return clip_exactly(caps, j, k, ends, holder_);
 }
 
 // Of the caps only the chord's own two may be nearer to its ends than doubles tell.

@@ -41,6 +41,7 @@ class ChordClipper {
   CapTests tests_;
   Span<uint8_t> covered_;  // the cap's circle lies certainly inside another cap: no chord ends on it
   uint32_t hint_ = 0;      // the group of test caps that held both ends of the last chord
+  uint32_t holder_ = 0;    // the cap of which integers said so
 };
 
 }  // namespace hsp
