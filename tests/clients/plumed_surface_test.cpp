@@ -117,7 +117,14 @@ void test_crambin() {
   EXPECT(near(value(*plain, "area-1") + value(*plain, "area-2"), value(*plain, "area")));
   const auto part = action("HSP_SURFACE ATOMS=1-40 BLOCKING=41-327 NOPBC PDB=" + crambin_path);
   calculate(*part, xyz);
-  EXPECT(near(value(*part, "area"), value(*plain, "area-1")));
+  EXPECT(value(*part, "area") == value(*plain, "area-1"));
+  size_t far = 0;  // those that nothing is asked of
+  for (size_t i = 0; i < 327; ++i) {
+    const PLMD::Vector &one = part->computed.at("area")->by_atom[i], &other = plain->computed.at("area-1")->by_atom[i];
+    far += one[0] == 0 && one[1] == 0 && one[2] == 0;
+    for (unsigned k = 0; k < 3; ++k) EXPECT(one[k] == other[k]);
+  }
+  EXPECT(far > 50);
   // In angstrom, and by residue.
   std::vector<double> larger = xyz;
   for (double &x : larger) x *= 10;
@@ -136,6 +143,18 @@ void test_crambin() {
   }
   calculate(*broken, moved);
   EXPECT(near(value(*broken, "area"), 29.7132301600, 1e-6));
+}
+
+// A probe that atoms stop which are farther away than those that an atom meets.
+void test_smooth_surface_of_a_part() {
+  std::mt19937 random(55);
+  std::vector<double> xyz;
+  for (int i = 0; i < 36; ++i) xyz.push_back(0.1 * static_cast<double>(random() % 17));
+  const auto part = action("HSP_SURFACE ATOMS=1 BLOCKING=2-12 SMOOTH NOPBC RADII=0.1 PROBE=0.4");
+  const auto all = action("HSP_SURFACE ATOMS=1-12 GROUP1=1 SMOOTH NOPBC RADII=0.1 PROBE=0.4");
+  calculate(*part, xyz);
+  calculate(*all, xyz);
+  EXPECT(near(value(*part, "area"), value(*all, "area-1"), 1e-12) && near(value(*part, "area"), 0.2, 0.02));
 }
 
 // Differences by steps of 1e-4 nm, which the lattice carries, of some coordinates and of nine strains.
@@ -257,6 +276,7 @@ int main(int count, char **arguments) {
   crambin_path = arguments[2];
   test_closed_forms();
   test_crambin();
+  test_smooth_surface_of_a_part();
   test_derivatives();
   test_page(arguments[1]);
   test_refusals();

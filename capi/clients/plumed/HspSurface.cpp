@@ -10,6 +10,7 @@
 #include <hardsphere.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <string>
@@ -85,6 +86,11 @@ class HspSurface : public Colvar {
         area.sigma[at->second] = 1;
       }
     }
+    for (size_t i = 0; i < atoms.size(); ++i) {
+      weighed_.push_back(std::any_of(components_.begin(), components_.end(), [i](const Component &component) {
+        return component.sigma.empty() || component.sigma[i] != 0;
+      }));
+    }
     box_.areas_alone(!blocking.empty() || no_volume);
     box_.use(hardsphere::threads(threads));
     work_.use(hardsphere::threads(threads));
@@ -96,25 +102,20 @@ class HspSurface : public Colvar {
 
   void calculate() override {
     if (!no_pbc_ && !periodic_) makeWhole();
-    const unsigned n = getNumberOfAtoms();
-    xyz_.clear();
-    for (unsigned i = 0; i < n; ++i) {
-      const Vector at = getPosition(static_cast<int>(i));
-      xyz_.insert(xyz_.end(), {at[0], at[1], at[2]});
-    }
+    keep_atoms();
     try {
       if (periodic_) {
         std::vector<double> vectors;
         for (unsigned k = 0; k < 9; ++k) vectors.push_back(getBox()[k / 3][k % 3]);
-        box_.set(xyz_, radius_, vectors, how_);
+        box_.set(xyz_, kept_radius_, vectors, how_);
       } else {
-        work_.set(xyz_, radius_, how_);
+        work_.set(xyz_, kept_radius_, how_);
       }
       for (const Component &component : components_) put(component);
     } catch (const hardsphere::error &failure) {
       const uint32_t ball = failure.ball();
       error(std::string("hardsphere: ") + failure.what() +
-            (ball < n ? ", atom " + std::to_string(getAbsoluteIndex(static_cast<int>(ball)).serial()) : ""));
+            (ball < kept_.size() ? ", atom " + std::to_string(getAbsoluteIndex(kept_[ball]).serial()) : ""));
     }
   }
 
@@ -135,20 +136,48 @@ class HspSurface : public Colvar {
     return components_.back();
   }
 
+  // The atoms of this step. An atom's area depends on those alone that it meets, so that in open space others are left
+  // out, but not of the solvent-excluded surface: atoms farther away stop its probe, too.
+  void keep_atoms() {
+    const size_t n = getNumberOfAtoms();
+    const double reach = 2.001 * (how_.largest_radius + how_.probe);
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < n; ++i) {
+      for (unsigned k = 0; k < 3 && weighed_[i]; ++k) {
+        const double at = getPosition(static_cast<int>(i))[k];
+        low[k] = std::min(low[k], at - reach), high[k] = std::max(high[k], at + reach);
+      }
+    }
+    kept_.clear(), kept_radius_.clear(), xyz_.clear();
+    for (size_t i = 0; i < n; ++i) {
+      const Vector at = getPosition(static_cast<int>(i));
+      bool out = false;
+      for (unsigned k = 0; k < 3; ++k) out = out || at[k] < low[k] || at[k] > high[k];
+      if (out && !periodic_ && !smooth_) continue;
+      kept_.push_back(static_cast<int>(i));
+      kept_radius_.push_back(radius_[i]);
+      xyz_.insert(xyz_.end(), {at[0], at[1], at[2]});
+    }
+  }
+
   // A value and its derivatives by all atoms and the box.
   void put(const Component &component) {
     Value *const value = getPntrToComponent(component.name);
     hardsphere::energy_terms terms = component.terms;
-    terms.sigma = component.sigma;
+    std::vector<double> sigma;
+    for (size_t k = 0; k < kept_.size() && !component.sigma.empty(); ++k)
+      sigma.push_back(component.sigma[static_cast<size_t>(kept_[k])]);
+    terms.sigma = sigma;
     hardsphere::box_gradients found;
     if (periodic_) {
       found = box_.gradient(terms);
     } else {
       static_cast<hardsphere::gradients &>(found) = smooth_ ? work_.smooth_gradient(terms) : work_.gradient(terms);
     }
-    for (size_t i = 0; i < getNumberOfAtoms(); ++i) {
-      const double *const d = &found.d_centre[3 * i];
-      setAtomsDerivatives(value, static_cast<int>(i), Vector(d[0], d[1], d[2]));
+    for (int i = 0; i < static_cast<int>(getNumberOfAtoms()); ++i) setAtomsDerivatives(value, i, Vector(0, 0, 0));
+    for (size_t k = 0; k < kept_.size(); ++k) {
+      const double *const d = &found.d_centre[3 * k];
+      setAtomsDerivatives(value, kept_[k], Vector(d[0], d[1], d[2]));
     }
     value->set(found.energy.value);
     if (!periodic_) return setBoxDerivativesNoPbc(value);
@@ -192,7 +221,10 @@ class HspSurface : public Colvar {
   hardsphere::options how_;
   std::vector<Component> components_;
   std::map<unsigned, size_t> place_;  // of an atom among all, by its serial number
-  std::vector<double> radius_, xyz_;
+  std::vector<bool> weighed_;         // whether the area of an atom is asked for
+  std::vector<double> radius_;
+  std::vector<int> kept_;  // atoms of this step, with the next two
+  std::vector<double> kept_radius_, xyz_;
   bool smooth_ = false, periodic_ = false, no_pbc_ = false;
 };
 
