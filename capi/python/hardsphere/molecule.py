@@ -27,9 +27,11 @@ class Molecule:
     insertion: list[str]
 
     def __init__(self, balls: list[dict[str, Any]], given: dict[str, Any]):
-        centers, radii = [ball["xyz"] for ball in balls], [ball["radius"] for ball in balls]
-        self.centers: Any = numpy.array(centers, dtype=float).reshape(-1, 3) if numpy is not None else centers
-        self.radii: Any = numpy.array(radii, dtype=float) if numpy is not None else radii
+        centers: Any = [ball["xyz"] for ball in balls]
+        radii: Any = [ball["radius"] for ball in balls]
+        if numpy is not None:
+            centers, radii = numpy.array(centers, dtype=float).reshape(-1, 3), numpy.array(radii, dtype=float)
+        self.centers, self.radii = centers, radii
         for label in LABELS:
             nothing = None if label == "number" else ""
             setattr(self, label, [ball.get(label, nothing) for ball in balls])
