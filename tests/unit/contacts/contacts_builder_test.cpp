@@ -286,9 +286,9 @@ TEST(Contacts, OfStuddedBallsAreThereOnce) {
   oracle::RandomSource random(93);
   for (const auto &[least, largest] : {std::pair{1000, 9000}, std::pair{8000, 9000}, std::pair{8000, 30000}}) {
     oracle::Balls balls;
-    for (const oracle::LatticePoint &centre :
-         {oracle::LatticePoint{0, 0, 0}, {150000, 2000, 0}, {60000, 140000, 1000}, {70000, 70000, 110000}}) {
-      const oracle::Balls studded = oracle::studded_ball(random, 300, centre, 100000, least, largest);
+    // Half of the studs come before their ball, and half of them behind it.
+    for (const oracle::LatticePoint &centre : {oracle::LatticePoint{-9, -9, 9}, {9, 149000, -9}}) {
+      const oracle::Balls studded = oracle::studded_ball(random, 600, centre, 100000, least, largest);
       balls.insert(balls.end(), studded.begin(), studded.end());
     }
     const BuiltContacts built(oracle::in_lengths(balls, 1), all_simplices);
