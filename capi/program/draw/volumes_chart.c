@@ -94,8 +94,8 @@ static void add_legend(struct text_buffer *out, const struct volumes_page *page,
         sign[0] == '\0' ? "" : " ", sign, course[k].frames, followed->frames);
   }
   if (others == 0 && shown > 0) return;
-  snprintf(text, sizeof text, shown == 0 ? "no %s has a volume" : "%s: %" PRIu32 " more, of less volume in all", noun,
-           others);
+  if (shown == 0) snprintf(text, sizeof text, "no %s has a volume", noun);
+  if (shown > 0) snprintf(text, sizeof text, "and %" PRIu32 " more, each of less volume over the run", others);
   chart_text(out, LEFT, y, "start", text);
 }
 
