@@ -50,7 +50,8 @@ struct many {
   struct molecule_texts texts;
   struct one *one;           /* [slots] */
   struct worker *worker;     /* [workers] */
-  struct text_buffer titles; /* of the columns between the first and the last ones; nothing: not known yet */
+  bool begun;                /* the table's first line is there */
+  struct text_buffer titles; /* of the columns between the first and the last ones */
   struct text_buffer rows;   /* that are not printed yet */
   time_t printed;            /* when the last ones were */
   struct text_buffer early;  /* rows of comma-separated values of those that failed before that */
@@ -145,7 +146,8 @@ static void row_for_persons(const struct one *one, const char *title, const char
 /* The first line of the table, once it is known; of comma-separated values with the rows that waited for it. */
 static void begin_table(struct many *many, const char *titles, size_t length, struct text_buffer *out) {
   const bool csv = many->request->rows == ROWS_OF_CSV;
-  if (many->titles.length > 0) return;
+  if (many->begun) return;
+  many->begun = true;
   text_buffer_append(&many->titles, titles, length);
   text_buffer_add(out, "%s", csv ? "model,title," : "    model");
   text_buffer_append(out, titles, length);
@@ -183,7 +185,7 @@ static void add_row(struct many *many, const struct one *one, struct text_buffer
     json_row(one, name, why, out);
   } else if (rows == ROWS_FOR_PERSONS) {
     row_for_persons(one, name, why, row, length, out);
-  } else if (many->titles.length > 0) {
+  } else if (many->begun) {
     csv_row(many, one, name, why, row, length, out);
   } else {
     struct text_buffer *const early = &many->early;

@@ -49,6 +49,13 @@ static uint32_t count_at_origin(const struct molecule *molecule) {
   return count;
 }
 
+/* Whether --models all would take all of them. */
+static bool goes_through(const struct request *request) {
+  const enum command command = request->command;
+  return file_format_has(request->format, FILE_MOLECULES) && request->files == 1 && command != COMMAND_DRAW &&
+         command != COMMAND_MESH && command != COMMAND_HESSIAN;
+}
+
 void notes_look_at_file(struct notes *notes, const struct request *request, struct molecule *molecule) {
   const char letter = request->choice.location;
   if (request->choice.assembly == NULL) assemblies_list_others(molecule, &notes->assemblies);
@@ -62,7 +69,7 @@ void notes_look_at_file(struct notes *notes, const struct request *request, stru
   if (molecule->models > 1 && !chosen && !request->json) { /* whose object has it */
     text_buffer_add(&notes->lines, "%s 1 of %" PRIu64 " is read, and no other; --model N takes another one%s\n",
                     orders ? "molecule" : "model", molecule->models,
-                    file_format_has(molecule->format, FILE_MOLECULES) ? ", --models all each" : "");
+                    goes_through(request) ? ", --models all each" : "");
   }
   const uint32_t at_origin = file_format_has(molecule->format, FILE_ELEMENTS) ? count_at_origin(molecule) : 0;
   if (at_origin > 1) {

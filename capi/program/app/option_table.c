@@ -50,7 +50,8 @@ const struct option *option_at(size_t i) {
       {"--models", "all", take_choice, EVERY, .target = IN(models), .words = "merged|all", .first = 1,
        .help = "go through all models or molecules of a {molecules} file: a row\n"
                "of a table for each, with its title, or with --csv one of comma-separated values, or with\n"
-               "--json a line. One that fails has a row that says why, and the exit status is 1"},
+               "--json a line: model, title and the keys of the command. One that fails has a row that says\n"
+               "why, under fault, and the exit status is 1"},
       {"--models", "merged", take_choice, EVERY, .target = IN(models), .words = "merged", .first = 1,
        .help = "read all models as one set of balls, as of files that have one for each copy of an\n"
                "assembly (.pdb1): chains of model 2 have -2 behind their names"},
@@ -206,7 +207,9 @@ const struct option *option_at(size_t i) {
       {"--gates", NULL, take_flag, OF(PORES), .target = IN(pores.gates), .help = "list gates instead"},
       {"--regions", NULL, take_flag, OF(PORES), .target = IN(pores.regions),
        .help = "area and volume of free space that a probe of radius P gets to from outside, or with --box\n"
-               "for ever, of what is blocked, and of each region; the volume is that of its centre"},
+               "for ever, of what is blocked, and of each region; the volume is that of its centre. With\n"
+               "--box also by cm^3 and by gram, and the density, where elements are known: areas are ASA and\n"
+               "NASA of Zeo++, volumes AV and NAV, with --probe 0 the geometric pore volume and void fraction"},
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pores.pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
                "outside, or with --box from where it goes on for ever. Volume and area are those of places\n"

@@ -56,7 +56,8 @@ static void print(struct record *record, const void *of) {
   const struct void_list *const list = &found->list;
   const struct table table = table_of(record->molecule, found);
   record_atoms(record);
-  record_count(record, NULL, "voids", list->count, "cavities enclosed by the union, largest first");
+  const bool line = record->form == AS_CSV || record->form == AS_CSV_TITLES; /* which has no list */
+  record_count(record, line ? "voids" : NULL, "voids", list->count, "cavities enclosed by the union, largest first");
   if (record->form == AS_JSON) record_table(record, "voids", &table);
   record_count(record, "smaller", list->smaller > 0 ? "smaller" : NULL, list->smaller,
                "not listed: smaller than --min-volume");

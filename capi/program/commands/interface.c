@@ -9,41 +9,42 @@
 
 static const char option[] = "--interface";
 
-/* The atoms of one group, or of two, those of the first before those of the second. */
+/* The atoms of some groups, in the order of the file. */
 struct parts {
   double *xyz;    /* [atoms][3] */
   double *radius; /* [atoms] */
+  uint8_t *side;  /* [atoms], 1 of the second group */
+  double *area;   /* [atoms] */
   uint32_t atoms;
 };
 
-static void add_group(const struct molecule *molecule, const struct found_groups *groups, uint32_t group,
-                      struct parts *parts) {
+static void take_groups(const struct molecule *molecule, const struct found_groups *groups, uint32_t first,
+                        uint32_t second, struct parts *parts) {
+  parts->atoms = 0;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    if (groups->of[i] != group) continue;
+    if (groups->of[i] != first && groups->of[i] != second) continue;
     memcpy(parts->xyz + 3 * (size_t)parts->atoms, molecule->xyz + 3 * (size_t)i, 3 * sizeof *parts->xyz);
+    parts->side[parts->atoms] = groups->of[i] == first ? 0 : 1;
     parts->radius[parts->atoms++] = molecule->radius[i];
   }
 }
 
-/* The area of the atoms, and of the first `split` of them in the presence of the others. All sets are put on the
- * lattice of the whole molecule, so that the same balls are the same everywhere. */
+/* The area of the atoms, and of each group in the presence of the other. All sets are put on the lattice of the whole
+ * molecule, so that the same balls are the same everywhere. */
 static int32_t measure(struct geometry *geometry, const hsp_model_options *options, const struct parts *parts,
-                       uint32_t split, double *area, double together[2]) {
+                       double *area, double together[2]) {
   hsp_workspace *work = &geometry->work;
   hsp_totals totals;
   const uint32_t atoms = parts->atoms;
-  double *areas = malloc(((size_t)atoms + 1) * sizeof *areas);
   work->executor = stopping_executor();
-  int32_t status =
-      areas == NULL ? HSP_E_MEMORY : hsp_workspace_set(work, atoms, parts->xyz, parts->radius, options, NULL);
+  int32_t status = hsp_workspace_set(work, atoms, parts->xyz, parts->radius, options, NULL);
   if (status == HSP_OK) status = hsp_workspace_boundary(work);
-  if (status == HSP_OK) status = hsp_boundary_measure(work->boundary, NULL, &totals, areas, NULL, atoms, NULL);
+  if (status == HSP_OK) status = hsp_boundary_measure(work->boundary, NULL, &totals, parts->area, NULL, atoms, NULL);
   if (status == HSP_OK) {
     *area = totals.area;
     together[0] = together[1] = 0.0;
-    for (uint32_t i = 0; i < atoms; ++i) together[i < split ? 0 : 1] += areas[i];
+    for (uint32_t i = 0; i < atoms; ++i) together[parts->side[i]] += parts->area[i];
   }
-  free(areas);
   return status;
 }
 
@@ -78,9 +79,12 @@ static bool allocate(const struct molecule *molecule, struct interface *interfac
   const size_t groups = interface->groups.count;
   parts->xyz = malloc(((size_t)molecule->atoms + 1) * 3 * sizeof *parts->xyz);
   parts->radius = malloc(((size_t)molecule->atoms + 1) * sizeof *parts->radius);
+  parts->side = malloc((size_t)molecule->atoms + 1);
+  parts->area = malloc(((size_t)molecule->atoms + 1) * sizeof *parts->area);
   interface->alone = malloc(groups * sizeof *interface->alone);
   interface->pair = malloc(groups * (groups - 1) / 2 * sizeof *interface->pair);
-  return (parts->xyz != NULL && parts->radius != NULL && interface->alone != NULL && interface->pair != NULL) ||
+  return (parts->xyz != NULL && parts->radius != NULL && parts->side != NULL && parts->area != NULL &&
+          interface->alone != NULL && interface->pair != NULL) ||
          failure_of_memory(failure);
 }
 
@@ -98,9 +102,8 @@ static int32_t measure_all(const struct molecule *molecule, double probe, struct
   }
   const double margin = 1e-6 * (options.largest_radius + probe);
   for (uint32_t g = 0; g < groups->count && status == HSP_OK; ++g) {
-    parts->atoms = 0;
-    add_group(molecule, groups, g, parts);
-    status = measure(geometry, &options, parts, 0, &interface->alone[g], none);
+    take_groups(molecule, groups, g, g, parts);
+    status = measure(geometry, &options, parts, &interface->alone[g], none);
   }
   for (uint32_t first = 0; first < groups->count; ++first) {
     for (uint32_t second = first + 1; second < groups->count && status == HSP_OK; ++second) {
@@ -109,11 +112,8 @@ static int32_t measure_all(const struct molecule *molecule, double probe, struct
       const double apart = pair->together[0] + pair->together[1];
       pair->both = apart;
       if (groups->count == 2 || may_meet(bounds, pair->group, margin)) {
-        parts->atoms = 0;
-        add_group(molecule, groups, first, parts);
-        const uint32_t split = parts->atoms;
-        add_group(molecule, groups, second, parts);
-        status = measure(geometry, &options, parts, split, &pair->both, pair->together);
+        take_groups(molecule, groups, first, second, parts);
+        status = measure(geometry, &options, parts, &pair->both, pair->together);
       }
       pair->buried = apart - pair->both;
     }
@@ -123,7 +123,7 @@ static int32_t measure_all(const struct molecule *molecule, double probe, struct
 
 bool interface_measure(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                        struct interface *interface, struct failure *failure) {
-  struct parts parts = {NULL, NULL, 0};
+  struct parts parts = {.atoms = 0};
   memset(interface, 0, sizeof *interface);
   if (!selection_groups_find(&request->measure.interface, option, molecule, &interface->groups, failure)) return false;
   double *const bounds = bounds_of(molecule, request->probe, &interface->groups);
@@ -136,6 +136,8 @@ bool interface_measure(const struct request *request, const struct molecule *mol
   free(bounds);
   free(parts.xyz);
   free(parts.radius);
+  free(parts.side);
+  free(parts.area);
   return done;
 }
 

@@ -61,8 +61,14 @@ enum line_status molecule_texts_next(struct molecule_texts *texts, struct molecu
                                      struct failure *failure) {
   struct line_reader *const reader = &texts->reader;
   struct molecule_lines *const lines = &texts->lines;
-  if (texts->ended) return LINE_END;
+  const bool broken = texts->broken.exit_status != 0;
+  if (texts->ended && !broken) return LINE_END;
   begin(texts, text);
+  if (broken) {
+    *failure = texts->broken;
+    texts->broken.exit_status = 0;
+    return LINE_FAILED;
+  }
   enum line_status status = LINE_READ;
   bool any = texts->held;
   if (texts->held) add_line(&text->text, reader);
@@ -82,7 +88,11 @@ enum line_status molecule_texts_next(struct molecule_texts *texts, struct molecu
     return fail_of_memory(failure);
   }
   texts->ended = status != LINE_READ;
-  if (status == LINE_FAILED) return LINE_FAILED;
+  if (status == LINE_FAILED && (!any || lines->open)) return LINE_FAILED;
+  if (status == LINE_FAILED) {
+    texts->broken = *failure;
+    *failure = (struct failure){0, failure->file, 0, ""};
+  }
   const bool none = status == LINE_END && (is_blank(&text->text) || lines->count == 0);
   if (none && texts->given > 0) return LINE_END;
   ++texts->given;

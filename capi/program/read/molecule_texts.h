@@ -29,6 +29,7 @@ struct molecule_texts {
   uint64_t behind_lines;
   bool held; /* the reader's line is the first of the next one */
   bool ended;
+  struct failure broken; /* why it ended behind a molecule that is whole */
   uint64_t given;
 };
 
