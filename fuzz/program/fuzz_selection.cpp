@@ -1,6 +1,6 @@
 // Selections of atoms, as users write them: any text is taken as its grammar says, by an evaluation of its own that
-// splits texts and compares them, or refused with a reason; --hide takes what --only does not. Groups of atoms are those
-// of their parts, or refused.
+// splits texts and compares them, or refused with a reason; --hide takes what --only does not. Groups of atoms are
+// those of their parts, or refused.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>

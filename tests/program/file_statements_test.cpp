@@ -249,7 +249,7 @@ TEST(FileStatements, ModelsThatAreNotRead) {
     const TemporaryFile out("m.svg");
     EXPECT_EQ(run_program({"draw", written.path(), "-o", out.path()}).err, other);
     EXPECT_EQ(run_program({"measure", written.path(), written.path(), "--csv"}).err, other + other);
-    EXPECT_EQ(run_program({"clash", written.path(), written.path()}).err, said + said);
+    EXPECT_EQ(run_program({"clash", written.path(), written.path()}).err, other + other);
     run_json({"measure", written.path()});  // its object has both numbers
   }
   const TemporaryFile frames("m.xyz", files[1].text);

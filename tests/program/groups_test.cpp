@@ -115,7 +115,7 @@ double area_of(const std::string &path, const Words &only) {
   return run_json(words)["area"].number;
 }
 
-// What is buried is the difference of three measures, every bit; in a matrix as alone.
+// The buried area is the difference of three measures, every bit; in a matrix as alone.
 TEST(Groups, BuriedAreasFromThreeMeasures) {
   const TemporaryFile file("chains.pdb", chains());
   const Words names = {"A", "B", "C", "D"};

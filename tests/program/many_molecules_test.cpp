@@ -227,7 +227,7 @@ TEST(ManyMolecules, NoneThatDoesNotFail) {
   EXPECT_NE(broken.out.find("2,,,,,line 11: binary data (byte 0x01); expected text"), std::string::npos) << broken.out;
 }
 
-// Records before the first MODEL are those of all models; what stands behind the last one is no molecule.
+// Records before the first MODEL are those of all models; those after the last one are no molecule.
 TEST(ManyMolecules, RecordsOfAllModels) {
   const std::string head =
       "TITLE     Some models\nCRYST1   20.000   20.000   20.000  90.00  90.00  90.00 P 1           1\n";
@@ -241,6 +241,13 @@ TEST(ManyMolecules, RecordsOfAllModels) {
     EXPECT_EQ(lines[k].rfind(std::to_string(k) + ",Some models,", 0), 0u) << lines[k];
     EXPECT_NE(lines[k].find(",8000,"), std::string::npos) << lines[k];
   }
+  std::string bad = pdb(1);
+  bad.replace(bad.find("   1.300"), 8, "   x.300");
+  const TemporaryFile broken("broken.pdb", head + pdb(0) + bad + pdb(2));
+  const Outcome fault = run_program({"measure", broken.path(), "--models", "all", "--csv"});
+  const std::string reason = "line " + std::to_string(lines_of(head + pdb(0)).size() + 4) + ": x (columns 31-38): ";
+  EXPECT_NE(fault.out.find("\n2,Some models,,,," + reason), std::string::npos) << fault.out;
+  EXPECT_NE(fault.out.find("\n3,Some models,3,"), std::string::npos) << fault.out;
   // Without MODEL records each file that was put behind others has its own.
   const std::string atom = pdb_atom(1, " C1", 0, "C");
   const TemporaryFile files("files.pdb", "TITLE     one\n" + atom + "END\nTITLE     two\n" + atom + atom + "END\n");

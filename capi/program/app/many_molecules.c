@@ -277,7 +277,7 @@ static void release(struct many *many) {
   molecule_texts_close(&many->texts);
 }
 
-/* What is to be said at the end: of a table without a molecule that did not fail its first line, and notes of all. */
+/* Prints the rest: of a table without a molecule that did not fail its first line, and notes of all. */
 static bool finish(struct many *many, struct failure *failure) {
   if (many->request->rows == ROWS_OF_CSV) begin_table(many, "", 0, &many->rows);
   const bool done = print_rows(many);

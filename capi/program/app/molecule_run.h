@@ -11,7 +11,7 @@
 #include "read/molecule.h"
 #include "read/text_buffer.h"
 
-/* What is kept of its file beside the atoms: molecule_keeping. */
+/* Beside the atoms this is kept of its file: molecule_keeping. */
 unsigned molecule_keeping(const struct request *request);
 
 /* Choose among its atoms, and give them radii. */

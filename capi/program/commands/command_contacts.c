@@ -349,8 +349,8 @@ static struct table table_of_named(const struct listed *listed) {
   return (struct table){between_columns, 4, listed->rows.molecule->format, rows, listed, named_row, lead_named};
 }
 
-/* The table that is listed: pairs of balls, of residues, of chains or of groups that are named. Rims were called edges once, and programs find
- * them by either name. */
+/* The table that is listed: pairs of balls, of residues, of chains or of groups that are named. Rims were called edges
+ * once, and programs find them by either name. */
 static struct table table_of_pairs(const struct listed *listed) {
   static const struct column columns[] = {
       {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},

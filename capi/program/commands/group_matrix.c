@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What the table is about. */
+/* The subject of the table. */
 struct matrix {
   const struct found_groups *groups;
   bool diagonal;

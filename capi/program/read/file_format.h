@@ -33,7 +33,7 @@ enum file_feature {
   FILE_MOLECULES = 1 << 22     /* molecules one after the other, which can be read one by one */
 };
 
-/* Where the molecules of a file stand, as its lines are gone through; zeros before the first one. */
+/* Where the molecules of a file stand, line by line; zeros before the first one. */
 struct molecule_lines {
   uint64_t count; /* that have begun */
   bool open;      /* the last of them has not ended */

@@ -37,8 +37,8 @@ struct molecule_texts {
 bool molecule_texts_open(struct molecule_texts *texts, const char *path, const struct file_format *format,
                          struct failure *failure);
 
-/* Step to the next molecule; what stands behind the last one and is none counts as no molecule, unless there is nothing
- * else. LINE_END: there is none. LINE_FAILED: the file cannot be read further, nor what was begun. */
+/* Step to the next molecule. Lines after the last one that are none count as no molecule, unless there is nothing else.
+ * LINE_END: there is none. LINE_FAILED: the file cannot be read further, nor what was begun. */
 enum line_status molecule_texts_next(struct molecule_texts *texts, struct molecule_text *text, struct failure *failure);
 
 void molecule_texts_close(struct molecule_texts *texts);

@@ -43,8 +43,8 @@ struct pdb_models {
 /* Step over a record. */
 void pdb_models_step(struct pdb_models *models, enum pdb_record record);
 
-/* Step over a line of a file, as file_format has it. A model that begins with MODEL ends the records of all of them; what
- * stands behind an end is the next one's, if there is one. */
+/* Step over a line of a file, as file_format has it. A model that begins with MODEL ends the records of all of them;
+ * those after an end are the next one's, if there is one. */
 bool pdb_begins_molecule(struct molecule_lines *lines, const struct line_reader *reader);
 
 /* The title of the records before the first atom, the compound, or the name in a remark. */

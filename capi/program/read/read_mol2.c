@@ -179,7 +179,7 @@ static bool is_head_of_molecule(const char *line) {
          field_is((struct field){section, strcspn(section, " \t\n")}, "MOLECULE");
 }
 
-/* What stands before the first one is its, too. */
+/* Lines before the first one are its, too. */
 static bool begins_mol2(struct molecule_lines *lines, const struct line_reader *reader) {
   const bool begins = is_head_of_molecule(reader->text);
   lines->count += begins ? 1 : 0;

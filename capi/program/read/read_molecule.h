@@ -26,7 +26,7 @@ bool read_announced_model(struct line_reader *reader, uint64_t count, announced_
 bool read_molecule(const char *path, const struct file_format *format, const struct file_choice *choice, unsigned keeps,
                    struct molecule *molecule, struct failure *failure);
 
-/* The same of one of several molecules of a file, which takes the model that is there: into a molecule that is all zeros
- * or was read so before, whose memory serves again. Lines are those of the file. */
+/* The same of one of several molecules of a file, into a molecule that is all zeros or was read so before, whose memory
+ * serves again. Lines are those of the file. */
 bool read_molecule_text(struct molecule_text *text, const struct file_format *format, const struct file_choice *choice,
                         unsigned keeps, struct molecule *molecule, struct failure *failure);
