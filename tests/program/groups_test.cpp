@@ -170,7 +170,7 @@ TEST(Groups, FarGroups) {
 TEST(Groups, FormsAndWhatIsNone) {
   const TemporaryFile file("chains.pdb", chains());
   for (const char *groups : {"A", "", "A,", ",A", "A++B,C", "residue:HEM,B", "chain:A,B", "rest,rest", "A+rest,B",
-                             "A,A", "foo:A,B", "A&B,C", "residue:9-1,A"}) {
+                             "A,A", "foo:A,B", "A&B,C", "residue:9-1,A", "chains,A"}) {
     for (const Words &call : {Words{"measure", "--interface"}, Words{"contacts", "--between"}}) {
       const Outcome outcome = run_program({call[0], file.path(), call[1], groups});
       EXPECT_EQ(outcome.status, 2) << groups;

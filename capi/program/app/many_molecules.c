@@ -314,8 +314,7 @@ bool many_molecules_run(const struct request *request, struct failure *failure) 
     progress_be_quiet();
     done = in_order_run(&many.loop) || failure_of_memory(failure);
     progress_end(&many.progress);
-    if (done && failure->exit_status == 0)
-      done = stopping_asked() ? print_rows(&many) && false : finish(&many, failure);
+    if (done && failure->exit_status == 0) done = stopping_asked() ? print_rows(&many) : finish(&many, failure);
     done = done && failure->exit_status == 0;
   }
   release(&many);

@@ -25,9 +25,10 @@ void molecule_texts_close(struct molecule_texts *texts) {
   text_buffer_free(&texts->behind);
 }
 
+/* With '\n' in place of its own end; once, as it has no end for the reader then. */
 static void add_line(struct text_buffer *out, const struct line_reader *reader) {
-  text_buffer_append(out, reader->text, reader->length);
-  text_buffer_append(out, "\n", 1);
+  reader->text[reader->length] = '\n';
+  text_buffer_append(out, reader->text, reader->length + 1);
 }
 
 static bool is_blank(const struct text_buffer *text) {

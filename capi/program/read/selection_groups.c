@@ -89,7 +89,8 @@ bool selection_groups_parse(struct selection_groups *groups, const char *option,
   for (const char *at = text, *begin = text;;) {
     struct selection_group *const group = &groups->group[groups->count - 1];
     const size_t part = part_length(at);
-    if (part == 0) return refuse(option, text, failure);
+    const bool all = part == strlen("chains") && memcmp(at, "chains", part) == 0; /* which stands alone */
+    if (part == 0 || all) return refuse(option, text, failure);
     if (!is_new(text, at, part, option, failure) || !add_part(group, option, at, part, &own, failure)) return false;
     const bool alone = at == begin && at[part] != '+';
     if (group->rest && (!alone || ++rests > 1)) return refuse(option, text, failure);
