@@ -97,6 +97,11 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_RADII_BONDI = 0_c_int32_t
   ! The radii of the paper, Section 2, which are those of Chem3D Plus. Published: H, C, N, O, P, S and Ca.
   integer(c_int32_t), parameter :: HSP_RADII_CHEM3D = 1_c_int32_t
+  ! Of the universal force field, A. K. Rappe et al., J. Am. Chem. Soc. 114 (1992) 10024, Table 1: sigma / 2, half the
+  ! distance at which two equal atoms neither attract nor repel each other, where sigma = x_I / 2^(1/6) is rounded to
+  ! 0.001 angstrom, as programs for porous crystals have it: C 1.7155, O 1.559. Their energy is least at the distance
+  ! x_I. Published: the elements up to lawrencium, 103.
+  integer(c_int32_t), parameter :: HSP_RADII_UFF = 4_c_int32_t
   ! The set's source has no radius for this element: the radius is a substitute.
   integer(c_int32_t), parameter :: HSP_RADIUS_FALLBACK = 1_c_int32_t
 

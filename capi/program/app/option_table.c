@@ -13,11 +13,12 @@ const struct option *option_at(size_t i) {
   static const struct option table[] = {
 
       {"--format", "FORMAT", take_format, EVERY, .help = "what FILE is, whatever its extension: {formats}"},
-      {"--radii", "bondi|chem3d", take_radii, EVERY, .words = "bondi|chem3d|protor|naccess|list",
+      {"--radii", "bondi|chem3d|uff", take_radii, EVERY, .words = "bondi|chem3d|uff|protor|naccess|list",
        .what = "a set, a file or 'list'",
-       .help = "radii by element, for files without radii; bondi is the default. Elements that the set has\n"
-               "no radius for get one of bondi, or 2, as do unknown atoms, X in .pdb and .cif, and the\n"
-               "table says so; X in .xyz, .sdf and .mol2 is a dummy and left out"},
+       .help = "radii by element, for files without radii; bondi is the default, uff what porous crystals are\n"
+               "measured with. Elements that the set has no radius for get one of bondi, or 2, as do unknown\n"
+               "atoms, X in .pdb and .cif, and the table says so; X in .xyz, .sdf and .mol2 is a dummy and\n"
+               "left out"},
       {"--radii", "protor|naccess|FILE", take_radii, EVERY,
        .help = "radii by residue and atom, else as bondi. A line of FILE, whose name has a dot or a\n"
                "slash, is RESIDUE ATOM RADIUS; FreeSASA's configuration files and NACCESS's vdw.radii\n"
@@ -47,9 +48,16 @@ const struct option *option_at(size_t i) {
                "group:NAME, or group:N for the one that is N, counted from 0"},
       {"--model", "N", take_model, EVERY, .what = "the number of a model, from 1 on",
        .help = "read model N of the file, counted from 1; default 1"},
+      {"--models", "all", take_choice, EVERY, .target = IN(models), .words = "merged|all", .first = 1,
+       .help = "go through all models or molecules of a {molecules} file: a row\n"
+               "of a table for each, with its title, or with --csv one of comma-separated values, or with\n"
+               "--json a line: model, title and the keys of the command. One that fails has a row that says\n"
+               "why, under fault, and the exit status is 1"},
       {"--models", "merged", take_choice, EVERY, .target = IN(models), .words = "merged", .first = 1,
        .help = "read all models as one set of balls, as of files that have one for each copy of an\n"
                "assembly (.pdb1): chains of model 2 have -2 behind their names"},
+      {"--rows", NULL, take_flag, EVERY, .target = IN(rows_given),
+       .help = "of each file a row of one table, with --csv of comma-separated values, and no lists"},
       {"--altloc", "first|occupancy|LETTER", take_location, EVERY, .words = "first|occupancy",
        .what = "first, occupancy or a letter",
        .help = "which location counts of atoms that .pdb and .cif files have at several: of each atom that\n"
@@ -114,8 +122,12 @@ const struct option *option_at(size_t i) {
       {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(measure.relative),
        .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
                "name can have in a chain"},
-      {"--interface", "A,B", take_interface, OF(MEASURE), .what = "two groups of chains: A,B or A+B,C",
-       .help = "also what chain A and chain B bury between them; groups of chains are A+B,C"},
+      {"--interface", "A,B", take_groups, OF(MEASURE), .target = IN(measure.interface), .words = "chains",
+       .what = "groups: A,B or A+B,C or residue:HEM,chain:A or chains",
+       .help = "also what chain A and chain B bury between them: the area of each alone less that of both.\n"
+               "A group is chains, A+B, or atoms as for --only, residue:HEM; rest is what no other group\n"
+               "names, and an atom that several name is of the first of them: \"residue:HEM,chain:A\" is a\n"
+               "ligand in its chain. Of more than two groups, or of all chains, each two"},
       {"--csv", NULL, take_flag, OF(MEASURE), .target = IN(csv),
        .help = "print the balls, or with --by the sums, as comma-separated values and nothing else"},
       {"--pdb-out", "FILE", take_path, OF(MEASURE), .target = IN(measure.pdb_out),
@@ -158,6 +170,11 @@ const struct option *option_at(size_t i) {
 
       {"--by", "residue|chain", take_choice, OF(CONTACTS), .target = IN(by), .words = "residue|chain", .first = 1,
        .help = "sums over the contacts between residues or chains, instead of those between balls"},
+      {"--between", "A,B", take_groups, OF(CONTACTS), .target = IN(contacts.between), .words = "chains",
+       .what = "groups: A,B or A+B,C or residue:HEM,chain:A or chains",
+       .help = "sums over the contacts between groups of atoms, and within each: chains A and B, A+B,C, what\n"
+               "selections name, residue:HEM,rest, or chains, all of them. With --by those between residues\n"
+               "or chains of different groups, too. More about groups: measure --interface"},
       {"--cells", NULL, take_flag, OF(CONTACTS), .target = IN(contacts.cells),
        .help = "also volume, free area and contact area of every ball's share"},
       {"--least", "A", take_length, OF(CONTACTS), .target = IN(contacts.least), .what = "an area",
@@ -185,7 +202,9 @@ const struct option *option_at(size_t i) {
       {"--gates", NULL, take_flag, OF(PORES), .target = IN(pores.gates), .help = "list gates instead"},
       {"--regions", NULL, take_flag, OF(PORES), .target = IN(pores.regions),
        .help = "area and volume of free space that a probe of radius P gets to from outside, or with --box\n"
-               "for ever, of what is blocked, and of each region; the volume is that of its centre"},
+               "for ever, of what is blocked, and of each region; the volume is that of its centre. With\n"
+               "--box also by cm^3 and by gram, and the density, where elements are known: areas are ASA and\n"
+               "NASA of Zeo++, volumes AV and NAV, with --probe 0 the geometric pore volume and void fraction"},
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pores.pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
                "outside, or with --box from where it goes on for ever. Volume and area are those of places\n"

@@ -6,6 +6,7 @@
 
 #include "commands/command_frames.h"
 #include "commands/commands.h"
+#include "commands/framework_units.h"
 #include "commands/input_report.h"
 #include "commands/pictures.h"
 #include "commands/pores_found.h"
@@ -288,8 +289,10 @@ static void print_box(struct record *record, const struct pores_found *found) {
       {"@, the diameter up to which probes go on for ever in one direction", "@, in two directions",
        "@, in three directions"},
       {"@, and so along the first vector of the box", "@, along the second one", "@, along the third one"}};
+  static const char *const keys[] = {"pore_limiting_diameter_1d", "pore_limiting_diameter_2d",
+                                     "pore_limiting_diameter_3d"};
   const hsp_pore_percolation *const wide = &found->wide;
-  const bool persons = record->form == FOR_PERSONS;
+  const bool persons = record->form == FOR_PERSONS, line = !persons && record->form != AS_JSON;
   double through[3], included[3], along[3];
   set_diameters(through, wide->through, wide->gate);
   set_diameters(included, wide->included, wide->gate);
@@ -298,11 +301,12 @@ static void print_box(struct record *record, const struct pores_found *found) {
   if (is_row(record)) record_number(record, "pore_limiting_diameter", NULL, through[0], 0, "");
   record_numbers(record, "included_cavity_diameter", included, 3);
   record_numbers(record, "pore_limiting_diameter_along", along, 3);
-  for (int k = 0; persons && k < 6; ++k) {
-    record_number(record, NULL, titles[k / 3][k % 3], k < 3 ? through[k] : along[k - 3], 8, remarks[k / 3][k % 3]);
+  for (int k = 0; (persons && k < 6) || (line && k < 3); ++k) {
+    record_number(record, line ? keys[k] : NULL, titles[k / 3][k % 3], k < 3 ? through[k] : along[k - 3], 8,
+                  remarks[k / 3][k % 3]);
   }
-  if (persons) {
-    record_number(record, NULL, "included cavity", included[0], 8,
+  if (persons || line) {
+    record_number(record, line ? "included_cavity_diameter" : NULL, "included cavity", included[0], 8,
                   "@, the diameter of the widest probe in the 1-d channel");
   }
   if (!record_key(record, "channel_list")) return;
@@ -332,8 +336,28 @@ static void print_regions(struct record *record, const struct pores_found *found
   record_count(record, "accessible_regions", "reached regions", access->accessible,
                is_boxed(found->request) ? "that go on for ever" : "the outside");
   record_count(record, "blocked_regions", "blocked regions", access->blocked, "that end on all sides");
+  if (is_boxed(found->request)) {
+    const struct framework framework = framework_of(record->molecule, found->box.box);
+    framework_record(record, &framework, access);
+  }
   if (record->form != FOR_PERSONS) record_table(record, "region_list", &table);
   print_table(record, &table, "  a region: its widest probe; area in @^2, volume in @^3");
+}
+
+/* The main ones, in a row for persons. */
+static void print_short(struct record *record, const struct pores_found *found) {
+  const hsp_pores_counts *const counts = &found->counts;
+  double through[3];
+  record_number(record, "cavity", NULL, counts->maxima > 0 ? 2.0 * found->maxima[0].radius : (double)NAN, 0, "");
+  set_diameters(through, found->wide.through, found->wide.gate);
+  if (is_boxed(found->request)) record_number(record, "pore limit", NULL, through[0], 0, "");
+  if (found->request->pores.regions && is_boxed(found->request)) {
+    const struct framework framework = framework_of(record->molecule, found->box.box);
+    framework_record(record, &framework, &found->access);
+  } else {
+    record_count(record, "maxima", NULL, counts->maxima, "");
+    record_count(record, "cavities", NULL, counts->cavities, "");
+  }
 }
 
 static bool lists_balls(const struct record *record, const struct pores_found *found) {
@@ -382,6 +406,10 @@ static void print(struct record *record, const void *of) {
   const struct table tunnel_table = table_of_tunnels(molecule, found), steps = table_of_steps(molecule, found);
   const struct table channels = table_of_channels(molecule, found);
   record_atoms(record);
+  if (record->aligned) {
+    print_short(record, found);
+    return;
+  }
   if (is_boxed(request)) periodic_result_record_box(record, &found->box);
   record_number(record, "largest_cavity_diameter", "largest cavity",
                 counts->maxima > 0 ? 2.0 * found->maxima[0].radius : (double)NAN, 8,

@@ -215,6 +215,19 @@ static void report_probe(struct text_buffer *out, const struct request *request)
   report_row(out, "probe", value, "");
 }
 
+void rows_heading(struct text_buffer *out, const struct request *request) {
+  report_file_name(out, input_name(request->file));
+  if (request->files > 1) text_buffer_add(out, " and %d more", request->files - 1);
+  text_buffer_add_text(out, "\n");
+  if (!file_format_has(request->format, FILE_RADII)) {
+    text_buffer_add(out, "  %-16s %s\n", "radii",
+                    request->radii_file != NULL ? request->radii_file : radii_set_name(request->set));
+    if (request->overrides.length > 0) text_buffer_add(out, "  %-16s with %s\n", "", request->overrides.text);
+  }
+  report_probe(out, request);
+  text_buffer_add(out, "  %-16s of lengths %s; areas and volumes are its powers\n\n", "unit", request->format->unit);
+}
+
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
   report_file_name(out, input_name(request->file));
   text_buffer_add(out, "\n");
@@ -259,9 +272,13 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   if (molecule->model == EVERY_MODEL) {
     text_buffer_add(out, ", \"model\": null");
   } else {
-    json_count(out, "model", molecule->model);
+    json_count(out, "model", molecule->number > 0 ? molecule->number : molecule->model);
   }
-  json_count(out, "models", molecule->models);
+  if (molecule->number > 0) { /* nobody knows yet how many there are */
+    text_buffer_add_text(out, ", \"models\": null");
+  } else {
+    json_count(out, "models", molecule->models);
+  }
   if (request->choice.assembly != NULL) {
     text_buffer_add(out, ", \"assembly\": ");
     json_text(out, request->choice.assembly);
@@ -293,14 +310,16 @@ static void record_frame(struct record *record, const struct frame_stamp *frame)
 
 void report(const struct request *request, const struct molecule *molecule,
             void print(struct record *record, const void *of), const void *of, struct text_buffer *out) {
-  const bool frames = molecule->frame.number > 0, csv = !request->json && (frames || request->csv);
+  const bool frames = molecule->frame.number > 0, rows = request->rows != ROWS_NONE;
+  const bool csv = !request->json && (frames || rows || request->csv);
   struct record record = {.form = request->json ? AS_JSON
                                   : csv         ? AS_CSV_TITLES
                                                 : FOR_PERSONS,
                           .molecule = molecule,
-                          .atoms = request->json ? "n"
-                                   : frames      ? "atoms"
-                                                 : "balls",
+                          .atoms = request->json    ? "n"
+                                   : frames || rows ? "atoms"
+                                                    : "balls",
+                          .aligned = request->rows == ROWS_FOR_PERSONS,
                           .width = VALUE_WIDTH,
                           .out = out};
   if (request->json) text_buffer_add_text(out, "{");

@@ -9,11 +9,14 @@
 /* The heading says what was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
+/* That of a table with a row for each of several files or molecules: what is the same for all. */
+void rows_heading(struct text_buffer *out, const struct request *request);
+
 /* The last key of every command's JSON: , "input": {...} */
 void input_report_json(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
 /* The results that `print` puts into a record, with what was read before or behind them: a table, an object of JSON, or
- * of CSV a line and its titles, which of a trajectory the first frame alone has. */
+ * a line of CSV or of a table and its titles, which of a trajectory the first frame alone has. */
 void report(const struct request *request, const struct molecule *molecule,
             void print(struct record *record, const void *of), const void *of, struct text_buffer *out);
 

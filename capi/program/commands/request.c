@@ -15,9 +15,9 @@ bool request_wants_areas(const struct request *request) {
 }
 
 bool request_wants_places(const struct request *request) {
-  return request->command != COMMAND_MEASURE || request_wants_balls(request) || request->measure.interface != NULL ||
-         request->window > 0.0 || request->measure.pdb_out != NULL || request->box.source != BOX_NONE ||
-         request->trajectory != NULL;
+  return request->command != COMMAND_MEASURE || request_wants_balls(request) ||
+         request->measure.interface.text != NULL || request->window > 0.0 || request->measure.pdb_out != NULL ||
+         request->box.source != BOX_NONE || request->trajectory != NULL;
 }
 
 bool request_wants_part(const struct request *request) {
@@ -74,6 +74,8 @@ void request_free(struct request *request) {
   selection_free(&request->selection);
   selection_free(&request->drawing.highlight);
   selection_free(&request->measure.part);
+  selection_groups_free(&request->measure.interface);
+  selection_groups_free(&request->contacts.between);
   index_file_free(&request->index);
   radii_table_free(&request->table);
 }

@@ -15,6 +15,7 @@
 #include "read/radii_table.h"
 #include "read/residues.h"
 #include "read/selection.h"
+#include "read/selection_groups.h"
 #include "read/text_buffer.h"
 
 /* In the order of the help. */
@@ -39,6 +40,11 @@ enum command {
   COMMANDS
 };
 
+/* All as one, or one after the other. */
+enum { MODELS_MERGED = 1, MODELS_EACH = 2 };
+
+enum rows { ROWS_NONE, ROWS_OF_CSV, ROWS_FOR_PERSONS };
+
 /* A point, or where a void or an atom has most room. */
 struct place {
   struct given_vector point; /* given in all cases */
@@ -62,9 +68,9 @@ struct measure_request {
   int surface;           /* 0: solvent-accessible, 1: solvent-excluded; negative: not said */
   bool outer;            /* of the outer cell alone */
   bool mean;             /* over the frames, in place of a row of each */
-  const char *interface; /* two groups of chains, or NULL */
   const char *pdb_out;   /* a file, or NULL */
   struct selection part; /* the atoms that are measured, while all others only block */
+  struct selection_groups interface;
 };
 
 /* Neither is finite where it is not given. */
@@ -80,6 +86,7 @@ struct voids_request {
 
 struct contacts_request {
   bool cells;
+  struct selection_groups between;
   double least;    /* area of a contact that is listed */
   const char *map; /* a file for a picture of contacts, or NULL */
   bool dark;       /* its page */
@@ -141,7 +148,9 @@ struct request {
   struct file_choice choice;
   bool model_given;
   bool location_given;
-  int models;              /* 1: all as one; 0: not said */
+  int models; /* MODELS_MERGED, MODELS_EACH; 0: not said */
+  bool rows_given;
+  enum rows rows;          /* in place of all that a command prints of a file or a molecule */
   int chains;              /* of .cif, 1: by the authors' names, 2: by the labels'; 0: not said */
   const char *index_file;  /* with groups of atoms, or NULL */
   struct index_file index; /* of that file; empty if there is none */
