@@ -7,6 +7,7 @@
 // out. Points of a batch of pairs are tried against these three first. Those that are left are tried against all five.
 #include "sphere/pair_sweep.hpp"
 #include "sphere/covered_circles.hpp"
+#include "sphere/pairs_of_few.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
@@ -178,27 +179,6 @@ uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, co
   }
   return left;
 }
-
-// All pairs j < k of up to eight things, in order.
-struct PairsOfFew {
-  static constexpr uint32_t most = 8, size = 32;
-  alignas(64) uint8_t j[most + 1][size];
-  uint8_t k[most + 1][size];
-
-  static constexpr uint32_t count(uint32_t things) { return things * (things - 1) / 2; }
-  constexpr PairsOfFew() : j{}, k{} {
-    for (uint32_t things = 2; things <= most; ++things) {
-      uint32_t p = 0;
-      for (uint8_t a = 0; a < things; ++a) {
-        for (uint8_t b = static_cast<uint8_t>(a + 1); b < things; ++b, ++p) {
-          j[things][p] = a;
-          k[things][p] = b;
-        }
-      }
-    }
-  }
-};
-constexpr PairsOfFew pairs_of_few;
 
 // The same of all pairs of the few exposed circles, without a branch on which of them cross.
 uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {
