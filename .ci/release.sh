@@ -2,12 +2,13 @@
 # Makes what a release consists of, from the commit that is checked out:
 #   bash .ci/release.sh OUTPUT-FOLDER [CHROOT]
 #     hardsphere-VERSION.tar.gz                        the source archive: the same bytes from the same commit
+#     hardsphere-VERSION-core.tar.gz                   the core as one file: hardsphere.cpp and hardsphere.h
 #     hardsphere_VERSION-1.dsc and what belongs to it  the source package for Debian; its debian/ is written here
 #     *.deb                                            library, development files, program
 #     SHA256SUMS                                       checksums of all of them
 # The packages are built on this machine or, as root, in the folder CHROOT, a bare Debian as debootstrap makes it; what
-# they need is installed there. lintian has to find nothing: neither errors nor warnings. Needs git, dpkg-dev, debhelper,
-# lintian. DEBFULLNAME and DEBEMAIL name the maintainer; DEB_BUILD_OPTIONS is Debian's.
+# they need is installed there. lintian has to find nothing: neither errors nor warnings. Needs git, python3, dpkg-dev,
+# debhelper, lintian. DEBFULLNAME and DEBEMAIL name the maintainer; DEB_BUILD_OPTIONS is Debian's.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 [ $# -eq 1 ] || [ $# -eq 2 ] || { sed -n '2,/^[^#]/s/^# \{0,1\}//p' .ci/release.sh && exit 2; }
@@ -23,6 +24,9 @@ maintainer="${DEBFULLNAME:-The hardsphere authors} <${DEBEMAIL:-hardsphere@packa
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 git archive --format=tar --prefix="hardsphere-$version/" HEAD | gzip -n -9 >"$output/hardsphere-$version.tar.gz"
+python3 .ci/one_file.py "$work/hardsphere-$version-core"
+tar -C "$work" --sort=name --mtime="$date" --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX -c "hardsphere-$version-core" |
+  gzip -n -9 >"$output/hardsphere-$version-core.tar.gz"
 cp "$output/hardsphere-$version.tar.gz" "$work/hardsphere_$version.orig.tar.gz"
 tar -C "$work" -xf "$work/hardsphere_$version.orig.tar.gz"
 tree=$work/hardsphere-$version

@@ -5,20 +5,10 @@
 # Exit status 77: LAMMPS's library or MPI is missing here; packages lammps, liblammps-dev, openmpi-bin, libopenmpi-dev.
 set -euo pipefail
 source=$1 archive=$2 work=$3
-export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 here=$(cd "$(dirname "$0")" && pwd)
 # shellcheck source=compile_line.sh
 . "$here/compile_line.sh"
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work"
-printf '#include <lammps/library.h>\n' >probe.c
-if ! command -v mpicc >/dev/null || ! mpicc -DLAMMPS_SMALLBIG -DLAMMPS_LIB_MPI -c probe.c 2>/dev/null; then
-  echo "skipped: there is no LAMMPS with MPI here" && exit 77
-fi
-mpirun -n 1 true >log 2>&1 || { echo "skipped: $(grep -m 1 . log)" && exit 77; }
-mpicc -std=c99 -Wall -Wextra -Werror -DLAMMPS_SMALLBIG -I"$source/include" -c "$source/capi/clients/lammps_sasa.c" \
-  -o warned.o
+enter_with_lammps "$source" "$work" lammps_sasa.c
 compile_by_its_line "$source" "$archive" lammps_sasa.c
 
 for ranks in 1 2 4; do

@@ -2303,8 +2303,8 @@ FUNCTIONS = {
     "hsp_brick_summarise": "int32_t boundary:handle:hsp_boundary::never request:sized_in:hsp_brick_request::never "
         "summary:memory:void::never bytes:value_out:size_t::never first_bad:value_out:uint32_t::always",
     "hsp_brick_merge": "int32_t a:array_in:uint8_t:a_bytes:never a_bytes:value:size_t::never "
-        "b:array_in:uint8_t:b_bytes:never b_bytes:value:size_t::never summary:memory:void::never "
-        "bytes:value_out:size_t::never brick:value_out:uint32_t::always",
+        "b:array_in:uint8_t:b_bytes:never b_bytes:value:size_t::never executor:sized_in:hsp_executor::always "
+        "summary:memory:void::never bytes:value_out:size_t::never brick:value_out:uint32_t::always",
     "hsp_brick_get_totals": "int32_t summary:array_in:uint8_t:bytes:never bytes:value:size_t::never "
         "totals:struct_out:hsp_brick_totals::never brick:value_out:uint32_t::always",
     "hsp_brick_get_shells": "int32_t summary:array_in:uint8_t:bytes:never bytes:value:size_t::never "
