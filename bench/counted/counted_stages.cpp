@@ -142,6 +142,12 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("z_buffer", balls, surface, [&] { z_buffer.draw(placement.place(bench::axes_towards(towards))); });
 }
 
+void count_pockets_of_ubiquitin() {
+  const bench::Molecule molecule{"ubiquitin", support::read_atoms(support::own_molecule("ubiquitin.pdb"))};
+  const bench::Balls balls = with_radii(molecule, bench::Radii::van_der_waals);
+  count_pockets(balls, bench::Model(balls, 0));
+}
+
 // Pores where eight balls tie at every maximum, and four at every gate.
 void count_tied_pores() {
   const bench::Balls balls = bench::tied_lattice(6);
@@ -202,13 +208,13 @@ int main(int argc, char **argv) {
     }
     for (const bench::Molecule &molecule : bench::paper_molecules()) {
       const bench::Balls balls = with_radii(molecule, bench::Radii::van_der_waals);
-      if (molecule.name == "ubiquitin") count_pockets(balls, bench::Model(balls, 0));
       if (molecule.name != "crambin" && molecule.name != "sod_stand_in") continue;
       for (const Surface &surface : bench::surfaces) {
         count_stages(balls, surface);
         count_moves(balls, surface);
       }
     }
+    count_pockets_of_ubiquitin();
     count_tied_pores();
     count_poses();
   } catch (const std::exception &error) {
