@@ -1,4 +1,5 @@
-/* Every limit of boundaries, topologies and contacts at every value below what suffices, for sets of at most eight balls. */
+/* Every limit of boundaries, topologies and contacts at every value below what suffices, for sets of eight balls at
+ * most. */
 #include "check.h"
 #include "core_sweeps.h"
 
