@@ -18,7 +18,8 @@ done
 cmp bits.1 bits.2
 cmp bits.1 bits.4
 ./lammps_sasa 0.0072 quotients >quotients
-awk '{ if (!($1 < 1e-7 && $2 > 0.01)) { print "forces: " $0; exit 1 } }' quotients
+awk '{ if (!($1 < (NR == 1 ? 1e-7 : 5e-3) && $2 > (NR == 1 ? 0.01 : 100))) bad = 1 } END { exit bad || NR != 2 }' quotients ||
+  { echo "forces, virial:" && cat quotients && exit 1; }
 # Spheres that come to touch, or cease to, change a force at once: the error falls with the step, not with its square.
 for run in "4 480" "2 960" "1 1920"; do
   read -ra words <<<"$run"
@@ -26,4 +27,4 @@ for run in "4 480" "2 960" "1 1920"; do
 done >kept
 awk '{ rms[NR] = $1 } END { exit !(NR == 3 && rms[1] > rms[3] * 3 && rms[2] > rms[3] && rms[3] < 0.02) }' kept ||
   { echo "the total energy goes by" && cat kept && exit 1; }
-echo "512 atoms, the same bits with 1, 2 and 4 ranks; quotients $(cat quotients); energy goes by" $(cat kept)
+echo "512 atoms, the same bits with 1, 2 and 4 ranks; quotients" $(cat quotients) "energy goes by" $(cat kept)
