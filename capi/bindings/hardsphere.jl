@@ -987,7 +987,7 @@ struct hsp_pores_options
     reserved::UInt32
     floor::Cdouble
     executor::Ptr{hsp_executor}
-    unused::Ptr{Cvoid}
+    before::Ptr{hsp_pores}
 end
 
 struct hsp_pores_counts

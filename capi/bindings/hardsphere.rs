@@ -1236,7 +1236,7 @@ pub struct hsp_pores_options {
     pub reserved: u32,
     pub floor: f64,
     pub executor: *const hsp_executor,
-    pub unused: *const c_void,
+    pub before: *const hsp_pores,
 }
 
 #[repr(C)]

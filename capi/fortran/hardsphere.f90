@@ -1280,7 +1280,11 @@ module hardsphere
     real(c_double) :: floor
     ! or NULL: whether to go on is asked of it; its threads share nothing yet
     type(c_ptr) :: executor
-    type(c_ptr) :: unused                                                 ! NULL
+    ! or NULL: other pores, of a model of some of these balls as this one has rounded them, which have all grown by one
+    ! length since. Points in places that no other ball is near to are taken from them, which saves time and changes
+    ! nothing: as where plugs are put into mouths, or one more atom into a molecule. Of no use if they are of other
+    ! balls, in a box, or of a floor that is higher by more than that length
+    type(c_ptr) :: before
   end type
 
   type, bind(C) :: hsp_pores_counts

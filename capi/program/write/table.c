@@ -216,7 +216,8 @@ static void json_row(const struct table *table, size_t row, const union cell *ce
   for (int k = 0; k < table->count; ++k) {
     const struct column *column = &table->columns[k];
     if (column->key == NULL) continue;
-    text_buffer_add_text(out, out->length == length ? "\"" : ", \"");
+    if (out->length != length) text_buffer_append(out, ", ", 2);
+    text_buffer_append(out, "\"", 1);
     text_buffer_add_text(out, column->key);
     text_buffer_append(out, "\": ", 3);
     json_cell(column, cells[k], out);
