@@ -27,6 +27,7 @@ has() { # a program, or a header
   esac
 }
 if has gfortran; then must_have_run clients_exact_sasa; fi
+if has gappa; then must_have_run proofs_bounds; fi
 if has lmp && has mpirun && imports numpy; then must_have_run clients_lammps_fix; fi
 if has lmp && imports numpy; then must_have_run clients_lammps_window; fi
 if has xtb && imports ase scipy; then must_have_run clients_normal_modes; fi

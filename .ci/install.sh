@@ -14,9 +14,9 @@ packages_for_tests=(cmake ninja-build gcc g++ libc6-dev binutils gfortran pkg-co
 packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-mips-linux-gnu g++-mingw-w64-x86-64 qemu-user
   doxygen python3-cffi python3-setuptools python3-dev gcc-arm-none-eabi libnewlib-arm-none-eabi
   libstdc++-arm-none-eabi-dev valgrind python3-numpy)
-# MPI, machines without an operating system, packages that the Python module serves.
+# MPI, machines without an operating system, packages that the Python module serves, proofs of error bounds.
 optional_packages_for_all_tests=(openmpi-bin libopenmpi-dev qemu-system-arm python3-mdanalysis python3-ase rustc lammps
-  liblammps-dev libopenmm-dev xtb python3-scipy abigail-tools minisign)
+  liblammps-dev libopenmm-dev xtb python3-scipy abigail-tools minisign gappa)
 # Needed besides by the preset long: other processors, WebAssembly and the page that uses it, packages, and programs that
 # draw pictures.
 packages_for_long_tests=(g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-s390x-linux-gnu g++-riscv64-linux-gnu

@@ -55,6 +55,15 @@ void count(const char *stage, const bench::Balls &balls, const Surface &surface,
   count_each(stage, balls, surface, balls.size(), run);
 }
 
+void count_pockets(const bench::Balls &balls, const bench::Model &model) {
+  const Surface &surface = bench::surfaces[0];
+  bench::Pockets pockets(model);
+  count("pockets", balls, surface, [&] { pockets.find(); });
+  count("plugs", balls, surface, [&] { pockets.list_plugs(); });
+  count("plugged_pores", balls, surface, [&] { pockets.compute_plugged(); });
+  count("pocket_sizes", balls, surface, [&] { pockets.measure(); });
+}
+
 // As many points as balls, so that what is counted for each ball is what is counted for each query.
 void count_stages(const bench::Balls &balls, const Surface &surface) {
   bench::Model model(balls, surface.probe);
@@ -70,6 +79,8 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("hessian_area", balls, surface, [&] { second.find_rows_of_area(); });
   count("hessian_volume", balls, surface, [&] { second.find_rows_of_volume(); });
   count("hessian_product", balls, surface, [&] { second.multiply(); });
+  bench::Triangles triangles(boundary);
+  count("mesh", balls, surface, [&] { triangles.compute(); });
   if (surface.probe != 0) {
     bench::SmoothSurface smooth(boundary);
     count("surface", balls, surface, [&] { smooth.compute(); });
@@ -107,11 +118,8 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   if (balls.size() < 1000) {       // of the others they take minutes in a simulated processor
     bench::Pores pores(model);
     count("pores", balls, surface, [&] { pores.compute(); });
+    count_pockets(balls, model);
     count("pore_regions", balls, surface, [&] { pores.find_regions(boundary); });
-    bench::Pockets pockets(model);
-    count("pockets", balls, surface, [&] { pockets.find(); });
-    count("plugs", balls, surface, [&] { pockets.list_plugs(); });
-    count("pocket_sizes", balls, surface, [&] { pockets.measure(); });
   }
   bench::View farther(model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, {towards});
   count("view_farther", balls, surface, [&] { farther.compute(towards); });
@@ -132,6 +140,12 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   bench::Placement placement(balls.xyz, balls.radius);
   bench::AnalyticZBuffer z_buffer;
   count("z_buffer", balls, surface, [&] { z_buffer.draw(placement.place(bench::axes_towards(towards))); });
+}
+
+void count_pockets_of_ubiquitin() {
+  const bench::Molecule molecule{"ubiquitin", support::read_atoms(support::own_molecule("ubiquitin.pdb"))};
+  const bench::Balls balls = with_radii(molecule, bench::Radii::van_der_waals);
+  count_pockets(balls, bench::Model(balls, 0));
 }
 
 // Pores where eight balls tie at every maximum, and four at every gate.
@@ -193,13 +207,14 @@ int main(int argc, char **argv) {
       return 0;
     }
     for (const bench::Molecule &molecule : bench::paper_molecules()) {
-      if (molecule.name != "crambin" && molecule.name != "sod_stand_in") continue;
       const bench::Balls balls = with_radii(molecule, bench::Radii::van_der_waals);
+      if (molecule.name != "crambin" && molecule.name != "sod_stand_in") continue;
       for (const Surface &surface : bench::surfaces) {
         count_stages(balls, surface);
         count_moves(balls, surface);
       }
     }
+    count_pockets_of_ubiquitin();
     count_tied_pores();
     count_poses();
   } catch (const std::exception &error) {

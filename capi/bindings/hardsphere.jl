@@ -33,6 +33,7 @@ const HSP_E_STOPPED = Int32(-17)
 const HSP_E_DAMAGED = Int32(-18)
 const HSP_RADII_BONDI = UInt32(0)
 const HSP_RADII_CHEM3D = UInt32(1)
+const HSP_RADII_UFF = UInt32(4)
 const HSP_RADIUS_FALLBACK = UInt32(1)
 const HSP_RADII_PROTOR = UInt32(2)
 const HSP_RADII_NACCESS = UInt32(3)
@@ -986,7 +987,7 @@ struct hsp_pores_options
     reserved::UInt32
     floor::Cdouble
     executor::Ptr{hsp_executor}
-    unused::Ptr{Cvoid}
+    before::Ptr{hsp_pores}
 end
 
 struct hsp_pores_counts

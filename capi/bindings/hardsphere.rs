@@ -32,6 +32,7 @@ pub const HSP_E_STOPPED: i32 = -17;
 pub const HSP_E_DAMAGED: i32 = -18;
 pub const HSP_RADII_BONDI: u32 = 0;
 pub const HSP_RADII_CHEM3D: u32 = 1;
+pub const HSP_RADII_UFF: u32 = 4;
 pub const HSP_RADIUS_FALLBACK: u32 = 1;
 pub const HSP_RADII_PROTOR: u32 = 2;
 pub const HSP_RADII_NACCESS: u32 = 3;
@@ -1235,7 +1236,7 @@ pub struct hsp_pores_options {
     pub reserved: u32,
     pub floor: f64,
     pub executor: *const hsp_executor,
-    pub unused: *const c_void,
+    pub before: *const hsp_pores,
 }
 
 #[repr(C)]

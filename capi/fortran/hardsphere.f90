@@ -97,6 +97,11 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_RADII_BONDI = 0_c_int32_t
   ! The radii of the paper, Section 2, which are those of Chem3D Plus. Published: H, C, N, O, P, S and Ca.
   integer(c_int32_t), parameter :: HSP_RADII_CHEM3D = 1_c_int32_t
+  ! Of the universal force field, A. K. Rappe et al., J. Am. Chem. Soc. 114 (1992) 10024, Table 1: sigma / 2, half the
+  ! distance at which two equal atoms neither attract nor repel each other, where sigma = x_I / 2^(1/6) is rounded to
+  ! 0.001 angstrom, as programs for porous crystals have it: C 1.7155, O 1.559. Their energy is least at the distance
+  ! x_I. Published: the elements up to lawrencium, 103.
+  integer(c_int32_t), parameter :: HSP_RADII_UFF = 4_c_int32_t
   ! The set's source has no radius for this element: the radius is a substitute.
   integer(c_int32_t), parameter :: HSP_RADIUS_FALLBACK = 1_c_int32_t
 
@@ -1275,7 +1280,11 @@ module hardsphere
     real(c_double) :: floor
     ! or NULL: whether to go on is asked of it; its threads share nothing yet
     type(c_ptr) :: executor
-    type(c_ptr) :: unused                                                 ! NULL
+    ! or NULL: other pores, of a model of some of these balls as this one has rounded them, which have all grown by one
+    ! length since. Points in places that no other ball is near to are taken from them, which saves time and changes
+    ! nothing: as where plugs are put into mouths, or one more atom into a molecule. Of no use if they are of other
+    ! balls, in a box, or of a floor that is higher by more than that length
+    type(c_ptr) :: before
   end type
 
   type, bind(C) :: hsp_pores_counts

@@ -1,6 +1,7 @@
 // The file readers of the program: any bytes are either read in full or refused with one line; what is read is sound,
 // does not depend on line ends, and survives being written as .xyzr and read again; other locations and all models have
-// the same atoms, and an assembly is made or refused. The first byte, a digit in the corpus, chooses the format.
+// the same atoms, and an assembly is made or refused; a model that is read alone has the same atoms and lines as one of
+// many that are read one by one. The first byte, a digit in the corpus, chooses the format.
 #include <unistd.h>
 
 #include <cmath>
@@ -33,17 +34,21 @@ struct Reading {
 
 constexpr file_choice first_of_all = FILE_CHOICE_FIRST;
 
-Reading read(const std::string &text, const std::string &extension, const file_choice &choice = first_of_all) {
+std::string written(const std::string &text, const std::string &extension) {
   static const std::string folder = [] {
     const char *given = std::getenv("TMPDIR");
     return std::string(given != nullptr ? given : "/tmp");
   }();
-  const std::string path = folder + "/hardsphere-fuzz-" + std::to_string(getpid()) + extension;
+  std::string path = folder + "/hardsphere-fuzz-" + std::to_string(getpid()) + extension;
   std::FILE *file = std::fopen(path.c_str(), "wb");
   FUZZ_REQUIRE(file != nullptr, path.c_str());
   FUZZ_REQUIRE(std::fwrite(text.data(), 1, text.size(), file) == text.size(), "temporary file");
   FUZZ_REQUIRE(std::fclose(file) == 0, "temporary file");
+  return path;
+}
 
+Reading read(const std::string &text, const std::string &extension, const file_choice &choice = first_of_all) {
+  const std::string path = written(text, extension);
   radii table;
   radii_take_set(&table, &radii_bondi);
   const radii_table no_table = RADII_TABLE_NONE;
@@ -89,6 +94,62 @@ bool same(const Reading &a, const Reading &b) {
          (a.numbers.empty() ||
           std::memcmp(a.numbers.data(), b.numbers.data(), a.numbers.size() * sizeof(double)) == 0) &&
          a.reason == b.reason && a.line == b.line;
+}
+
+// Each of many against the same model of the file, if that can be read.
+void check_one_by_one(const std::string &text, const std::string &extension, const file_format *format) {
+  enum { MOST = 4 };
+  struct Atoms {
+    bool done;
+    std::vector<double> xyz;
+    std::vector<uint32_t> lines;
+  };
+  const auto atoms_of = [](const molecule &from, bool done) {
+    const size_t atoms = done ? from.atoms : 0;
+    return Atoms{done, {from.xyz, from.xyz + 3 * atoms}, {from.line, from.line + atoms}};
+  };
+  std::vector<Atoms> one_by_one;
+  molecule_texts texts;
+  molecule_text part;
+  molecule own;
+  failure why;
+  std::memset(&part, 0, sizeof part);
+  std::memset(&own, 0, sizeof own);
+  std::memset(&why, 0, sizeof why);
+  const std::string path = written(text, extension);
+  FUZZ_REQUIRE(molecule_texts_open(&texts, path.c_str(), format, &why), "opened");
+  line_status status;
+  while ((status = molecule_texts_next(&texts, &part, &why)) == LINE_READ) {
+    FUZZ_REQUIRE(why.exit_status == 0, "success with an exit status");
+    FUZZ_REQUIRE(part.text.length <= 2 * text.size() + 2, "more than there is");
+    FUZZ_REQUIRE(part.text.length == 0 || format->title(part.text.text, part.text.length).length <= part.text.length,
+                 "title");
+    failure fault;
+    std::memset(&fault, 0, sizeof fault);
+    const bool done = read_molecule_text(&part, format, &first_of_all, KEEP_PLACES | KEEP_EXTRAS, &own, &fault);
+    FUZZ_REQUIRE(done == (fault.exit_status == 0) && (done || fault.reason[0] != '\0'), "refusal without a reason");
+    one_by_one.push_back(atoms_of(own, done));
+    FUZZ_REQUIRE(part.number == one_by_one.size(), "numbers of molecules");
+  }
+  FUZZ_REQUIRE(status == LINE_END || why.exit_status == EXIT_BAD_INPUT, "broken off without a reason");
+  if (own.format != nullptr) molecule_free(&own);
+  text_buffer_free(&part.text);
+  molecule_texts_close(&texts);
+  for (uint64_t k = 1; k <= MOST; ++k) {
+    file_choice choice = first_of_all;
+    choice.model = k;
+    molecule alone;
+    std::memset(&why, 0, sizeof why);
+    const bool done = read_molecule(path.c_str(), format, &choice, KEEP_PLACES | KEEP_EXTRAS, &alone, &why);
+    if (done) {
+      FUZZ_REQUIRE(k <= one_by_one.size() && one_by_one[k - 1].done, "a model that is none of many");
+      const Atoms expected = atoms_of(alone, true);
+      FUZZ_REQUIRE(one_by_one[k - 1].xyz == expected.xyz, "atoms of one of many");
+      FUZZ_REQUIRE(one_by_one[k - 1].lines == expected.lines, "lines of one of many");
+    }
+    molecule_free(&alone);
+  }
+  std::remove(path.c_str());
 }
 
 std::string with_line_ends(const std::string &text, const char *line_end) {
@@ -138,6 +199,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const Reading chosen = read(text, extension, choice);
     if (reading.done && chosen.done) FUZZ_REQUIRE(chosen.atoms == reading.atoms, "other locations");
   }
+  format = file_format_named(extension.c_str() + 1, FILE_ATOMS);
+  if (file_format_has(format, FILE_MOLECULES)) check_one_by_one(text, extension, format);
   choice.label_chains = true;
   choice.assembly = "1";
   read(text, extension, choice);

@@ -1,5 +1,6 @@
 // Selections of atoms, as users write them: any text is taken as its grammar says, by an evaluation of its own that
-// splits texts and compares them, or refused with a reason; --hide takes what --only does not.
+// splits texts and compares them, or refused with a reason; --hide takes what --only does not. Groups of atoms are
+// those of their parts, or refused.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -9,10 +10,12 @@
 #include <vector>
 
 #include "fuzz_input.hpp"
+#include "hardsphere.h"
 
 extern "C" {
 #include "read/failure.h"
 #include "read/selection.h"
+#include "read/selection_groups.h"
 }
 
 namespace {
@@ -61,19 +64,47 @@ std::optional<long long> number(const std::string &text) {
   return std::atoll(text.c_str());
 }
 
+// Numbers with insertion codes; 0 where there is none.
 struct Range {
   long long low;
   long long high;
+  int low_code = 0;
+  int high_code = 0;
 };
+
+// A number with a code or without one; the code of the text is taken off.
+std::optional<long long> end_of_range(std::string text, int &code) {
+  const bool letter = text.size() > 1 && std::isalpha(static_cast<unsigned char>(text.back())) != 0;
+  code = letter ? capitals(text.substr(text.size() - 1))[0] : 0;
+  if (letter) text.pop_back();
+  return number(text);
+}
 
 // Every way to split the item at a hyphen is tried.
 std::optional<Range> range(const std::string &item) {
   if (const auto alone = number(item)) return Range{*alone, *alone};
   for (size_t i = 1; i < item.size(); ++i) {
-    const auto low = number(item.substr(0, i)), high = number(item.substr(i + 1));
-    if (item[i] == '-' && low && high) return Range{*low, *high};
+    Range found{0, 0};
+    const auto low = end_of_range(item.substr(0, i), found.low_code);
+    const auto high = end_of_range(item.substr(i + 1), found.high_code);
+    if (item[i] != '-' || !low || !high) continue;
+    found.low = *low;
+    found.high = *high;
+    return found;
   }
   return std::nullopt;
+}
+
+bool is_empty(const Range &range) {
+  return range.low > range.high ||
+         (range.low == range.high && range.high_code != 0 && range.low_code > range.high_code);
+}
+
+bool is_in(const Range &range, long long own, const char *insertion) {
+  const int code = *insertion == '\0' ? 0 : capitals(insertion)[0];
+  if (own < range.low || own > range.high) return false;
+  if (own == range.low && range.low_code > code) return false;
+  return own != range.high || range.high_code == 0 || code <= range.high_code;
 }
 
 bool is_symbol(const std::string &text) {
@@ -93,10 +124,11 @@ std::optional<bool> holds(const std::string &term, const Atom &atom) {
   for (const std::string &item : split(term.substr(colon + 1), ',')) {
     if (item.empty() || item.find(':') != std::string::npos) return std::nullopt;
     if (key == "chain") {
-      any |= item == (*atom.chain == '\0' ? std::string(".") : std::string(atom.chain));
+      any |= *atom.chain == '\0' ? item == "." || item == ".1" : item == atom.chain;
     } else if (key == "element") {
       if (!is_symbol(item)) return std::nullopt;
-      any |= capitals(item) == capitals(atom.element) || (capitals(item) == "D" && *atom.element == 'H');
+      any |= capitals(item) == capitals(atom.element) ||
+             ((capitals(item) == "D" || capitals(item) == "T") && std::string(atom.element) == "H");
     } else if (key == "group") {
       // There is no index file: no atom is in its groups.
     } else if (key == "atom") {
@@ -104,8 +136,8 @@ std::optional<bool> holds(const std::string &term, const Atom &atom) {
     } else if (key == "residue") {
       const auto numbers = range(item);
       const auto own = number(atom.number);
-      if (numbers && numbers->low > numbers->high) return std::nullopt;
-      any |= numbers && own && numbers->low <= *own && *own <= numbers->high;
+      if (numbers && is_empty(*numbers)) return std::nullopt;
+      any |= numbers && own && is_in(*numbers, *own, atom.insertion);
       any |= capitals(item) == capitals(atom.residue);
       any |= !numbers && capitals(item) == capitals(std::string(atom.number) + atom.insertion);
     } else {
@@ -169,6 +201,44 @@ void check(const std::string &text, bool hide) {
   selection_free(&made);
 }
 
+// Each atom is in the first group that takes it, and nothing else is said of the groups than the text does.
+void check_groups(const std::string &text) {
+  selection_groups groups;
+  failure why;
+  std::memset(&groups, 0, sizeof groups);
+  std::memset(&why, 0, sizeof why);
+  const bool taken = selection_groups_parse(&groups, "--between", text.c_str(), &why);
+  FUZZ_REQUIRE(taken == (why.exit_status == 0), "groups: success and a status");
+  FUZZ_REQUIRE(taken || (why.exit_status == EXIT_BAD_USAGE && why.reason[0] != '\0'), "groups: no reason");
+  std::string names;
+  for (uint32_t g = 0; taken && g < groups.count; ++g) names += (g == 0 ? "" : ",") + std::string(groups.group[g].name);
+  if (taken) FUZZ_REQUIRE(names == (groups.chains ? "" : text), "groups: names");
+  for (const Atom &atom : atoms) {
+    residue_label residue;
+    atom_label label = label_of(atom, residue);
+    molecule alone;
+    std::memset(&alone, 0, sizeof alone);
+    alone.label = &label;
+    alone.atoms = 1;
+    if (!taken || groups.chains) continue;
+    found_groups found;
+    std::memset(&why, 0, sizeof why);
+    const bool done = selection_groups_find(&groups, "--between", &alone, &found, &why);
+    FUZZ_REQUIRE(!done && why.reason[0] != '\0', "groups: two groups of one atom");
+    uint32_t first = HSP_NONE, rest = HSP_NONE;
+    for (uint32_t g = groups.count; g-- > 0;) {
+      if (groups.group[g].rest) {
+        rest = g;
+      } else if (selection_takes(&groups.group[g].selection, &alone, 0)) {
+        first = g;
+      }
+    }
+    FUZZ_REQUIRE(found.of[0] == (first != HSP_NONE ? first : rest), "groups: another one");
+    found_groups_free(&found);
+  }
+  selection_groups_free(&groups);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -178,7 +248,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                                           "17",       "H",        "52A",      ".",     "group:", "_&_"};
   std::string text;
   for (size_t i = 0; i < size && data[i] != 0; ++i) {
-    if (data[i] >= 0x80) {
+    if (data[i] >= 0xFC) {
+      text += data[i] >= 0xFE ? "+" : "rest";
+    } else if (data[i] >= 0x80) {
       text += words[data[i] % 18];
     } else {
       text += static_cast<char>(data[i]);
@@ -186,5 +258,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   }
   check(text, false);
   check(text, true);
+  check_groups(text);
   return 0;
 }

@@ -67,6 +67,13 @@ bool same_levels(const Result &a, const Result &b) {
          std::equal(a.gates.begin(), a.gates.end(), b.gates.begin(), b.gates.end(), same);
 }
 
+bool same_bits(const Result &a, const Result &b) {
+  const auto same = [](const auto &p, const auto &q) { return std::memcmp(&p, &q, sizeof p) == 0; };
+  return std::memcmp(&a.counts, &b.counts, sizeof a.counts) == 0 &&
+         std::equal(a.maxima.begin(), a.maxima.end(), b.maxima.begin(), b.maxima.end(), same) &&
+         std::equal(a.gates.begin(), a.gates.end(), b.gates.begin(), b.gates.end(), same);
+}
+
 double distance(const fuzz::ScaledBalls &set, const double *xyz, uint32_t ball) {
   const oracle::LatticeBall &b = set.balls[ball];
   return std::hypot(xyz[0] - set.length(b.x), xyz[1] - set.length(b.y), xyz[2] - set.length(b.z)) -
@@ -420,5 +427,14 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   support::OwnedHandle<support::PoresKind> permuted;
   FUZZ_REQUIRE(same_levels(reference, compute(other.get().model, set.n(), options, permuted)),
                "levels depend on the order of the balls");
+  // Pores of fewer balls before change no bit.
+  fuzz::ScaledBalls fewer = set;
+  fewer.balls.resize(set.n() - bytes.below(set.n() < 4 ? set.n() + 1 : 4));
+  const fuzz::ComputedSet few(fewer);
+  support::OwnedHandle<support::PoresKind> before, taking;
+  static_cast<void>(compute(few.get().model, fewer.n(), options, before));
+  hsp_pores_options with_before = options;
+  with_before.before = before.get();
+  FUZZ_REQUIRE(same_bits(reference, compute(model, set.n(), with_before, taking)), "pores from those before");
   return 0;
 }

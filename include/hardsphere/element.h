@@ -25,6 +25,12 @@ extern "C" {
 /** The radii of the paper, Section 2, which are those of Chem3D Plus. Published: H, C, N, O, P, S and Ca. */
 #define HSP_RADII_CHEM3D UINT32_C(1)
 
+/** Of the universal force field, A. K. Rappe et al., J. Am. Chem. Soc. 114 (1992) 10024, Table 1: sigma / 2, half the
+ *  distance at which two equal atoms neither attract nor repel each other, where sigma = x_I / 2^(1/6) is rounded to
+ *  0.001 angstrom, as programs for porous crystals have it: C 1.7155, O 1.559. Their energy is least at the distance
+ *  x_I. Published: the elements up to lawrencium, 103. */
+#define HSP_RADII_UFF UINT32_C(4)
+
 /** The set's source has no radius for this element: the radius is a substitute. */
 #define HSP_RADIUS_FALLBACK UINT32_C(1)
 

@@ -84,7 +84,11 @@ typedef struct hsp_pores_options {
   double floor; /**< radius of the narrowest probe of interest, rounded down to the lattice; may be negative down to
                      where the largest ball has no radius left; default 0: what not even a point passes is closed */
   const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
-  const void *unused;           /**< NULL */
+  const hsp_pores *before; /**< or NULL: other pores, of a model of some of these balls as this one has rounded them,
+                                which have all grown by one length since. Points in places that no other ball is near to
+                                are taken from them, which saves time and changes nothing: as where plugs are put into
+                                mouths, or one more atom into a molecule. Of no use if they are of other balls, in a
+                                box, or of a floor that is higher by more than that length */
 } hsp_pores_options;
 
 /** Default options.
@@ -102,10 +106,10 @@ HSP_API int32_t HSP_CALL hsp_pores_options_init(hsp_pores_options *options, uint
  *  a point where k balls tie, O(k log k) questions in integers, and O(k^2) in doubles as a rule. More where k balls tie
  *  up to a fraction of a lattice step along a whole line, as those of a tube of rings that is some lattice steps wide,
  *  or of a crown that is some steps high with another ball on its axis.
- *  @retval HSP_E_ARGUMENT    pores or model is NULL
+ *  @retval HSP_E_ARGUMENT    pores or model is NULL; options->before is pores
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
- *  @retval HSP_E_STATE       hsp_model_set has failed
+ *  @retval HSP_E_STATE       hsp_model_set has failed; or options->before holds no results, or their model has changed
  *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
  *  @retval HSP_E_RANGE       a way up between balls leads to probes of 2^50 lattice steps: set the model with a larger
  *                            step, ten times hsp_model_info.step or more
@@ -124,10 +128,10 @@ HSP_API int32_t HSP_CALL hsp_pores_compute(hsp_pores *pores, const hsp_model *mo
  *    hundred times the largest ball's.
  *
  *  Cost: that of hsp_pores_compute for balls and images.
- *  @retval HSP_E_ARGUMENT    pores or periodic is NULL
+ *  @retval HSP_E_ARGUMENT    pores or periodic is NULL; options->before is pores
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
- *  @retval HSP_E_STATE       the box holds no results, or areas alone
+ *  @retval HSP_E_STATE       the box holds no results, or areas alone; or options->before holds none
  *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
  *  @retval HSP_E_RANGE       the box is more than a hundred times longer than wide, or a way leads farther than 511
  *                            boxes

@@ -26,6 +26,7 @@ hsp_part(space
     pores/balls_around.cpp
     pores/critical_points.cpp
     pores/cube_halves.kernel.cpp
+    pores/known_points.cpp
     pores/leaf_points.cpp
     pores/point_records.cpp
     pores/pore_balls.cpp

@@ -33,6 +33,16 @@ static const column metals[] = {{2, {28, 46}, {1.63, 1.63}},           /* Ni Pd 
 /* C, Ca, H, N, O, P, S in Section 2 of Halperin and Overmars. */
 static const column of_paper = {7, {6, 20, 1, 7, 8, 15, 16}, {1.52, 3.48, 0.70, 1.36, 1.28, 2.18, 2.10}};
 
+/* sigma of UFF in thousandths of an angstrom, by atomic number: x_I / 2^(1/6) of Table 1 of Rappe et al. 1992, in
+ * decimals with 40 digits, rounded. Those of H, C, O, V, Cu and Zn are as published with PoreBlazer. */
+static const uint16_t sigma[] = {
+    0,    2571, 2104, 2184, 2446, 3638, 3431, 3261, 3118, 2997, 2889, 2658, 2691, 4008, 3826, 3695, 3595, 3516,
+    3446, 3396, 3028, 2936, 2829, 2801, 2693, 2638, 2594, 2559, 2525, 3114, 2462, 3905, 3813, 3769, 3746, 3732,
+    3689, 3665, 3244, 2980, 2783, 2820, 2719, 2671, 2640, 2609, 2583, 2805, 2537, 3976, 3913, 3938, 3982, 4009,
+    3924, 4024, 3299, 3138, 3168, 3213, 3185, 3160, 3136, 3112, 3001, 3074, 3054, 3037, 3021, 3006, 2989, 3243,
+    2798, 2824, 2734, 2632, 2780, 2530, 2454, 2934, 2410, 3873, 3828, 3893, 4195, 4232, 4245, 4365, 3276, 3099,
+    3025, 3050, 3025, 3050, 3050, 3012, 2963, 2975, 2952, 2939, 2927, 2917, 2894, 2883};
+
 /* By atomic number; 0 where nothing is published. */
 static double bondi[ELEMENTS + 1], chem3d[ELEMENTS + 1];
 
@@ -78,6 +88,11 @@ static void every_element(void) {
     } else {
       check_radius(HSP_RADII_CHEM3D, number, substitute, HSP_RADIUS_FALLBACK);
     }
+    if (number < sizeof sigma / sizeof sigma[0]) {
+      check_radius(HSP_RADII_UFF, number, sigma[number] / 2000.0, 0);
+    } else {
+      check_radius(HSP_RADII_UFF, number, substitute, HSP_RADIUS_FALLBACK);
+    }
   }
 }
 
@@ -96,12 +111,13 @@ static void check_refused(uint32_t set, uint32_t number, int32_t expected) {
 
 static void refusals(void) {
   static const uint32_t no_element[] = {0, ELEMENTS + 1, 255, 256 + 6, 65536 + 6, HSP_NONE};
-  static const uint32_t no_set[] = {HSP_RADII_CHEM3D + 1, 256, 65536, HSP_NONE};
+  static const uint32_t no_set[] = {HSP_RADII_CHEM3D + 1, HSP_RADII_UFF - 1, HSP_RADII_UFF + 1, 256, 65536, HSP_NONE};
   uint32_t flags;
   size_t i;
   for (i = 0; i < sizeof no_element / sizeof no_element[0]; ++i) {
     check_refused(HSP_RADII_BONDI, no_element[i], HSP_E_ID);
     check_refused(HSP_RADII_CHEM3D, no_element[i], HSP_E_ID);
+    check_refused(HSP_RADII_UFF, no_element[i], HSP_E_ID);
   }
   for (i = 0; i < sizeof no_set / sizeof no_set[0]; ++i) {
     check_refused(no_set[i], 6, HSP_E_ARGUMENT);

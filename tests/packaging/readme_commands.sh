@@ -19,6 +19,9 @@ cp "$molecules/crambin.pdb" "$work/files/1crn.pdb"
 gzip -c "$molecules/crambin.pdb" >"$work/files/1crn.pdb.gz"
 awk '/^(ATOM|HETATM)/ { print 1 + NR % 3 }' "$molecules/crambin.pdb" >"$work/files/sigma.txt"
 cp "$inputs/one.cif" "$work/files"
+for name in first second; do
+  printf '%s\n\n\n  2  0\n    0.0000    0.0000    0.1000 C\n    1.2000    0.0000    0.0000 O\nM  END\n$$$$\n' $name
+done >"$work/files/docked.sdf"
 cp "$inputs/one.cif" "$work/files/other.cif"
 cp "$inputs/crystal.cif" "$work/files/irmof1.cif"
 cp "$inputs/residues.gro" "$work/files/frame.gro"
@@ -64,7 +67,7 @@ written() {
     seq -f "${out%.*}-%03g.${out##*.}" 0 $((pictures - 1))
     return
   fi
-  grep -oE '(> |-o |--output[ =]|--pdb-out[ =]|--map[ =]|--points[ =]|--tunnels-out[ =]|--profile[ =]|--tree[ =])[^ ]+' <<<"$1" | sed 's/.*[ =]//' | grep -vx -e - |
+  grep -oE '(> |-o |--output[ =]|--pdb-out[ =]|--map[ =]|--points[ =]|--tunnels-out[ =]|--profile[ =]|--tree[ =]|--plot[ =])[^ ]+' <<<"$1" | sed 's/.*[ =]//' | grep -vx -e - |
     sed -E 's/(.*)\.vert$/&\n\1.face/' | sort -u || true
 }
 

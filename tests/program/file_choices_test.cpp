@@ -419,7 +419,7 @@ TEST(Choices, AreRefusedBySentences) {
       {{blocks.path(), "--chains", "both"},
        2,
        "--chains: 'both' is neither auth nor label; did you mean --only chain:both?"},
-      {{file.path(), "--models", "all"}, 2, "--models: 'all' is not merged"},
+      {{file.path(), "--models", "some"}, 2, "--models: 'some' is neither merged nor all"},
       {{file.path(), "--models", "merged", "--model", "2"},
        2,
        "--model is one of them, --models merged all: either the one or the other"},

@@ -228,7 +228,7 @@ TEST(FileStatements, OtherThingsThanMolecules) {
 
 TEST(FileStatements, ModelsThatAreNotRead) {
   const std::string record = sdf("", {flat, high}) + "$$$$\n",
-                    note = " 1 of 3 is read, and no other; --model N takes another one\n";
+                    note = " 1 of 3 is read, and no other; --model N takes another one", all = ", --models all each";
   const struct {
     const char *name;
     std::string text, said;
@@ -237,7 +237,8 @@ TEST(FileStatements, ModelsThatAreNotRead) {
                {"one.sdf", record, ""}};
   for (const auto &file : files) {
     const TemporaryFile written(file.name, file.text);
-    const std::string said = file.said.empty() ? "" : "hardsphere: " + written.path() + ": " + file.said;
+    const std::string few = file.said.empty() ? "" : "hardsphere: " + written.path() + ": " + file.said;
+    const std::string said = few.empty() ? "" : few + all + "\n", other = few.empty() ? "" : few + "\n";
     for (const std::vector<std::string> &more : {std::vector<std::string>{}, {"--csv"}, {"--per-ball"}}) {
       std::vector<std::string> arguments = {"measure", written.path()};
       arguments.insert(arguments.end(), more.begin(), more.end());
@@ -246,9 +247,9 @@ TEST(FileStatements, ModelsThatAreNotRead) {
       EXPECT_EQ(run_program(arguments).err, "");
     }
     const TemporaryFile out("m.svg");
-    EXPECT_EQ(run_program({"draw", written.path(), "-o", out.path()}).err, said);
-    EXPECT_EQ(run_program({"measure", written.path(), written.path(), "--csv"}).err, said + said);
-    EXPECT_EQ(run_program({"clash", written.path(), written.path()}).err, said + said);
+    EXPECT_EQ(run_program({"draw", written.path(), "-o", out.path()}).err, other);
+    EXPECT_EQ(run_program({"measure", written.path(), written.path(), "--csv"}).err, other + other);
+    EXPECT_EQ(run_program({"clash", written.path(), written.path()}).err, other + other);
     run_json({"measure", written.path()});  // its object has both numbers
   }
   const TemporaryFile frames("m.xyz", files[1].text);

@@ -161,9 +161,9 @@ TEST(RadiiSets, ProtorIsThatOfFreeSasa) {
 TEST(RadiiSets, ListShowsWhatThereIs) {
   const Outcome list = run_program({"measure", "--radii", "list"});
   EXPECT_EQ(list.status, 0);
-  EXPECT_NE(list.out.find("\n  C            1.70      1.52\n"), std::string::npos) << list.out;
-  EXPECT_NE(list.out.find("\n  Zn           1.39      1.39*\n"), std::string::npos);
-  EXPECT_NE(list.out.find("\n  Fe           2.00*     2.00*\n"), std::string::npos);
+  EXPECT_NE(list.out.find("\n  C            1.70      1.52    1.7155\n"), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("\n  Zn           1.39      1.39*   1.2310\n"), std::string::npos);
+  EXPECT_NE(list.out.find("\n  Fe           2.00*     2.00*   1.2970\n"), std::string::npos);
   EXPECT_EQ(run_program({"draw", "--radii=list"}).out, list.out);
   EXPECT_EQ(run_program({"--radii", "list"}).out, list.out);
   EXPECT_EQ(run_program({"--radii=list"}).out, list.out);

@@ -14,7 +14,6 @@ namespace bench {
 namespace {
 
 constexpr double probe = 1.4;  // Angstrom
-constexpr double edge = 0.5;   // of the triangles
 
 void boundary_and_surface(benchmark::State &state, Subject &subject) {
   SmoothSurface surface(*subject.boundary);
@@ -32,20 +31,9 @@ void boundary_and_surface(benchmark::State &state, Subject &subject) {
 }
 
 void triangles(benchmark::State &state, Subject &subject) {
-  hsp_mesh_limits limits{};
-  expect_ok(hsp_mesh_limits_init(&limits, sizeof limits, subject.boundary->get(), edge), "hsp_mesh_limits_init");
-  support::OwnedHandle<support::MeshKind> mesh;
-  mesh.take(limits);
-  const auto compute = [&] {
-    mesh.compute([&](hsp_mesh *handle, hsp_mesh_limits *wanted) {
-      return hsp_mesh_compute(handle, subject.boundary->get(), edge, wanted);
-    });
-  };
-  compute();
-  iterate(state, [&] { compute(); });
-  hsp_mesh_counts counts{};
-  expect_ok(hsp_mesh_get_counts(mesh.get(), &counts), "hsp_mesh_get_counts");
-  state.counters["triangles"] = counts.triangles;
+  Triangles mesh(*subject.boundary);
+  iterate(state, [&] { mesh.compute(); });
+  state.counters["triangles"] = mesh.count();
   state.counters["bytes"] = static_cast<double>(mesh.bytes());
 }
 

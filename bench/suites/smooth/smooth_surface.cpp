@@ -43,4 +43,27 @@ hsp_surface_counts SmoothSurface::counts() const {
   return read(hsp_surface_get_counts, surface_.get(), "hsp_surface_get_counts");
 }
 
+namespace {
+constexpr double edge = 0.5;
+}
+
+Triangles::Triangles(const Boundary &boundary) : boundary_(&boundary) {
+  hsp_mesh_limits limits{};
+  expect_ok(hsp_mesh_limits_init(&limits, sizeof limits, boundary.get(), edge), "hsp_mesh_limits_init");
+  mesh_.take(limits);
+  compute();
+}
+
+void Triangles::compute() {
+  mesh_.compute([this](hsp_mesh *handle, hsp_mesh_limits *wanted) {
+    return hsp_mesh_compute(handle, boundary_->get(), edge, wanted);
+  });
+}
+
+uint32_t Triangles::count() const {
+  hsp_mesh_counts counts{};
+  expect_ok(hsp_mesh_get_counts(mesh_.get(), &counts), "hsp_mesh_get_counts");
+  return counts.triangles;
+}
+
 }  // namespace bench

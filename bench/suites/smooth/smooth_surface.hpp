@@ -37,4 +37,18 @@ class SmoothSurface {
   support::OwnedSurface surface_;
 };
 
+// The boundary in triangles, with edges of half an Angstrom.
+class Triangles {
+ public:
+  explicit Triangles(const Boundary &boundary);
+
+  void compute();
+  uint32_t count() const;
+  size_t bytes() const { return mesh_.bytes(); }
+
+ private:
+  const Boundary *boundary_;
+  support::OwnedHandle<support::MeshKind> mesh_;
+};
+
 }  // namespace bench

@@ -53,7 +53,7 @@ Pockets::Pockets(const Model &model)
       plugged_balls_(with_plugs(pores_)),
       plugged_model_(plugged_balls_, 0.0),
       plugged_boundary_(plugged_model_),
-      plugged_(plugged_model_),
+      plugged_(plugged_model_, pores_.get()),
       sizes_(count_) {}
 
 uint32_t Pockets::find() {
@@ -68,6 +68,11 @@ uint32_t Pockets::list_plugs() {
                                         plugged_balls_.size(), &n),
             "hsp_pores_get_plugged_balls");
   return n - balls_;
+}
+
+uint32_t Pockets::compute_plugged() {
+  plugged_.compute();
+  return plugged_model_.size();
 }
 
 uint32_t Pockets::measure() {

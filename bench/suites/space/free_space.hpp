@@ -29,16 +29,19 @@ class FreeSpace {
 // All maxima and gates above the floor 0, and the tree of their classes.
 class Pores {
  public:
-  explicit Pores(const Model &model) : model_(model) {
+  // before: as in hsp_pores_options.
+  explicit Pores(const Model &model, const hsp_pores *before = nullptr) : model_(model) {
+    support::expect_ok(hsp_pores_options_init(&options_, sizeof options_), "hsp_pores_options_init");
+    options_.before = before;
     hsp_pores_limits limits;
     support::expect_ok(hsp_pores_limits_init(&limits, sizeof limits, model.size()), "hsp_pores_limits_init");
     pores_.take(limits);
     pores_.compute([&](hsp_pores *pores, hsp_pores_limits *asked) {
-      return hsp_pores_compute(pores, model_.get(), nullptr, asked);
+      return hsp_pores_compute(pores, model_.get(), &options_, asked);
     });
   }
   void compute() {
-    support::expect_ok(hsp_pores_compute(pores_.get(), model_.get(), nullptr, nullptr), "hsp_pores_compute");
+    support::expect_ok(hsp_pores_compute(pores_.get(), model_.get(), &options_, nullptr), "hsp_pores_compute");
   }
   // The regions of free space beside the balls, with area and volume.
   hsp_pore_access find_regions(const Boundary &boundary) {
@@ -51,6 +54,7 @@ class Pores {
 
  private:
   const Model &model_;
+  hsp_pores_options options_{};
   support::OwnedHandle<support::PoresKind> pores_;
 };
 
@@ -63,6 +67,8 @@ class Pockets {
   uint32_t find();
   // Of all mouths, behind the balls. Returns how many there are.
   uint32_t list_plugs();
+  // Pores with the plugs, from those without. Returns how many balls they are of.
+  uint32_t compute_plugged();
   // Returns how many pockets are closed. Leaks are left open.
   uint32_t measure();
 

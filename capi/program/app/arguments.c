@@ -112,8 +112,8 @@ static bool check(struct reading *reading) {
     return failure_in_usage(reading->failure, "gate finds the probe: --probe is for --from void:K alone");
   }
   if (request->model_given && request->models > 0) {
-    return failure_in_usage(reading->failure,
-                            "--model is one of them, --models merged all: either the one or the other");
+    return failure_in_usage(reading->failure, "--model is one of them, --models %s all: either the one or the other",
+                            request->models == MODELS_EACH ? "all" : "merged");
   }
   if (!request_check_several(request, reading->failure) || !find_format(reading)) return false;
   if (file_format_has(request->format, FILE_RADII) && (reading->radii_seen || reading->radius_seen)) {

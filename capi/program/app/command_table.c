@@ -6,6 +6,7 @@
 #include "draw/contact_map.h"
 #include "draw/mesh_drawing.h"
 #include "draw/pores_charts.h"
+#include "draw/volumes_chart.h"
 
 /* Functions that need a component of the library or the part of the program that draws, and nothing if the build leaves
  * that out. */
@@ -30,6 +31,7 @@ const struct pictures pictures = {
     .mesh = DRAW(SMOOTH(mesh_draw)),
     .tunnels = DRAW(SPACE(pores_write_profile)),
     .classes = DRAW(SPACE(pores_write_tree)),
+    .volumes = DRAW(volumes_write),
 };
 
 const struct command_row command_table[COMMANDS] = {
@@ -79,7 +81,10 @@ const struct command_row command_table[COMMANDS] = {
              "JSON: <>; with --curvature <--curvature>; with --weights <--weights w>; with --window <--window 1>; with "
              "--polar <--polar>; with "
              "--surface ses <--surface ses>, where surface is \"ses\", and with --outer outer: true; with --interface "
-             "<--interface A,B>: {groups: [{atoms, alone, together}, ...], together, buried}; with --per-ball or "
+             "<--interface A,B>: {groups: [{atoms, alone, together}, ...], together, buried}, or of more groups than "
+             "two "
+             "<--interface A,B,C>: {groups: [{group, atoms, alone}, ...], pairs: [{first, second, first_together, "
+             "second_together, together, buried}, ...]}; with --per-ball or "
              "--gradient <--gradient --weights w --window 1=balls> in the order of the file and as far as it names "
              "them, weight "
              "with --weights, derivatives with --gradient, those of weighted areas with both, of means with --window; "
@@ -113,6 +118,7 @@ const struct command_row command_table[COMMANDS] = {
                        .arguments = "FILE [options]",
                        .summary = "the cavities in the union and the balls around them",
                        .run = command_voids,
+                       .of_run = voids_of_run,
                        .text = "hardsphere voids FILE [--min-volume V] [--balls] [options]\n"
                                "\n"
                                "Lists the cavities that the union encloses, largest volume first: volume, area, the "
@@ -129,14 +135,17 @@ const struct command_row command_table[COMMANDS] = {
                            "mean of their centres, which may lie in a ball; point lies in the void, by integers, null "
                            "if it is narrower than the lattice, and no point of the void has more clearance; "
                            "clearance_bound is clearance once more; smaller is how many voids --min-volume leaves "
-                           "out.",
+                           "out. With --trajectory first frame, time and step, and no input; void is a number that "
+                           "stays, from the one that a void was part of in the frame before, or \"none\", merged "
+                           "those that have ended in it.",
                        .describe = describe_voids},
     [COMMAND_CONTACTS] =
         {.name = "contacts",
          .arguments = "FILE [options]",
          .summary = "which balls, residues or chains touch and by how much, each ball's share",
          .run = command_contacts,
-         .text = "hardsphere contacts FILE [--by residue|chain] [--cells] [--least A] [--map OUT.svg] [options]\n"
+         .text = "hardsphere contacts FILE [--by residue|chain] [--between A,B] [--cells] [--least A] [--map OUT.svg] "
+                 "[options]\n"
                  "\n"
                  "Shares the union out among its balls: a point belongs to the share of the ball from which it has "
                  "the least\n"
@@ -144,7 +153,9 @@ const struct command_row command_table[COMMANDS] = {
                  "its rim is the\n"
                  "length of its border on the surface. The shares sum to the volume of the union.\n",
          .closing = "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n",
-         .json = "JSON: <..pairs>, with --by <--by residue=pairs> or chains: [\"A\", \"B\"]; edge is rim once more; "
+         .json = "JSON: <..pairs>, with --by <--by residue=pairs> or chains: [\"A\", \"B\"], with --between <--between "
+                 "A,B=pairs>, "
+                 "and with both <--between A,B --by residue=between>, too; edge is rim once more; "
                  "with --cells <--cells=cells> "
                  "in the order of the file; without --by or with --cells <> as far as the file says them.",
          .describe = describe_contacts},
@@ -224,6 +235,7 @@ const struct command_row command_table[COMMANDS] = {
          .summary = "pores for every probe at once: cavities, gates, pockets, tunnels",
          .part = "space",
          .run = SPACE(command_pores),
+         .of_run = SPACE(pores_of_run),
          .check = SPACE(check_pores),
          .text = "hardsphere pores FILE [--gates] [--regions] [--pockets W] [--tunnels-from X Y Z|atom:N] [options]\n"
                  "\n"
@@ -246,8 +258,11 @@ const struct command_row command_table[COMMANDS] = {
                  "[{radius, maximum, maxima, directions, copies, rows}, ...] for --probe; gates have end_shift and "
                  "other_end_shift, by which the maxima are to be moved, and directions, in which their class goes on; "
                  "tunnels have shift, the vectors from the point that was named to the copy of it where they "
-                 "end.\nWith --regions <--regions..accessible_volume>, null without a box, <--regions>; xyz, radius "
-                 "and volume are null outside.",
+                 "end.\nWith --regions <--regions..accessible_volume>, null without a box, <--regions>; with --box also "
+                 "<--box 9,9,9 --regions=total_area>, <--box 9,9,9 --regions..total_volume_cm3_per_g>, of elements as "
+                 "IUPAC weighs them, null where one is not known; xyz, radius and volume are null outside.\nWith --trajectory first frame, time and step, and no input; pocket is "
+                 "a number that stays, from the one that a pocket was part of in the frame before, or \"none\", merged "
+                 "those that have ended in it.",
          .describe = SPACE(describe_pores)},
     [COMMAND_CLASH] =
         {.name = "clash",
@@ -263,7 +278,7 @@ const struct command_row command_table[COMMANDS] = {
          .json = "JSON: <..pairs>: [[first, second], ...], <..nearest>: [first, second], <..nearest_balls>: of each "
                  "{ball, atom, element, chain, residue, number, insertion, xyz, radius}, as far as files have it, "
                  "<..fixed>: {n, input} and <>: {n, input}; balls by their indices in the order of their files, "
-                 "counted from 0.",
+                 "counted from 0. With --trajectory first frame, time and step, and neither fixed nor moving.",
          .describe = describe_clash},
     [COMMAND_QUERY] = {.name = "query",
                        .arguments = "FILE [options]",

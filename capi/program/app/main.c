@@ -10,6 +10,8 @@
 #include "app/arguments.h"
 #include "app/command_table.h"
 #include "app/completion.h"
+#include "app/many_molecules.h"
+#include "app/molecule_run.h"
 #include "app/notes.h"
 #include "app/several_files.h"
 #include "app/suggestion.h"
@@ -17,8 +19,6 @@
 #include "commands/command_frames.h"
 #include "commands/commands.h"
 #include "commands/measure_mean.h"
-#include "commands/polarity.h"
-#include "commands/unit_cell.h"
 #include "read/failure.h"
 #include "read/geometry.h"
 #include "read/line_reader.h"
@@ -28,57 +28,33 @@
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
-/* Choose among the atoms of a file, and give them radii. */
-static bool prepare(const struct request *request, struct molecule *molecule, struct notes *notes,
-                    struct failure *failure) {
-  if (!index_file_suits(&request->index, request->index_file, molecule->read, failure)) return false;
-  notes_look_at_file(notes, request, molecule);
-  notes_look_among_all(notes, request, molecule);
-  if (!selection_apply(&request->selection, molecule, failure)) return false;
-  if (request->command == COMMAND_DRAW && !request->drawing.water) selection_hide_water(molecule);
-  notes_look_among_chosen(notes, request, molecule);
-  return molecule_take_radii(molecule, &request->radii, &request->table, failure);
-}
-
-static unsigned keeping_of(const struct request *request) {
-  return (request->trajectory != NULL || request->index.count > 0 ? KEEP_PLACES : KEEP_NO_MORE) |
-         (request->command == COMMAND_DRAW || request->measure.polar ? KEEP_EXTRAS : KEEP_NO_MORE);
-}
-
 /* Read the file of a request and do what it asks for, by so many threads. */
 static bool run_command(const struct request *request, uint32_t threads, struct notes *notes, struct text_buffer *out,
                         struct failure *failure) {
-  command_function *const command = command_table[request->command].run;
+  const struct command_row *const row = &command_table[request->command];
   struct molecule molecule;
-  struct geometry geometry = {.work = {0}};
   const bool again = request->measure.pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
   bool done =
-      read_molecule(request->file, request->format, &request->choice, keeping_of(request), &molecule, failure) &&
-      prepare(request, &molecule, notes, failure) && (!request->measure.polar || polarity_find(&molecule, failure));
+      read_molecule(request->file, request->format, &request->choice, molecule_keeping(request), &molecule, failure) &&
+      molecule_prepare(request, &molecule, notes, failure);
   if (done && request->trajectory != NULL) {
-    const struct frame_work work = {.command = command};
+    const struct frame_work work = {.command = row->run};
+    command_of_run *const run = request->measure.mean ? measure_mean : row->of_run;
     double *const rounding = &notes->largest_rounding;
-    done = request->measure.mean ? measure_mean(request, &molecule, out, rounding, failure)
-                                 : command_frames(request, &molecule, &work, rounding, failure);
-  } else {
+    done = run != NULL ? run(request, &molecule, out, rounding, failure)
+                       : command_frames(request, &molecule, &work, rounding, failure);
+    if (done) notes_look_at_result(notes, request, &molecule);
+  } else if (done) {
+    struct geometry geometry = {.work = {0}};
     geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
-    done = done && unit_cell_fill(request, &molecule, failure);
-    if (done) notes_look_at_symmetry(notes, request, &molecule.symmetry);
-    geometry_share_work(&geometry, threads, molecule.atoms);
     out->threads = threads;
-    /* Pores are those of every probe. */
-    const double grown = request->command == COMMAND_PORES ? 0.0 : request->probe;
-    done = done && geometry_set_model(&geometry, &molecule, grown, 0.0, failure);
-    if (done && !request_wants_places(request)) molecule_drop_balls(&molecule);
-    done = done && command(request, &molecule, &geometry, out, failure);
-    if (geometry.misfit[0] != '\0') text_buffer_add(&notes->lines, "%s\n", geometry.misfit);
+    done = molecule_run(request, threads, &molecule, &geometry, notes, out, failure);
     notes->labels = geometry.labels;
     notes->labels_left_out = geometry.labels_left_out;
     notes->largest_rounding = geometry.largest_rounding;
     geometry_free(&geometry);
   }
-  if (done) notes_look_at_result(notes, request, &molecule);
   molecule_free(&molecule);
   return done;
 }
@@ -109,9 +85,9 @@ static bool run_two(enum command command, int count, char **arguments, struct te
     done = radii_list_print(out, failure);
   } else {
     for (int k = 0; k < 2 && done; ++k) {
-      done = read_molecule(request[k].file, request[k].format, &request[k].choice, keeping_of(&request[k]),
+      done = read_molecule(request[k].file, request[k].format, &request[k].choice, molecule_keeping(&request[k]),
                            &molecule[k], failure) &&
-             prepare(&request[k], &molecule[k], &notes[k], failure);
+             molecule_prepare(&request[k], &molecule[k], &notes[k], failure);
     }
     const struct molecule_request fixed = {&request[0], &molecule[0], &notes[0].largest_rounding},
                                   moving = {&request[1], &molecule[1], &notes[1].largest_rounding};
@@ -195,7 +171,9 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
   stopping_after(request.timeout);
   if (request.list_radii) {
     done = done && radii_list_print(out, failure);
-  } else if (request.files < 2) {
+  } else if (request.models == MODELS_EACH) {
+    done = done && many_molecules_run(&request, failure);
+  } else if (request.files < 2 && request.rows == ROWS_NONE) {
     done = done && run_one(&request, out, failure);
   } else if (done || failure->file == request.file) { /* else the command line is at fault */
     done = several_files_run(&request, count - 1, arguments + 1, run_command, failure);

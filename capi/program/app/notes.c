@@ -49,6 +49,13 @@ static uint32_t count_at_origin(const struct molecule *molecule) {
   return count;
 }
 
+/* Whether --models all would take all of them. */
+static bool goes_through(const struct request *request) {
+  const enum command command = request->command;
+  return file_format_has(request->format, FILE_MOLECULES) && request->files == 1 && command != COMMAND_DRAW &&
+         command != COMMAND_MESH && command != COMMAND_HESSIAN;
+}
+
 void notes_look_at_file(struct notes *notes, const struct request *request, struct molecule *molecule) {
   const char letter = request->choice.location;
   if (request->choice.assembly == NULL) assemblies_list_others(molecule, &notes->assemblies);
@@ -60,8 +67,9 @@ void notes_look_at_file(struct notes *notes, const struct request *request, stru
   if (request->trajectory != NULL) return; /* its frames are read, all of them */
   const bool chosen = request->model_given || request->choice.model == EVERY_MODEL;
   if (molecule->models > 1 && !chosen && !request->json) { /* whose object has it */
-    text_buffer_add(&notes->lines, "%s 1 of %" PRIu64 " is read, and no other; --model N takes another one\n",
-                    orders ? "molecule" : "model", molecule->models);
+    text_buffer_add(&notes->lines, "%s 1 of %" PRIu64 " is read, and no other; --model N takes another one%s\n",
+                    orders ? "molecule" : "model", molecule->models,
+                    goes_through(request) ? ", --models all each" : "");
   }
   const uint32_t at_origin = file_format_has(molecule->format, FILE_ELEMENTS) ? count_at_origin(molecule) : 0;
   if (at_origin > 1) {
@@ -89,6 +97,8 @@ void notes_look_among_all(struct notes *notes, const struct request *request, co
 void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule) {
   selection_list_unmatched(&request->drawing.highlight, molecule, &notes->unmatched);
   selection_list_unmatched(&request->measure.part, molecule, &notes->unmatched);
+  selection_groups_list_unmatched(&request->measure.interface, molecule, &notes->unmatched);
+  selection_groups_list_unmatched(&request->contacts.between, molecule, &notes->unmatched);
 }
 
 static void print(const struct request *request, const struct failure *note) {
@@ -98,7 +108,8 @@ static void print(const struct request *request, const struct failure *note) {
 }
 
 void notes_look_at_result(struct notes *notes, const struct request *request, const struct molecule *molecule) {
-  const bool rows = request->csv || (request->trajectory != NULL && !request->json && !request->measure.mean);
+  const bool rows = request->csv || request->rows != ROWS_NONE ||
+                    (request->trajectory != NULL && !request->json && !request->measure.mean);
   notes->waters = rows ? input_report_waters(molecule) : 0;
   notes->dummies = molecule->left_out.virtual_sites;
 }
@@ -159,6 +170,11 @@ void notes_print(const struct notes *notes, const struct request *request) {
     }
     print(request, &note);
   }
+}
+
+bool notes_are_none(const struct notes *notes) {
+  return notes->lines.length == 0 && notes->unmatched.length == 0 && notes->assemblies.length == 0 &&
+         notes->contradicted == 0 && notes->dummies == 0 && notes->waters == 0;
 }
 
 void notes_free(struct notes *notes) {

@@ -41,4 +41,7 @@ void notes_look_at_result(struct notes *notes, const struct request *request, co
  * without room, and a coarse lattice. */
 void notes_print(const struct notes *notes, const struct request *request);
 
+/* Whether there is nothing to print. */
+bool notes_are_none(const struct notes *notes);
+
 void notes_free(struct notes *notes);

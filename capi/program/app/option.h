@@ -69,7 +69,7 @@ take_option take_colour;    /* RRGGBB, or `none` if that is among the words */
 /* ---- and those with values of their own ---- */
 
 take_option take_format, take_radii, take_radius, take_probe, take_atoms, take_model, take_location, take_chains,
-    take_interface, take_frames, take_real, take_box, take_place, take_query, take_at, take_edge, take_view,
+    take_groups, take_frames, take_real, take_box, take_place, take_query, take_at, take_edge, take_view,
     take_colour_meaning, take_range, take_crop, take_ink_width, take_ink_colour;
 
 /* ---- what they are made of ---- */

@@ -7,16 +7,18 @@
 #define IN(member) offsetof(struct request, member)
 #define OF(COMMAND) (1u << COMMAND_##COMMAND)
 #define EVERY EVERY_COMMAND
+#define OF_CAVITIES_AND_PAIRS (OF(CONTACTS) | OF(VOIDS) | OF(PORES) | OF(CLASH))
 
 const struct option *option_at(size_t i) {
   static const struct option table[] = {
 
       {"--format", "FORMAT", take_format, EVERY, .help = "what FILE is, whatever its extension: {formats}"},
-      {"--radii", "bondi|chem3d", take_radii, EVERY, .words = "bondi|chem3d|protor|naccess|list",
+      {"--radii", "bondi|chem3d|uff", take_radii, EVERY, .words = "bondi|chem3d|uff|protor|naccess|list",
        .what = "a set, a file or 'list'",
-       .help = "radii by element, for files without radii; bondi is the default. Elements that the set has\n"
-               "no radius for get one of bondi, or 2, as do unknown atoms, X in .pdb and .cif, and the\n"
-               "table says so; X in .xyz, .sdf and .mol2 is a dummy and left out"},
+       .help = "radii by element, for files without radii; bondi is the default, uff what porous crystals are\n"
+               "measured with. Elements that the set has no radius for get one of bondi, or 2, as do unknown\n"
+               "atoms, X in .pdb and .cif, and the table says so; X in .xyz, .sdf and .mol2 is a dummy and\n"
+               "left out"},
       {"--radii", "protor|naccess|FILE", take_radii, EVERY,
        .help = "radii by residue and atom, else as bondi. A line of FILE, whose name has a dot or a\n"
                "slash, is RESIDUE ATOM RADIUS; FreeSASA's configuration files and NACCESS's vdw.radii\n"
@@ -46,9 +48,16 @@ const struct option *option_at(size_t i) {
                "group:NAME, or group:N for the one that is N, counted from 0"},
       {"--model", "N", take_model, EVERY, .what = "the number of a model, from 1 on",
        .help = "read model N of the file, counted from 1; default 1"},
+      {"--models", "all", take_choice, EVERY, .target = IN(models), .words = "merged|all", .first = 1,
+       .help = "go through all models or molecules of a {molecules} file: a row\n"
+               "of a table for each, with its title, or with --csv one of comma-separated values, or with\n"
+               "--json a line: model, title and the keys of the command. One that fails has a row that says\n"
+               "why, under fault, and the exit status is 1"},
       {"--models", "merged", take_choice, EVERY, .target = IN(models), .words = "merged", .first = 1,
        .help = "read all models as one set of balls, as of files that have one for each copy of an\n"
                "assembly (.pdb1): chains of model 2 have -2 behind their names"},
+      {"--rows", NULL, take_flag, EVERY, .target = IN(rows_given),
+       .help = "of each file a row of one table, with --csv of comma-separated values, and no lists"},
       {"--altloc", "first|occupancy|LETTER", take_location, EVERY, .words = "first|occupancy",
        .what = "first, occupancy or a letter",
        .help = "which location counts of atoms that .pdb and .cif files have at several: of each atom that\n"
@@ -113,8 +122,12 @@ const struct option *option_at(size_t i) {
       {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(measure.relative),
        .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
                "name can have in a chain"},
-      {"--interface", "A,B", take_interface, OF(MEASURE), .what = "two groups of chains: A,B or A+B,C",
-       .help = "also what chain A and chain B bury between them; groups of chains are A+B,C"},
+      {"--interface", "A,B", take_groups, OF(MEASURE), .target = IN(measure.interface), .words = "chains",
+       .what = "groups: A,B or A+B,C or residue:HEM,chain:A or chains",
+       .help = "also what chain A and chain B bury between them: the area of each alone less that of both.\n"
+               "A group is chains, A+B, or atoms as for --only, residue:HEM; rest is what no other group\n"
+               "names, and an atom that several name is of the first of them: \"residue:HEM,chain:A\" is a\n"
+               "ligand in its chain. Of more than two groups, or of all chains, each two"},
       {"--csv", NULL, take_flag, OF(MEASURE), .target = IN(csv),
        .help = "print the balls, or with --by the sums, as comma-separated values and nothing else"},
       {"--pdb-out", "FILE", take_path, OF(MEASURE), .target = IN(measure.pdb_out),
@@ -152,10 +165,16 @@ const struct option *option_at(size_t i) {
        .help = "only those of volume V or more"},
       {"--balls", NULL, take_flag, OF(VOIDS), .target = IN(voids.balls), .help = "also the balls around each"},
       {"--csv", NULL, take_flag, OF(VOIDS), .target = IN(csv),
-       .help = "print the list as comma-separated values and nothing else"},
+       .help = "print the list as comma-separated values and nothing else; of a --trajectory that of each\n"
+               "frame, in place of a row"},
 
       {"--by", "residue|chain", take_choice, OF(CONTACTS), .target = IN(by), .words = "residue|chain", .first = 1,
        .help = "sums over the contacts between residues or chains, instead of those between balls"},
+      {"--between", "A,B", take_groups, OF(CONTACTS), .target = IN(contacts.between), .words = "chains",
+       .what = "groups: A,B or A+B,C or residue:HEM,chain:A or chains",
+       .help = "sums over the contacts between groups of atoms, and within each: chains A and B, A+B,C, what\n"
+               "selections name, residue:HEM,rest, or chains, all of them. With --by those between residues\n"
+               "or chains of different groups, too. More about groups: measure --interface"},
       {"--cells", NULL, take_flag, OF(CONTACTS), .target = IN(contacts.cells),
        .help = "also volume, free area and contact area of every ball's share"},
       {"--least", "A", take_length, OF(CONTACTS), .target = IN(contacts.least), .what = "an area",
@@ -166,13 +185,6 @@ const struct option *option_at(size_t i) {
        .help = "also a picture of the list: a square for each pair, darker the larger its area"},
       {"--dark", NULL, take_flag, OF(CONTACTS), .target = IN(contacts.dark),
        .help = "that picture before a dark page, with lighter squares for larger areas"},
-      {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
-      {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S"},
-      {"--begin", "T", take_real, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},
-      {"--end", "T", take_real, OF(CONTACTS), .target = IN(frames.end), .what = "a time"},
-      {"--interval", "DT", take_real, OF(CONTACTS), .target = IN(frames.interval), .what = "a time", .positive = true,
-       .help = "for every frame a row of numbers, or with --json a line with the list: see measure"},
-
       {"--from", "X Y Z", take_place, OF(PATH), .target = IN(path.from), .help = ""},
       {"--to", "X Y Z", take_place, OF(PATH), .target = IN(path.to), .help = ""},
 
@@ -190,11 +202,17 @@ const struct option *option_at(size_t i) {
       {"--gates", NULL, take_flag, OF(PORES), .target = IN(pores.gates), .help = "list gates instead"},
       {"--regions", NULL, take_flag, OF(PORES), .target = IN(pores.regions),
        .help = "area and volume of free space that a probe of radius P gets to from outside, or with --box\n"
-               "for ever, of what is blocked, and of each region; the volume is that of its centre"},
+               "for ever, of what is blocked, and of each region; the volume is that of its centre. With\n"
+               "--box also by cm^3 and by gram, and the density, where elements are known: areas are ASA and\n"
+               "NASA of Zeo++, volumes AV and NAV, with --probe 0 the geometric pore volume and void fraction"},
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pores.pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
                "outside, or with --box from where it goes on for ever. Volume and area are those of places\n"
-               "of the centre of P, cut off by balls that fill the mouths; - where these do not close it"},
+               "of the centre of P, cut off by balls that fill the mouths; - where these do not close it.\n"
+               "The largest volume is first; numbers are by width, but of a --trajectory each has one that\n"
+               "stays"},
+      {"--min-volume", "V", take_length, OF(PORES), .target = IN(pores.min_volume), .what = "a volume",
+       .help = "only pockets of volume V or more, and those whose volume is not known"},
       {"--balls", NULL, take_flag, OF(PORES), .target = IN(pores.balls),
        .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
       {"--tunnels-from", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(pores.tunnels_from),
@@ -219,15 +237,28 @@ const struct option *option_at(size_t i) {
        .help = "also a chart of the tunnels: the radius along the length, with a ring at the bottleneck"},
       {"--tree", "OUT.svg", take_path, OF(PORES), .target = IN(pores.tree), .part = DRAWING, .what = "a file",
        .help = "also a chart of the classes: a line from birth to death for each, down to that which it\n"
-               "merges into; with --pockets in the colours of the six widest pockets"},
+               "merges into; with --pockets in the colours of the six largest pockets. Of more than\n"
+               "100 those that live longest"},
       {"--csv", NULL, take_flag, OF(PORES), .target = IN(csv),
        .help = "print maxima, gates, regions, pockets or points of tunnels as comma-separated values and\n"
-               "nothing else"},
+               "nothing else; of a --trajectory those of each frame, in place of a row"},
 
       {"--rotate", "X,Y,Z", take_angles, OF(CLASH), .target = IN(clash.rotate), .part = DRAWING,
        .help = "turn the second one by X, then Y, then Z degrees about axes through the mean of its\n"
                "centres"},
       {"--translate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(clash.translate), .help = "then move it"},
+
+      {"--plot", "OUT.svg", take_path, OF(VOIDS) | OF(PORES), .target = IN(plot), .part = DRAWING, .what = "a file",
+       .help = "with --trajectory: also a chart of the volume of each by frame, of the six that have most\n"
+               "over the run"},
+      {"--trajectory", "RUN", take_path, OF_CAVITIES_AND_PAIRS, .target = IN(trajectory)},
+      {"--frames", "A:B:S", take_frames, OF_CAVITIES_AND_PAIRS, .what = "frames, A:B:S"},
+      {"--begin", "T", take_real, OF_CAVITIES_AND_PAIRS, .target = IN(frames.begin), .what = "a time"},
+      {"--end", "T", take_real, OF_CAVITIES_AND_PAIRS, .target = IN(frames.end), .what = "a time"},
+      {"--interval", "DT", take_real, OF_CAVITIES_AND_PAIRS, .target = IN(frames.interval), .what = "a time",
+       .positive = true,
+       .help = "for every frame a row of numbers, or with --json a line with the list: see measure. Of clash\n"
+               "the frames are of the second molecule"},
 
       {"--point", "X Y Z", take_query, OF(QUERY), .help = ""},
       {"--ball", "X Y Z R", take_query, OF(QUERY), .help = ""},
@@ -256,7 +287,7 @@ const struct option *option_at(size_t i) {
       {"--pockets", "W", take_number, OF(MESH), .target = IN(meshing.pockets), .what = "a length", .most = 1e6,
        .part = "space",
        .help = "in .svg show pockets instead, as pores has them: where the probe fits, and one of radius W\n"
-               "does not get to from outside. The widest six have colours; --cut goes through the first"},
+               "does not get to from outside. The largest six have colours; --cut goes through the first"},
       {"--least", "D", take_length, OF(MESH), .target = IN(meshing.persistence), .what = "a length", .part = "space",
        .help = "only pockets that are wider than their widest mouth by D"},
 
@@ -398,7 +429,7 @@ const struct option *option_at(size_t i) {
       {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES), .words = "file|p1",
        .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or its vectors AX,AY,AZ,BX,BY,BZ,CX,CY,CZ"},
       {"--box", "file", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES),
-       .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc, .trr and .dcd,\n"
+       .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc, .trr, .dcd, .nc,\n"
                "Lattice of .xyz; 1 1 1 stands for none. That of FILE is filled by copies: those by the\n"
                "operators in REMARK 290 of .pdb or in .cif; without operators the table says that none are\n"
                "made. An image that falls on an atom, within the digits of the file, as on an axis or\n"

@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "app/option.h"
-#include "commands/interface.h"
 #include "read/number.h"
 #include "read/threads.h"
 
@@ -36,10 +35,11 @@ bool take_radii(struct reading *reading, const struct option *option, const char
     request->radii_file = value;
   } else {
     char shown[EXCERPT_BYTES];
-    return failure_in_usage(reading->failure,
-                            "--radii: no set '%s'; there are bondi, chem3d, protor, naccess, and files with a dot or "
-                            "slash in their names",
-                            excerpt(shown, value, strlen(value)));
+    return failure_in_usage(
+        reading->failure,
+        "--radii: no set '%s'; there are bondi, chem3d, uff, protor, naccess, and files with a dot or "
+        "slash in their names",
+        excerpt(shown, value, strlen(value)));
   }
   return true;
 }
@@ -107,11 +107,11 @@ bool take_chains(struct reading *reading, const struct option *option, const cha
                           shown, shown);
 }
 
-bool take_interface(struct reading *reading, const struct option *option, const char *value) {
+bool take_groups(struct reading *reading, const struct option *option, const char *value) {
+  struct selection_groups *const groups = (void *)((char *)reading->request + option->target);
   if (!option_value(reading, option, &value)) return false;
-  if (reading->request->measure.interface != NULL) return option_given_twice(reading, option);
-  reading->request->measure.interface = value;
-  return interface_parse(value, reading->failure);
+  if (groups->text != NULL) return option_given_twice(reading, option);
+  return selection_groups_parse(groups, option->name, value, reading->failure);
 }
 
 bool take_frames(struct reading *reading, const struct option *option, const char *value) {

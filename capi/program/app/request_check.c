@@ -8,6 +8,22 @@
 #include "read/read_molecule.h"
 #include "write/output_file.h"
 
+/* An option that asks for a list, which has no place in a row; NULL: none does. */
+static const char *list_of(const struct request *request) {
+  const struct selection_groups *const interface = &request->measure.interface;
+  return request->measure.per_ball                      ? "--per-ball"
+         : request->measure.gradient                    ? "--gradient"
+         : request->by != GROUPING_NONE                 ? "--by"
+         : request->contacts.cells                      ? "--cells"
+         : request->contacts.between.text != NULL       ? "--between"
+         : interface->chains || interface->count > 2    ? "--interface of more than two groups"
+         : request->boundary.shells                     ? "--shells"
+         : request->voids.balls || request->pores.balls ? "--balls"
+         : request->pores.gates                         ? "--gates"
+         : request->map.per_ball                        ? "--per-ball"
+                                                        : NULL;
+}
+
 /* Checks the options of a trajectory, of which each frame has one line. */
 static bool check_trajectory(struct request *request, struct failure *failure) {
   char list[FORMAT_LIST_BYTES];
@@ -15,29 +31,33 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   if (path == NULL) {
     const char *const lone = request->frames_given               ? "--frames"
                              : request->measure.mean             ? "--mean"
+                             : request->plot != NULL             ? "--plot"
                              : request->frames.begin > -HUGE_VAL ? "--begin"
                              : request->frames.end < HUGE_VAL    ? "--end"
                              : request->frames.interval > 0.0    ? "--interval"
                                                                  : NULL;
     return lone == NULL || failure_in_usage(failure, "%s needs --trajectory", lone);
   }
-  if (request->files > 1) return failure_in_usage(failure, "--trajectory takes one file at a time");
-  if (request->measure.pdb_out != NULL) return failure_in_usage(failure, "--pdb-out is not for a --trajectory");
-  if (request->contacts.map != NULL) return failure_in_usage(failure, "--map is not for a --trajectory");
+  if (request->files > 1 && request->command != COMMAND_CLASH) {
+    return failure_in_usage(failure, "--trajectory takes one file at a time");
+  }
+  struct output_choice outputs[MOST_OUTPUTS];
+  const int count = request_outputs(request, outputs);
+  for (int k = 0; k < count; ++k) {
+    if (outputs[k].path == request->plot) continue;
+    return failure_in_usage(failure, "%s is not for a --trajectory", outputs[k].option);
+  }
   if (request->csv && request->json) return true; /* refused with the options of measure */
-  if (request->measure.mean && (request->measure.gradient || request->measure.interface != NULL)) {
+  if (request->measure.mean && (request->measure.gradient || request->measure.interface.text != NULL)) {
     return failure_in_usage(failure, "%s has no mean: not with --mean",
                             request->measure.gradient ? "--gradient" : "--interface");
   }
-  const char *longer = request->measure.per_ball      ? "--per-ball"
-                       : request->measure.gradient    ? "--gradient"
-                       : request->by != GROUPING_NONE ? "--by"
-                       : request->contacts.cells      ? "--cells"
-                                                      : NULL;
+  const char *const longer = list_of(request);
   if (longer != NULL && !request->json && !request->measure.mean) {
     return failure_in_usage(failure, "%s has no place in the one row of a frame: it needs --json", longer);
   }
-  if (!request->measure.mean) request->csv = false; /* it is the table of frames anyway */
+  const bool lists = request->measure.mean || request->command == COMMAND_VOIDS || request->command == COMMAND_PORES;
+  if (!lists) request->csv = false; /* it is the table of frames anyway */
   if (!input_is_standard(path)) return true;
   if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
     return failure_in_usage(failure, "standard input is one file, not two");
@@ -45,6 +65,42 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   if (file_format_has(request->format, FILE_FRAMES)) return true;
   return failure_in_usage(failure, "--trajectory from standard input is %s, as FILE is",
                           file_format_list(list, ".", "or", FILE_FRAMES | FILE_ATOMS, true));
+}
+
+/* Checks the options of a table with a row for each of several molecules or files. */
+static bool check_rows(struct request *request, struct failure *failure) {
+  char list[FORMAT_LIST_BYTES];
+  struct output_choice outputs[MOST_OUTPUTS];
+  const bool each = request->models == MODELS_EACH;
+  if (!each && !request->rows_given) return true;
+  const char *const option = each ? "--models all" : "--rows";
+  const enum command command = request->command;
+  if (command == COMMAND_CLASH || command == COMMAND_MESH || command == COMMAND_DRAW ||
+      (command == COMMAND_HESSIAN && !request->json)) {
+    return failure_in_usage(failure, "%s is not for %s%s", option, command_table[command].name,
+                            command == COMMAND_HESSIAN ? " but with --json" : "");
+  }
+  if (each && !file_format_has(request->format, FILE_MOLECULES)) {
+    return failure_in_usage(failure, "--models all has no use here: it is for %s files",
+                            file_format_list(list, ".", "and", FILE_MOLECULES, true));
+  }
+  if (!each && request->json)
+    return failure_in_usage(failure, "--rows are of a table: --json has a line for each file");
+  if (request->trajectory != NULL) return failure_in_usage(failure, "%s is not for a --trajectory", option);
+  if (request_outputs(request, outputs) > 0) {
+    return failure_in_usage(failure, "%s prints rows: not with %s", option, outputs[0].option);
+  }
+  if (request->weights != NULL && input_is_standard(request->weights)) {
+    return failure_in_usage(failure, "weights from standard input serve for one molecule");
+  }
+  const char *const longer = list_of(request);
+  if (longer != NULL && !request->json) {
+    return failure_in_usage(failure, "%s has no place in the row of a molecule: it needs --json", longer);
+  }
+  if (request->csv && request->json) return true; /* refused with the options of measure */
+  request->rows = request->json ? ROWS_NONE : request->csv ? ROWS_OF_CSV : ROWS_FOR_PERSONS;
+  request->csv = false;
+  return true;
 }
 
 /* Which options of `measure` go together, and with the format of the file. */
@@ -59,6 +115,8 @@ static bool check_measure(const struct request *request, struct failure *failure
       {csv && request->json, "one form of output at a time: either --csv or --json"},
       {csv && request->contacts.cells, "--csv prints one table: --cells has no place in it"},
       {csv && (request->voids.balls || request->pores.balls), "--csv prints one table: --balls has no place in it"},
+      {request->contacts.between.text != NULL && by == GROUPING_NONE && request->contacts.map != NULL,
+       "--map is of balls, or with --by of residues or chains: not with --between alone"},
       {csv && request->command == COMMAND_BOUNDARY && request->box.source != BOX_NONE,
        "--csv is not for the boundary in a --box"},
       {csv && of_balls && by == GROUPING_RESIDUE, "--csv prints one table: either of balls or --by residue"},
@@ -72,9 +130,8 @@ static bool check_measure(const struct request *request, struct failure *failure
        "--relative compares solvent-accessible areas: it needs a probe, --probe 1.4"},
       {measure->polar && !file_format_has(request->format, FILE_ELEMENTS),
        "--polar has no use here: the file names no elements"},
-      {measure->interface != NULL && !names, "--interface has no use here: the file names no chains"},
       {csv && measure->polar, "--csv prints one table, of balls or of groups: --polar has no place in it"},
-      {csv && measure->interface != NULL,
+      {csv && measure->interface.text != NULL,
        "--csv prints one table, of balls or of groups: --interface has no place in it"},
       {measure->surface >= 0 && request->probe == 0.0, "--surface needs a probe, --probe 1.4"},
       {measure->outer && !smooth, "--outer is for the solvent-excluded surface: it needs --surface ses"},
@@ -82,7 +139,7 @@ static bool check_measure(const struct request *request, struct failure *failure
        "--gradient with --weights is of the solvent-accessible surface: not with --surface ses"},
       {smooth && measure->relative,
        "--relative is of the solvent-accessible surface: it has no use with --surface ses"},
-      {smooth && measure->interface != NULL,
+      {smooth && measure->interface.text != NULL,
        "--interface is of the solvent-accessible surface: it has no use with --surface ses"},
       {smooth && measure->curvature,
        "--curvature is of the solvent-accessible surface: it has no use with --surface ses"},
@@ -105,22 +162,22 @@ static bool check_measure(const struct request *request, struct failure *failure
 /* Results of all atoms alone, which a part that others block has not. */
 static bool check_part(const struct request *request, struct failure *failure) {
   if (!request_wants_part(request)) return true;
-  const char *other = request->excluded_surface            ? "--surface ses"
-                      : request->measure.interface != NULL ? "--interface"
-                      : request->measure.pdb_out != NULL   ? "--pdb-out"
-                                                           : NULL;
+  const char *other = request->excluded_surface                 ? "--surface ses"
+                      : request->measure.interface.text != NULL ? "--interface"
+                      : request->measure.pdb_out != NULL        ? "--pdb-out"
+                                                                : NULL;
   return other == NULL || failure_in_usage(failure, "%s is of all atoms: not with --of", other);
 }
 
 /* Checks for results of the outside, or not computed in a box. */
 static bool check_box(const struct request *request, struct failure *failure) {
   if (request->box.source == BOX_NONE) return true;
-  const char *other = request->excluded_surface            ? "--surface ses"
-                      : request->measure.interface != NULL ? "--interface"
-                      : request->boundary.shells           ? "--shells"
-                      : request->window > 0.0              ? "--window"
-                      : request->measure.pdb_out != NULL   ? "--pdb-out"
-                                                           : NULL;
+  const char *other = request->excluded_surface                 ? "--surface ses"
+                      : request->measure.interface.text != NULL ? "--interface"
+                      : request->boundary.shells                ? "--shells"
+                      : request->window > 0.0                   ? "--window"
+                      : request->measure.pdb_out != NULL        ? "--pdb-out"
+                                                                : NULL;
   return other == NULL || failure_in_usage(failure, "%s is not for a --box", other);
 }
 
@@ -129,7 +186,7 @@ static bool check_choice(struct request *request, struct failure *failure) {
   char list[FORMAT_LIST_BYTES];
   const char *const assembly = request->choice.assembly;
   request->choice.label_chains = request->chains == 2;
-  if (request->models > 0) request->choice.model = EVERY_MODEL;
+  if (request->models == MODELS_MERGED) request->choice.model = EVERY_MODEL;
   if ((request->location_given || assembly != NULL) && !file_format_has(request->format, FILE_LOCATIONS)) {
     return failure_in_usage(failure, "%s has no use here: it is for %s files",
                             assembly != NULL ? "--assembly" : "--altloc",
@@ -139,10 +196,12 @@ static bool check_choice(struct request *request, struct failure *failure) {
     return failure_in_usage(failure, "--chains has no use here: it is for %s files, which have two names of a chain",
                             file_format_list(list, ".", "and", FILE_LABEL_CHAINS | FILE_ATOMS, true));
   }
-  if (assembly == NULL && request->models == 0) return true;
+  if (assembly == NULL && request->models != MODELS_MERGED) return true;
   const char *const copies = assembly != NULL ? "--assembly" : "--models merged";
   if (assembly != NULL && request->models > 0) {
-    return failure_in_usage(failure, "copies are either those of --assembly or those of --models merged");
+    return failure_in_usage(failure, request->models == MODELS_EACH
+                                         ? "--assembly is of one molecule: not with --models all"
+                                         : "copies are either those of --assembly or those of --models merged");
   }
   if (assembly != NULL && request->box.source != BOX_NONE) {
     return failure_in_usage(failure, "--assembly is not for a --box: both make copies");
@@ -160,6 +219,7 @@ bool request_check_several(const struct request *request, struct failure *failur
            failure_in_usage(failure, "clash takes two files: the molecule at rest, then the one that is moved");
   }
   if (request->files < 2) return true;
+  if (request->models == MODELS_EACH) return failure_in_usage(failure, "--models all takes one file at a time");
   if (request->command == COMMAND_HESSIAN && !request->json) {
     return failure_in_usage(failure, "hessian writes one matrix: it takes one file at a time, or --json");
   }
@@ -224,7 +284,11 @@ bool request_check(struct request *request, struct failure *failure) {
   if (!selection_suits(&request->selection, request->format, &request->index, failure)) return false;
   if (!selection_suits(&request->measure.part, request->format, &request->index, failure)) return false;
   if (!selection_suits(&request->drawing.highlight, request->format, &request->index, failure)) return false;
-  if (!check_choice(request, failure)) return false;
+  if (!selection_groups_suit(&request->measure.interface, "--interface", request->format, &request->index, failure) ||
+      !selection_groups_suit(&request->contacts.between, "--between", request->format, &request->index, failure)) {
+    return false;
+  }
+  if (!check_choice(request, failure) || !check_rows(request, failure)) return false;
   if (!check_trajectory(request, failure) || !check_measure(request, failure) || !check_part(request, failure) ||
       !check_box(request, failure)) {
     return false;

@@ -5,14 +5,15 @@
 #include <sys/stat.h>
 
 #include "app/arguments.h"
+#include "commands/input_report.h"
 #include "read/line_reader.h"
 #include "read/progress.h"
 #include "read/stopping.h"
 #include "read/threads.h"
 #include "write/csv.h"
+#include "write/report.h"
 
 enum {
-  MOST_FORMATS = 12,
   SLOTS_OF_WORKER = 8, /* so that a large file among small ones keeps nobody waiting */
   WATCHED_FILES = 100, /* less takes no time that anybody would watch */
   MEMORY_OF_BYTE = 5   /* what takes a byte in a file takes about so many in memory */
@@ -55,17 +56,41 @@ static size_t row_length(const char *text, size_t length) {
   return length;
 }
 
+/* Whether a table has the titles of the first one, which it has if it is that. */
+static bool has_titles(struct several_files *several, const struct request *request, const char *titles, size_t length,
+                       struct failure *failure) {
+  if (!several->any) text_buffer_append(&several->header, titles, length);
+  if (several->header.out_of_memory) return failure_of_memory(failure);
+  if (length == several->header.length && memcmp(titles, several->header.text, length) == 0) return true;
+  failure->file = request->file;
+  return failure_in_input(failure, 0, "its table has other columns than that of the first file");
+}
+
+/* The one row of a table for persons, with the file's name behind it. */
+static bool add_row(struct several_files *several, const struct request *request, const struct text_buffer *record,
+                    struct text_buffer *out, struct failure *failure) {
+  const size_t titles = row_length(record->text, record->length);
+  if (!has_titles(several, request, record->text, titles, failure)) return false;
+  if (!several->any) {
+    rows_heading(out, several->first);
+    text_buffer_append(out, record->text, titles - 1);
+    text_buffer_add_text(out, "  file\n");
+  }
+  text_buffer_append(out, record->text + titles, record->length - titles - 1);
+  text_buffer_add_text(out, "  ");
+  report_file_name(out, input_name(request->file));
+  text_buffer_add_text(out, "\n");
+  return true;
+}
+
 /* The rows of a table with the file's name before each; its header only if it is the first one. */
 static bool add_table(struct several_files *several, const struct request *request, const struct text_buffer *record,
                       struct text_buffer *out, struct failure *failure) {
   size_t at = row_length(record->text, record->length);
+  if (!has_titles(several, request, record->text, at, failure)) return false;
   if (!several->any) {
-    text_buffer_append(&several->header, record->text, at);
     text_buffer_add(out, "file,");
     text_buffer_append(out, record->text, at);
-  } else if (at != several->header.length || memcmp(record->text, several->header.text, at) != 0) {
-    failure->file = request->file;
-    return failure_in_input(failure, 0, "its table has other columns than that of the first file");
   }
   while (at < record->length) {
     const size_t length = row_length(record->text + at, record->length - at);
@@ -74,7 +99,7 @@ static bool add_table(struct several_files *several, const struct request *reque
     text_buffer_append(out, record->text + at, length);
     at += length;
   }
-  return !several->header.out_of_memory || failure_of_memory(failure);
+  return true;
 }
 
 /* False: it cannot be printed, or its table has other columns than the first one. */
@@ -83,7 +108,9 @@ static bool print(struct several_files *several, const struct request *request, 
   if (record->out_of_memory) return failure_of_memory(failure);
   struct text_buffer out = TEXT_BUFFER_EMPTY;
   bool done = true;
-  if (request->csv) {
+  if (request->rows == ROWS_FOR_PERSONS) {
+    done = add_row(several, request, record, &out, failure);
+  } else if (request->csv || request->rows == ROWS_OF_CSV) {
     done = add_table(several, request, record, &out, failure);
   } else {
     if (several->any && !request->json) text_buffer_add(&out, "\n");

@@ -72,7 +72,7 @@ static bool is_in(const struct option *option, enum section section, enum comman
   return option->commands != EVERY_COMMAND && option_is_of(option, command) && of_box == (section == OF_BOX);
 }
 
-/* Lines of help, each behind the column of names; {formats} and {frames} are what files may be. */
+/* Lines of help, each behind the column of names; {formats}, {frames} and {molecules} are what files may be. */
 static void add_help(struct text_buffer *out, const char *help) {
   char list[FORMAT_LIST_BYTES];
   while (help[0] != '\0') {
@@ -84,8 +84,13 @@ static void add_help(struct text_buffer *out, const char *help) {
       ++help;
     } else if (help[0] == '{') {
       const bool frames = strncmp(help, "{frames}", strlen("{frames}")) == 0;
+      const bool molecules = strncmp(help, "{molecules}", strlen("{molecules}")) == 0;
       text_buffer_add(out, "%s",
-                      file_format_list(list, frames ? "." : "", "or", frames ? FILE_FRAMES : FILE_ATOMS, true));
+                      file_format_list(list, frames || molecules ? "." : "", "or",
+                                       frames      ? FILE_FRAMES
+                                       : molecules ? FILE_MOLECULES
+                                                   : FILE_ATOMS,
+                                       true));
       help = strchr(help, '}') + 1;
     }
   }

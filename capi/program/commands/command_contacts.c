@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "commands/commands.h"
+#include "commands/group_matrix.h"
 #include "commands/input_report.h"
 #include "commands/periodic_result.h"
 #include "commands/pictures.h"
@@ -22,8 +23,10 @@ struct findings {
   uint32_t contact_count;
   struct atom_groups groups;
   uint32_t *group_of;         /* [atoms] */
-  hsp_group_contact *between; /* [between_count] */
+  hsp_group_contact *between; /* [between_count], of residues or chains */
   uint32_t between_count;
+  struct found_groups named;   /* if groups are named */
+  hsp_group_contact *of_named; /* [named.count (named.count + 1) / 2], within each and between each two, ascending */
   double *cell, *free_area, *area; /* [atoms] */
 };
 
@@ -34,6 +37,8 @@ static void findings_free(struct findings *found) {
   free(found->shift);
   free(found->group_of);
   free(found->between);
+  found_groups_free(&found->named);
+  free(found->of_named);
   free(found->cell);
   free(found->free_area);
   free(found->area);
@@ -108,6 +113,39 @@ static bool number_groups(const struct molecule *molecule, struct findings *foun
   return true;
 }
 
+/* The place of two groups among all pairs, each with itself too. */
+static size_t named_place(const struct found_groups *named, uint32_t first, uint32_t second) {
+  const size_t before = first;
+  return before * (2 * (size_t)named->count - before + 1) / 2 + (second - first);
+}
+
+/* The contacts within and between the groups that are named, each once. */
+static bool find_named(const struct request *request, const struct molecule *molecule, struct findings *found,
+                       struct failure *failure) {
+  struct found_groups *const named = &found->named;
+  if (!selection_groups_find(&request->contacts.between, "--between", molecule, named, failure)) return false;
+  const uint32_t groups = named->count;
+  found->of_named = calloc(named_place(named, groups, groups) + 1, sizeof *found->of_named);
+  if (found->of_named == NULL) return failure_of_memory(failure);
+  for (uint32_t first = 0; first < groups; ++first) {
+    for (uint32_t second = first; second < groups; ++second) {
+      hsp_group_contact *const sum = &found->of_named[named_place(named, first, second)];
+      sum->group[0] = first;
+      sum->group[1] = second;
+    }
+  }
+  for (uint32_t k = 0; k < found->contact_count; ++k) {
+    const hsp_contact *const contact = &found->contacts[k];
+    const uint32_t a = named->of[contact->ball[0]], b = named->of[contact->ball[1]];
+    if (a == HSP_NONE || b == HSP_NONE) continue;
+    hsp_group_contact *const sum = &found->of_named[a < b ? named_place(named, a, b) : named_place(named, b, a)];
+    sum->area += contact->area;
+    sum->rim += contact->rim;
+    ++sum->contacts;
+  }
+  return true;
+}
+
 /* Into found->between, and how many there are into found->between_count. */
 static int32_t between_groups(const struct geometry *geometry, struct findings *found, uint32_t capacity) {
   uint32_t *const count = &found->between_count;
@@ -117,10 +155,36 @@ static int32_t between_groups(const struct geometry *geometry, struct findings *
   return hsp_contacts_group(geometry->work.contacts, found->group_of, found->between, capacity, count);
 }
 
+/* Residues or chains become those of each group that is named, numbered group by group. */
+static bool number_within_named(const struct molecule *molecule, struct findings *found, struct failure *failure) {
+  const struct found_groups *const named = &found->named;
+  if (found->of_named == NULL) return true;
+  if ((uint64_t)named->count * found->groups.count >= HSP_NONE) {
+    return failure_in_input(failure, 0, "--between: too many groups for --by");
+  }
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    found->group_of[i] = named->of[i] == HSP_NONE ? HSP_NONE : named->of[i] * found->groups.count + found->group_of[i];
+  }
+  return true;
+}
+
+/* Of these sums keep those between different groups that are named, of residues or chains as they are. */
+static void keep_between_named(struct findings *found) {
+  const uint32_t all = found->groups.count;
+  uint32_t kept = 0;
+  for (uint32_t k = 0; k < found->between_count; ++k) {
+    hsp_group_contact sum = found->between[k];
+    if (sum.group[0] / all == sum.group[1] / all) continue;
+    for (int side = 0; side < 2; ++side) sum.group[side] %= all;
+    found->between[kept++] = sum;
+  }
+  found->between_count = kept;
+}
+
 static bool find_groups(const struct request *request, const struct molecule *molecule, const struct geometry *geometry,
                         struct findings *found, struct failure *failure) {
   if (!atom_groups_make(molecule, request->by, &request->index, NULL, &found->groups, failure) ||
-      !number_groups(molecule, found, failure)) {
+      !number_groups(molecule, found, failure) || !number_within_named(molecule, found, failure)) {
     return false;
   }
   int32_t status = between_groups(geometry, found, 0);
@@ -128,6 +192,7 @@ static bool find_groups(const struct request *request, const struct molecule *mo
   found->between = calloc((size_t)found->between_count + 1, sizeof *found->between);
   if (found->between == NULL) return failure_of_memory(failure);
   status = between_groups(geometry, found, found->between_count);
+  if (status == HSP_OK && found->of_named != NULL) keep_between_named(found);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -219,15 +284,47 @@ static void lead_between(const void *of, size_t row, enum form form, struct text
   if (form == AS_JSON) text_buffer_add(out, "]");
 }
 
-static bool between_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  const struct listed *listed = of;
-  const hsp_group_contact *sum = &listed->found->between[row];
-  (void)text;
+/* Two groups that are named. */
+static void lead_named(const void *of, size_t row, enum form form, struct text_buffer *out) {
+  const struct found_groups *const named = &((const struct listed *)of)->found->named;
+  const int width = -group_names_width(named);
+  if (form == AS_KEYS) text_buffer_add_text(out, "groups: [\"A\", \"B\"]");
+  if (form == AS_JSON) text_buffer_add_text(out, "\"groups\": [");
+  for (int side = 0; side < 2 && form != AS_KEYS; ++side) {
+    const char *name = side == 0 ? "first" : "second";
+    if (row != TABLE_TITLES) name = named->group[((const struct listed *)of)->found->of_named[row].group[side]].name;
+    if (form == FOR_PERSONS) text_buffer_add(out, "  %-*s", width, name);
+    if (form == AS_CSV_TITLES) text_buffer_add(out, "%sgroup_%d", side == 0 ? "" : ",", side + 1);
+    if (side == 1 && form != FOR_PERSONS && form != AS_CSV_TITLES) text_buffer_add(out, form == AS_JSON ? ", " : ",");
+    if (form == AS_JSON) json_text(out, name);
+    if (form == AS_CSV) csv_text(out, name);
+  }
+  if (form == AS_JSON) text_buffer_add_text(out, "]");
+}
+
+static bool sum_row(const struct listed *listed, const hsp_group_contact *sum, union cell cells[MOST_COLUMNS]) {
   cells[0].quantity = sum->area;
   cells[1].quantity = sum->rim;
   cells[2].count = sum->contacts;
   cells[3].quantity = sum->rim;
   return sum->area >= listed->request->contacts.least;
+}
+
+static bool between_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct listed *listed = of;
+  (void)text;
+  return sum_row(listed, &listed->found->between[row], cells);
+}
+
+static bool named_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct listed *listed = of;
+  (void)text;
+  return sum_row(listed, &listed->found->of_named[row], cells);
+}
+
+static double named_area(const void *of, uint32_t first, uint32_t second) {
+  const struct findings *const found = of;
+  return found->of_named[named_place(&found->named, first, second)].area;
 }
 
 static bool cell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
@@ -239,8 +336,21 @@ static bool cell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   return true;
 }
 
-/* The table that is listed: pairs of balls, of residues or of chains. Rims were called edges once, and programs find
- * them by either name. */
+static const struct column between_columns[] = {
+    {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},
+    {"rim", NULL, "rim, @", 16, COLUMN_QUANTITY, 4},
+    {"atom_pairs", NULL, "atom pairs", 14, COLUMN_COUNT, 0},
+    {"edge", NULL, NULL, 0, COLUMN_QUANTITY, 0},
+};
+
+static struct table table_of_named(const struct listed *listed) {
+  const struct found_groups *const named = &listed->found->named;
+  const size_t rows = named_place(named, named->count, named->count);
+  return (struct table){between_columns, 4, listed->rows.molecule->format, rows, listed, named_row, lead_named};
+}
+
+/* The table that is listed: pairs of balls, of residues, of chains or of groups that are named. Rims were called edges
+ * once, and programs find them by either name. */
 static struct table table_of_pairs(const struct listed *listed) {
   static const struct column columns[] = {
       {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},
@@ -255,17 +365,12 @@ static struct table table_of_pairs(const struct listed *listed) {
       {"shift", NULL, "shift of second", 14, COLUMN_SHIFT, 0},
       {"edge", NULL, NULL, 0, COLUMN_QUANTITY, 0},
   };
-  static const struct column between_columns[] = {
-      {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},
-      {"rim", NULL, "rim, @", 16, COLUMN_QUANTITY, 4},
-      {"atom_pairs", NULL, "atom pairs", 14, COLUMN_COUNT, 0},
-      {"edge", NULL, NULL, 0, COLUMN_QUANTITY, 0},
-  };
   const struct findings *found = listed->found;
   const struct file_format *format = listed->rows.molecule->format;
   if (listed->request->by != GROUPING_NONE) {
     return (struct table){between_columns, 4, format, found->between_count, listed, between_row, lead_between};
   }
+  if (listed->request->contacts.between.text != NULL) return table_of_named(listed);
   const bool boxed = found->shift != NULL;
   return (struct table){
       boxed ? columns_in_box : columns, boxed ? 5 : 4, format, found->contact_count, listed, pair_row, lead_pair};
@@ -281,6 +386,23 @@ static struct table table_of_cells(const struct listed *listed) {
                         listed,  cell_row, ball_rows_lead_silent};
 }
 
+/* The groups, and for persons what is between them: as a matrix of areas where there are more than two and room is. */
+static void print_named(struct record *record, const struct listed *listed) {
+  const struct findings *const found = listed->found;
+  const struct table table = table_of_named(listed);
+  const uint32_t groups = found->named.count;
+  const bool residues = listed->request->by != GROUPING_NONE;
+  if (record->form == FOR_PERSONS && groups > 2 && groups <= MOST_GROUPS_OF_MATRIX) {
+    record_line(record, "\n  contact area within and between groups, in @^2");
+    group_matrix_record(record, &found->named, true, named_area, found);
+  } else if (record->form == FOR_PERSONS) {
+    record_table(record, NULL, &table);
+  } else if (residues) {
+    record_table(record, "between", &table);
+  }
+  group_notes_record(record, &found->named);
+}
+
 static void print(struct record *record, const void *of) {
   const struct listed *const listed = of;
   const struct findings *const found = listed->found;
@@ -294,9 +416,11 @@ static void print(struct record *record, const void *of) {
   record_number(record, "area", "area", found->totals.area, 10, "@^2, of all contacts, each once");
   record_number(record, json ? NULL : "volume", "volume", found->totals.volume, 10, "@^3, of all shares");
   if (box != NULL && !json) periodic_result_record(record, box);
-  if (json || found->contact_count > 0) record_table(record, "pairs", &pairs);
+  if (request->contacts.between.text != NULL) print_named(record, listed);
+  const bool matrix_alone = request->contacts.between.text != NULL && request->by == GROUPING_NONE;
+  if (json || (found->contact_count > 0 && !matrix_alone)) record_table(record, "pairs", &pairs);
   if (request->contacts.cells) record_table(record, "cells", &cells);
-  if (request->by == GROUPING_NONE || request->contacts.cells) ball_labels_record(record, "balls");
+  if ((request->by == GROUPING_NONE && !matrix_alone) || request->contacts.cells) ball_labels_record(record, "balls");
   if (box != NULL && json) periodic_result_record(record, box);
 }
 
@@ -342,6 +466,7 @@ bool command_contacts(const struct request *request, const struct molecule *mole
   struct findings found;
   memset(&found, 0, sizeof found);
   bool done = find_all(request, molecule, geometry, &found, failure);
+  if (done && request->contacts.between.text != NULL) done = find_named(request, molecule, &found, failure);
   if (done && request->by != GROUPING_NONE) done = find_groups(request, molecule, geometry, &found, failure);
   if (done && request->contacts.cells) done = find_cells(molecule, geometry, &found, failure);
   if (done && request->contacts.map != NULL) done = write_map(request, molecule, &found, failure);

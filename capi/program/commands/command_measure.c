@@ -21,42 +21,6 @@ struct findings {
   struct interface interface;
 };
 
-/* The groups one by one, and for persons both. */
-static bool side_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  static const char *const names[] = {"first", "second", "both"};
-  const struct interface *const interface = of;
-  const struct interface_side *const side = interface->side;
-  const bool both = row == 2;
-  (void)text;
-  cells[0].text = names[row];
-  cells[1].count = both ? side[0].atoms + side[1].atoms : side[row].atoms;
-  cells[2].quantity = both ? side[0].alone + side[1].alone : side[row].alone;
-  cells[3].quantity = both ? interface->together : side[row].together;
-  cells[4].quantity = cells[2].quantity - cells[3].quantity;
-  return true;
-}
-
-static void record_interface(struct record *record, const char *text, const struct interface *interface) {
-  static const struct column columns[] = {
-      {NULL, NULL, "group", -8, COLUMN_TEXT, 0},        {"atoms", NULL, "atoms", 9, COLUMN_COUNT, 0},
-      {"alone", NULL, "alone", 16, COLUMN_QUANTITY, 4}, {"together", NULL, "together", 16, COLUMN_QUANTITY, 4},
-      {NULL, NULL, "buried", 16, COLUMN_QUANTITY, 4},
-  };
-  const bool json = record->form == AS_JSON;
-  const struct table sides = {columns, 5, record->molecule->format, json ? 2 : 3, interface, side_row, NULL};
-  if (json && !record_key(record, "interface")) return;
-  if (record->form == FOR_PERSONS) text_buffer_add(record->out, "\ninterface of the chains %s", text);
-  record_line(record, ": areas in @^2, of each group alone and of both without anything else");
-  struct record own = {.form = AS_JSON, .out = record->out}, *const to = json ? &own : record;
-  if (json) text_buffer_add_text(record->out, "{");
-  record_table(to, "groups", &sides);
-  if (!json) record_number(record, "first_alone", NULL, interface->side[0].alone, 0, "");
-  if (!json) record_number(record, "second_alone", NULL, interface->side[1].alone, 0, "");
-  record_number(to, "together", NULL, interface->together, 0, "");
-  record_number(to, "buried", NULL, interface->buried, 0, "");
-  if (json) text_buffer_add_text(record->out, "}");
-}
-
 /* The surface and the box, behind the totals of the union. */
 static void record_subject(struct record *record, const struct request *request, const struct measurement *of) {
   if (of->box.periodic != NULL) periodic_result_record(record, &of->box);
@@ -95,7 +59,9 @@ static void print(struct record *record, const void *of) {
                      ? "their derivatives are one-sided at best: four spheres meet in a point, or balls are equal"
                      : "their derivatives are one-sided: as if touching balls overlapped");
   }
-  if (request->measure.interface != NULL) record_interface(record, request->measure.interface, &found->interface);
+  if (request->measure.interface.text != NULL) {
+    interface_record(record, &request->measure.interface, &found->interface);
+  }
   if (request_wants_balls(request) && !line) {
     struct ball_table balls;
     ball_table_make(record->molecule, measurement, request->probe, &balls);
@@ -150,8 +116,8 @@ bool command_measure(const struct request *request, const struct molecule *molec
     done = atom_groups_make(molecule, request->by, &request->index, found.measurement.part, &found.groups, failure);
     if (done) atom_groups_sum(&found.groups, area);
   }
-  if (done && request->measure.interface != NULL) {
-    done = interface_measure(request->measure.interface, molecule, request->probe, geometry, &found.interface, failure);
+  if (done && request->measure.interface.text != NULL) {
+    done = interface_measure(request, molecule, geometry, &found.interface, failure);
   }
   if (done && request_wants_balls(request)) progress_show(&geometry->progress, "making the table");
   if (done && !request_prints_file(request)) print_all(request, molecule, &found, out);
@@ -160,6 +126,7 @@ bool command_measure(const struct request *request, const struct molecule *molec
     done = pdb_output_write(request->file, molecule, area, request->measure.pdb_out, failure);
   }
   atom_groups_free(&found.groups);
+  interface_free(&found.interface);
   measurement_free(&found.measurement);
   return done;
 }

@@ -215,6 +215,19 @@ static void report_probe(struct text_buffer *out, const struct request *request)
   report_row(out, "probe", value, "");
 }
 
+void rows_heading(struct text_buffer *out, const struct request *request) {
+  report_file_name(out, input_name(request->file));
+  if (request->files > 1) text_buffer_add(out, " and %d more", request->files - 1);
+  text_buffer_add_text(out, "\n");
+  if (!file_format_has(request->format, FILE_RADII)) {
+    text_buffer_add(out, "  %-16s %s\n", "radii",
+                    request->radii_file != NULL ? request->radii_file : radii_set_name(request->set));
+    if (request->overrides.length > 0) text_buffer_add(out, "  %-16s with %s\n", "", request->overrides.text);
+  }
+  report_probe(out, request);
+  text_buffer_add(out, "  %-16s of lengths %s; areas and volumes are its powers\n\n", "unit", request->format->unit);
+}
+
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
   report_file_name(out, input_name(request->file));
   text_buffer_add(out, "\n");
@@ -259,9 +272,13 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   if (molecule->model == EVERY_MODEL) {
     text_buffer_add(out, ", \"model\": null");
   } else {
-    json_count(out, "model", molecule->model);
+    json_count(out, "model", molecule->number > 0 ? molecule->number : molecule->model);
   }
-  json_count(out, "models", molecule->models);
+  if (molecule->number > 0) { /* nobody knows yet how many there are */
+    text_buffer_add_text(out, ", \"models\": null");
+  } else {
+    json_count(out, "models", molecule->models);
+  }
   if (request->choice.assembly != NULL) {
     text_buffer_add(out, ", \"assembly\": ");
     json_text(out, request->choice.assembly);
@@ -293,14 +310,16 @@ static void record_frame(struct record *record, const struct frame_stamp *frame)
 
 void report(const struct request *request, const struct molecule *molecule,
             void print(struct record *record, const void *of), const void *of, struct text_buffer *out) {
-  const bool frames = molecule->frame.number > 0, csv = !request->json && (frames || request->csv);
+  const bool frames = molecule->frame.number > 0, rows = request->rows != ROWS_NONE;
+  const bool csv = !request->json && (frames || rows || request->csv);
   struct record record = {.form = request->json ? AS_JSON
                                   : csv         ? AS_CSV_TITLES
                                                 : FOR_PERSONS,
                           .molecule = molecule,
-                          .atoms = request->json ? "n"
-                                   : frames      ? "atoms"
-                                                 : "balls",
+                          .atoms = request->json    ? "n"
+                                   : frames || rows ? "atoms"
+                                                    : "balls",
+                          .aligned = request->rows == ROWS_FOR_PERSONS,
                           .width = VALUE_WIDTH,
                           .out = out};
   if (request->json) text_buffer_add_text(out, "{");
@@ -316,4 +335,43 @@ void report(const struct request *request, const struct molecule *molecule,
   if (request->json) input_report_json(out, request, molecule);
   if (request->json) text_buffer_add_text(out, "}");
   if (record.form != FOR_PERSONS) text_buffer_add_text(out, "\n");
+}
+
+/* A table of a frame, and what each row begins with. */
+struct framed {
+  const struct table *table;
+  struct text_buffer lead[2]; /* titles, values */
+};
+
+static bool framed_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct table *const table = ((const struct framed *)of)->table;
+  return table->row(table->of, row, cells, text);
+}
+
+static void framed_lead(const void *of, size_t row, enum form form, struct text_buffer *out) {
+  const struct text_buffer *const lead = &((const struct framed *)of)->lead[row == TABLE_TITLES ? 0 : 1];
+  (void)form;
+  text_buffer_append(out, lead->text, lead->length);
+}
+
+void report_list(const struct molecule *molecule, const struct table *table, struct text_buffer *out) {
+  if (molecule->frame.number == 0) {
+    table_csv(table, out);
+    return;
+  }
+  struct framed framed = {table, {TEXT_BUFFER_EMPTY, TEXT_BUFFER_EMPTY}};
+  for (int k = 0; k < 2; ++k) {
+    struct record record = {
+        .form = k == 0 ? AS_CSV_TITLES : AS_CSV, .molecule = molecule, .width = 0, .out = &framed.lead[k]};
+    record_frame(&record, &molecule->frame);
+  }
+  struct table rows = *table;
+  rows.of = &framed;
+  rows.row = framed_row;
+  rows.lead = framed_lead;
+  (molecule->frame.first ? table_csv : table_csv_rows)(&rows, out);
+  for (int k = 0; k < 2; ++k) {
+    out->out_of_memory = out->out_of_memory || framed.lead[k].out_of_memory;
+    text_buffer_free(&framed.lead[k]);
+  }
 }

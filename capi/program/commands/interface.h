@@ -1,30 +1,36 @@
-/* The area that two groups of chains bury between them. */
+/* The areas that groups of atoms bury between them, two and two. */
 #pragma once
 
 #include <stdbool.h>
 
+#include "commands/request.h"
 #include "read/failure.h"
 #include "read/geometry.h"
 #include "read/molecule.h"
+#include "read/selection_groups.h"
+#include "write/record.h"
 
-/* "A,B" or "A+B,C": two groups of chains; '.' is the chain without a name. The failure says what is wrong with a text
- * that is not of this form. */
-bool interface_parse(const char *text, struct failure *failure);
-
-/* One of the groups. */
-struct interface_side {
-  uint32_t atoms;
-  double alone;    /* its area if there were nothing else */
-  double together; /* its area in the presence of the other group, and of nothing beyond */
+/* Two of the groups, and nothing beyond them. */
+struct interface_pair {
+  uint32_t group[2];  /* ascending */
+  double together[2]; /* the area of each in the presence of the other */
+  double both;        /* the area of the two */
+  double buried;      /* what they have more alone */
 };
 
 struct interface {
-  struct interface_side side[2];
-  double together; /* the area of both groups together */
-  double buried;   /* what the two have more alone */
+  struct found_groups groups;
+  double *alone;               /* [groups.count], areas if there were nothing else */
+  struct interface_pair *pair; /* [pairs], all of them, ascending */
+  uint32_t pairs;
 };
 
-/* Measure the interface that the text names. A group without atoms is refused. The geometry's model and boundary serve
- * for it, and hold both groups together at the end. */
-bool interface_measure(const char *text, const struct molecule *molecule, double probe, struct geometry *geometry,
+/* Measure the interfaces of the groups that the request names. The geometry's model and boundary serve for it. Free it
+ * on true and on false. */
+bool interface_measure(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                        struct interface *interface, struct failure *failure);
+
+/* Of two groups under "interface", of more under "interfaces". */
+void interface_record(struct record *record, const struct selection_groups *groups, const struct interface *interface);
+
+void interface_free(struct interface *interface);

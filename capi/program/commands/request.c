@@ -15,9 +15,9 @@ bool request_wants_areas(const struct request *request) {
 }
 
 bool request_wants_places(const struct request *request) {
-  return request->command != COMMAND_MEASURE || request_wants_balls(request) || request->measure.interface != NULL ||
-         request->window > 0.0 || request->measure.pdb_out != NULL || request->box.source != BOX_NONE ||
-         request->trajectory != NULL;
+  return request->command != COMMAND_MEASURE || request_wants_balls(request) ||
+         request->measure.interface.text != NULL || request->window > 0.0 || request->measure.pdb_out != NULL ||
+         request->box.source != BOX_NONE || request->trajectory != NULL;
 }
 
 bool request_wants_part(const struct request *request) {
@@ -42,6 +42,7 @@ int request_outputs(const struct request *request, struct output_choice outputs[
       {"--tunnels-out", request->pores.tunnels_out, "a .cif"},
       {"--profile", request->pores.profile, "an .svg"},
       {"--tree", request->pores.tree, "an .svg"},
+      {"--plot", request->plot, "an .svg"},
   };
   int count = 0;
   for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k) {
@@ -59,6 +60,10 @@ bool request_prints_file(const struct request *request) {
   return false;
 }
 
+double request_grown(const struct request *request) {
+  return request->command == COMMAND_PORES ? 0.0 : request->probe;
+}
+
 uint32_t request_threads(const struct request *request) {
   return request->threads > 0 ? request->threads : threads_of_machine();
 }
@@ -69,6 +74,8 @@ void request_free(struct request *request) {
   selection_free(&request->selection);
   selection_free(&request->drawing.highlight);
   selection_free(&request->measure.part);
+  selection_groups_free(&request->measure.interface);
+  selection_groups_free(&request->contacts.between);
   index_file_free(&request->index);
   radii_table_free(&request->table);
 }

@@ -15,6 +15,7 @@
 #include "read/radii_table.h"
 #include "read/residues.h"
 #include "read/selection.h"
+#include "read/selection_groups.h"
 #include "read/text_buffer.h"
 
 /* In the order of the help. */
@@ -39,6 +40,11 @@ enum command {
   COMMANDS
 };
 
+/* All as one, or one after the other. */
+enum { MODELS_MERGED = 1, MODELS_EACH = 2 };
+
+enum rows { ROWS_NONE, ROWS_OF_CSV, ROWS_FOR_PERSONS };
+
 /* A point, or where a void or an atom has most room. */
 struct place {
   struct given_vector point; /* given in all cases */
@@ -62,9 +68,9 @@ struct measure_request {
   int surface;           /* 0: solvent-accessible, 1: solvent-excluded; negative: not said */
   bool outer;            /* of the outer cell alone */
   bool mean;             /* over the frames, in place of a row of each */
-  const char *interface; /* two groups of chains, or NULL */
   const char *pdb_out;   /* a file, or NULL */
   struct selection part; /* the atoms that are measured, while all others only block */
+  struct selection_groups interface;
 };
 
 /* Neither is finite where it is not given. */
@@ -80,6 +86,7 @@ struct voids_request {
 
 struct contacts_request {
   bool cells;
+  struct selection_groups between;
   double least;    /* area of a contact that is listed */
   const char *map; /* a file for a picture of contacts, or NULL */
   bool dark;       /* its page */
@@ -96,6 +103,7 @@ struct pores_request {
   bool regions;              /* which the probe finds, and how large they are */
   double persistence;        /* of what is listed, at least */
   double pockets;            /* radius of a probe that does not get there; negative: none are asked for */
+  double min_volume;         /* of those that are listed */
   struct place tunnels_from; /* a way out from there */
   struct place tunnels_to;   /* else the outside, in a box a copy of the start */
   uint32_t tunnels;          /* how many; 0: it is not said */
@@ -140,7 +148,9 @@ struct request {
   struct file_choice choice;
   bool model_given;
   bool location_given;
-  int models;              /* 1: all as one; 0: not said */
+  int models; /* MODELS_MERGED, MODELS_EACH; 0: not said */
+  bool rows_given;
+  enum rows rows;          /* in place of all that a command prints of a file or a molecule */
   int chains;              /* of .cif, 1: by the authors' names, 2: by the labels'; 0: not said */
   const char *index_file;  /* with groups of atoms, or NULL */
   struct index_file index; /* of that file; empty if there is none */
@@ -159,9 +169,10 @@ struct request {
   bool csv;               /* of those that list something */
   enum grouping by;       /* of `measure` and `contacts` */
   struct box_choice box;  /* likewise, and of `boundary` and `pores` */
-  const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
+  const char *trajectory; /* a file with frames of the molecule, or NULL */
   bool frames_given;
   struct frame_range frames;
+  const char *plot;       /* a file for a chart of volumes by frame, or NULL; of `voids` and `pores` */
   bool excluded_surface;  /* it is asked for in place of the boundary; of `measure` and `mesh` */
   struct viewing viewing; /* of `map`, `pick` and `mesh` */
 
@@ -209,6 +220,9 @@ bool request_reads(const struct request *request, const char *path);
 
 /* Whether one of them goes to standard output, where nothing else does then. */
 bool request_prints_file(const struct request *request);
+
+/* By how much the radii of a model are grown: pores are those of every probe. */
+double request_grown(const struct request *request);
 
 /* How many threads may be at work. */
 uint32_t request_threads(const struct request *request);

@@ -94,15 +94,20 @@ bool geometry_find_widest(struct geometry *geometry, const struct molecule *mole
   return true;
 }
 
-bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double probe, double narrowest,
-                         struct failure *failure) {
-  const hsp_pores_options options = pores_of(narrowest);
+static bool find_pores_with(struct geometry *geometry, const struct molecule *molecule, double probe,
+                            const hsp_pores_options *options, struct failure *failure) {
   int32_t status = HSP_OK;
   progress_show(&geometry->progress, "looking for pores");
-  return try_coarser(geometry, molecule, probe, find_pores, &options, &status, failure) &&
+  return try_coarser(geometry, molecule, probe, find_pores, options, &status, failure) &&
          (status == HSP_OK ||
           (status == HSP_E_RANGE ? failure_in_input(failure, 0, "balls are too far apart for their radii")
                                  : failure_in_library(failure, status)));
+}
+
+bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double probe, double narrowest,
+                         struct failure *failure) {
+  const hsp_pores_options options = pores_of(narrowest);
+  return find_pores_with(geometry, molecule, probe, &options, failure);
 }
 
 /* In the model, or in the box. */
@@ -136,18 +141,21 @@ bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule
   return find_pores_of_box(geometry, molecule, 0.0, 0.0, box, narrowest, failure);
 }
 
-/* Pores of the balls grown by a probe, and the surface of these. step: of the lattice; 0: as the library chooses. */
+/* Pores of the balls grown by a probe, and the surface of these. step: of the lattice; 0: as the library chooses.
+ * before: as in hsp_pores_options. */
 static bool find_pores_and_surface(struct geometry *geometry, const struct molecule *molecule, const double *box,
-                                   double probe, double step, struct failure *failure) {
+                                   double probe, double step, const hsp_pores *before, struct failure *failure) {
+  hsp_pores_options options = pores_of(0.0);
+  options.before = before;
   return box != NULL ? find_pores_of_box(geometry, molecule, probe, step, box, 0.0, failure)
                      : geometry_set_model(geometry, molecule, probe, step, failure) &&
-                           geometry_find_pores(geometry, molecule, probe, 0.0, failure) &&
+                           find_pores_with(geometry, molecule, probe, &options, failure) &&
                            geometry_compute_boundary(geometry, failure);
 }
 
 bool geometry_find_regions(struct geometry *geometry, const struct molecule *molecule, const double *box, double probe,
                            hsp_pore_access *access, uint32_t *regions, struct failure *failure) {
-  if (!find_pores_and_surface(geometry, molecule, box, probe, 0.0, failure)) return false;
+  if (!find_pores_and_surface(geometry, molecule, box, probe, 0.0, NULL, failure)) return false;
   progress_show(&geometry->progress, "measuring regions");
   const hsp_pores_request request = request_of_pores();
   const int32_t status = hsp_pores_find_regions_with(geometry->work.pores, box != NULL ? NULL : geometry->work.boundary,
@@ -203,28 +211,29 @@ static double step_for(const struct molecule *balls, double step) {
   return step;
 }
 
-/* Measured with plugs for what leaks, too, until there is none. HSP_E_RANGE, HSP_E_ARGUMENT: not with this step. */
+/* Measured with plugs for what leaks, too, until there is none. plugged: [2], by turns: pores are computed from those
+ * before. HSP_E_RANGE, HSP_E_ARGUMENT: not with this step. */
 static bool measure_plugged(const struct geometry *geometry, struct geometry *plugged, const double *box, double step,
                             uint32_t pockets, hsp_pore_pocket_size *sizes, int32_t *status, struct failure *failure) {
   enum { MOST_TIMES = 12 };
   uint32_t before = 0;
   for (int time = 0; time < MOST_TIMES; ++time) {
     struct molecule balls = {.atoms = 0};
-    const hsp_pores *const from = time == 0 ? geometry->work.pores : plugged->work.pores;
+    const hsp_pores *const from = time == 0 ? geometry->work.pores : plugged[1 - time % 2].work.pores;
+    struct geometry *const now = &plugged[time % 2];
     bool done = take_plugged_balls(from, &balls, failure);
     const bool more = balls.atoms > before;
     before = balls.atoms;
     if (done) step = step_for(&balls, step);
-    if (done && more && !find_pores_and_surface(plugged, &balls, box, 0.0, step, failure)) {
+    if (done && more && !find_pores_and_surface(now, &balls, box, 0.0, step, from, failure)) {
       done = failure->exit_status == EXIT_BAD_INPUT;
       *status = HSP_E_RANGE;
     }
     free_balls(&balls);
     if (!done || !more || *status != HSP_OK) return done;
     const hsp_pores_request request = request_of_pores();
-    *status =
-        hsp_pores_measure_pockets_with(geometry->work.pores, plugged->work.pores,
-                                       box != NULL ? NULL : plugged->work.boundary, &request, sizes, pockets, NULL);
+    *status = hsp_pores_measure_pockets_with(geometry->work.pores, now->work.pores,
+                                             box != NULL ? NULL : now->work.boundary, &request, sizes, pockets, NULL);
     if (*status == HSP_E_RANGE || *status == HSP_E_ARGUMENT) return true;
     if (*status != HSP_OK) return failure_in_library(failure, *status);
     if (are_closed(sizes, pockets)) return true;
@@ -238,23 +247,36 @@ bool geometry_measure_pockets(const struct geometry *geometry, const double *box
                               hsp_pore_pocket_size *sizes, struct failure *failure) {
   if (pockets == 0) return true;
   const struct failure none = *failure;
-  struct geometry plugged = {.progress = geometry->progress, .executor = geometry->executor};
-  plugged.executor.context = &plugged.executor;
+  struct geometry plugged[2];
+  for (int k = 0; k < 2; ++k) {
+    plugged[k] = (struct geometry){.progress = geometry->progress, .executor = geometry->executor};
+    plugged[k].executor.context = &plugged[k].executor;
+  }
   int32_t status = HSP_OK;
   double step = 0.0;
   bool done = first_step(geometry, box, &step, failure) &&
-              measure_plugged(geometry, &plugged, box, step, pockets, sizes, &status, failure);
+              measure_plugged(geometry, plugged, box, step, pockets, sizes, &status, failure);
   if (done && status != HSP_OK && box != NULL) {
     status = HSP_OK;
     *failure = none;
-    done = measure_plugged(geometry, &plugged, box, 1e-8, pockets, sizes, &status, failure);
+    done = measure_plugged(geometry, plugged, box, 1e-8, pockets, sizes, &status, failure);
   }
   if (done && status != HSP_OK) {
     *failure = none;
     set_unknown(sizes, pockets);
   }
-  geometry_free(&plugged);
+  for (int k = 0; k < 2; ++k) geometry_free(&plugged[k]);
   return done;
+}
+
+static int order_of_pockets(const void *left, const void *right) {
+  const struct sized_pocket *const a = left, *const b = right;
+  if (a->volume != b->volume) return a->volume > b->volume ? -1 : 1;
+  return (a->pocket > b->pocket) - (a->pocket < b->pocket);
+}
+
+void sized_pockets_sort(struct sized_pocket *pockets, uint32_t count) {
+  if (count > 1) qsort(pockets, count, sizeof *pockets, order_of_pockets);
 }
 
 bool geometry_find_tunnel(struct geometry *geometry, const struct tunnel_question *question, hsp_tunnel *tunnel,

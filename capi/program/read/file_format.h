@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "read/failure.h"
+#include "read/fields.h"
 #include "read/line_reader.h"
 
 struct molecule;
@@ -28,7 +29,17 @@ enum file_feature {
   FILE_ATOMS = 4096,           /* molecules; else coordinates alone */
   FILE_ORDERS = 8192,          /* bonds with their kinds, of all atoms */
   FILE_LOCATIONS = 1 << 20,    /* atoms at several locations, and biological assemblies */
-  FILE_LABEL_CHAINS = 1 << 21  /* two names of a chain, the authors' and the label's */
+  FILE_LABEL_CHAINS = 1 << 21, /* two names of a chain, the authors' and the label's */
+  FILE_MOLECULES = 1 << 22     /* molecules one after the other, which can be read one by one */
+};
+
+/* Where the molecules of a file stand, line by line; zeros before the first one. */
+struct molecule_lines {
+  uint64_t count; /* that have begun */
+  bool open;      /* the last of them has not ended */
+  bool behind;    /* the line belongs to a molecule that comes, if one comes */
+  bool first;     /* likewise: but to all of them where it stands before the first one */
+  uint64_t line;  /* of the molecule, or how many are to come */
 };
 
 struct file_format {
@@ -44,6 +55,10 @@ struct file_format {
    * with FILE_FRAMES. *begun, false before the first model, is the reader's. LINE_END: there is none left. */
   enum line_status (*next)(struct line_reader *reader, bool *begun, bool wanted, struct molecule *molecule,
                            struct failure *failure);
+  /* Of FILE_MOLECULES: step over a line. True: with it begins another molecule than those before. */
+  bool (*begins)(struct molecule_lines *lines, const struct line_reader *reader);
+  /* Likewise: what a person calls a molecule, in its text. */
+  struct field (*title)(const char *text, size_t length);
   /* Of coordinates alone: read what stands before the frames; NULL: nothing does. Read the next frame, or step over it.
    */
   bool (*begin)(struct trajectory *trajectory, struct failure *failure);
@@ -51,6 +66,8 @@ struct file_format {
 };
 
 #define ANGSTROM .unit = "angstrom", .sign = "\xC3\x85"
+
+enum { MOST_FORMATS = 16 }; /* more than there are */
 
 /* All formats, from 0 on; NULL beyond the last. */
 const struct file_format *file_format_at(size_t i);

@@ -32,7 +32,7 @@ FILE *input_open(const char *path, struct failure *failure) {
   return file;
 }
 
-bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure) {
+static void begin(struct line_reader *reader) {
   reader->text = NULL;
   reader->length = 0;
   reader->ending = "";
@@ -43,9 +43,23 @@ bool line_reader_open(struct line_reader *reader, const char *path, struct failu
   reader->next = 0;
   reader->filled = 0;
   reader->bytes = 0;
+  reader->borrowed = false;
   reader->progress = (struct progress){false};
+  reader->file = NULL;
+}
+
+bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure) {
+  begin(reader);
   reader->file = input_open(path, failure);
   return reader->file != NULL;
+}
+
+void line_reader_open_text(struct line_reader *reader, char *text, size_t length) {
+  begin(reader);
+  reader->borrowed = true;
+  reader->block = text;
+  reader->capacity = reader->filled = length;
+  memset(text + length, '\n', LINE_READER_ROOM);
 }
 
 #ifdef __wasi__
@@ -89,11 +103,12 @@ static void show_progress(struct line_reader *reader, size_t got) {
 }
 
 /* The bytes after the block: a line's end, which every search finds, and room for words. */
-enum { BEHIND_BLOCK = 64 };
+enum { BEHIND_BLOCK = LINE_READER_ROOM };
 
 /* More bytes behind those from `next` on, which move to the front of the block; it grows if they fill it. LINE_END: the
  * file has ended. */
 static enum line_status refill(struct line_reader *reader, struct failure *failure) {
+  if (reader->borrowed) return LINE_END;
   const size_t kept = reader->filled - reader->next;
   if (kept > 0 && reader->next > 0) memmove(reader->block, reader->block + reader->next, kept);
   reader->next = 0;
@@ -189,7 +204,7 @@ enum line_status line_reader_next(struct line_reader *reader, struct failure *fa
 
 void line_reader_close(struct line_reader *reader) {
   progress_end(&reader->progress);
-  free(reader->block);
+  if (!reader->borrowed) free(reader->block);
   reader->block = reader->text = NULL;
   if (reader->file != NULL && reader->file != stdin) fclose(reader->file);
   reader->file = NULL;

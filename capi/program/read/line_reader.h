@@ -24,6 +24,7 @@ struct line_reader {
   size_t next;        /* first byte of the block that was not looked at */
   size_t filled;      /* bytes in the block */
   uint64_t bytes;     /* all that were read */
+  bool borrowed;      /* the block is all there is, and the caller's */
   struct progress progress;
 };
 
@@ -42,6 +43,10 @@ FILE *input_open(const char *path, struct failure *failure);
 
 /* The same as a reader of lines. */
 bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure);
+
+/* The same of a text in memory, with so many bytes of room behind it that are written. */
+enum { LINE_READER_ROOM = 64 };
+void line_reader_open_text(struct line_reader *reader, char *text, size_t length);
 
 /* Put what is left of standard input into a file without a name and read that from now on, so that rewind(stdin) begins
  * anew, even if it was a pipe. */

@@ -38,6 +38,25 @@ void molecule_empty(struct molecule *molecule) {
   molecule->bonds = 0;
 }
 
+void molecule_renew(struct molecule *molecule) {
+  symmetry_free(&molecule->symmetry);
+  assemblies_free(&molecule->assemblies);
+  name_table_free(&molecule->asyms);
+  const struct molecule old = *molecule;
+  molecule_init(molecule, old.format, &old.choice, old.keeps);
+  molecule->capacity = old.capacity;
+  molecule->xyz = old.xyz;
+  molecule->radius = old.radius;
+  molecule->line = old.line;
+  molecule->label = old.label;
+  molecule->place = old.place;
+  molecule->extra = old.extra;
+  molecule->residues = old.residues;
+  molecule->bond = old.bond;
+  molecule->bond_capacity = old.bond_capacity;
+  molecule_empty(molecule);
+}
+
 static bool same_name(const struct molecule *molecule, uint32_t atom, const char *name) {
   return memcmp(molecule->label[atom].name, name, sizeof molecule->label->name) == 0;
 }

@@ -142,6 +142,7 @@ struct molecule {
   bool location_found; /* some atom has the location whose letter is chosen */
   uint64_t model;      /* which model was read, counted from 1; or EVERY_MODEL */
   uint64_t models;     /* how many the file has */
+  uint64_t number;     /* its place among many that are read one by one, counted from 1; 0: it is none of them */
   uint64_t copy;       /* the model that atoms are added of, where they are added to those of others; 0 or 1: none */
   struct stated_bond *bond; /* [bonds] as they are read */
   size_t bonds;
@@ -179,6 +180,9 @@ bool chain_is_named(const char *chain, struct field name);
 
 /* Forget all atoms, but not the memory of them. */
 void molecule_empty(struct molecule *molecule);
+
+/* Forget all that is known of the molecule, but not the memory of its atoms, which it still has. */
+void molecule_renew(struct molecule *molecule);
 
 /* Append an atom, and its residue unless it is that of the atom before. Where numbers are "****" or missing the atom
  * begins a residue if its name comes again: that of the first one, or one with others in between, as atoms that are

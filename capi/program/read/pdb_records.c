@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "read/characters.h"
+#include "read/molecule_texts.h"
 #include "read/words.h"
 
 /* Records of "Protein Data Bank contents guide", versions 2.3 and 3.3, and of programs in wide use, by the letters that
@@ -114,4 +115,36 @@ enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *mole
     if (molecule_wants_model(molecule, models->count)) return LINE_READ;
     ++molecule->left_out.other_models;
   }
+}
+
+bool pdb_begins_molecule(struct molecule_lines *lines, const struct line_reader *reader) {
+  const enum pdb_record record = pdb_record_of(reader->text, reader->length);
+  struct pdb_models models = {lines->count, lines->open, 0};
+  pdb_models_step(&models, record);
+  const bool begins = models.count > lines->count;
+  lines->first = lines->count == 0 && (record == PDB_MODEL || !begins);
+  lines->count = models.count;
+  lines->open = models.open;
+  lines->behind = !models.open && record != PDB_END;
+  return begins;
+}
+
+/* From a column on, without what begins with `before`. */
+static struct field title_in(struct field line, size_t column, const char *before) {
+  const struct field text = field_in_columns(line.text, line.length, column, line.length);
+  const size_t length = strlen(before);
+  if (text.length < length || memcmp(text.text, before, length) != 0) return (struct field){"", 0};
+  return field_in_columns(text.text, text.length, length + 1, text.length);
+}
+
+struct field pdb_title_of(const char *text, size_t length) {
+  struct field compound = {"", 0}, name = {"", 0};
+  while (length > 0) {
+    const struct field line = molecule_text_next_line(&text, &length);
+    if (begins_with_word(line.text, line.length, "TITLE")) return title_in(line, 11, "");
+    if (pdb_record_of(line.text, line.length) == PDB_ATOM) break;
+    if (compound.length == 0 && begins_with_word(line.text, line.length, "COMPND")) compound = title_in(line, 11, "");
+    if (name.length == 0 && begins_with_word(line.text, line.length, "REMARK")) name = title_in(line, 7, "Name =");
+  }
+  return compound.length > 0 ? compound : name;
 }

@@ -43,6 +43,13 @@ struct pdb_models {
 /* Step over a record. */
 void pdb_models_step(struct pdb_models *models, enum pdb_record record);
 
+/* Step over a line of a file, as file_format has it. A model that begins with MODEL ends the records of all of them;
+ * those after an end are the next one's, if there is one. */
+bool pdb_begins_molecule(struct molecule_lines *lines, const struct line_reader *reader);
+
+/* The title of the records before the first atom, the compound, or the name in a remark. */
+struct field pdb_title_of(const char *text, size_t length);
+
 /* Step to the next atom record of the molecule's model, and count what other models have; in .pdb files take the bonds
  * that CONECT records state, wherever these are. LINE_END: there is none left.
  * A file that has lines, but not one record of the format, fails. `models` and `record_seen` are zeros at first. */

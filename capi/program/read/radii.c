@@ -18,12 +18,15 @@ const struct radii_set radii_bondi = {"bondi",
                                       HSP_RADII_BONDI, HSP_NONE};
 static const struct radii_set radii_chem3d = {"chem3d", "Chem3D Plus radii of Halperin & Overmars 1994",
                                               HSP_RADII_CHEM3D, HSP_NONE};
+static const struct radii_set radii_uff = {
+    "uff", "sigma / 2 of the universal force field, Rappe et al. 1992, as for porous crystals", HSP_RADII_UFF,
+    HSP_NONE};
 static const struct radii_set radii_protor = {
     "protor", "radii of Tsai et al. 1999 for heavy atoms, classed as by FreeSASA", HSP_RADII_BONDI, HSP_RADII_PROTOR};
 static const struct radii_set radii_naccess = {
     "naccess", "radii of Chothia 1976 for heavy atoms of proteins, as in NACCESS", HSP_RADII_BONDI, HSP_RADII_NACCESS};
 
-static const struct radii_set *const sets[] = {&radii_bondi, &radii_chem3d, &radii_protor, &radii_naccess};
+static const struct radii_set *const sets[] = {&radii_bondi, &radii_chem3d, &radii_uff, &radii_protor, &radii_naccess};
 
 /* Of an atom whose element is unknown: what the library gives elements that no set has a radius for. */
 static const double unknown_radius = 2.0;

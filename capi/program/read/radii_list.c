@@ -12,7 +12,11 @@ static void print_element(struct text_buffer *out, const struct radii *radii, si
   for (size_t i = 0; i < count; ++i) {
     double radius = 0.0;
     radii_find(&radii[i], symbol, &radius);
-    text_buffer_add(out, "  %7.2f%s", radius, radii_is_substitute(&radii[i], symbol) ? "*" : i + 1 < count ? " " : "");
+    const bool hundredths = (double)(int)(100.0 * radius + 0.5) / 100.0 == radius;
+    text_buffer_add(out, "  %7.*f%s", hundredths ? 2 : 4, radius,
+                    radii_is_substitute(&radii[i], symbol) ? "*"
+                    : i + 1 < count                        ? " "
+                                                           : "");
   }
   text_buffer_add(out, "\n");
 }

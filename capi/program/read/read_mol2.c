@@ -158,8 +158,9 @@ static bool read_line(const struct line_reader *reader, struct reading *reading,
   return read_atom(reader, column, columns, reading->no_charges, molecule, failure);
 }
 
+static const char head[] = "@<TRIPOS>";
+
 static bool read_mol2(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
-  static const char head[] = "@<TRIPOS>";
   struct reading reading = {OTHER, false, false, 0, 0, 0};
   enum line_status status;
   while ((status = line_reader_next(reader, failure)) == LINE_READ) {
@@ -172,10 +173,32 @@ static bool read_mol2(struct line_reader *reader, struct molecule *molecule, str
   return status == LINE_END && end_model(&reading, failure);
 }
 
+static bool is_head_of_molecule(const char *line) {
+  const char *const section = line + sizeof head - 1;
+  return strncmp(line, head, sizeof head - 1) == 0 &&
+         field_is((struct field){section, strcspn(section, " \t\n")}, "MOLECULE");
+}
+
+/* Lines before the first one are its, too. */
+static bool begins_mol2(struct molecule_lines *lines, const struct line_reader *reader) {
+  const bool begins = is_head_of_molecule(reader->text);
+  lines->count += begins ? 1 : 0;
+  return begins;
+}
+
+static struct field title_of_mol2(const char *text, size_t length) {
+  while (length > 0) {
+    if (is_head_of_molecule(molecule_text_next_line(&text, &length).text)) break;
+  }
+  return molecule_text_next_line(&text, &length);
+}
+
 const struct file_format mol2_format = {
     .name = "mol2",
     .extensions = "MOL2",
     ANGSTROM,
-    .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_ORDERS | FILE_CHARGES,
+    .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_ORDERS | FILE_CHARGES | FILE_MOLECULES,
     .nameless = "no element",
-    .read = read_mol2};
+    .read = read_mol2,
+    .begins = begins_mol2,
+    .title = title_of_mol2};

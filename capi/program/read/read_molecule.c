@@ -46,19 +46,37 @@ static bool check_atoms(const struct molecule *molecule, struct failure *failure
   return failure_in_input(failure, 0, "no atoms in model %" PRIu64, molecule->model);
 }
 
+static bool read_all(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+  const bool done = molecule->format->read(reader, molecule, failure);
+  if (done) molecule_agree_elements(molecule);
+  molecule->copy = 0; /* what comes now is named as it is */
+  return done && check_atoms(molecule, failure);
+}
+
 bool read_molecule(const char *path, const struct file_format *format, const struct file_choice *choice, unsigned keeps,
                    struct molecule *molecule, struct failure *failure) {
+  struct line_reader reader;
   molecule_init(molecule, format, choice, keeps);
   failure->file = input_name(path);
-  struct line_reader *reader = malloc(sizeof *reader);
-  if (reader == NULL) return failure_of_memory(failure);
-  bool done = line_reader_open(reader, path, failure);
-  if (done) {
-    done = format->read(reader, molecule, failure);
-    line_reader_close(reader);
-    if (done) molecule_agree_elements(molecule);
+  if (!line_reader_open(&reader, path, failure)) return false;
+  const bool done = read_all(&reader, molecule, failure);
+  line_reader_close(&reader);
+  return done && (choice->assembly == NULL || assembly_make(molecule, failure));
+}
+
+bool read_molecule_text(struct molecule_text *text, const struct file_format *format, const struct file_choice *choice,
+                        unsigned keeps, struct molecule *molecule, struct failure *failure) {
+  struct line_reader reader;
+  if (molecule->format == NULL) molecule_init(molecule, format, choice, keeps);
+  molecule_renew(molecule);
+  if (!text_buffer_reserve(&text->text, LINE_READER_ROOM)) return failure_of_memory(failure);
+  line_reader_open_text(&reader, text->text.text, text->text.length);
+  const bool done = read_all(&reader, molecule, failure);
+  line_reader_close(&reader);
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const uint64_t line = molecule_text_line(text, molecule->line[i]);
+    molecule->line[i] = line <= UINT32_MAX ? (uint32_t)line : 0;
   }
-  free(reader);
-  molecule->copy = 0; /* what comes now is named as it is */
-  return done && check_atoms(molecule, failure) && (choice->assembly == NULL || assembly_make(molecule, failure));
+  if (!done) failure->line = molecule_text_line(text, failure->line);
+  return done;
 }

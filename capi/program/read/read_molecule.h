@@ -6,6 +6,7 @@
 #include "read/failure.h"
 #include "read/line_reader.h"
 #include "read/molecule.h"
+#include "read/molecule_texts.h"
 
 /* The number of an atom, by which bonds name it, as a short text. False: it is none, or too large for that. */
 bool serial_of_number(struct field text, struct serial_label *serial);
@@ -24,3 +25,8 @@ bool read_announced_model(struct line_reader *reader, uint64_t count, announced_
  * molecule_keeping. Every file is either read in full or refused, and so is one without atoms. */
 bool read_molecule(const char *path, const struct file_format *format, const struct file_choice *choice, unsigned keeps,
                    struct molecule *molecule, struct failure *failure);
+
+/* The same of one of several molecules of a file, into a molecule that is all zeros or was read so before, whose memory
+ * serves again. Lines are those of the file. */
+bool read_molecule_text(struct molecule_text *text, const struct file_format *format, const struct file_choice *choice,
+                        unsigned keeps, struct molecule *molecule, struct failure *failure);

@@ -316,16 +316,20 @@ const struct file_format pdb_format = {.name = "pdb",
                                        ANGSTROM,
                                        .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM |
                                                    FILE_TEMPERATURE_FACTORS | FILE_BONDS | FILE_AREA_COLUMNS |
-                                                   FILE_ONE_BOX | FILE_FRAMES | FILE_LOCATIONS,
+                                                   FILE_ONE_BOX | FILE_FRAMES | FILE_LOCATIONS | FILE_MOLECULES,
                                        .nameless = "no element in columns 77-78, and none",
                                        .read = read_pdb,
-                                       .next = next_pdb};
+                                       .next = next_pdb,
+                                       .begins = pdb_begins_molecule,
+                                       .title = pdb_title_of};
 
 /* The files of AutoDock, Vina and their kin: the same records, and those of a ligand's branches, which are none. */
 const struct file_format pdbqt_format = {
     .name = "pdbqt",
     .extensions = "PDBQT",
     ANGSTROM,
-    .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_CHARGES,
+    .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_CHARGES | FILE_MOLECULES,
     .nameless = "no known type in columns 78-79, and no element",
-    .read = read_pdb};
+    .read = read_pdb,
+    .begins = pdb_begins_molecule,
+    .title = pdb_title_of};

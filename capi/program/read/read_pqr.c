@@ -166,6 +166,8 @@ const struct file_format pqr_format = {
     .name = "pqr",
     .extensions = "PQR",
     ANGSTROM,
-    .features = FILE_ATOMS | FILE_RADII | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_CHARGES,
+    .features = FILE_ATOMS | FILE_RADII | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_CHARGES | FILE_MOLECULES,
     .nameless = "no element",
-    .read = read_pqr};
+    .read = read_pqr,
+    .begins = pdb_begins_molecule,
+    .title = pdb_title_of};

@@ -10,12 +10,13 @@
 #include "read/number.h"
 #include "read/read_molecule.h"
 #include "read/text_buffer.h"
+#include "read/words.h"
 
 enum { HEADER_LINES = 3, MOST_COLUMNS = 8 };
 
 /* At the end of the file there is no line. */
 static bool is_end_of_record(const struct line_reader *reader) {
-  return reader->text != NULL && strncmp(reader->text, "$$$$", 4) == 0;
+  return reader->text != NULL && reader->text[0] == '$' && strncmp(reader->text, "$$$$", 4) == 0;
 }
 
 /* Past the end of the record, or of the file. */
@@ -33,18 +34,20 @@ static uint64_t count_in(const struct line_reader *reader, size_t first, size_t 
   return *found ? count : 0;
 }
 
-static bool add_atom(const struct line_reader *reader, struct field symbol, const struct field number[3],
+/* index: what bonds name it by. number: NULL if xyz has them. */
+static bool add_atom(const struct line_reader *reader, struct field symbol, const struct field *number, double xyz[3],
                      struct field index, struct molecule *molecule, struct failure *failure) {
   static const char *const names[3] = {"x", "y", "z"};
   struct atom_label label = ATOM_LABEL_NONE;
   const struct atom_evidence evidence = {ATOM_QUERIES, {"", 0}, symbol};
-  double xyz[3];
-  if (!atom_take_element(&evidence, &label)) {
+  if (symbol.length == 1 && atom_is_usual(symbol.text[0], "")) {
+    label.element.text[0] = symbol.text[0];
+  } else if (!atom_take_element(&evidence, &label)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, reader->number, "unknown element '%s'",
                             excerpt(shown, symbol.text, symbol.length));
   }
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3 && number != NULL; ++axis) {
     if (!field_number(number[axis], names[axis], &xyz[axis], reader->number, failure)) return false;
   }
   if (!molecule_add(molecule, xyz, 0.0, &label, reader->number, failure)) return false;
@@ -71,9 +74,20 @@ static bool add_bond(struct field kind, const struct field atom[2], struct molec
 
 /* ---- V2000 ---- */
 
+/* Most coordinates, eight columns at a time. */
+static bool plain_numbers(const struct line_reader *reader, double xyz[3]) {
+  if (reader->length < 30) return false;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const char *const text = reader->text + 10 * axis;
+    if (text[0] != ' ' || text[1] != ' ' || !word_number(word_at(text + 2), &xyz[axis])) return false;
+  }
+  return true;
+}
+
 static bool read_columns(struct line_reader *reader, uint64_t atoms, uint64_t bonds, struct molecule *molecule,
                          struct failure *failure) {
   const uint64_t counts_line = reader->number;
+  const bool bonded = (molecule->keeps & KEEP_EXTRAS) != 0;
   for (uint64_t i = 0; i < atoms + bonds; ++i) {
     const enum line_status status = line_reader_next(reader, failure);
     if (status == LINE_FAILED) return false;
@@ -83,8 +97,11 @@ static bool read_columns(struct line_reader *reader, uint64_t atoms, uint64_t bo
                               " lines",
                               atoms, bonds, i);
     }
+    if (i >= atoms && !bonded) continue;
     struct field part[3];
-    for (size_t k = 0; k < 3; ++k) {
+    double xyz[3];
+    const bool plain = i < atoms && plain_numbers(reader, xyz);
+    for (size_t k = 0; k < 3 && !plain; ++k) {
       const size_t wide = i < atoms ? 10 : 3;
       part[k] = field_in_columns(reader->text, reader->length, k * wide + 1, (k + 1) * wide);
     }
@@ -92,10 +109,11 @@ static bool read_columns(struct line_reader *reader, uint64_t atoms, uint64_t bo
       if (!add_bond(part[2], part, molecule, failure)) return false;
       continue;
     }
-    char index[24];
-    snprintf(index, sizeof index, "%" PRIu64, i + 1);
+    char index[24] = "";
+    if (bonded) snprintf(index, sizeof index, "%" PRIu64, i + 1);
     const struct field symbol = field_in_columns(reader->text, reader->length, 32, 34);
-    if (!add_atom(reader, symbol, part, (struct field){index, strlen(index)}, molecule, failure)) return false;
+    const struct field name = {index, strlen(index)};
+    if (!add_atom(reader, symbol, plain ? NULL : part, xyz, name, molecule, failure)) return false;
   }
   return true;
 }
@@ -174,8 +192,9 @@ static bool read_table(struct line_reader *reader, struct text_buffer *joined, s
       return failure_in_input(failure, reader->number, "expected %s",
                               block == ATOMS ? "M  V30 index type x y z" : "M  V30 index type atom atom");
     } else if (block == ATOMS) {
+      double xyz[3];
       ++found;
-      if (!add_atom(reader, column[1], column + 2, column[0], molecule, failure)) return false;
+      if (!add_atom(reader, column[1], column + 2, xyz, column[0], molecule, failure)) return false;
     } else if (block == BONDS && !add_bond(column[1], column + 2, molecule, failure)) {
       return false;
     }
@@ -261,14 +280,32 @@ static bool read_sdf(struct line_reader *reader, struct molecule *molecule, stru
                               header.braced ? ": this looks like JSON" : "");
     }
     if (!read_record(reader, &header, molecule, failure)) return false;
+    if (reader->borrowed) return true; /* of one record, of which nothing else is wanted */
     status = skip_record(reader, failure);
     if (status != LINE_READ) return status == LINE_END;
   }
 }
 
+/* A record ends with "$$$$" anywhere from its line of counts on. */
+static bool begins_sdf(struct molecule_lines *lines, const struct line_reader *reader) {
+  const bool begins = !lines->open;
+  if (begins) {
+    ++lines->count;
+    lines->line = 0;
+  }
+  lines->open = !(++lines->line > HEADER_LINES && is_end_of_record(reader));
+  return begins;
+}
+
+static struct field title_of_sdf(const char *text, size_t length) {
+  return molecule_text_next_line(&text, &length);
+}
+
 const struct file_format sdf_format = {.name = "sdf",
                                        .extensions = "SDF SD MOL",
                                        ANGSTROM,
-                                       .features = FILE_ATOMS | FILE_ELEMENTS | FILE_ORDERS,
+                                       .features = FILE_ATOMS | FILE_ELEMENTS | FILE_ORDERS | FILE_MOLECULES,
                                        .nameless = "no element",
-                                       .read = read_sdf};
+                                       .read = read_sdf,
+                                       .begins = begins_sdf,
+                                       .title = title_of_sdf};

@@ -162,10 +162,36 @@ static enum line_status next_xyz(struct line_reader *reader, bool *begun, bool w
   return next_announced(reader, &count, molecule, failure);
 }
 
-const struct file_format xyz_format = {.name = "xyz",
-                                       .extensions = "XYZ EXTXYZ",
-                                       ANGSTROM,
-                                       .features = FILE_ATOMS | FILE_ELEMENTS | FILE_ATOMIC_NUMBERS | FILE_FRAMES,
-                                       .nameless = "no element",
-                                       .read = read_xyz,
-                                       .next = next_xyz};
+/* The lines behind the number of atoms are its title and as many that are not blank. */
+static bool begins_xyz(struct molecule_lines *lines, const struct line_reader *reader) {
+  struct field column[2];
+  const size_t columns = fields_split(reader->text, reader->length, column, 2);
+  if (lines->open) {
+    lines->open = false; /* it is the title */
+  } else if (lines->line > 0) {
+    lines->line -= columns > 0 ? 1 : 0;
+  } else if (columns > 0) {
+    const bool counts = columns == 1 && number_parse_count(column[0].text, column[0].length, &lines->line) == NUMBER_OK;
+    if (!counts) lines->line = UINT64_MAX; /* nobody knows where the next one begins */
+    lines->open = counts;
+    ++lines->count;
+    return true;
+  }
+  return false;
+}
+
+static struct field title_of_xyz(const char *text, size_t length) {
+  while (length > 0 && molecule_text_next_line(&text, &length).length == 0) continue;
+  return molecule_text_next_line(&text, &length);
+}
+
+const struct file_format xyz_format = {
+    .name = "xyz",
+    .extensions = "XYZ EXTXYZ",
+    ANGSTROM,
+    .features = FILE_ATOMS | FILE_ELEMENTS | FILE_ATOMIC_NUMBERS | FILE_FRAMES | FILE_MOLECULES,
+    .nameless = "no element",
+    .read = read_xyz,
+    .next = next_xyz,
+    .begins = begins_xyz,
+    .title = title_of_xyz};

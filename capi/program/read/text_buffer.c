@@ -119,10 +119,6 @@ void text_buffer_add(struct text_buffer *buffer, const char *format, ...) {
   va_end(arguments);
 }
 
-void text_buffer_add_text(struct text_buffer *buffer, const char *text) {
-  text_buffer_append(buffer, text, strlen(text));
-}
-
 void text_buffer_add_count(struct text_buffer *buffer, uint64_t count) {
   char number[NUMBER_BYTES];
   char *const end = number + sizeof number;
@@ -134,13 +130,6 @@ void text_buffer_add_exact(struct text_buffer *buffer, double value) {
   if (text_buffer_reserve(buffer, NUMBER_BYTES)) {
     buffer->length += number_text_exact(buffer->text + buffer->length, value);
   }
-}
-
-void text_buffer_append(struct text_buffer *buffer, const char *bytes, size_t count) {
-  if (count == 0 || !text_buffer_reserve(buffer, count)) return;
-  memcpy(buffer->text + buffer->length, bytes, count);
-  buffer->length += count;
-  buffer->text[buffer->length] = '\0';
 }
 
 void text_buffer_add_xml(struct text_buffer *buffer, const char *text) {

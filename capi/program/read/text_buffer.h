@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "read/failure.h"
 
@@ -30,8 +31,19 @@ static inline bool text_buffer_reserve(struct text_buffer *buffer, size_t more) 
 /* As printf does it, and without it what is most common. */
 void text_buffer_add(struct text_buffer *buffer, const char *format, ...) FAILURE_FORMAT(2, 3);
 
+/* Add bytes, whatever they are. Here, so that of a literal the compiler knows how many they are. */
+static inline void text_buffer_append(struct text_buffer *buffer, const char *bytes, size_t count) {
+  if (count == 0 || !text_buffer_reserve(buffer, count)) return;
+  char *const at = buffer->text + buffer->length;
+  memcpy(at, bytes, count);
+  at[count] = '\0';
+  buffer->length += count;
+}
+
 /* "%s" */
-void text_buffer_add_text(struct text_buffer *buffer, const char *text);
+static inline void text_buffer_add_text(struct text_buffer *buffer, const char *text) {
+  text_buffer_append(buffer, text, strlen(text));
+}
 
 /* "%c" */
 static inline void text_buffer_add_character(struct text_buffer *buffer, char character) {
@@ -45,9 +57,6 @@ void text_buffer_add_count(struct text_buffer *buffer, uint64_t count);
 
 /* A number as number_text_exact has it. */
 void text_buffer_add_exact(struct text_buffer *buffer, double value);
-
-/* Add bytes, whatever they are. */
-void text_buffer_append(struct text_buffer *buffer, const char *bytes, size_t count);
 
 /* Add a text as the content of an XML element; what is not ASCII, or does not print, becomes '?'. */
 void text_buffer_add_xml(struct text_buffer *buffer, const char *text);

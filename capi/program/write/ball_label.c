@@ -10,8 +10,13 @@ enum { MOST_NAMES = 6 };
 
 struct ball_name {
   const char *key;
+  const char *json; /* between two values */
+  size_t json_length;
   const char *text;
 };
+#define JSON_BEFORE(key) ", \"" key "\": "
+#define NAMED(key, text) \
+  { key, JSON_BEFORE(key), sizeof JSON_BEFORE(key) - 1, text }
 
 /* Which names there are follows from the format, not from what a file happens to leave empty. Returns how many. */
 static int list_names(const struct file_format *format, const struct atom_label *label,
@@ -19,13 +24,13 @@ static int list_names(const struct file_format *format, const struct atom_label 
   const struct residue_label *residue = label->residue;
   const bool residues = file_format_has(format, FILE_RESIDUES);
   int count = 0;
-  if (residues) list[count++] = (struct ball_name){"atom", label->name};
-  if (!file_format_has(format, FILE_RADII)) list[count++] = (struct ball_name){"element", label->element.text};
+  if (residues) list[count++] = (struct ball_name)NAMED("atom", label->name);
+  if (!file_format_has(format, FILE_RADII)) list[count++] = (struct ball_name)NAMED("element", label->element.text);
   if (!residues) return count;
-  list[count++] = (struct ball_name){"chain", residue->chain};
-  list[count++] = (struct ball_name){"residue", residue->name};
-  list[count++] = (struct ball_name){"number", residue->number};
-  list[count++] = (struct ball_name){"insertion", residue->insertion};
+  list[count++] = (struct ball_name)NAMED("chain", residue->chain);
+  list[count++] = (struct ball_name)NAMED("residue", residue->name);
+  list[count++] = (struct ball_name)NAMED("number", residue->number);
+  list[count++] = (struct ball_name)NAMED("insertion", residue->insertion);
   return count;
 }
 
@@ -36,9 +41,7 @@ void ball_label_json(const struct molecule *molecule, uint32_t ball, struct text
   text_buffer_add_text(out, "\"ball\": ");
   text_buffer_add_count(out, ball);
   for (int i = 0; i < count; ++i) {
-    text_buffer_append(out, ", \"", 3);
-    text_buffer_add_text(out, names[i].key);
-    text_buffer_append(out, "\": ", 3);
+    text_buffer_append(out, names[i].json, names[i].json_length);
     (names[i].text == label->residue->number ? json_residue_number : json_text)(out, names[i].text);
   }
   text_buffer_add_text(out, ", \"xyz\": ");

@@ -1,5 +1,7 @@
 #include "write/record.h"
 
+#include <string.h>
+
 #include "write/csv.h"
 #include "write/report.h"
 
@@ -10,10 +12,26 @@ static void add_with_unit(struct record *record, const char *text) {
   }
 }
 
+/* Of a column for persons. */
+static int column_width(const char *key) {
+  const int length = (int)strlen(key);
+  return length > VALUE_WIDTH ? length : VALUE_WIDTH;
+}
+
+/* Writes a text in a column for persons. False: there are none. */
+static bool add_aligned(const struct record *record, const char *key, const char *text) {
+  if (record->aligned) text_buffer_add(record->out, "  %*s", column_width(key), text);
+  return record->aligned;
+}
+
 /* Writes the text before a value. False: the value is not to follow. */
 static bool begin(struct record *record, const char *key) {
   if (key == NULL || record->form == FOR_PERSONS) return false;
   const bool json = record->form == AS_JSON;
+  if (record->aligned) {
+    if (record->form == AS_CSV_TITLES) text_buffer_add(record->out, "  %*s", column_width(key), key);
+    return record->form != AS_CSV_TITLES;
+  }
   if (record->any) text_buffer_add_text(record->out, record->keys ? "\n" : json ? ", " : ",");
   record->any = true;
   if (record->keys) {
@@ -40,25 +58,32 @@ void record_atoms(struct record *record) {
 
 void record_number(struct record *record, const char *key, const char *title, double number, int decimals,
                    const char *remark) {
+  enum { DECIMALS_OF_COLUMN = 4 };
   char value[NUMBER_BYTES];
-  if (begin(record, key)) (record->form == AS_JSON ? json_number : csv_number)(record->out, number);
+  if (begin(record, key) && !add_aligned(record, key, quantity_text(value, number, DECIMALS_OF_COLUMN))) {
+    (record->form == AS_JSON ? json_number : csv_number)(record->out, number);
+  }
   print_row(record, title, quantity_text(value, number, decimals), remark);
 }
 
 void record_count(struct record *record, const char *key, const char *title, int64_t count, const char *remark) {
   char value[NUMBER_BYTES];
   const char *const text = count_text(value, count);
-  if (begin(record, key)) text_buffer_add_text(record->out, text);
+  if (begin(record, key) && !add_aligned(record, key, text)) text_buffer_add_text(record->out, text);
   print_row(record, title, text, remark);
 }
 
 void record_text(struct record *record, const char *key, const char *title, const char *text, const char *remark) {
-  if (begin(record, key)) (record->form == AS_JSON ? json_text : csv_text)(record->out, text);
+  if (begin(record, key) && !add_aligned(record, key, text)) {
+    (record->form == AS_JSON ? json_text : csv_text)(record->out, text);
+  }
   print_row(record, title, text, remark);
 }
 
 void record_whether(struct record *record, const char *key, const char *title, bool whether, const char *remark) {
-  if (begin(record, key)) text_buffer_add_text(record->out, whether ? "true" : "false");
+  if (begin(record, key) && !add_aligned(record, key, whether ? "yes" : "no")) {
+    text_buffer_add_text(record->out, whether ? "true" : "false");
+  }
   print_row(record, title, whether ? "yes" : "no", remark);
 }
 

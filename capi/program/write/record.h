@@ -16,6 +16,7 @@ struct record {
   const char *atoms;               /* the key of the number of its atoms in this form */
   int width;                       /* what values with a remark take at least, so that remarks stand under each other */
   bool any;                        /* a key was written */
+  bool aligned;                    /* lines of CSV and their titles in columns for persons instead */
   struct text_buffer *out;
   bool keys; /* of JSON the keys alone, with the columns of tables, each on a line: for help */
 };

@@ -113,12 +113,16 @@ void json_number(struct text_buffer *out, double value) {
 }
 
 void json_numbers(struct text_buffer *out, const double *numbers, uint32_t count) {
-  text_buffer_add_text(out, numbers == NULL ? "null" : "[");
-  for (uint32_t k = 0; numbers != NULL && k < count; ++k) {
+  if (numbers == NULL) {
+    text_buffer_add_text(out, "null");
+    return;
+  }
+  text_buffer_append(out, "[", 1);
+  for (uint32_t k = 0; k < count; ++k) {
     if (k > 0) text_buffer_append(out, ", ", 2);
     json_number(out, numbers[k]);
   }
-  if (numbers != NULL) text_buffer_append(out, "]", 1);
+  text_buffer_append(out, "]", 1);
 }
 
 void json_counts(struct text_buffer *out, const uint32_t *counts, uint32_t count) {
@@ -144,7 +148,24 @@ static bool is_plain(unsigned char byte) {
   return byte >= 0x20 && byte < 0x7F && byte != '"' && byte != '\\';
 }
 
+/* A text of a few bytes that stand as they are, as nearly all are; false: it is none. */
+static bool json_short_text(struct text_buffer *out, const char *text) {
+  enum { MOST = 30 };
+  if (!text_buffer_reserve(out, MOST + 2)) return false;
+  char *const at = out->text + out->length;
+  size_t length = 0;
+  for (; length < MOST && is_plain((unsigned char)text[length]); ++length) at[length + 1] = text[length];
+  const bool whole = text[length] == '\0';
+  at[0] = whole ? '"' : '\0';
+  if (!whole) return false;
+  at[length + 1] = '"';
+  at[length + 2] = '\0';
+  out->length += length + 2;
+  return true;
+}
+
 void json_text(struct text_buffer *out, const char *text) {
+  if (json_short_text(out, text)) return;
   text_buffer_append(out, "\"", 1);
   while (*text != '\0') {
     size_t plain = 0;

@@ -216,7 +216,8 @@ static void json_row(const struct table *table, size_t row, const union cell *ce
   for (int k = 0; k < table->count; ++k) {
     const struct column *column = &table->columns[k];
     if (column->key == NULL) continue;
-    text_buffer_add_text(out, out->length == length ? "\"" : ", \"");
+    if (out->length != length) text_buffer_append(out, ", ", 2);
+    text_buffer_append(out, "\"", 1);
     text_buffer_add_text(out, column->key);
     text_buffer_append(out, "\": ", 3);
     json_cell(column, cells[k], out);
@@ -303,5 +304,9 @@ void table_csv(const struct table *table, struct text_buffer *out) {
     if (three) text_buffer_add(out, "_x,%s_y,%s_z", key, key);
   }
   text_buffer_add_text(out, "\n");
+  table_csv_rows(table, out);
+}
+
+void table_csv_rows(const struct table *table, struct text_buffer *out) {
   add_all_rows(table, csv_row, out);
 }

@@ -38,6 +38,7 @@ E_STOPPED = -17
 E_DAMAGED = -18
 RADII_BONDI = 0
 RADII_CHEM3D = 1
+RADII_UFF = 4
 RADIUS_FALLBACK = 1
 RADII_PROTOR = 2
 RADII_NACCESS = 3
@@ -691,7 +692,7 @@ class PoresLimits(Record):
 class PoresOptions(Record):
     """Which part of free space is computed."""
     _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("floor", C.c_double), ("executor", C.c_void_p),
-                ("unused", C.c_void_p)]
+                ("before", C.c_void_p)]
 
 
 class PoresCounts(Record):
@@ -1651,14 +1652,16 @@ class Paths(Handle):
 class Pores(Handle):
     noun = "pores"
 
-    def compute(self, model: Model, *, floor: float | None = None, threads: int | None = None) -> Pores:
+    def compute(self, model: Model, *, floor: float | None = None, threads: int | None = None,
+                before: Any | None = None) -> Pores:
         """Find all maxima and gates of a model above the floor, and the tree of their classes; options may be NULL."""
-        return call("hsp_pores_compute", self, model=model, floor=floor, threads=threads)
+        return call("hsp_pores_compute", self, model=model, floor=floor, threads=threads, before=before)
 
-    def compute_periodic(self, periodic: Periodic, *, floor: float | None = None, threads: int | None = None) -> Pores:
+    def compute_periodic(self, periodic: Periodic, *, floor: float | None = None, threads: int | None = None,
+                         before: Any | None = None) -> Pores:
         """The same of the balls in a periodic box, which must outlive the pores; they can be read until it computes
         other balls or another box."""
-        return call("hsp_pores_compute_periodic", self, periodic=periodic, floor=floor, threads=threads)
+        return call("hsp_pores_compute_periodic", self, periodic=periodic, floor=floor, threads=threads, before=before)
 
     def get_counts(self) -> PoresCounts:
         """How many maxima, gates and cavities there are."""
@@ -2773,7 +2776,8 @@ FIELDS = {
     "hsp_topology_request": "executor:sized_in:hsp_executor::always",
     "hsp_cells_request": "executor:sized_in:hsp_executor::always",
     "hsp_paths_request": "executor:sized_in:hsp_executor::always",
-    "hsp_pores_options": "floor:value:double::always executor:array_in:hsp_executor:n:always",
+    "hsp_pores_options": "floor:value:double::always executor:array_in:hsp_executor:n:always "
+        "before:handle:hsp_pores:n:always",
     "hsp_tunnel_request": "cheapest:value:uint32_t::never executor:sized_in:hsp_executor::always",
     "hsp_pores_request": "executor:sized_in:hsp_executor::always",
     "hsp_view_options": "pieces:value:uint32_t::always flags:value:uint32_t::always towards:value:double:3:always "

@@ -3,7 +3,7 @@
 namespace hsp {
 namespace {
 
-// All radii are in hundredths of an angstrom, 0 where there is none.
+// Radii are in hundredths of an angstrom, 0 where there is none.
 
 // Van der Waals radii.
 //   Main group: Mantina, Chamberlin, Valero, Cramer, Truhlar, "Consistent van der Waals radii for the whole main
@@ -54,6 +54,33 @@ uint32_t chem3d(uint32_t atomic_number) {
   }
 }
 
+// The distances x_I of Rappe et al. 1992, Table 1, in thousandths of an angstrom, which all types of an element share.
+constexpr uint16_t uff[] = {
+    2886, 2362,                                                                                // H He
+    2451, 2745, 4083, 3851, 3660, 3500, 3364, 3243,                                            // Li to Ne
+    2983, 3021, 4499, 4295, 4147, 4035, 3947, 3868,                                            // Na to Ar
+    3812, 3399,                                                                                // K Ca
+    3295, 3175, 3144, 3023, 2961, 2912, 2872, 2834, 3495, 2763,                                // Sc to Zn
+    4383, 4280, 4230, 4205, 4189, 4141,                                                        // Ga to Kr
+    4114, 3641,                                                                                // Rb Sr
+    3345, 3124, 3165, 3052, 2998, 2963, 2929, 2899, 3148, 2848,                                // Y to Cd
+    4463, 4392, 4420, 4470, 4500, 4404,                                                        // In to Xe
+    4517, 3703,                                                                                // Cs Ba
+    3522, 3556, 3606, 3575, 3547, 3520, 3493, 3368, 3451, 3428, 3409, 3391, 3374, 3355, 3640,  // La to Lu
+    3141, 3170, 3069, 2954, 3120, 2840, 2754, 3293, 2705,                                      // Hf to Hg
+    4347, 4297, 4370, 4709, 4750, 4765,                                                        // Tl to Rn
+    4900, 3677,                                                                                // Fr Ra
+    3478, 3396, 3424, 3395,                                                                    // Ac to U
+    3424, 3424, 3381, 3326, 3339, 3313, 3299, 3286, 3274, 3248, 3236,                          // Np to Lr
+};
+constexpr uint32_t uff_count = sizeof uff / sizeof uff[0];
+static_assert(uff_count == 103);
+
+// x_I / 2^(1/6), rounded: 58386 is 2^(95/6).
+constexpr uint32_t sigma(uint32_t distance) {
+  return (distance * 58386 + 32768) >> 16;
+}
+
 constexpr uint32_t substitute = 200;
 
 // Division rounds correctly: the double nearest to the radius as it is printed.
@@ -64,6 +91,7 @@ constexpr double angstrom(uint32_t hundredths) {
 }  // namespace
 
 ElementRadius element_radius(RadiiSet set, uint32_t atomic_number) {
+  if (set == RadiiSet::uff && atomic_number <= uff_count) return {sigma(uff[atomic_number - 1]) / 2000.0, false};
   const uint32_t of_bondi = bondi[atomic_number - 1];
   const uint32_t published = set == RadiiSet::chem3d ? chem3d(atomic_number) : of_bondi;
   if (published != 0) return {angstrom(published), false};

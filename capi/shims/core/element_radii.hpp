@@ -5,7 +5,7 @@
 
 namespace hsp {
 
-enum class RadiiSet : uint32_t { bondi = 0, chem3d = 1 };
+enum class RadiiSet : uint32_t { bondi = 0, chem3d = 1, uff = 4 };
 
 // Atomic numbers are 1 to this.
 inline constexpr uint32_t element_count = 118;

@@ -6,11 +6,12 @@
 using hsp::capi::LibraryArithmetic;
 
 static_assert(static_cast<uint32_t>(hsp::RadiiSet::bondi) == HSP_RADII_BONDI &&
-              static_cast<uint32_t>(hsp::RadiiSet::chem3d) == HSP_RADII_CHEM3D);
+              static_cast<uint32_t>(hsp::RadiiSet::chem3d) == HSP_RADII_CHEM3D &&
+              static_cast<uint32_t>(hsp::RadiiSet::uff) == HSP_RADII_UFF);
 
 int32_t hsp_element_radius(uint32_t set, uint32_t atomic_number, double *radius, uint32_t *flags) {
   LibraryArithmetic arithmetic;
-  if (set > HSP_RADII_CHEM3D || radius == nullptr) return HSP_E_ARGUMENT;
+  if ((set > HSP_RADII_CHEM3D && set != HSP_RADII_UFF) || radius == nullptr) return HSP_E_ARGUMENT;
   if (atomic_number < 1 || atomic_number > hsp::element_count) return HSP_E_ID;
   const hsp::ElementRadius found = hsp::element_radius(static_cast<hsp::RadiiSet>(set), atomic_number);
   *radius = found.radius;

@@ -32,8 +32,15 @@ int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete
   if (const int32_t status = hsp::capi::read_struct(given, default_options(), complete); status != HSP_OK) {
     return status;
   }
-  if (complete.reserved != 0 || complete.unused != nullptr) return HSP_E_VERSION;
+  if (complete.reserved != 0) return HSP_E_VERSION;
   return executor.read(complete.executor);
+}
+
+// Of other pores, or none, from which points may be taken.
+int32_t check_before(const hsp_pores &pores, const hsp_pores *before) {
+  if (before == nullptr) return HSP_OK;
+  if (before == &pores) return HSP_E_ARGUMENT;
+  return check_results(before, false);
 }
 
 // In steps, rounded down, and no farther than points can be.
@@ -115,9 +122,10 @@ int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_opt
   const int32_t refused =
       first_failure(check_handle(source), check_struct(limits), read_options(options, asked, executor));
   if (refused != HSP_OK) return refused;
+  if (const int32_t status = check_before(*pores, asked.before); status != HSP_OK) return status;
   if (!source->has_results()) return HSP_E_STATE;
   if (!hsp::is_finite(asked.floor)) return HSP_E_NOT_FINITE;
-  return hsp::capi::finish(*pores, compute(asked.floor, hsp::Patience(&executor)), limits);
+  return hsp::capi::finish(*pores, compute(asked, hsp::Patience(&executor)), limits);
 }
 
 hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined, uint32_t component) {
@@ -201,19 +209,20 @@ int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size)
 
 int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
                           hsp_pores_limits *limits) {
-  return compute_from(pores, model, options, limits, [&](double floor, hsp::Patience patience) {
+  return compute_from(pores, model, options, limits, [&](const hsp_pores_options &asked, hsp::Patience patience) {
     pores->in_box = false;
     pores->model.set(model);
-    return pores->builder.build(model->grid, floor_in_steps(model->balls().lattice, floor), patience);
+    return pores->builder.build(model->grid, floor_in_steps(model->balls().lattice, asked.floor), patience,
+                                asked.before != nullptr ? &asked.before->builder : nullptr);
   });
 }
 
 int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options *options,
                                    hsp_pores_limits *limits) {
-  return compute_from(pores, periodic, options, limits, [&](double floor, hsp::Patience patience) {
+  return compute_from(pores, periodic, options, limits, [&](const hsp_pores_options &asked, hsp::Patience patience) {
     pores->in_box = true;
     pores->periodic.set(periodic);
-    return pores->builder.build(periodic->builder.images(), floor_in_steps(periodic->lattice(), floor), patience);
+    return pores->builder.build(periodic->builder.images(), floor_in_steps(periodic->lattice(), asked.floor), patience);
   });
 }
 

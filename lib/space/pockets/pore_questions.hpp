@@ -29,12 +29,14 @@ class PoreQuestions {
     tunnel_.carve(workspace, limits.pores.maxima, limits.pores.gates, limits.points);
   }
   // As PoresBuilder::build. There is nothing where the largest ball has no radius left.
-  Status build(const CubeGrid &grid, int64_t floor, Patience patience = Patience()) {
-    return build(grid, grid.balls().largest_radius, floor, patience);
+  Status build(const CubeGrid &grid, int64_t floor, Patience patience = Patience(),
+               const PoreQuestions *before = nullptr) {
+    return builder_.build(grid, begin(grid.balls().largest_radius, floor), patience,
+                          before != nullptr ? &before->builder_ : nullptr);
   }
   // In a periodic box.
   Status build(const PeriodicImages &images, int64_t floor, Patience patience = Patience()) {
-    return build(images, images.largest_radius(), floor, patience);
+    return builder_.build(images, begin(images.largest_radius(), floor), patience);
   }
   // As TunnelFinder::find, of the balls that pores were built of.
   Status find_tunnel(const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary,
@@ -97,14 +99,14 @@ class PoreQuestions {
   }
 
  private:
-  template <class Balls>
-  Status build(const Balls &balls, int64_t largest_radius, int64_t floor, Patience patience) {
+  // Forgets what was asked before. Returns the lowest floor that matters.
+  int64_t begin(int64_t largest_radius, int64_t floor) {
     pockets_.forget();
     regions_.forget();
     tunnel_.forget();
     floor_ = floor;
     const int64_t lowest = -largest_radius - 1;
-    return builder_.build(balls, floor < lowest ? lowest : floor, patience);
+    return floor < lowest ? lowest : floor;
   }
 
   PoresBuilder builder_;

@@ -13,67 +13,73 @@ double length_of(const Vec3 &v) {
   return std::sqrt(dot(v, v));
 }
 
-// The point of the affine hull of some points that is nearest to 0. False if it is outside their hull, or if they are
-// nearly dependent.
-bool nearest_of_simplex(const Vec3 *v, uint32_t count, Vec3 &nearest) {
-  if (count == 1) {
-    nearest = v[0];
-    return true;
+// The nearest point to 0 of what points span, as far as it is known, and which of them span it.
+struct Nearest {
+  Vec3 point;
+  double squared;
+  uint32_t set;  // a bit for each
+
+  void take(const Vec3 &other, double other_squared, uint32_t other_set) {
+    point = other;
+    squared = other_squared;
+    set = other_set;
   }
-  const Vec3 u = v[1] - v[0];
-  if (count == 2) {
-    const double squared = dot(u, u), t = -dot(v[0], u);
-    if (!(squared > 1e-30) || t < 0.0 || t > squared) return false;
-    nearest = v[0] + (t / squared) * u;
-    return true;
-  }
-  const Vec3 w = v[2] - v[0], n = cross(u, w);
-  if (count == 3) {
-    const double squared = dot(n, n);
-    if (!(squared > 1e-28)) return false;
-    const double height = dot(n, v[0]) / squared;
-    const Vec3 foot = height * n;
-    for (uint32_t k = 0; k < 3; ++k) {
-      const Vec3 &from = v[k], &to = v[(k + 1) % 3];
-      if (dot(cross(to - from, foot - from), n) < 0.0) return false;
-    }
-    nearest = foot;
-    return true;
-  }
+};
+
+// Each of these takes the point of the affine hull of some points that is nearest to 0, if it is nearer than what is
+// known, unless it is outside their hull, or they are nearly dependent.
+void try_edge(const Vec3 &a, const Vec3 &b, uint32_t set, Nearest &known) {
+  const Vec3 u = b - a;
+  const double length = dot(u, u), t = -dot(a, u);
+  if (!(length > 1e-30) || t < 0.0 || t > length) return;
+  const Vec3 foot = a + (t / length) * u;
+  const double squared = dot(foot, foot);
+  if (squared < known.squared) known.take(foot, squared, set);
+}
+
+void try_triangle(const Vec3 &a, const Vec3 &b, const Vec3 &c, uint32_t set, Nearest &known) {
+  const Vec3 n = cross(b - a, c - a);
+  const double area = dot(n, n);
+  if (!(area > 1e-28)) return;
+  const Vec3 foot = (dot(n, a) / area) * n;
+  const double squared = dot(foot, foot);
+  const auto is_beyond = [&](const Vec3 &from, const Vec3 &to) { return dot(cross(to - from, foot - from), n) < 0.0; };
+  if (!(squared < known.squared) || is_beyond(a, b) || is_beyond(b, c) || is_beyond(c, a)) return;
+  known.take(foot, squared, set);
+}
+
+void try_tetrahedron(const Vec3 *v, Nearest &known) {
+  if (!(known.squared > 0.0)) return;
   // All four faces have 0 on the side of the fourth point.
   for (uint32_t k = 0; k < 4; ++k) {
     const Vec3 &a = v[k], &b = v[(k + 1) % 4], &c = v[(k + 2) % 4], &d = v[(k + 3) % 4];
     const Vec3 m = cross(b - a, c - a);
     const double own = dot(m, d - a), zero = -dot(m, a);
-    if (!(std::fabs(own) > 1e-18) || zero * own < 0.0) return false;
+    if (!(std::fabs(own) > 1e-18) || zero * own < 0.0) return;
   }
-  nearest = {0.0, 0.0, 0.0};
-  return true;
+  known.take({0.0, 0.0, 0.0}, 0.0, 15);
 }
 
 }  // namespace
 
-Vec3 nearest_to_zero(Vec3 *points, uint32_t &count) {
-  Vec3 best = points[0];
-  double least = dot(best, best);
-  uint32_t chosen = 1;
-  for (uint32_t set = 2; set < 1U << count; ++set) {
-    Vec3 some[4] = {}, nearest{};
-    uint32_t size = 0;
-    for (uint32_t k = 0; k < count; ++k) {
-      if ((set >> k & 1U) != 0) some[size++] = points[k];
-    }
-    if (!nearest_of_simplex(some, size, nearest) || dot(nearest, nearest) >= least) continue;
-    best = nearest;
-    least = dot(best, best);
-    chosen = set;
+// Of sets without the new point only that of all others can win, as they were nearer than any fewer.
+Vec3 nearest_to_zero(Vec3 *points, uint32_t &count, const Vec3 &of_others) {
+  const uint32_t last = count - 1, own = 1U << last;
+  const Vec3 &added = points[last];
+  Nearest known{of_others, dot(of_others, of_others), own - 1};
+  const double squared = dot(added, added);
+  if (squared < known.squared) known.take(added, squared, own);
+  for (uint32_t j = 0; j < last; ++j) {
+    try_edge(points[j], added, own | 1U << j, known);
+    for (uint32_t i = 0; i < j; ++i) try_triangle(points[i], points[j], added, own | 1U << j | 1U << i, known);
   }
+  if (last == 3) try_tetrahedron(points, known);
   uint32_t kept = 0;
   for (uint32_t k = 0; k < count; ++k) {
-    if ((chosen >> k & 1U) != 0) points[kept++] = points[k];
+    if ((known.set >> k & 1U) != 0) points[kept++] = points[k];
   }
   count = kept;
-  return best;
+  return known.point;
 }
 
 Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(around), start_(start) {
@@ -162,25 +168,39 @@ void Ascent::move(double length, const Vec3 &direction) {
   if (length > 0.0 && !look(before + length + delta_) && !look(before + length)) level_ = before;
 }
 
+// The point of the hull of the directions of so many balls that is nearest to 0, nearly.
+Vec3 Ascent::lead_of(uint32_t count) const {
+  Vec3 basis[4] = {near_[0].a};
+  uint32_t spanning = 1;
+  Vec3 d = basis[0];
+  for (int turn = 0; turn < most_turns; ++turn) {
+    uint32_t least = 0;
+    double lowest = dot(near_[0].a, d);
+    for (uint32_t k = 1; k < count; ++k) {
+      const double along = dot(near_[k].a, d);
+      if (!(along < lowest)) continue;
+      least = k;
+      lowest = along;
+    }
+    if (lowest >= 0.75 * dot(d, d) || spanning == 4) break;
+    basis[spanning++] = near_[least].a;
+    d = nearest_to_zero(basis, spanning, d);
+  }
+  return d;
+}
+
 bool Ascent::step() {
   if (outside_ || steps_ == most_steps) return false;
   ++steps_;
   const double shortest = least_delta();
+  uint32_t led = 0;  // d is of so many
+  Vec3 d{};
   for (; delta_ >= shortest; delta_ *= 0.5) {
+    // Of what is known after the first ones were found as many are the same ones in the same order.
     const uint32_t count = within(delta_);
     if (count == 0) continue;
-    Vec3 basis[4] = {near_[0].a};
-    uint32_t spanning = 1;
-    Vec3 d = basis[0];
-    for (int turn = 0; turn < most_turns; ++turn) {
-      uint32_t least = 0;
-      for (uint32_t k = 1; k < count; ++k) {
-        if (dot(near_[k].a, d) < dot(near_[least].a, d)) least = k;
-      }
-      if (dot(near_[least].a, d) >= 0.75 * dot(d, d) || spanning == 4) break;
-      basis[spanning++] = near_[least].a;
-      d = nearest_to_zero(basis, spanning);
-    }
+    if (count != led) d = lead_of(count);
+    led = count;
     const double steepness = length_of(d);
     // Steps may be flat where they are short, as beside a gate.
     if (steepness <= 0.1 * std::sqrt(delta_ / size())) continue;

@@ -47,6 +47,7 @@ class Ascent {
 
   bool look(double reach);
   uint32_t within(double delta);
+  Vec3 lead_of(uint32_t count) const;
   double size() const { return std::fabs(level_) + static_cast<double>(balls_.set().largest_radius) + 1.0; }
   // No shorter steps are taken: a fraction of a lattice step, or what doubles know of a way so long.
   double least_delta() const {
@@ -71,7 +72,8 @@ class Ascent {
   bool outside_ = false;
 };
 
-// The point of the hull of up to four points that is nearest to 0. Of the points those stay that span it.
-Vec3 nearest_to_zero(Vec3 *points, uint32_t &count);
+// The point of the hull of two to four points that is nearest to 0. Of the points those stay that span it. The last one
+// is new: the others are one, or have stayed, and of_others is what was returned for them.
+Vec3 nearest_to_zero(Vec3 *points, uint32_t &count, const Vec3 &of_others);
 
 }  // namespace hsp

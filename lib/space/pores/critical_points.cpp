@@ -62,9 +62,10 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   fine_cubes_ = workspace.take<FineCube>(most_fine_cubes);
 }
 
-Status CriticalPoints::find(PoreBalls &balls, int64_t floor, Patience patience) {
+Status CriticalPoints::find(PoreBalls &balls, int64_t floor, Patience patience, const PoresBuilder *before) {
   patience_ = patience;
   all_ = &balls;
+  before_ = before;
   balls_ = &balls.set();
   floor_ = floor;
   needed_ = {balls.set().n, 0, 0, 0, 0, 0};
@@ -122,6 +123,9 @@ void CriticalPoints::forget() {
 Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
   const BallSet &balls = *balls_;
   forget();
+  if (before_ != nullptr) {
+    if (const Status status = take_known(); status != Status::ok) return status;
+  }
   needed_.candidates = larger_count(needed_.candidates, balls.n);
   if (balls.n > limits_.candidates) return Status::capacity;
   for (uint32_t i = 0; i < balls.n; ++i) candidates_[i] = i;
@@ -261,11 +265,13 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
     }
   }
   if (unsure_) return last + count;
-  if (count < 3) return last;
+  if (count < 3 || !may_be_new(last, count)) return last;
   const Vec3 at{x, y, z};
   const double reach_along = static_cast<double>(cube.half + 3);
-  if (count <= CubeDirections::room)
-    return last + leave_few(at, reach_along, last, count, count == most && count > most_tried_whole);
+  if (count <= CubeDirections::room) {
+    const uint32_t left = leave_few(at, reach_along, last, count, count == most && count > most_tried_whole);
+    return may_be_new(last, left) ? last + left : last;
+  }
   // More become fewer, as a rule.
   return last + (9 * count < 8 * most ? count : leave_many(at, reach_along, last, count));
 }

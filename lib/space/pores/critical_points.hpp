@@ -12,6 +12,9 @@
 // 1.5 d / (D - d) < eta, D the least distance of the centres: what is nearest there all lies ahead, so that the way
 // back leads up. So a cube around x is searched at once where its sets are tried. Only balls that can be nearest in the
 // cube that is halved count for that; what is found outside it is left to other cubes.
+//
+// Where the points of some of the balls are known, as those of other pores, they stay as far as every other ball, a new
+// one, is farther there. All other points have a new ball that is nearest: cubes without one are left out.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -33,6 +36,8 @@ struct CriticalLimits {
   uint32_t near = 0;        // balls of one set of candidates that are tried
 };
 
+class PoresBuilder;
+
 class CriticalPoints {
  public:
   // A cube in steps, moved by parts of steps.
@@ -49,8 +54,10 @@ class CriticalPoints {
   void carve(Workspace &workspace, const CriticalLimits &limits);
   // Of balls none of which lies inside another one; points have their numbers there. Status::capacity: a limit is too
   // small, needed() tells what suffices as far as it is known. Status::range: an image is too many boxes away.
-  // Status::stopped: more is not allowed.
-  Status find(PoreBalls &balls, int64_t floor, Patience patience);
+  // Status::stopped: more is not allowed. before: null, or pores with all points above this floor whose balls
+  // PoreBalls::compare() has compared; the same are found as without them.
+  Status find(PoreBalls &balls, int64_t floor, Patience patience, const PoresBuilder *before = nullptr);
+  int64_t floor() const { return floor_; }
 
   // Unsorted records with only `point` set, and `translation` of gates.
   FixedVector<PoreMaximum> &maxima() { return maxima_; }
@@ -93,6 +100,15 @@ class CriticalPoints {
   };
 
   void forget();
+  Status take_known();
+  Status keep_known(const CriticalPoint &known, Span<const uint32_t> tied, PointKind kind);
+  bool is_far_from_new(const TangentPoint &point, bool &far);
+  // Whether one of some candidates may have a point that is not known.
+  bool may_be_new(uint32_t first, uint32_t count) const {
+    bool may = before_ == nullptr;
+    for (uint32_t k = first; k < first + count && !may; ++k) may = all_->is_new(candidates_[k]);
+    return may;
+  }
   Status search(const Vec3 &low, const Vec3 &high);
   NearArrays near_arrays(Span<const uint32_t> ids) const;
   void halve(Cube &cube);
@@ -135,7 +151,8 @@ class CriticalPoints {
                  Span<const uint32_t> tied, const BoxShift &from, uint32_t translation);
   PointName name_of_ids(const uint32_t *ids, uint32_t count);
 
-  const PoreBalls *all_ = nullptr;
+  PoreBalls *all_ = nullptr;
+  const PoresBuilder *before_ = nullptr;
   const BallSet *balls_ = nullptr;
   int64_t floor_ = 0;
   // Levels up to which no ball that is left out can be nearest; where it is more, the most that was found possible.

@@ -36,7 +36,7 @@ bool lead_up_at_all(uint32_t count, double side, const Direction &a, const Inver
     if (worst > tiny) return true;
     if (!(squared > 1e-28) || corners == 4 || least > (1.0 - 1e-6) * squared - tiny) return false;
     simplex[corners++] = a(which);
-    d = nearest_to_zero(simplex, corners);
+    d = nearest_to_zero(simplex, corners, d);
   }
   return false;
 }

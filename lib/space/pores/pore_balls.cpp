@@ -57,6 +57,29 @@ Status PoreBalls::take(const PeriodicImages &images, Patience &patience) {
   return status;
 }
 
+// Memory of images is free without a box: ball_of_ has of each ball its number among the others, shift_of_ of each ball
+// of the caller its own number.
+bool PoreBalls::compare(const CubeGrid &grid, const PoreBalls &others, int64_t &grown) {
+  const uint32_t given = grid.balls().n;
+  if (box_ != nullptr || others.box_ != nullptr) return false;
+  for (uint32_t k = 0; k < given; ++k) shift_of_[k].bits = no_id;
+  for (uint32_t k = 0; k < own_; ++k) {
+    shift_of_[callers_[k]].bits = k;
+    ball_of_[k] = no_id;
+  }
+  grown = 0;
+  for (uint32_t k = 0; k < others.own_; ++k) {
+    const uint32_t callers = others.callers_[k];
+    if (callers >= given) return false;
+    const exact::LatticeBall here = grid.balls().ball(grid.grid_index(callers)), there = others.set_.ball(k);
+    const exact::Vector off = here.centre - there.centre;
+    if (k == 0) grown = here.radius - there.radius;
+    if (off.x != 0 || off.y != 0 || off.z != 0 || here.radius - there.radius != grown) return false;
+    if (own_ball(callers) != no_id) ball_of_[own_ball(callers)] = k;
+  }
+  return true;
+}
+
 // The one whose centre is there; no_id for none. They are in the order of their centres.
 uint32_t PoreBalls::ball_at(const exact::Vector &position) const {
   const Vec3 at = to_double(position);

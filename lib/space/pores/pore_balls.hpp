@@ -22,6 +22,14 @@ class PoreBalls {
   // Puts all images behind the balls whose centres are within `reach` of the box.
   Status surround(int64_t reach);
 
+  // After take() without a box: compares with balls that others have, as they took them. False unless all of these are
+  // in the grid as well, and have grown by one length since; then is_new() and own_ball() are known.
+  bool compare(const CubeGrid &grid, const PoreBalls &others, int64_t &grown);
+  // Whether a ball is none of the others.
+  bool is_new(uint32_t own_ball) const { return ball_of_[own_ball] == no_id; }
+  // That of the caller; no_id if it is inside another one.
+  uint32_t own_ball(uint32_t callers) const { return shift_of_[callers].bits; }
+
   // Without images.
   uint32_t own() const { return own_; }
   const BallSet &set() const { return set_; }

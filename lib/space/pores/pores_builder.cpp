@@ -36,22 +36,26 @@ void PoresBuilder::begin(uint32_t balls) {
   passages_ = {};
 }
 
-Status PoresBuilder::build(const CubeGrid &grid, int64_t floor, Patience patience) {
+Status PoresBuilder::build(const CubeGrid &grid, int64_t floor, Patience patience, const PoresBuilder *before) {
   begin(grid.balls().n);
   const Status status = balls_.take(grid, patience);
   needed_.near = balls_.needed_near();
-  return status == Status::ok ? build_from(floor, patience) : status;
+  if (status != Status::ok) return status;
+  int64_t grown = 0;
+  const bool helps =
+      before != nullptr && balls_.compare(grid, before->balls_, grown) && before->critical_.floor() <= floor + grown;
+  return build_from(floor, patience, helps ? before : nullptr);
 }
 
 Status PoresBuilder::build(const PeriodicImages &images, int64_t floor, Patience patience) {
   begin(images.balls());
   const Status status = balls_.take(images, patience);
   needed_.near = balls_.needed_near();
-  return status == Status::ok ? build_from(floor, patience) : status;
+  return status == Status::ok ? build_from(floor, patience, nullptr) : status;
 }
 
-Status PoresBuilder::build_from(int64_t floor, Patience &patience) {
-  Status status = critical_.find(balls_, floor, patience);
+Status PoresBuilder::build_from(int64_t floor, Patience &patience, const PoresBuilder *before) {
+  Status status = critical_.find(balls_, floor, patience, before);
   const CriticalLimits &needed = critical_.needed();
   needed_.balls = larger_count(needed_.balls, larger_count(balls_.needed_balls(), needed.balls));
   needed_.maxima = needed.maxima;

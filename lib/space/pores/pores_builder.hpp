@@ -40,8 +40,11 @@ class PoresBuilder {
 
   // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits().
   // Status::range: a way up leads to probes of 2^50 steps. Status::check cannot happen.
-  // Status::stopped: more is not allowed.
-  Status build(const CubeGrid &grid, int64_t floor, Patience patience = Patience());
+  // Status::stopped: more is not allowed. before: null, or pores that were built of some of these balls, which have all
+  // grown by one length since: what they know of places where no other ball is near is not looked for again. Nothing
+  // else changes by that. They are of no use if they are of other balls, of a box, or of a higher floor.
+  Status build(const CubeGrid &grid, int64_t floor, Patience patience = Patience(),
+               const PoresBuilder *before = nullptr);
   // The same in a periodic box. Status::range also if it is more than a hundred times longer than wide.
   Status build(const PeriodicImages &images, int64_t floor, Patience patience = Patience());
 
@@ -89,7 +92,7 @@ class PoresBuilder {
 
  private:
   void begin(uint32_t balls);
-  Status build_from(int64_t floor, Patience &patience);
+  Status build_from(int64_t floor, Patience &patience, const PoresBuilder *before);
   bool is_higher(const CriticalPoint &a, const CriticalPoint &b);
   void sort_points(Patience &patience);
   Status climb_from_gates(Patience &patience);

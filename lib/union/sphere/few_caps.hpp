@@ -19,7 +19,7 @@ struct FewCaps {
   uint32_t free_circles;  // bits of the caps from the first later one on
   uint32_t crossing;      // pairs of later caps whose circles cross
   uint32_t points;        // free ones on two later caps, in the order of j, k and sign
-  FreePoint point[most_few_caps * (most_few_caps - 1)];
+  FreePoint point[most_few_caps * (most_few_caps - 1) + 1];
 };
 
 // False if not everything is certain; `found` then means nothing. The arrays can be read up to eight caps,

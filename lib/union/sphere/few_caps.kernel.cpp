@@ -5,7 +5,11 @@
 //   of cap 1     cross 001      contains 100
 //   of cap 2     inside 010     separate 001
 #include "sphere/few_caps.hpp"
+
+#include <cstring>
+
 #include "sphere/crossing_pairs.hpp"
+#include "sphere/pairs_of_few.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
@@ -23,13 +27,21 @@ struct Relations {
 };
 
 template <class Lanes>
-void relate(const LanePairs<Lanes> &pairs, uint32_t shift, Relations &relations) {
+[[gnu::always_inline]] inline void relate(const LanePairs<Lanes> &pairs, uint32_t shift, Relations &relations) {
   const LaneBits apart = pairs.certainly_apart();
   relations.cross |= pairs.certainly_cross() << shift;
   relations.at_points |= pairs.certainly_cross_in_points() << shift;
   relations.separate |= (apart & pairs.certainly_separate()) << shift;
   relations.inside |= (apart & pairs.certainly_inside()) << shift;
   relations.contains |= (apart & pairs.certainly_contains()) << shift;
+}
+
+// One or both points of a pair, without a branch on which: there is room for one more.
+inline void put_points(uint8_t j, uint8_t k, uint32_t minus, uint32_t plus, FewCaps &found) {
+  found.point[found.points] = {j, k, 0};
+  found.points += minus;
+  found.point[found.points] = {j, k, 1};
+  found.points += plus;
 }
 
 // Disjoint sets of caps.
@@ -158,9 +170,8 @@ class FewCapsSearch {
   void keep_free(uint32_t p, LaneBits minus, LaneBits plus) {
     for (LaneBits either = minus | plus; either != 0; either &= either - 1) {
       const uint32_t lane = lowest(either);
-      const uint8_t j = static_cast<uint8_t>(pairs_.j[p + lane]), k = static_cast<uint8_t>(pairs_.k[p + lane]);
-      if ((minus >> lane & 1U) != 0) found_.point[found_.points++] = {j, k, 0};
-      if ((plus >> lane & 1U) != 0) found_.point[found_.points++] = {j, k, 1};
+      put_points(static_cast<uint8_t>(pairs_.j[p + lane]), static_cast<uint8_t>(pairs_.k[p + lane]), minus >> lane & 1U,
+                 plus >> lane & 1U, found_);
     }
   }
 
@@ -174,12 +185,104 @@ class FewCapsSearch {
   uint32_t pair_count_ = 0;
 };
 
+// Up to eight caps in floats, by all pairs side by side instead of cap by cap: no branch depends on which ones cross.
+class PairSearch {
+ public:
+  using SomeCaps = LaneCaps<Floats>;
+
+  PairSearch(const CapPointers<float> &caps, uint32_t count, uint32_t first_later, FewCaps &found)
+      : caps_(caps),
+        x_(EightFloats::load(caps.x)),
+        y_(EightFloats::load(caps.y)),
+        z_(EightFloats::load(caps.z)),
+        b_(EightFloats::load(caps.b)),
+        count_(count),
+        first_later_(first_later),
+        found_(found) {}
+
+  bool run() {
+    const uint32_t pair_count = PairsOfFew::count(count_);
+    const uint8_t *const j = pairs_of_few.j[count_], *const k = pairs_of_few.k[count_];
+    Relations relations;
+    for (uint32_t p = 0; p < pair_count; p += Floats::lanes) {
+      relate(LanePairs<Floats>(in_order(j + p), in_order(k + p)), p, relations);
+    }
+    const uint32_t all = static_cast<uint32_t>((UINT64_C(1) << pair_count) - 1);
+    const uint32_t later = all & ~static_cast<uint32_t>((UINT64_C(1) << pairs_before_later()) - 1);
+    const uint32_t cross = relations.cross & all;
+    const uint32_t inside = relations.inside & all;
+    const uint32_t contains = relations.contains & all;
+    const uint32_t meet = cross | inside | contains;
+    const uint32_t crossing = cross & later;
+    if ((all & ~(meet | relations.separate)) != 0 || (crossing & ~relations.at_points) != 0) return false;
+    const CapBits later_caps = ((1U << count_) - 1U) & ~((1U << first_later_) - 1U);
+    found_.points = 0;
+    found_.free_circles = later_caps & ~pairs_of_few.things_in(count_, cross | inside, cross | contains);
+    found_.clusters = connected_sets(pairs_of_few.matrix_of(count_, meet), count_);
+    return test_points(crossing);
+  }
+
+ private:
+  SomeCaps in_order(const uint8_t *order) const {
+    return {x_.in_order(order), y_.in_order(order), z_.in_order(order), b_.in_order(order)};
+  }
+  uint32_t pairs_before_later() const { return first_later_ * (2 * count_ - first_later_ - 1) / 2; }
+
+  // The points of crossing pairs against all caps. Their caps are collected in words: bytes that are read together have
+  // to be written together.
+  bool test_points(uint32_t crossing) {
+    found_.crossing = static_cast<uint32_t>(__builtin_popcount(crossing));
+    while (crossing != 0) {
+      uint64_t j = 0, k = 0;
+      uint32_t count = 0;
+      for (; crossing != 0 && count < Floats::lanes; crossing &= crossing - 1, ++count) {
+        const uint32_t p = lowest(crossing);
+        j |= static_cast<uint64_t>(pairs_of_few.j[count_][p]) << 8 * count;
+        k |= static_cast<uint64_t>(pairs_of_few.k[count_][p]) << 8 * count;
+      }
+      if (!test_points(j, k, count)) return false;
+    }
+    return true;
+  }
+  [[gnu::always_inline]] bool test_points(uint64_t j, uint64_t k, uint32_t count) {
+    uint8_t j_order[8], k_order[8];
+    std::memcpy(j_order, &j, 8);
+    std::memcpy(k_order, &k, 8);
+    const SomeCaps u = in_order(j_order), v = in_order(k_order);
+    const LanePairs<Floats> pair(u, v);
+    const LaneCrossings<Floats> crossings(u, v, pair.g, pair.q);
+    PointTest<Floats> minus(crossings.minus), plus(crossings.plus);
+    // There is nothing in caps behind the last one.
+#pragma GCC unroll 2
+    for (uint32_t t = 0; t < PairsOfFew::most; ++t) {
+      const SomeCaps cap = SomeCaps::all_of(caps_, t);
+      minus.against(cap);
+      plus.against(cap);
+    }
+    const LaneBits valid = first_lanes(count);
+    const LaneBits minus_covered = minus.covered(), plus_covered = plus.covered();
+    const LaneBits minus_free = minus.outside() & ~minus_covered, plus_free = plus.outside() & ~plus_covered;
+    if (((minus_covered | minus_free) & (plus_covered | plus_free) & valid) != valid) return false;
+    for (LaneBits either = (minus_free | plus_free) & valid; either != 0; either &= either - 1) {
+      const uint32_t lane = lowest(either);
+      put_points(static_cast<uint8_t>(j >> 8 * lane), static_cast<uint8_t>(k >> 8 * lane), minus_free >> lane & 1U,
+                 plus_free >> lane & 1U, found_);
+    }
+    return true;
+  }
+
+  CapPointers<float> caps_;
+  EightFloats x_, y_, z_, b_;
+  uint32_t count_, first_later_;
+  FewCaps &found_;
+};
+
 // False for words of two numbers: the loops of VertexFinder take no more instructions.
 template <class Lanes, class Real>
 bool find_few(const CapPointers<Real> &caps, uint32_t count, uint32_t first_later, FewCaps &found) {
   if constexpr (Lanes::lanes > 2) {
-    if constexpr (Lanes::lanes == 8) {
-      if (count <= 8) return FewCapsSearch<Lanes, 1>(caps, count, first_later, found).run();
+    if constexpr (sizeof(Real) == sizeof(float)) {
+      if (count <= PairsOfFew::most) return PairSearch(caps, count, first_later, found).run();
     }
     return FewCapsSearch<Lanes, most_few_caps / Lanes::lanes>(caps, count, first_later, found).run();
   }

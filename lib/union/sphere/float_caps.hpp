@@ -32,9 +32,9 @@ struct FloatCaps {
   }
 };
 
-// The caps of `count` balls near ball i, followed by as many in which nothing lies as there are lanes. Returns false if
-// one of the balls is not certain to meet ball i in a proper circle, or is more than four radii away. Writes spare_ids
-// ids behind `near`.
+// The caps of `count` balls near ball i, up to a multiple of eight: nothing lies in those behind the last one. Returns
+// false if one of the balls is not certain to meet ball i in a proper circle, or is more than four radii away. Writes
+// spare_ids ids behind `near`.
 HSP_KERNEL(bool, make_float_caps,
            (const BallArrays &balls, uint32_t i, uint32_t *near, uint32_t count, const FloatCaps &caps),
            (balls, i, near, count, caps))

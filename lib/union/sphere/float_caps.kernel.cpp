@@ -20,7 +20,7 @@ bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32
   const Floats far = Floats::all(16.0F * radius * radius);
   const Floats below = Floats::all(1.0F - 0x1p-19F);
   const Floats above = Floats::all(1.0F + 0x1p-19F);
-  const Floats one = Floats::all(1.0F);
+  const Floats one = Floats::all(1.0F), nothing = Floats::all(4.0F);
   LaneBits unsure = 0;
   for (uint32_t k = 0; k < count; k += Floats::lanes) {
     const uint32_t *const ids = near + k;
@@ -39,13 +39,18 @@ bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32
     (dx * inverse).store(caps.x + k);
     (dy * inverse).store(caps.y + k);
     (dz * inverse).store(caps.z + k);
-    (h * inverse * half_inverse).store(caps.b + k);
+    // Nothing lies in caps behind the last one. They are written with it: where one vector is read that was written as
+    // two, the processor waits for both stores.
+    where_greater(one, squared, nothing, h * inverse * half_inverse).store(caps.b + k);
   }
-  const Floats zero = Floats::all(0.0F);
-  zero.store(caps.x + count);
-  zero.store(caps.y + count);
-  zero.store(caps.z + count);
-  Floats::all(4.0F).store(caps.b + count);
+  if constexpr (Floats::lanes < FloatCaps::spare) {
+    const Floats zero = Floats::all(0.0F);
+    const uint32_t end = (count + Floats::lanes - 1) / Floats::lanes * Floats::lanes;
+    zero.store(caps.x + end);
+    zero.store(caps.y + end);
+    zero.store(caps.z + end);
+    nothing.store(caps.b + end);
+  }
   return unsure == 0;
 }
 

@@ -1,12 +1,13 @@
 // Pairs of many caps in floats: those with a point that no large cap certainly covers.
 //
-// As an example caps with b = 0.8, 0.3, 0.6, 0.9 and 0.1; a cap is the larger the smaller its b is:
-//   class 0, b < 0.5      0.3  0.1        class_end[0] = 2
-//   class 1, b < 0.75     0.6             class_end[1] = 3
-// so that by_size is 0.3 0.1 0.6: in a class they stay in their order, and the others, which cover little, are left
+// As an example caps with b = 0.8, 0.3, 0.7, 0.9 and 0.1; a cap is the larger the smaller its b is:
+//   class 0, b < 0.6      0.3  0.1        class_end[0] = 2
+//   class 1, b < 0.8      0.7             class_end[1] = 3
+// so that by_size is 0.3 0.1 0.7: in a class they stay in their order, and the others, which cover little, are left
 // out. Points of a batch of pairs are tried against these three first. Those that are left are tried against all five.
 #include "sphere/pair_sweep.hpp"
 #include "sphere/covered_circles.hpp"
+#include "sphere/pairs_of_few.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
@@ -15,7 +16,7 @@ using SomeCaps = LaneCaps<Floats>;
 using SomePoints = LanePoints<Floats>;
 
 // Heights below which caps belong to the first class and to the second. Those of either are called large.
-constexpr float class_limits[PairSweep::size_classes] = {0.5F, 0.75F};
+constexpr float class_limits[PairSweep::size_classes] = {0.6F, 0.8F};
 constexpr uint32_t last_class = PairSweep::size_classes - 1;
 
 CapPointers<float> pointers(const FloatCaps &caps) {
@@ -89,14 +90,16 @@ class ExposedCircles {
   uint32_t kept_ = 0;
 };
 
+// Those that no cap of the first class covers alone: caps of the second cover few more, which their union with others
+// does as well.
 void keep_exposed(PairSweep &sweep) {
   const CapPointers<float> caps = pointers(sweep.caps), large = pointers(sweep.large);
-  const uint32_t count = sweep.count, large_caps = sweep.class_end[last_class];
+  const uint32_t count = sweep.count, largest_caps = sweep.class_end[0];
   ExposedCircles exposed(sweep);
   for (uint32_t j = sweep.first_later; j < count; j += 2 * Floats::lanes) {
     // Lanes after the last circle are left out below.
     const SomeCaps low = SomeCaps::load(caps, j), high = SomeCaps::load(caps, j + Floats::lanes);
-    const AmongLargeCaps among(large, large_caps, low, high);
+    const AmongLargeCaps among(large, largest_caps, low, high);
     const Floats number = Floats::ascending() + Floats::all(static_cast<float>(j));
     exposed.keep(low, number, among.low_crossing(), first_lanes(count - j) & among.low_outside());
     if (j + Floats::lanes >= count) break;
@@ -176,27 +179,6 @@ uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, co
   }
   return left;
 }
-
-// All pairs j < k of up to eight things, in order.
-struct PairsOfFew {
-  static constexpr uint32_t most = 8, size = 32;
-  alignas(64) uint8_t j[most + 1][size];
-  uint8_t k[most + 1][size];
-
-  static constexpr uint32_t count(uint32_t things) { return things * (things - 1) / 2; }
-  constexpr PairsOfFew() : j{}, k{} {
-    for (uint32_t things = 2; things <= most; ++things) {
-      uint32_t p = 0;
-      for (uint8_t a = 0; a < things; ++a) {
-        for (uint8_t b = static_cast<uint8_t>(a + 1); b < things; ++b, ++p) {
-          j[things][p] = a;
-          k[things][p] = b;
-        }
-      }
-    }
-  }
-};
-constexpr PairsOfFew pairs_of_few;
 
 // The same of all pairs of the few exposed circles, without a branch on which of them cross.
 uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {

@@ -10,8 +10,10 @@
 enum { CAGE = 26, MAXIMA = 64, GATES = 200, TIED = 400, CANDIDATES = 2000, NEIGHBOURS = 40, POINTS = 400 };
 static unsigned char model_memory[HSP_MODEL_BYTES(CAGE)];
 static unsigned char pores_memory[HSP_PORES_BYTES(CAGE, MAXIMA, GATES, TIED, CANDIDATES, NEIGHBOURS, POINTS)];
-static hsp_model *model;
-static hsp_pores *pores;
+static unsigned char fewer_memory[HSP_MODEL_BYTES(CAGE)];
+static unsigned char before_memory[HSP_PORES_BYTES(CAGE, MAXIMA, GATES, TIED, CANDIDATES, NEIGHBOURS, POINTS)];
+static hsp_model *model, *fewer;
+static hsp_pores *pores, *before;
 static hsp_pores_counts counts;
 static hsp_pores_options options;
 static hsp_tunnel tunnel;
@@ -97,6 +99,33 @@ static void bad_options(void) {
   options.floor = -(double)INFINITY;
   CHECK_EQUAL(hsp_pores_compute(pores, model, &options, NULL), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_pores_get_counts(pores, &counts), HSP_E_STATE);
+}
+
+/* Pores of fewer balls, which have grown since, say the same sooner; they have to be others, and to have results. */
+static void points_of_pores_before(void) {
+  static const double xyz[9] = {0, 0, 0, 10, 0, 0, 5, 8, 0}, radius[4] = {2, 2, 3, 1}, grown[4] = {3, 3, 4, 1};
+  static const double more[12] = {0, 0, 0, 10, 0, 0, 5, 8, 0, 5, 3, 4};
+  hsp_pore_gate anew[4], taken[4];
+  uint32_t gates;
+  CHECK_EQUAL(hsp_model_set(fewer, 3, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, 4, more, grown, NULL, NULL), HSP_OK);
+  compute(-1);
+  gates = counts.gates;
+  CHECK(gates > 0 && gates <= 4);
+  CHECK_EQUAL(hsp_pores_get_gates(pores, 0, gates, anew), HSP_OK);
+  options.before = pores;
+  CHECK_EQUAL(hsp_pores_compute(pores, model, &options, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_pores_get_counts(pores, &counts), HSP_E_STATE);
+  options.before = before;
+  CHECK_EQUAL(hsp_pores_compute(pores, model, &options, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_pores_compute(before, fewer, NULL, NULL), HSP_OK);
+  compute(-1);
+  CHECK_EQUAL(counts.gates, gates);
+  CHECK_EQUAL(hsp_pores_get_gates(pores, 0, gates, taken), HSP_OK);
+  CHECK(memcmp(anew, taken, gates * sizeof *anew) == 0);
+  CHECK_EQUAL(hsp_model_set(fewer, 2, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_compute(pores, model, &options, NULL), HSP_E_STATE);
+  options.before = NULL;
 }
 
 /* Higher floors hide what is below; where nothing can be, there is nothing. */
@@ -223,11 +252,14 @@ int main(void) {
   const hsp_pores_limits limits = roomy();
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, CAGE, &model), HSP_OK);
   CHECK_EQUAL(hsp_pores_init(pores_memory, sizeof pores_memory, &limits, &pores), HSP_OK);
+  CHECK_EQUAL(hsp_model_init(fewer_memory, sizeof fewer_memory, CAGE, &fewer), HSP_OK);
+  CHECK_EQUAL(hsp_pores_init(before_memory, sizeof before_memory, &limits, &before), HSP_OK);
   CHECK_EQUAL(hsp_pores_find_pockets(pores, 0, 1, &number), HSP_E_STATE);
   CHECK_EQUAL(hsp_pores_find_tunnel(pores, middle, NULL, NULL, 0, &tunnel, NULL), HSP_E_STATE);
   sizes();
   defaults();
   bad_options();
+  points_of_pores_before();
   floors();
   pockets_come_and_go();
   classes();

@@ -4564,7 +4564,7 @@ const field registry_fields[] = {
   {"hsp_pores_options", "reserved", "uint32_t", offsetof(hsp_pores_options, reserved), 1},
   {"hsp_pores_options", "floor", "double", offsetof(hsp_pores_options, floor), 1},
   {"hsp_pores_options", "executor", "hsp_executor *", offsetof(hsp_pores_options, executor), 1},
-  {"hsp_pores_options", "unused", "void *", offsetof(hsp_pores_options, unused), 1},
+  {"hsp_pores_options", "before", "hsp_pores *", offsetof(hsp_pores_options, before), 1},
   {"hsp_pores_counts", "maxima", "uint32_t", offsetof(hsp_pores_counts, maxima), 1},
   {"hsp_pores_counts", "gates", "uint32_t", offsetof(hsp_pores_counts, gates), 1},
   {"hsp_pores_counts", "merges", "uint32_t", offsetof(hsp_pores_counts, merges), 1},

@@ -106,21 +106,25 @@ TEST(Ascent, NoMixtureOfPointsIsNearerToZero) {
   };
   int inside = 0;
   for (int turn = 0; turn < 2000; ++turn) {
-    const auto given = static_cast<uint32_t>(random.in(1, 4));
+    const auto given = static_cast<uint32_t>(random.in(1, 8));
     const bool shifted = random.one_in(2);
-    hsp::Vec3 points[4], all[4];
-    for (uint32_t k = 0; k < given; ++k) {
+    hsp::Vec3 points[4], found{};
+    uint32_t count = 0;
+    // Each added to those that have stayed.
+    for (uint32_t step = 0; step < given && count < 4; ++step) {
       const hsp::Vec3 v{number(-1, 1), number(-1, 1), number(shifted ? 0.1 : -1, 1)};
-      points[k] = all[k] = (1.0 / std::sqrt(dot(v, v))) * v;
+      hsp::Vec3 all[4];
+      points[count++] = (1.0 / std::sqrt(dot(v, v))) * v;
+      const uint32_t before = count;
+      for (uint32_t k = 0; k < count; ++k) all[k] = points[k];
+      found = step == 0 ? points[0] : hsp::nearest_to_zero(points, count, found);
+      ASSERT_LE(count, before);
+      ASSERT_GE(count, 1U);
+      // Nearest: no point of the hull is on the near side of the plane across it.
+      for (uint32_t k = 0; k < before; ++k) ASSERT_GE(dot(all[k], found), dot(found, found) - 1e-9);
+      for (uint32_t k = 0; k < count; ++k) ASSERT_NEAR(dot(points[k], found), dot(found, found), 1e-9);
     }
-    uint32_t count = given;
-    const hsp::Vec3 found = hsp::nearest_to_zero(points, count);
-    ASSERT_LE(count, given);
-    ASSERT_GE(count, 1U);
     inside += dot(found, found) == 0.0 ? 1 : 0;
-    // Nearest: no point of the hull is on the near side of the plane across it.
-    for (uint32_t k = 0; k < given; ++k) ASSERT_GE(dot(all[k], found), dot(found, found) - 1e-9);
-    for (uint32_t k = 0; k < count; ++k) ASSERT_NEAR(dot(points[k], found), dot(found, found), 1e-9);
   }
   EXPECT_GT(inside, 20);
 }

@@ -21,9 +21,9 @@ class BuiltPores {
     }
   }
 
-  hsp::Status build(const hsp::PoreLimits &limits, int64_t floor) {
+  hsp::Status build(const hsp::PoreLimits &limits, int64_t floor, const hsp::PoresBuilder *before = nullptr) {
     memory_.carve(builder_, limits);
-    return builder_.build(grid_.grid(), floor);
+    return builder_.build(grid_.grid(), floor, hsp::Patience(), before);
   }
 
   hsp::Status status() const { return status_; }
