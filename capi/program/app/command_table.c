@@ -247,22 +247,24 @@ const struct command_row command_table[COMMANDS] = {
                  "from these.\n"
                  "It is of the molecule alone or, with --box, of a crystal.\n",
          .closing = "Example: hardsphere pores 1crn.pdb --probe 1.4 --pockets 3\n",
-         .json = "JSON: <..largest_cavity_diameter>, null where nothing is enclosed, <>, with --pockets <--pockets 9>, "
-                 "where volume and area are null if closed is 0, with --tunnels-from <--tunnels-from 0,0,0>; maxima "
-                 "and gates by their numbers, counted from 0, or \"outside\" or \"none\"; mouths are gates; balls are "
-                 "indices in the order of the file, counted from 0, of all balls that are nearest, of points of "
-                 "tunnels up to four, or that line a pocket.\nWith --box box, symmetry, <--box "
-                 "9,9,9=pore_limiting_diameter>: [a, b, c] for one, two and three directions, null where no probe gets "
-                 "through, <--box 9,9,9=included_cavity_diameter>: [a, b, c] of the channels that do, <--box "
-                 "9,9,9=pore_limiting_diameter_along>: [a, b, c] the three vectors, <--box 9,9,9=channel_list>: "
-                 "[{radius, maximum, maxima, directions, copies, rows}, ...] for --probe; gates have end_shift and "
-                 "other_end_shift, by which the maxima are to be moved, and directions, in which their class goes on; "
-                 "tunnels have shift, the vectors from the point that was named to the copy of it where they "
-                 "end.\nWith --regions <--regions..accessible_volume>, null without a box, <--regions>; with --box also "
-                 "<--box 9,9,9 --regions=total_area>, <--box 9,9,9 --regions..total_volume_cm3_per_g>, of elements as "
-                 "IUPAC weighs them, null where one is not known; xyz, radius and volume are null outside.\nWith --trajectory first frame, time and step, and no input; pocket is "
-                 "a number that stays, from the one that a pocket was part of in the frame before, or \"none\", merged "
-                 "those that have ended in it.",
+         .json =
+             "JSON: <..largest_cavity_diameter>, null where nothing is enclosed, <>, with --pockets <--pockets 9>, "
+             "where volume and area are null if closed is 0, with --tunnels-from <--tunnels-from 0,0,0>; maxima "
+             "and gates by their numbers, counted from 0, or \"outside\" or \"none\"; mouths are gates; balls are "
+             "indices in the order of the file, counted from 0, of all balls that are nearest, of points of "
+             "tunnels up to four, or that line a pocket.\nWith --box box, symmetry, <--box "
+             "9,9,9=pore_limiting_diameter>: [a, b, c] for one, two and three directions, null where no probe gets "
+             "through, <--box 9,9,9=included_cavity_diameter>: [a, b, c] of the channels that do, <--box "
+             "9,9,9=pore_limiting_diameter_along>: [a, b, c] the three vectors, <--box 9,9,9=channel_list>: "
+             "[{radius, maximum, maxima, directions, copies, rows}, ...] for --probe; gates have end_shift and "
+             "other_end_shift, by which the maxima are to be moved, and directions, in which their class goes on; "
+             "tunnels have shift, the vectors from the point that was named to the copy of it where they "
+             "end.\nWith --regions <--regions..accessible_volume>, null without a box, <--regions>; with --box also "
+             "<--box 9,9,9 --regions=total_area>, <--box 9,9,9 --regions..total_volume_cm3_per_g>, of elements as "
+             "IUPAC weighs them, null where one is not known; xyz, radius and volume are null outside.\nWith "
+             "--trajectory first frame, time and step, and no input; pocket is "
+             "a number that stays, from the one that a pocket was part of in the frame before, or \"none\", merged "
+             "those that have ended in it.",
          .describe = SPACE(describe_pores)},
     [COMMAND_CLASH] =
         {.name = "clash",
