@@ -104,15 +104,16 @@ class ActualPoints : public ActualNumbers<Number> {
   // A point as seen from a vertex.
   [[gnu::noinline]] void find_arm(uint32_t v, const BorderPoint &point, Vector &arm) const {
     find_point(point, arm);
-    Vector here;
+    if (point.kind == BorderPoint::Kind::cusp || v != point.id[0]) add_way_to_origin_of(point, v, arm);
+  }
+  [[gnu::noinline]] void add_way_to_origin_of(const BorderPoint &point, uint32_t v, Vector &arm) const {
+    Vector way;
     if (point.kind == BorderPoint::Kind::cusp) {
-      find_arm_to_ball(v, point.id[0], here);
-    } else if (v != point.id[0]) {
-      find_arm_to_vertex(v, point.id[0], here);
+      find_arm_to_ball(v, point.id[0], way);
     } else {
-      return;
+      find_arm_to_vertex(v, point.id[0], way);
     }
-    arm += here;
+    arm += way;
   }
   [[gnu::noinline]] void find_arm_to_vertex(uint32_t v, uint32_t other, Vector &arm) const {
     Vector here;
@@ -218,10 +219,12 @@ class ActualPoints : public ActualNumbers<Number> {
     z -= u;
     u = n;
   }
+  [[gnu::noinline]] Number half_over_square(const Vector &n) const { return (number(1) / dot(n, n)).scaled(-1); }
+  [[gnu::noinline]] static void to_cross(Vector &a, const Vector &b) { a = cross(a, b); }
   // q x n / (2 n.n), into q, and root n / (2 n.n), into n.
   [[gnu::noinline]] void to_meeting(Vector &n, Vector &q, const Number &root) const {
-    const Number factor = (number(1) / dot(n, n)).scaled(-1);
-    q = cross(q, n);
+    const Number factor = half_over_square(n);
+    to_cross(q, n);
     q *= factor;
     n *= root * factor;
   }
