@@ -16,7 +16,7 @@ packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-mip
   libstdc++-arm-none-eabi-dev valgrind python3-numpy)
 # MPI, machines without an operating system, packages that the Python module serves.
 optional_packages_for_all_tests=(openmpi-bin libopenmpi-dev qemu-system-arm python3-mdanalysis python3-ase rustc lammps
-  liblammps-dev libopenmm-dev xtb python3-scipy)
+  liblammps-dev libopenmm-dev xtb python3-scipy abigail-tools minisign)
 # Needed besides by the preset long: other processors, WebAssembly and the page that uses it, packages, and programs that
 # draw pictures.
 packages_for_long_tests=(g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-s390x-linux-gnu g++-riscv64-linux-gnu

@@ -2,13 +2,34 @@
 # Makes what a release consists of, from the commit that is checked out:
 #   bash .ci/release.sh OUTPUT-FOLDER [CHROOT]
 #     hardsphere-VERSION.tar.gz                        the source archive: the same bytes from the same commit
+#     hardsphere-VERSION-core.tar.gz                   the core as one file: hardsphere.cpp and hardsphere.h
 #     hardsphere_VERSION-1.dsc and what belongs to it  the source package for Debian; its debian/ is written here
 #     *.deb                                            library, development files, program
 #     SHA256SUMS                                       checksums of all of them
 # The packages are built on this machine or, as root, in the folder CHROOT, a bare Debian as debootstrap makes it; what
-# they need is installed there. lintian has to find nothing: neither errors nor warnings. Needs git, dpkg-dev, debhelper,
-# lintian. DEBFULLNAME and DEBEMAIL name the maintainer; DEB_BUILD_OPTIONS is Debian's.
+# they need is installed there. lintian has to find nothing: neither errors nor warnings. Needs git, python3, dpkg-dev,
+# debhelper, lintian. DEBFULLNAME and DEBEMAIL name the maintainer; DEB_BUILD_OPTIONS is Debian's.
+#   bash .ci/release.sh --sign FOLDER                  checksums of a folder's files, and their signature
+#   bash .ci/release.sh --verify KEY FOLDER            whether both are right; KEY is the file of the public key
+# HSP_RELEASE_KEY names the file of a secret key of minisign: SHA256SUMS.minisig is the signature.
 set -euo pipefail
+case "${1:-}" in
+  --sign)
+    cd "$2"
+    rm -f SHA256SUMS SHA256SUMS.minisig
+    sha256sum -- * >SHA256SUMS
+    if [ -n "${HSP_RELEASE_KEY:-}" ]; then minisign -S -s "$HSP_RELEASE_KEY" -m SHA256SUMS </dev/null >/dev/null; fi
+    exit 0
+    ;;
+  --verify)
+    minisign -V -q -p "$2" -m "$3/SHA256SUMS"
+    cd "$3"
+    sha256sum --check --quiet --strict SHA256SUMS
+    # Nothing lies beside what was signed.
+    diff <(sed 's/^[0-9a-f]* [ *]//' SHA256SUMS | sort) <(find . -type f ! -name 'SHA256SUMS*' -printf '%P\n' | sort)
+    exit 0
+    ;;
+esac
 cd "$(dirname "$0")/.."
 [ $# -eq 1 ] || [ $# -eq 2 ] || { sed -n '2,/^[^#]/s/^# \{0,1\}//p' .ci/release.sh && exit 2; }
 mkdir -p "$1"
@@ -23,6 +44,9 @@ maintainer="${DEBFULLNAME:-The hardsphere authors} <${DEBEMAIL:-hardsphere@packa
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 git archive --format=tar --prefix="hardsphere-$version/" HEAD | gzip -n -9 >"$output/hardsphere-$version.tar.gz"
+python3 .ci/one_file.py "$work/hardsphere-$version-core"
+tar -C "$work" --sort=name --mtime="$date" --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX -c "hardsphere-$version-core" |
+  gzip -n -9 >"$output/hardsphere-$version-core.tar.gz"
 cp "$output/hardsphere-$version.tar.gz" "$work/hardsphere_$version.orig.tar.gz"
 tar -C "$work" -xf "$work/hardsphere_$version.orig.tar.gz"
 tree=$work/hardsphere-$version
@@ -143,4 +167,5 @@ fi
 lintian --fail-on error,warning "$work"/*.changes "$work"/*.dsc
 rm -rf "$tree" "$work"/*dbgsym*
 cp "$work"/hardsphere_*.{dsc,orig.tar.gz,debian.tar.xz} "$work"/*.deb "$output"
-(cd "$output" && rm -f SHA256SUMS && sha256sum -- * >SHA256SUMS && cat SHA256SUMS)
+bash .ci/release.sh --sign "$output"
+cat "$output/SHA256SUMS"

@@ -38,7 +38,7 @@ cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release
   -DHSP_TESTS=OFF -DHSP_TOOL=$peers -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
 suites=(bench_paper_section_2 bench_paper_section_3 bench_section_3_alternatives bench_paper_section_4_2
   bench_paper_section_5_1 bench_maps bench_topology bench_gradients bench_contacts bench_surface bench_scaling
-  bench_queries bench_poses bench_periodic bench_moving bench_split_work bench_degenerate)
+  bench_queries bench_poses bench_periodic bench_bricks bench_hessians bench_moving bench_split_work bench_degenerate)
 if [ "$peers" = yes ]; then
   suites+=(bench_peers_surfaces bench_peers_dense bench_peers_queries bench_peers_visibility bench_peers_poses hardsphere_tool)
 fi
@@ -146,6 +146,8 @@ run_suite bench_scaling 5 0.02
 run_suite bench_queries 5 0.02
 run_suite bench_poses 3 0.02
 run_suite bench_periodic 3 0.02
+run_suite bench_bricks 3 0.02
+run_suite bench_hessians 3 0.02
 run_suite bench_moving 5 0.02
 run_suite bench_split_work 6 0.02
 run_suite bench_degenerate 5 0.02

@@ -10,6 +10,11 @@
 //   for (const hsp_contact &contact : hardsphere::all(hsp_contacts_get_pairs, work.contacts())) ..
 //   work.set(next_xyz, radius);                                                      the next frame, in the same memory
 //
+//   hardsphere::box(xyz, radius, vectors, {.probe = 1.4}).gradient({.tension = 1}).d_strain   in a periodic box
+//   hardsphere::moving walk(xyz, radius, {.tension = 1});  walk.move(balls, to);  walk.undo();   a few at a time
+//   hardsphere::body(xyz, radius).hits(hardsphere::body(others, radii), poses)                molecule against molecule
+//   work.pores(), box.pores()                                                                 free space for any probe
+//
 // all() calls any function of hardsphere.h that ends with (out, capacity, needed), range() any that ends with
 // (first, count, out). A workspace has the handles for all other functions and computes those of the boundary when they
 // are first asked for. check() makes an exception of the status of a call of your own. A workspace owns what
@@ -23,9 +28,12 @@
 
 #include <hardsphere_workspace.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <thread>
@@ -36,7 +44,7 @@
 
 namespace hardsphere {
 
-// A call failed: status() is one of HSP_E_*, ball() the index of the ball to blame or HSP_NONE.
+// A call failed: status() is one of HSP_E_*, ball() the index of the ball, pose or move to blame or HSP_NONE.
 class error : public std::runtime_error {
  public:
   explicit error(int32_t status, uint32_t ball = HSP_NONE)
@@ -137,54 +145,136 @@ struct neighbours {
   std::span<const uint32_t> of(uint32_t ball) const { return {ids.data() + first[ball], ids.data() + first[ball + 1]}; }
 };
 
-class workspace {
- public:
-  workspace() = default;
-  workspace(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
-    set(xyz, radius, how);
-  }
-  workspace(const workspace &) = delete;
-  workspace &operator=(const workspace &) = delete;
-  workspace(workspace &&other) noexcept { swap(other); }
-  workspace &operator=(workspace &&other) noexcept {
-    swap(other);
-    return *this;
-  }
-  ~workspace() { hsp_workspace_free(&work_); }
-  void swap(workspace &other) noexcept {
-    std::swap(work_, other.work_);
-    std::swap(computed_, other.computed_);
-    std::swap(executor_, other.executor_);
-    std::swap(size_, other.size_);
-  }
+inline hsp_model_options model_options(const options &how) {
+  hsp_model_options c{};
+  check(hsp_model_options_init(&c, sizeof c));
+  c.probe = how.probe, c.step = how.step, c.largest_radius = how.largest_radius;
+  return c;
+}
 
+// Balls as functions of C take them. Spans that do not fit each other are null pointers, which are refused.
+struct given_balls {
+  given_balls(std::span<const double> centres, std::span<const double> radii) {
+    if (centres.size() != 3 * radii.size() || radii.size() > HSP_MAX_BALLS) return;
+    n = static_cast<uint32_t>(radii.size()), xyz = centres.data(), radius = radii.data();
+  }
+  uint32_t n = 1;
+  const double *xyz = nullptr, *radius = nullptr;
+};
+
+// All classes with the memory of a workspace of C begin with this.
+class owner {
+ public:
   // Of all that is in it, as hardsphere_workspace.h has it.
   hsp_workspace *operator->() noexcept { return &work_; }
   uint32_t size() const noexcept { return size_; }
-
-  // One that throws leaves no balls: what asks for them throws, too.
-  workspace &set(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
-    hsp_model_options c{};
-    check(hsp_model_options_init(&c, sizeof c));
-    c.probe = how.probe, c.step = how.step, c.largest_radius = how.largest_radius;
-    const bool matching = xyz.size() == 3 * radius.size() && radius.size() <= HSP_MAX_BALLS;
-    const auto n = matching ? static_cast<uint32_t>(radius.size()) : 1;
-    uint32_t bad = HSP_NONE;
-    computed_ = size_ = 0;
-    const int32_t status = hsp_workspace_set(&work_, n, matching ? xyz.data() : nullptr, radius.data(), &c, &bad);
-    check(status, bad);
-    size_ = n;
-    return *this;
-  }
-
-  // Whose threads share boundaries, measures and gradients from now on.
-  workspace &use(const hsp_executor &executor) noexcept { return executor_ = executor, *this; }
 
   // A function of hardsphere_workspace.h, with its arguments behind the workspace.
   template <class... Arguments, class... Given>
   void run(int32_t (*function)(hsp_workspace *, Arguments...), Given &&...given) {
     check(function(&work_, std::forward<Given>(given)...));
   }
+
+ protected:
+  owner() = default;
+  owner(const owner &) = delete;
+  owner &operator=(const owner &) = delete;
+  owner(owner &&other) noexcept { swap(other); }
+  owner &operator=(owner &&other) noexcept {
+    swap(other);
+    return *this;
+  }
+  ~owner() { hsp_workspace_free(&work_); }
+  void swap(owner &other) noexcept {
+    std::swap(work_, other.work_);
+    std::swap(computed_, other.computed_);
+    std::swap(executor_, other.executor_);
+    std::swap(size_, other.size_);
+#if HSP_HAS_SPACE
+    std::swap(floor_, other.floor_);
+#endif
+  }
+
+  // An empty span is none; with no balls it is that, too.
+  void held(size_t given) const {
+    if (given != 0 && given != size_) throw error(HSP_E_ARGUMENT);
+  }
+  template <class Compute>
+  void once(unsigned bit, Compute compute) {
+    if ((computed_ & bit) != 0) return;
+    computed_ &= ~bit;
+    check(compute(&work_));
+    computed_ |= bit;
+  }
+
+  // The gradient of an energy by a function of C; outputs: what it is to write beside.
+  template <class Outputs, class Handle>
+  gradients slope(int32_t (*function)(const Handle *, const hsp_gradient_request *, Outputs *), const Handle *handle,
+                  const energy_terms &terms, Outputs outputs = {}) {
+    held(terms.sigma.size());
+    gradients found{{},
+                    std::vector<double>(3 * size_t{size_}),
+                    std::vector<double>(size_),
+                    std::vector<double>(size_),
+                    std::vector<uint32_t>(size_)};
+    const hsp_gradient_request request = asked(terms);
+    outputs.struct_size = sizeof outputs, outputs.capacity = size_, outputs.energy = &found.energy;
+    outputs.d_centre = found.d_centre.data(), outputs.d_radius = found.d_radius.data(),
+    outputs.flags = found.flags.data(), outputs.area = found.area.data();
+    outputs.first_bad = HSP_NONE;
+    const int32_t status = function(handle, &request, &outputs);
+    check(status, outputs.first_bad);
+    return found;
+  }
+  hsp_gradient_request asked(const energy_terms &terms) const {
+    hsp_gradient_request request{};
+    check(hsp_gradient_request_init(&request, sizeof request));
+    request.tension = terms.tension, request.pressure = terms.pressure, request.tangency = terms.tangency;
+    request.sigma = terms.sigma.data(), request.executor = &executor_;
+    return request;
+  }
+#if HSP_HAS_SPACE
+  hsp_pores *some_pores(int32_t (*compute)(hsp_workspace *, const hsp_pores_options *), double floor) {
+    if (floor != floor_) computed_ &= ~pores_are_there;
+    once(pores_are_there, [&](hsp_workspace *work) {
+      hsp_pores_options options{};
+      options.struct_size = sizeof options, options.floor = floor_ = floor, options.executor = &executor_;
+      return compute(work, &options);
+    });
+    return work_.pores;
+  }
+  static constexpr unsigned pores_are_there = 16;
+  double floor_ = 0;
+#endif
+
+  hsp_workspace work_{};
+  hsp_executor executor_{sizeof executor_, 1, nullptr, nullptr, nullptr};
+  unsigned computed_ = 0;
+  uint32_t size_ = 0;
+};
+
+class workspace : public owner {
+ public:
+  workspace() = default;
+  workspace(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
+    set(xyz, radius, how);
+  }
+  void swap(workspace &other) noexcept { owner::swap(other); }
+
+  // One that throws leaves no balls: what asks for them throws, too.
+  workspace &set(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
+    const hsp_model_options c = model_options(how);
+    const given_balls balls(xyz, radius);
+    uint32_t bad = HSP_NONE;
+    computed_ = size_ = 0;
+    const int32_t status = hsp_workspace_set(&work_, balls.n, balls.xyz, balls.radius, &c, &bad);
+    check(status, bad);
+    size_ = balls.n;
+    return *this;
+  }
+
+  // Whose threads share boundaries, measures and gradients from now on.
+  workspace &use(const hsp_executor &executor) noexcept { return executor_ = executor, *this; }
 
   // Handles, computed when they are first asked for after set().
   const hsp_model *model() const noexcept { return work_.model; }
@@ -203,6 +293,12 @@ class workspace {
     return boundary(), once(8, hsp_workspace_surface), work_.surface;
   }
 #endif
+#if HSP_HAS_SPACE
+  // Free space for probes of any radius from the floor on.
+  hsp_pores *pores(double floor = 0) {
+    return some_pores(hsp_workspace_pores, floor);
+  }
+#endif
 
   // selected: empty, or a number for each ball; those with 0 only block.
   hardsphere::measures measure(std::span<const uint8_t> selected = {}) {
@@ -218,50 +314,240 @@ class workspace {
   }
 
   gradients gradient(const energy_terms &terms) {
-    held(terms.sigma.size());
-    gradients found{{},
-                    std::vector<double>(3 * size_t{size_}),
-                    std::vector<double>(size_),
-                    std::vector<double>(size_),
-                    std::vector<uint32_t>(size_)};
-    hsp_gradient_request request{};
-    check(hsp_gradient_request_init(&request, sizeof request));
-    request.tension = terms.tension, request.pressure = terms.pressure, request.tangency = terms.tangency;
-    request.sigma = terms.sigma.data(), request.executor = &executor_;
-    hsp_gradient_outputs outputs{};
-    outputs.struct_size = sizeof outputs, outputs.capacity = size_, outputs.energy = &found.energy;
-    outputs.d_centre = found.d_centre.data(), outputs.d_radius = found.d_radius.data(),
-    outputs.flags = found.flags.data(), outputs.area = found.area.data();
-    outputs.first_bad = HSP_NONE;
-    const int32_t status = hsp_boundary_get_gradient(boundary(), &request, &outputs);
-    check(status, outputs.first_bad);
-    return found;
+    return slope(hsp_boundary_get_gradient, boundary(), terms);
   }
+#if HSP_HAS_SMOOTH
+  // Of the smooth surface that the probe leaves.
+  gradients smooth_gradient(const energy_terms &terms) {
+    return slope(hsp_surface_get_gradient, surface(), terms);
+  }
+#endif
 
   neighbours pairs(uint32_t flags = HSP_PAIRS_ONCE) const {
     neighbours found{std::vector<uint32_t>(size_t{size_} + 1), {}};
     found.ids = all(hsp_query_pairs, model(), flags, found.first.data());
     return found;
   }
+};
+
+#if HSP_HAS_BOXES
+
+struct box_measures {
+  hsp_periodic_totals total{};
+  std::vector<double> area, share_volume;  // of each ball: its free area, and the volume of its share
+};
+
+// By the strain and by the vectors, too.
+struct box_gradients : gradients {
+  std::array<double, 9> d_strain{}, d_box{};
+};
+
+// Balls in a periodic box. vectors: three lengths, or three vectors one after another, any.
+class box : public owner {
+ public:
+  box() = default;
+  box(std::span<const double> xyz, std::span<const double> radius, std::span<const double> vectors,
+      const options &how = {}) {
+    set(xyz, radius, vectors, how);
+  }
+
+  // One that throws leaves no balls.
+  box &set(std::span<const double> xyz, std::span<const double> radius, std::span<const double> vectors,
+           const options &how = {}) {
+    std::array<double, 9> all{};
+    for (size_t k = 0; k < 3 && vectors.size() == 3; ++k) all[4 * k] = vectors[k];
+    if (vectors.size() == 9) std::copy(vectors.begin(), vectors.end(), all.begin());
+    const hsp_model_options c = model_options(how);
+    hsp_periodic_request request{};
+    request.struct_size = sizeof request, request.options = &c, request.executor = &executor_;
+    request.areas_alone = areas_alone_ ? 1 : 0;
+    const given_balls balls(xyz, radius);
+    uint32_t bad = HSP_NONE;
+    computed_ = size_ = 0;
+    const bool right = vectors.size() == 3 || vectors.size() == 9;
+    const int32_t status = hsp_workspace_periodic_with(&work_, balls.n, balls.xyz, balls.radius,
+                                                       right ? all.data() : nullptr, &request, &bad);
+    check(status, bad);
+    size_ = balls.n;
+    return *this;
+  }
+
+  // From the next set on: threads that share the work; areas and their gradient alone, in a third of the time.
+  box &use(const hsp_executor &executor) noexcept { return executor_ = executor, *this; }
+  box &areas_alone(bool alone = true) noexcept { return areas_alone_ = alone, *this; }
+
+  hsp_periodic *periodic() noexcept { return work_.periodic; }
+#if HSP_HAS_SPACE
+  hsp_pores *pores(double floor = 0) {
+    return some_pores(hsp_workspace_pores_periodic, floor);
+  }
+#endif
+
+  box_measures measure() {
+    box_measures found{{}, std::vector<double>(size_), std::vector<double>(areas_alone_ ? 0 : size_)};
+    check(hsp_periodic_measure(periodic(), &found.total, found.area.data(),
+                               areas_alone_ ? nullptr : found.share_volume.data(), size_, nullptr));
+    return found;
+  }
+  box_gradients gradient(const energy_terms &terms) {
+    box_gradients found;
+    hsp_periodic_gradient_outputs outputs{};
+    outputs.d_strain = found.d_strain.data(), outputs.d_box = found.d_box.data();
+    static_cast<gradients &>(found) = slope(hsp_periodic_get_gradient, periodic(), terms, outputs);
+    return found;
+  }
 
  private:
-  // An empty span is none; with no balls it is that, too.
-  void held(size_t given) const {
-    if (given != 0 && given != size_) throw error(HSP_E_ARGUMENT);
+  bool areas_alone_ = false;
+};
+
+#endif  // HSP_HAS_BOXES
+
+#if HSP_HAS_MOTION
+
+// A molecule prepared for poses. Copies share it. All that meet need one step (options). error::ball() is a pose.
+class body {
+ public:
+  body() = default;
+  body(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
+    workspace work(xyz, radius, how);
+    size_t bytes = 0;
+    check(hsp_body_bytes(work.size(), &bytes));
+    const std::shared_ptr<std::byte[]> memory(new std::byte[bytes]);
+    hsp_body *made = nullptr;
+    check(hsp_body_init(memory.get(), bytes, work.size(), &made));
+    check(hsp_body_set(made, work.model()));
+    body_ = {memory, made};
   }
-  template <class Compute>
-  void once(unsigned bit, Compute compute) {
-    if ((computed_ & bit) != 0) return;
-    computed_ &= ~bit;
-    check(compute(&work_));
-    computed_ |= bit;
+  operator const hsp_body *() const noexcept { return body_.get(); }
+
+  // For each pose of the other body: whether they meet, how far apart they are, how much they overlap.
+  std::vector<uint32_t> hits(const body &posed, std::span<const hsp_pose> poses) const {
+    return each<uint32_t>(hsp_body_hits, posed, poses);
+  }
+  std::vector<uint32_t> hits(const body &posed, std::span<const hsp_rational_pose> poses) const {
+    return each<uint32_t>(hsp_body_rational_hits, posed, poses);
+  }
+  std::vector<hsp_body_gap> gaps(const body &posed, std::span<const hsp_pose> poses) const {
+    return each<hsp_body_gap>(hsp_body_gaps, posed, poses);
+  }
+  std::vector<hsp_body_gap> gaps(const body &posed, std::span<const hsp_rational_pose> poses) const {
+    return each<hsp_body_gap>(hsp_body_rational_gaps, posed, poses);
+  }
+  std::vector<hsp_body_overlap> overlaps(const body &posed, std::span<const hsp_pose> poses) const {
+    return each<hsp_body_overlap>(hsp_body_overlaps, posed, poses);
+  }
+  // The pairs of balls that meet, the first one's of this body.
+  std::vector<std::array<uint32_t, 2>> pairs(const body &posed, const hsp_pose &pose) const {
+    std::vector<std::array<uint32_t, 2>> found;
+    uint32_t needed = 0;
+    int32_t status = hsp_body_pairs(*this, posed, &pose, nullptr, 0, &needed);
+    if (status == HSP_E_CAPACITY) {
+      found.resize(needed);
+      status = hsp_body_pairs(*this, posed, &pose, found.data()->data(), needed, &needed);
+    }
+    check(status);
+    return found;
   }
 
-  hsp_workspace work_{};
-  hsp_executor executor_{sizeof executor_, 1, nullptr, nullptr, nullptr};
-  unsigned computed_ = 0;
-  uint32_t size_ = 0;
+ private:
+  template <class Answer, class Pose>
+  std::vector<Answer> each(int32_t (*function)(const hsp_body *, const hsp_body *, uint32_t, const Pose *, Answer *,
+                                               uint32_t *),
+                           const body &posed, std::span<const Pose> poses) const {
+    if (poses.size() > UINT32_MAX) throw error(HSP_E_RANGE);
+    std::vector<Answer> answers(poses.size());
+    uint32_t bad = HSP_NONE;
+    const int32_t status =
+        function(*this, posed, static_cast<uint32_t>(poses.size()), poses.data(), answers.data(), &bad);
+    check(status, bad);
+    return answers;
+  }
+
+  std::shared_ptr<const hsp_body> body_;
 };
+
+// Balls of which a few move at a time, with an energy that is always known. error::ball() of move() is a move.
+class moving : public owner {
+ public:
+  moving() = default;
+  moving(std::span<const double> xyz, std::span<const double> radius, const energy_terms &terms,
+         const options &how = {}) {
+    set(xyz, radius, terms, how);
+  }
+
+  moving &set(std::span<const double> xyz, std::span<const double> radius, const energy_terms &terms,
+              const options &how = {}) {
+    const hsp_model_options c = model_options(how);
+    const given_balls balls(xyz, radius);
+    const bool right = terms.sigma.empty() || terms.sigma.size() == radius.size();
+    uint32_t bad = HSP_NONE;
+    size_ = 0;
+    terms_ = terms;
+    sigma_.assign(terms.sigma.begin(), terms.sigma.end());
+    terms_.sigma = {};
+    const int32_t set = hsp_workspace_set(&work_, balls.n, right ? balls.xyz : nullptr, balls.radius, &c, &bad);
+    const int32_t taken = take(set == HSP_OK ? &bad : nullptr);  // none of balls that were refused
+    check(set == HSP_OK ? taken : set, bad);
+    size_ = balls.n;
+    return *this;
+  }
+
+  // Some balls to other centres, with other radii, or one of both. A move that throws leaves all as
+  // it was, or no balls if there is no memory.
+  moving &move(std::span<const uint32_t> balls, std::span<const double> xyz, std::span<const double> radius = {}) {
+    if ((!xyz.empty() && xyz.size() != 3 * balls.size()) || (!radius.empty() && radius.size() != balls.size()))
+      throw error(HSP_E_ARGUMENT);
+    for (;;) {
+      hsp_moving_limits limits = work_.moving_limits;
+      uint32_t bad = HSP_NONE;
+      int32_t status =
+          hsp_moving_move(work_.moving, static_cast<uint32_t>(balls.size()), balls.data(),
+                          xyz.empty() ? nullptr : xyz.data(), radius.empty() ? nullptr : radius.data(), &limits, &bad);
+      if (status != HSP_E_CAPACITY) return check(status, bad), *this;
+      check(hsp_moving_get_model(work_.moving, work_.model));  // into a larger handle
+      status = hsp_workspace_grow_moving(&work_, &limits);
+      check(status == HSP_OK ? take(nullptr) : status);
+    }
+  }
+  // Takes the last move back.
+  moving &undo() { return check(hsp_moving_undo(work_.moving)), *this; }
+
+  hsp_moving *handle() noexcept { return work_.moving; }
+  hsp_energy energy() {
+    hsp_energy found{};
+    check(hsp_moving_gradient(work_.moving, &found, nullptr, nullptr, nullptr, 0, nullptr));
+    return found;
+  }
+  hardsphere::measures measure() {
+    hardsphere::measures found{{}, std::vector<double>(size_), std::vector<double>(size_)};
+    check(hsp_moving_measure(work_.moving, &found.total, found.area.data(), found.volume_term.data(), size_, nullptr));
+    return found;
+  }
+  gradients gradient() {
+    gradients found{{},
+                    std::vector<double>(3 * size_t{size_}),
+                    std::vector<double>(size_),
+                    measure().area,
+                    std::vector<uint32_t>(size_)};
+    check(hsp_moving_gradient(work_.moving, &found.energy, found.d_centre.data(), found.d_radius.data(),
+                              found.flags.data(), size_, nullptr));
+    return found;
+  }
+  // The balls as they are.
+  const hsp_model *model() { return check(hsp_moving_get_model(work_.moving, work_.model)), work_.model; }
+
+ private:
+  int32_t take(uint32_t *bad) {
+    return hsp_workspace_moving(&work_, sigma_.empty() ? nullptr : sigma_.data(), terms_.tension, terms_.pressure,
+                                terms_.tangency, bad);
+  }
+
+  energy_terms terms_{};
+  std::vector<double> sigma_;
+};
+
+#endif  // HSP_HAS_MOTION
 
 // Area and volume of a union of balls, and each ball's part of them.
 inline measures measure(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {

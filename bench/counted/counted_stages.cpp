@@ -17,6 +17,7 @@
 
 #include "branch_predictor.hpp"
 #include "free_space.hpp"
+#include "halved_set.hpp"
 #include "lanes/target.hpp"
 #include "moving_workload.hpp"
 #include "pose_workload.hpp"
@@ -76,6 +77,9 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
     count("surface_gradient", balls, surface, [&] { smooth.gradient(); });
     count("surface_weighted", balls, surface, [&] { smooth.weighted_gradient(); });
   }
+  bench::HalvedSet halves(balls, surface.probe);
+  count_each("brick_summary", balls, surface, halves.owned(), [&] { halves.summarise_first(); });
+  count_each("brick_merge", balls, surface, halves.owned(), [&] { halves.merge(); });
   bench::Topology topology(boundary);
   count("topology", balls, surface, [&] { topology.compute(); });
   const std::vector<double> outside = random_points_near_surface(model, model.size());

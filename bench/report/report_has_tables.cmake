@@ -10,7 +10,7 @@ function(run_suite name filter)
     message(FATAL_ERROR "${name} failed: ${status}")
   endif()
 endfunction()
-foreach(name paper_section_3 paper_section_4_2 paper_section_5_1 topology gradients contacts periodic scaling queries
+foreach(name paper_section_3 paper_section_4_2 paper_section_5_1 topology gradients contacts periodic hessians bricks scaling queries
     split_work moving maps)
   run_suite(bench_${name} /crambin)
 endforeach()

@@ -1729,9 +1729,9 @@ function hsp_brick_summarise(boundary, request, summary, bytes, first_bad)
           Ptr{Csize_t}, Ptr{UInt32}), boundary, request, summary, bytes, first_bad)
 end
 
-function hsp_brick_merge(a, a_bytes, b, b_bytes, summary, bytes, brick)
-    ccall((:hsp_brick_merge, libhardsphere), Int32, (Ptr{UInt8}, Csize_t, Ptr{UInt8}, Csize_t, Ptr{Cvoid},
-          Ptr{Csize_t}, Ptr{UInt32}), a, a_bytes, b, b_bytes, summary, bytes, brick)
+function hsp_brick_merge(a, a_bytes, b, b_bytes, executor, summary, bytes, brick)
+    ccall((:hsp_brick_merge, libhardsphere), Int32, (Ptr{UInt8}, Csize_t, Ptr{UInt8}, Csize_t, Ptr{hsp_executor},
+          Ptr{Cvoid}, Ptr{Csize_t}, Ptr{UInt32}), a, a_bytes, b, b_bytes, executor, summary, bytes, brick)
 end
 
 function hsp_brick_get_totals(summary, bytes, totals, brick)

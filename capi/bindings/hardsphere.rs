@@ -2053,6 +2053,7 @@ extern "C" {
         a_bytes: usize,
         b: *const u8,
         b_bytes: usize,
+        executor: *const hsp_executor,
         summary: *mut c_void,
         bytes: *mut usize,
         brick: *mut u32,

@@ -1,6 +1,7 @@
 /* LAMMPS by its library interface, with a surface energy through `fix external`, on any number of ranks.
  *   mpirun -np N lammps_sasa TENSION bits            position, area and force of each atom, in hexadecimals
- *   mpirun -np 1 lammps_sasa TENSION quotients       the worst difference of forces from quotients, and the largest
+ *   mpirun -np 1 lammps_sasa TENSION quotients       the worst difference of forces from quotients, and the largest;
+ *                                                    then of the virial from quotients by the box
  *   mpirun -np N lammps_sasa TENSION run DT STEPS    NVE: how far the total energy goes, root mean square
  * 512 atoms with forces of Lennard-Jones in a periodic box; units real. To compile, with the LAMMPS of Debian:
  *   mpicc -std=c99 -DLAMMPS_SMALLBIG lammps_sasa.c -llammps $(pkg-config --cflags --libs hardsphere) -o lammps_sasa */
@@ -17,8 +18,8 @@ static const double radius_of_type[2] = {0, 2.0};
 struct client {
   void *lammps;
   surface_forces surface;
-  double *radius, *force; /* force: of the last call, [own][3], LAMMPS's */
-  double energy;          /* of all ranks */
+  double *radius, *force;   /* force: of the last call, [own][3], LAMMPS's */
+  double energy, virial[6]; /* of all ranks; xx yy zz xy xz yz */
   uint32_t own, room;
 };
 
@@ -27,7 +28,8 @@ static void add_forces(void *pointer, int64_t step, int own, int *tags, double *
   struct client *c = pointer;
   const uint32_t all = (uint32_t)lammps_extract_setting(c->lammps, "nall");
   const int *type = lammps_extract_atom(c->lammps, "type");
-  double energy = 0;
+  static const int place[6] = {0, 4, 8, 1, 2, 5};
+  double energy = 0, own_sums[7] = {0}, sums[7];
   (void)step, (void)tags;
   c->own = (uint32_t)own;
   if (all > c->room) {
@@ -43,9 +45,14 @@ static void add_forces(void *pointer, int64_t step, int own, int *tags, double *
     }
     c->force = f[0];
     for (int k = 0; k < 3 * own; ++k) f[0][k] = -c->surface.gradient[k];
+    for (int k = 0; k < 6; ++k) own_sums[1 + k] = -c->surface.strain[place[k]];
   }
-  MPI_Allreduce(&energy, &c->energy, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  own_sums[0] = energy;
+  MPI_Allreduce(own_sums, sums, 7, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  c->energy = sums[0];
+  memcpy(c->virial, sums + 1, sizeof c->virial);
   lammps_fix_external_set_energy_global(c->lammps, "surface", c->energy);
+  lammps_fix_external_set_virial_global(c->lammps, "surface", c->virial);
 }
 
 static void set_up(struct client *c, const char *dt) {
@@ -53,7 +60,7 @@ static void set_up(struct client *c, const char *dt) {
                                       "atom_style atomic",
                                       "atom_modify map array sort 0 0",
                                       "lattice sc 4.4",
-                                      "region box block 0 8 0 8 0 8",
+                                      "region box prism 0 8 0 8 0 8 0 0 0",
                                       "create_box 1 box",
                                       "create_atoms 1 box",
                                       "mass 1 14.027",
@@ -70,7 +77,7 @@ static void set_up(struct client *c, const char *dt) {
   for (const char *const *next = lines; *next != NULL; ++next) lammps_command(c->lammps, *next);
   if (c->surface.tension != 0) {
     lammps_command(c->lammps, "fix surface all external pf/callback 1 1");
-    lammps_command(c->lammps, "fix_modify surface energy yes");
+    lammps_command(c->lammps, "fix_modify surface energy yes virial yes");
     lammps_set_fix_external_callback(c->lammps, "surface", add_forces, c);
     /* Nothing evaluates it: LAMMPS ends a run whose ghosts reach less far than this cutoff and the skin. */
     snprintf(line, sizeof line, "compute ghosts all rdf 1 cutoff %.17g",
@@ -104,6 +111,34 @@ static void print_bits(struct client *c, int rank) {
   free(own);
 }
 
+/* The box and all atoms in it strained to either side, and back. */
+static void print_box_quotients(struct client *c, double h) {
+  static const char *const axes[6] = {"x", "y", "z", "xy", "xz", "yz"};
+  double known[6], worst = 0, largest = 0;
+  lammps_command(c->lammps, "run 0 post no");
+  memcpy(known, c->virial, sizeof known);
+  for (int k = 0; k < 6; ++k) {
+    double energy[2];
+    for (int side = 0; side < 4; ++side) { /* there and back, there and back */
+      const double strain = side / 2 == 0 ? -h : h;
+      const double there = k < 3 ? 1 + strain : strain * 8 * 4.4;
+      char line[100];
+      snprintf(line, sizeof line, "change_box all %s %s %.17g remap units box", axes[k], k < 3 ? "scale" : "delta",
+               side % 2 == 0 ? there
+               : k < 3       ? 1 / there
+                             : -there);
+      lammps_command(c->lammps, line);
+      if (side % 2 == 0) {
+        lammps_command(c->lammps, "run 0 post no");
+        energy[side / 2] = c->energy;
+      }
+    }
+    worst = fmax(worst, fabs(known[k] + (energy[1] - energy[0]) / (2 * h)));
+    largest = fmax(largest, fabs(known[k]));
+  }
+  printf("%.3e %.6f\n", worst, largest);
+}
+
 static void print_quotients(struct client *c) {
   const int atoms = (int)lammps_get_natoms(c->lammps);
   const double h = 1e-4;
@@ -130,6 +165,7 @@ static void print_quotients(struct client *c) {
   printf("%.3e %.6f\n", worst, largest);
   free(tag);
   free(x);
+  print_box_quotients(c, h);
 }
 
 static void print_run(struct client *c, int rank, long steps) {
@@ -163,6 +199,7 @@ int main(int count, char **arguments) {
   c.surface.tension = strtod(arguments[1], NULL);
   c.surface.probe = 1.4;
   c.surface.largest_radius = 2.0;
+  c.surface.with_strain = 1; /* 0 where nothing asks for pressure or its virial: a third of the time less */
   c.lammps = lammps_open(5, quiet, MPI_COMM_WORLD, NULL);
   set_up(&c, count > 3 ? arguments[3] : "1.0");
   switch (arguments[2][0]) {

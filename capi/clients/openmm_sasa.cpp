@@ -2,7 +2,7 @@
 // platform forces are added to the platform's array. OpenMM 8 has CustomCPPForceImpl for this, on all platforms.
 // Prints the worst difference of forces from quotients, the largest force, and how far the total energy goes in NVE.
 //   g++ -O2 -std=c++17 openmm_sasa.cpp $(pkg-config --cflags --libs hardsphere) -lOpenMM -o openmm_sasa
-//   ./openmm_sasa TENSION STEP-IN-PS STEPS
+//   ./openmm_sasa TENSION STEP-IN-PS STEPS [box]         box: periodic, with vectors that are not at right angles
 #include <OpenMM.h>
 #include <openmm/internal/ContextImpl.h>
 #include <openmm/internal/ForceImpl.h>
@@ -17,10 +17,12 @@
 
 class SurfaceForce : public OpenMM::Force {
  public:
-  SurfaceForce(double tension, double probe) : tension(tension), probe(probe) {}
+  SurfaceForce(double tension, double probe, bool periodic) : tension(tension), probe(probe), periodic(periodic) {}
   void add(double r) { radius.push_back(r); }
+  bool usesPeriodicBoundaryConditions() const override { return periodic; }
 
   double tension, probe;
+  bool periodic;
   std::vector<double> radius;
 
  protected:
@@ -46,7 +48,12 @@ class SurfaceForceImpl : public OpenMM::ForceImpl {
     context.getPositions(x_);
     const auto n = static_cast<uint32_t>(x_.size());
     double energy = 0;
-    const int32_t status = surface_forces_compute(&surface_, n, n, &x_[0][0], owner_.radius.data(), &energy);
+    OpenMM::Vec3 box[3];
+    if (owner_.periodic) context.getPeriodicBoxVectors(box[0], box[1], box[2]);
+    const int32_t status =
+        owner_.periodic
+            ? surface_forces_compute_in_box(&surface_, n, &x_[0][0], owner_.radius.data(), &box[0][0], &energy)
+            : surface_forces_compute(&surface_, n, n, &x_[0][0], owner_.radius.data(), &energy);
     if (status != HSP_OK) throw OpenMM::OpenMMException(hsp_status_text(status));
     if (forces) {
       auto *data = reinterpret_cast<OpenMM::ReferencePlatform::PlatformData *>(context.getPlatformData());
@@ -69,14 +76,15 @@ OpenMM::ForceImpl *SurfaceForce::createImpl() const {
 }
 
 int main(int count, char **arguments) {
-  if (count != 4) {
-    std::fprintf(stderr, "usage: openmm_sasa TENSION DT STEPS\n");
+  if (count != 4 && count != 5) {
+    std::fprintf(stderr, "usage: openmm_sasa TENSION DT STEPS [box]\n");
     return 2;
   }
+  const bool periodic = count == 5;
   const double tension = std::atof(arguments[1]), dt = std::atof(arguments[2]);
   OpenMM::System system;
   auto *pairs = new OpenMM::NonbondedForce;
-  auto *surface = new SurfaceForce(tension, 0.14);
+  auto *surface = new SurfaceForce(tension, 0.14, periodic);
   std::vector<OpenMM::Vec3> x;
   for (int i = 0; i < 216; ++i) {
     system.addParticle(39.95);
@@ -84,6 +92,12 @@ int main(int count, char **arguments) {
     surface->add(0.19);
     x.push_back(OpenMM::Vec3(i % 6, i / 6 % 6, i / 36) * 0.375 +
                 OpenMM::Vec3(std::sin(i), std::cos(3 * i), std::sin(7 * i)) * 0.01);
+  }
+  if (periodic) {
+    system.setDefaultPeriodicBoxVectors({2.25, 0, 0}, {0.6, 2.25, 0}, {-0.5, 0.7, 2.25});
+    pairs->setNonbondedMethod(OpenMM::NonbondedForce::CutoffPeriodic);
+    pairs->setUseSwitchingFunction(true);
+    pairs->setSwitchingDistance(0.8);
   }
   system.addForce(pairs);
   system.addForce(surface);

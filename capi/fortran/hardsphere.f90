@@ -2526,13 +2526,14 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_brick_merge(a, a_bytes, b, b_bytes, summary, bytes, brick) result(status) &
+    function hsp_brick_merge(a, a_bytes, b, b_bytes, executor, summary, bytes, brick) result(status) &
       bind(C, name="hsp_brick_merge")
-      import :: c_int32_t, c_int8_t, c_ptr, c_size_t
+      import :: c_int32_t, c_int8_t, c_ptr, c_size_t, hsp_executor
       integer(c_int8_t), intent(in) :: a(*)  ! a_bytes
       integer(c_size_t), value :: a_bytes
       integer(c_int8_t), intent(in) :: b(*)  ! b_bytes
       integer(c_size_t), value :: b_bytes
+      type(hsp_executor), intent(in), optional :: executor
       type(c_ptr), value :: summary
       integer(c_size_t), intent(inout) :: bytes
       integer(c_int32_t), intent(inout), optional :: brick

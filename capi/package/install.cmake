@@ -50,7 +50,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere-fortran.cmake DESTIN
 if(BUILD_SHARED_LIBS)
   set(HSP_PYTHON_FOLDER ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages CACHE STRING "Where the Python module goes")
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/python/hardsphere DESTINATION ${HSP_PYTHON_FOLDER}
-    COMPONENT hardsphere_python FILES_MATCHING PATTERN "*.py")
+    COMPONENT hardsphere_python FILES_MATCHING PATTERN "*.py" PATTERN "py.typed")
   install(FILES ${PROJECT_SOURCE_DIR}/capi/clients/lammps_fix.py DESTINATION ${HSP_PYTHON_FOLDER}/hardsphere
     COMPONENT hardsphere_python)
 endif()

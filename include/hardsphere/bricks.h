@@ -68,21 +68,24 @@ HSP_API int32_t HSP_CALL hsp_brick_summarise(const hsp_boundary *boundary, const
 /** Merge two summaries, a [a_bytes] and b [b_bytes], into a third one. summary has *bytes bytes, as for
  *  hsp_brick_summarise, and overlaps neither; once is enough to be called again. Seams that a and b share vanish, and
  *  what is complete is added up and, unless it is kept, gone: summaries grow with what is open alone. brick may be
- *  NULL, else it becomes the brick at fault, or HSP_NONE where there is none to name.
+ *  NULL, else it becomes the brick at fault, or HSP_NONE where there is none to name. executor may be NULL; whether
+ *  to go on is asked of it, its threads share nothing.
  *  - Property 1: once all bricks are in, totals are the same for every order and tree of merges, bit for bit.
  *
  *  Cost: O(a_bytes + b_bytes), and a logarithm of the number of bricks in them for each seam.
  *  @retval HSP_E_ARGUMENT  a, b or bytes is NULL, or summary with *bytes above 0; bricks of other lattices, of another
- *                          number of bricks or with other flags: *brick is the first in b
- *  @retval HSP_E_VERSION   a summary of a newer version
+ *                          number of bricks or with other flags: *brick is the first in b; an executor with several
+ *                          workers and without run
+ *  @retval HSP_E_VERSION   a summary of a newer version, or bad struct_size of executor
  *  @retval HSP_E_CAPACITY  *bytes do not suffice; nothing but *bytes is written
  *  @retval HSP_E_ID        a brick is in both: *brick
  *  @retval HSP_E_RANGE     more than 2^32 records together
  *  @retval HSP_E_CONFLICT  *brick lacks a seam that its neighbour has: one of them lacked balls that meet its own, or
  *                          they are not parts of one set
- *  @retval HSP_E_DAMAGED   bytes that are no summary, or not as they were written */
+ *  @retval HSP_E_DAMAGED   bytes that are no summary, or not as they were written
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
 HSP_API int32_t HSP_CALL hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes,
-                                         void *summary, size_t *bytes, uint32_t *brick);
+                                         const hsp_executor *executor, void *summary, size_t *bytes, uint32_t *brick);
 
 /** Totals of the whole. Frozen. */
 typedef struct hsp_brick_totals {

@@ -5,20 +5,10 @@
 # Exit status 77: LAMMPS's library or MPI is missing here; packages lammps, liblammps-dev, openmpi-bin, libopenmpi-dev.
 set -euo pipefail
 source=$1 archive=$2 work=$3
-export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 here=$(cd "$(dirname "$0")" && pwd)
 # shellcheck source=compile_line.sh
 . "$here/compile_line.sh"
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work"
-printf '#include <lammps/library.h>\n' >probe.c
-if ! command -v mpicc >/dev/null || ! mpicc -DLAMMPS_SMALLBIG -DLAMMPS_LIB_MPI -c probe.c 2>/dev/null; then
-  echo "skipped: there is no LAMMPS with MPI here" && exit 77
-fi
-mpirun -n 1 true >log 2>&1 || { echo "skipped: $(grep -m 1 . log)" && exit 77; }
-mpicc -std=c99 -Wall -Wextra -Werror -DLAMMPS_SMALLBIG -I"$source/include" -c "$source/capi/clients/lammps_sasa.c" \
-  -o warned.o
+enter_with_lammps "$source" "$work" lammps_sasa.c
 compile_by_its_line "$source" "$archive" lammps_sasa.c
 
 for ranks in 1 2 4; do
@@ -28,7 +18,8 @@ done
 cmp bits.1 bits.2
 cmp bits.1 bits.4
 ./lammps_sasa 0.0072 quotients >quotients
-awk '{ if (!($1 < 1e-7 && $2 > 0.01)) { print "forces: " $0; exit 1 } }' quotients
+awk '{ if (!($1 < (NR == 1 ? 1e-7 : 5e-3) && $2 > (NR == 1 ? 0.01 : 100))) bad = 1 } END { exit bad || NR != 2 }' quotients ||
+  { echo "forces, virial:" && cat quotients && exit 1; }
 # Spheres that come to touch, or cease to, change a force at once: the error falls with the step, not with its square.
 for run in "4 480" "2 960" "1 1920"; do
   read -ra words <<<"$run"
@@ -36,4 +27,4 @@ for run in "4 480" "2 960" "1 1920"; do
 done >kept
 awk '{ rms[NR] = $1 } END { exit !(NR == 3 && rms[1] > rms[3] * 3 && rms[2] > rms[3] && rms[3] < 0.02) }' kept ||
   { echo "the total energy goes by" && cat kept && exit 1; }
-echo "512 atoms, the same bits with 1, 2 and 4 ranks; quotients $(cat quotients); energy goes by" $(cat kept)
+echo "512 atoms, the same bits with 1, 2 and 4 ranks; quotients" $(cat quotients) "energy goes by" $(cat kept)

@@ -7,6 +7,7 @@ cd "$1"
 folders="lib capi include tests bench fuzz .github .ci"
 
 # A page of capi/guide may cite the program that its blocks in C make, which has its name; that of README.md is water.c.
+# hardsphere.cpp is in a release, made by .ci/one_file.py.
 # A file is cited by its path from the root, from lib/, a wing of it, capi/, include/ or tests/, from the citing file's folder, or by its name.
 find $folders ./*.* -type f | sed 's,^\./,,' | awk '
   function in_wing(name,   wing) {
@@ -14,7 +15,7 @@ find $folders ./*.* -type f | sed 's,^\./,,' | awk '
     return 0
   }
   function exists(name, from,   page) {
-    if (from == "README.md" && name == "water.c") return 1
+    if (from == "README.md" && name == "water.c" || name == "hardsphere.cpp") return 1
     page = "capi/guide/" name
     if (sub(/\.(c|f90)$/, ".md", page) && from == page) return 1
     sub(/[^\/]*$/, "", from)

@@ -63,7 +63,7 @@ MAIN
 } >"$work/cases.cpp"
 
 wings=("$source"/lib/*/)
-arm-none-eabi-g++ "${flags[@]}" -std=c++20 -Os -DNDEBUG -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics \
+arm-none-eabi-g++ "${flags[@]}" -std=c++20 -Os -DNDEBUG -ffp-contract=off -DHSP_NO_CONTRACTION=1 -fno-exceptions -fno-rtti -fno-threadsafe-statics \
   -ffunction-sections -fdata-sections -I"$source/include" "${wings[@]/#/-I}" -I"$source/tests/unit" -I"$source/tests/unit/support" \
   -I"$here" -c "$work/cases.cpp" -o "$work/cases.o"
 sed -e "s/@RAM@/4M/g" -e "s/@STACK@/64K/g" "$here/memory.ld.in" >"$work/memory.ld"

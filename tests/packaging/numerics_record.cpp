@@ -13,9 +13,11 @@
 
 #include "molecule_file.hpp"
 #include "owned_handle.hpp"
+#include "random_numbers.hpp"
+#if HSP_HAS_SMOOTH && HSP_HAS_SIGHT  // the core as one file has neither
 #include "owned_surfaces.hpp"
 #include "owned_views.hpp"
-#include "random_numbers.hpp"
+#endif
 
 namespace {
 
@@ -158,6 +160,7 @@ void print_measures(const std::string &set, const hsp_boundary *boundary, uint32
   print(set, "area_rows", rows);
 }
 
+#if HSP_HAS_SMOOTH && HSP_HAS_SIGHT
 int32_t take_bytes(void *hash, const char *bytes, size_t count) {
   static_cast<Hash *>(hash)->add(bytes, count);
   return 0;
@@ -265,6 +268,42 @@ void print_sticks(const std::string &set, const support::BallList &balls) {
   print_range(set, "sticks_faces", sticks.get(), map.faces, hsp_sticks_get_faces);
 }
 
+void print_surface(const std::string &set, const hsp_boundary *boundary, uint32_t n) {
+  support::OwnedSurface surface;
+  surface.take(support::surface_limits_for(boundary));
+  surface.compute(
+      [&](hsp_surface *handle, hsp_surface_limits *limits) { return hsp_surface_compute(handle, boundary, limits); });
+  hsp_surface_totals surface_totals;
+  std::vector<hsp_surface_totals> shares(n);
+  expect_ok(hsp_surface_measure(surface.get(), &surface_totals, shares.data(), n, nullptr), "hsp_surface_measure");
+  print_one(set, "surface", surface_totals);
+  print(set, "surface_shares", shares);
+  hsp_gradient_request request{};
+  request.struct_size = sizeof request;
+  request.tangency = HSP_TANGENT_OVERLAP;
+  request.tension = 0.75;
+  request.pressure = 0.25;
+  hsp_energy energy;
+  std::vector<double> centre(3 * size_t{n}), radius(n);
+  hsp_gradient_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = n;
+  outputs.energy = &energy;
+  outputs.d_centre = centre.data();
+  outputs.d_radius = radius.data();
+  expect_ok(hsp_surface_get_gradient(surface.get(), &request, &outputs), "hsp_surface_get_gradient");
+  print_used(set, "surface_energy", energy);
+  print(set, "surface_gradient_centres", centre);
+  print(set, "surface_gradient_radii", radius);
+}
+
+#else
+void print_surface(const std::string &, const hsp_boundary *, uint32_t) {}
+void print_views(const std::string &, const hsp_model *, const hsp_boundary *, uint32_t) {}
+void print_maps(const std::string &, const hsp_model *, uint32_t) {}
+void print_sticks(const std::string &, const support::BallList &) {}
+#endif
+
 void print_set(const std::string &name, const support::BallList &balls, double probe) {
   const std::string set = "stable " + name + (probe > 0.0 ? " probe" : " bare");
   const std::string provisional_set = "provisional " + name + (probe > 0.0 ? " probe" : " bare");
@@ -293,32 +332,7 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   print_all(set, "balls", boundary, hsp_boundary_get_balls);
   print_measures(set, boundary, n);
 
-  support::OwnedSurface surface;
-  surface.take(support::surface_limits_for(boundary));
-  surface.compute(
-      [&](hsp_surface *handle, hsp_surface_limits *limits) { return hsp_surface_compute(handle, boundary, limits); });
-  hsp_surface_totals surface_totals;
-  std::vector<hsp_surface_totals> shares(n);
-  expect_ok(hsp_surface_measure(surface.get(), &surface_totals, shares.data(), n, nullptr), "hsp_surface_measure");
-  print_one(provisional_set, "surface", surface_totals);
-  print(provisional_set, "surface_shares", shares);
-  hsp_gradient_request request{};
-  request.struct_size = sizeof request;
-  request.tangency = HSP_TANGENT_OVERLAP;
-  request.tension = 0.75;
-  request.pressure = 0.25;
-  hsp_energy energy;
-  std::vector<double> centre(3 * size_t{n}), radius(n);
-  hsp_gradient_outputs outputs{};
-  outputs.struct_size = sizeof outputs;
-  outputs.capacity = n;
-  outputs.energy = &energy;
-  outputs.d_centre = centre.data();
-  outputs.d_radius = radius.data();
-  expect_ok(hsp_surface_get_gradient(surface.get(), &request, &outputs), "hsp_surface_get_gradient");
-  print_used(provisional_set, "surface_energy", energy);
-  print(provisional_set, "surface_gradient_centres", centre);
-  print(provisional_set, "surface_gradient_radii", radius);
+  print_surface(provisional_set, boundary, n);
 
   support::OwnedTopology topology;
   topology.take(support::topology_limits_for(boundary));

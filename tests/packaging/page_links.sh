@@ -23,7 +23,7 @@ fail() {
 }
 
 # Clients lie beside the examples, as their pages link to them.
-for client in lammps_fix.py lammps_sasa.c openmm_sasa.cpp exact_sasa.f90 smooth_energy.h surface_forces.h; do
+for client in brick_summaries.h lammps_components.c lammps_fix.py lammps_sasa.c openmm_sasa.cpp exact_sasa.f90 smooth_energy.h surface_forces.h plumed/HspSurface.cpp; do
   [ -e "$(dirname "$guide")/clients/$client" ] || fail "clients/$client is missing beside the guide"
 done
 lines=$(wc -l <"$readme")

@@ -33,7 +33,7 @@ if [ -z "$objects" ]; then
       *) echo "$unit.o $unit -DHSP_TARGET=baseline" ;;
     esac
   done | xargs -P 2 -L 1 "$cxx" "${wide[@]}" -std=c++20 -O2 -I"$source/include" "${wings[@]/#/-I}" \
-    -ffp-contract=off -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics -fcallgraph-info=su \
+    -ffp-contract=off -DHSP_NO_CONTRACTION=1 -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics -fcallgraph-info=su \
     -fstack-usage -c -o
 fi
 bash "$here/header_functions.sh" "$source" >entries

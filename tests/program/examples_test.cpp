@@ -572,6 +572,21 @@ TEST(Examples, BricksHaveTheWholesVoids) {
   EXPECT_EQ(run("2", true).out, whole.out);
   EXPECT_TRUE(std::filesystem::remove(folder + "/7.brick"));
   EXPECT_EQ(run("2", true).out, whole.out);
+  // Three at a time, of which one dies: the last one makes what is missing.
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  const auto part = [&](const char *number) {
+    return run_example("bricks", {file.path(), "2", "2", "2", "6", "5", "4", "2", folder, number, "3"});
+  };
+  for (const char *number : {"0", "2"}) {
+    const Outcome some = part(number);
+    EXPECT_EQ(some.status, 0) << some.err;
+    EXPECT_EQ(some.out, "");
+  }
+  const std::filesystem::directory_iterator summaries(folder);
+  EXPECT_EQ(std::distance(begin(summaries), end(summaries)), 12);
+  EXPECT_EQ(run("2", true).out, whole.out);
+  EXPECT_EQ(part("3").status, 2);
   // Of other bricks, and half of one.
   EXPECT_EQ(run("3", true).status, 1);
   std::filesystem::resize_file(folder + "/7.brick", 100);

@@ -16,7 +16,7 @@ import numpy
 from MDAnalysis.transformations import set_dimensions
 
 import hardsphere
-from hardsphere.mdanalysis import SASA
+from hardsphere.mdanalysis import SASA, Pockets
 
 FOLDER = tempfile.TemporaryDirectory()  # MDAnalysis writes beside a trajectory
 RUN = shutil.copy(f"{SOURCE}/tests/program/inputs/crambin.xtc", FOLDER.name)
@@ -52,6 +52,25 @@ class Trajectory(unittest.TestCase):
         self.assertTrue((among.results.areas == whole).all())
         with self.assertRaises(ValueError):
             SASA(self.universe.atoms, environment=atoms)
+
+    def test_pockets_are_those_of_the_frames(self):
+        run = Pockets(self.universe.atoms, narrow=0.8, wide=3.0, least=1.0).run()
+        radii = [hardsphere.radius_of(e.capitalize()) for e in self.universe.atoms.elements]
+        self.assertEqual(len(run.results.pockets), len(self.universe.trajectory))
+        for frame, found, volume in zip(self.universe.trajectory, run.results.pockets, run.results.volume):
+            own = [p for p in hardsphere.pockets(self.universe.atoms.positions, radii, 0.8, 3.0) if (p.volume or 0) >= 1]
+            self.assertEqual([p.volume for p in found], [p.volume for p in own])
+            self.assertTrue(0 < len(found) and volume == sum(p.volume for p in own))
+        # From a file with the digits of this frame, the program says the same.
+        with tempfile.TemporaryDirectory() as folder:
+            self.universe.trajectory[0]
+            with open(f"{folder}/frame.xyzr", "w") as file:
+                for at, radius in zip(self.universe.atoms.positions.astype(float), radii):
+                    file.write(f"{at[0]!r} {at[1]!r} {at[2]!r} {radius!r}\n")
+            listed = json.loads(subprocess.run([os.environ["HSP_PROGRAM"], "pores", file.name, "--probe", "0.8", "--pockets", "3",
+                                                "--json"], capture_output=True, text=True, check=True).stdout)
+        volumes = sorted((p["volume"] for p in listed["pocket_list"] if (p["volume"] or 0) >= 1), reverse=True)
+        self.assertTrue(numpy.allclose([p.volume for p in run.results.pockets[0]], volumes, rtol=1e-9))
 
     def test_a_box(self):
         def area(side, box):

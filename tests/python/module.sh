@@ -29,17 +29,36 @@ mkdir -p "$work"
 "$python" "$here/exported.py" "$archive" "$work/libhardsphere.so.2" "$cc"
 export PYTHONDONTWRITEBYTECODE=1 HSP_SOURCE=$source HSP_PROGRAM=$program
 if [ "$variant" = wheel ]; then
-  wheel=$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work")
-  mkdir "$work/again"
-  cmp "$wheel" "$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work/again")"
+  mkdir "$work/again" "$work/alone"
+  wheel=$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work" "$program")
+  cmp "$wheel" "$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work/again" "$program")"
+  # The platform by what symbols ask for, of the library and of a file that asks for more.
+  alone=$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work/alone")
+  newer=$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work/alone" /usr/bin/env)
+  if command -v objdump >/dev/null && [[ $alone = *linux_x86_64.whl ]]; then
+    for file in "$alone" "$newer"; do
+      files=("$work/libhardsphere.so.2")
+      [ "$file" = "$alone" ] || files+=(/usr/bin/env)
+      least=$(for f in "${files[@]}"; do objdump -T "$f"; done | grep -oE 'GLIBC_[0-9]+\.[0-9]+' | sort -u -t. -k 2n | tail -n 1)
+      [[ $file = *py3-none-manylinux_$(tr . _ <<<"${least#GLIBC_}")_x86_64.whl ]] ||
+        { echo "$file, and symbols ask for $least" && exit 1; }
+    done
+  fi
   shot='import hardsphere, os
 assert os.path.dirname(hardsphere.library._name) == os.path.dirname(hardsphere.__file__), hardsphere.library._name
 print(f"{hardsphere.measure([[0, 0, 0], [1, 0, 0]], [1, 1]).area:.6f}")'
   "$python" -c 'import sys, zipfile; zipfile.ZipFile(sys.argv[1]).extractall(sys.argv[2])' "$wheel" "$work/unpacked"
   [ "$(cd / && PYTHONPATH=$work/unpacked "$python" -c "$shot")" = 18.849556 ]
+  file='import hardsphere, sys
+print(f"{hardsphere.read(sys.argv[1]).balls(probe=1.4).area:.6f}")'
+  chmod +x "$work/unpacked/hardsphere/hardsphere" # as installers do
+  area() { (cd / && PATH=/none PYTHONPATH=$1 "$python" -c "$file" "$source/bench/molecules/crambin.pdb"); }
+  [ "$(area "$work/unpacked")" = 2971.323016 ]
   if installer=$(command -v pip3) && "$installer" --version >"$work/pip" 2>&1; then
     "$installer" install --quiet --disable-pip-version-check --no-index --no-deps --target "$work/installed" "$wheel"
     [ "$(cd / && PYTHONPATH=$work/installed "$python" -c "$shot")" = 18.849556 ]
+    [ "$(area "$work/installed")" = 2971.323016 ]
+    (cd / && PYTHONPATH=$work/installed "$work/installed/bin/hardsphere" --version)
   fi
   if "$python" -m venv --without-pip "$work/environment" 2>"$work/venv"; then
     site=$("$work/environment/bin/python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
@@ -49,6 +68,7 @@ print(f"{hardsphere.measure([[0, 0, 0], [1, 0, 0]], [1, 1]).area:.6f}")'
   echo "$(basename "$wheel"): $(stat -c %s "$wheel") bytes"
   exit 0
 fi
+export HARDSPHERE_PROGRAM=$program
 export HARDSPHERE_LIBRARY=$work/libhardsphere.so.2 PYTHONPATH=$source/capi/python:$here
 [ "$variant" != lists ] || export HSP_WITHOUT_NUMPY=1
 exec "$python" "$here/${test}_test.py"

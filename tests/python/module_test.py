@@ -1,6 +1,7 @@
 """The Python module against the program, closed forms and the record of the binary interface."""
 import inspect
 import math
+import tempfile
 import unittest
 from xml.etree import ElementTree
 
@@ -346,6 +347,95 @@ class Bricks(unittest.TestCase):
         with self.assertRaises(hardsphere.Error) as damaged:
             hardsphere.brick_merge(first[:-8], second)
         self.assertEqual(damaged.exception.status, hardsphere.E_DAMAGED)
+
+
+class AsPeopleTypeIt(unittest.TestCase):
+    """One call for a question, files, and tables."""
+
+    def test_files(self):
+        molecule = hardsphere.read(CRAMBIN)
+        self.assertEqual((plain(molecule.centers), plain(molecule.radii)), (CENTERS, RADII))
+        self.assertEqual(len(molecule), 327)
+        self.assertIn("327 atoms", repr(molecule))
+        self.assertEqual((molecule.atom[1], molecule.element[3], molecule.residue[0], molecule.number[326], molecule.chain[5]),
+                         ("CA", "O", "THR", 46, "A"))
+        self.assertEqual(molecule.balls(1.4).area, said("measure", CRAMBIN, "--probe", "1.4")["area"])
+        some = hardsphere.read(CRAMBIN, radii="protor", only="residue:CYS", no_water=True)
+        self.assertEqual(set(some.residue), {"CYS"})
+        self.assertEqual(some.input["radii"], "protor")
+        columns = molecule.table()
+        self.assertEqual({len(column) for column in columns.values()}, {327})
+        self.assertEqual(plain(columns["z"])[326], CENTERS[326][2])
+        bare = hardsphere.read(f"{SOURCE}/tests/program/inputs/good/one.xyzr")
+        self.assertEqual((bare.atom, bare.number, len(plain(bare.centers)[0])), ([""], [None], 3))
+        for wrong, why in ((lambda: hardsphere.read("/none.pdb"), "none.pdb"),
+                           (lambda: hardsphere.read(CRAMBIN, onyl="chain:A"), "onyl"),
+                           (lambda: hardsphere.read(CRAMBIN, only="chain:Q"), "no atoms are left")):
+            with self.assertRaisesRegex(ValueError, why):
+                wrong()
+
+    def test_voids_and_contacts(self):
+        found = said("voids", CRAMBIN, "--probe", "0.5")["voids"]
+        self.assertEqual([v.volume for v in hardsphere.voids(CENTERS, RADII, 0.5)],
+                         sorted((v["volume"] for v in found), reverse=True))
+        contacts = hardsphere.contacts(CENTERS, RADII)
+        self.assertEqual(len(contacts), len(hardsphere.Balls(CENTERS, RADII).contacts()))
+        self.assertEqual(len(hardsphere.contacts(CENTERS, RADII, groups=[i % 2 for i in range(327)])), 1)
+
+    def test_pockets(self):
+        for probe in 1.0, 0.6:
+            found = said("pores", CRAMBIN, "--probe", str(probe), "--pockets", "3", "--balls")["pocket_list"]
+            volumes = sorted((-1 if p["volume"] is None else p["volume"] for p in found), reverse=True)
+            pockets = hardsphere.pockets(CENTERS, RADII, probe, 3.0)
+            self.assertGreater(len(pockets), 5)
+            for pocket, volume in zip(pockets, volumes):
+                self.assertAlmostEqual(-1 if pocket.volume is None else pocket.volume, volume, 9)
+            lined = {tuple(p["xyz"]): p for p in found}
+            for pocket in pockets:
+                known = lined[tuple(plain(pocket.center))]
+                self.assertEqual((pocket.radius, plain(pocket.balls), pocket.mouths),
+                                 (known["radius"], known["balls"], len(known["mouths"])))
+                self.assertEqual(pocket.mouth, known["mouth_radius"] if pocket.mouths else 0.0)
+        self.assertEqual(hardsphere.pockets([[0, 0, 0]], [1]), [])
+
+    def test_meshes_in_files(self):
+        mesh = hardsphere.surface_mesh(CENTERS, RADII, 1.5, probe=1.4, smooth=True)
+        with tempfile.TemporaryDirectory() as folder:
+            for kind in "ply", "obj":
+                mesh.write(f"{folder}/mesh.{kind}")
+                with open(f"{folder}/mesh.{kind}") as file:
+                    rows = [row.split() for row in file]
+                if kind == "ply":
+                    at = rows.index(["end_header"])
+                    self.assertIn(["element", "vertex", str(len(mesh.vertices))], rows[:at])
+                    rows = rows[at + 1:]
+                    vertices = [row[:3] for row in rows[:len(mesh.vertices)]]
+                    self.assertEqual([int(row[6]) for row in rows[:len(mesh.vertices)]], plain(mesh.balls))
+                    faces = [row[1:] for row in rows[len(mesh.vertices):]]
+                else:
+                    vertices = [row[1:] for row in rows if row[0] == "v"]
+                    faces = [[int(corner.split("//")[0]) - 1 for corner in row[1:]] for row in rows if row[0] == "f"]
+                self.assertEqual([list(map(int, face)) for face in faces], [list(t) for t in plain(mesh.triangles)])
+                volume = 0.0
+                for a, b, c in faces:  # of the tetrahedra over the faces
+                    (x, y, z), (u, v, w), (p, q, r) = ([float(t) for t in vertices[int(k)]] for k in (a, b, c))
+                    volume += (x * (v * r - w * q) + y * (w * p - u * r) + z * (u * q - v * p)) / 6
+                exact = hardsphere.Balls(CENTERS, RADII, probe=1.4).surface().totals.volume
+                self.assertLess(abs(volume / exact - 1), 0.05)
+            with self.assertRaisesRegex(ValueError, "is no .ply or .obj file"):
+                mesh.write(f"{folder}/mesh.stl")
+
+    def test_tables(self):
+        contacts = hardsphere.contacts(CENTERS, RADII)
+        table = hardsphere.table(contacts)
+        self.assertEqual(list(table), ["area", "rim", "distance", "ball_0", "ball_1", "chords", "flags"])
+        self.assertEqual([(i, j) for i, j in zip(plain(table["ball_0"]), plain(table["ball_1"]))],
+                         [tuple(field(contact, "ball")) for contact in contacts])
+        self.assertEqual(plain(table["area"]), [field(contact, "area") for contact in contacts])
+        voids = hardsphere.voids(CENTERS, RADII, 0.5)
+        self.assertEqual(hardsphere.table(voids)["volume"], [v.volume for v in voids])
+        self.assertEqual(len(hardsphere.table(voids)["balls"]), len(voids))
+        self.assertEqual(hardsphere.table([]), {})
 
 
 class Wrong(unittest.TestCase):

@@ -1,8 +1,10 @@
 /* A crystal that no memory holds: copies of a molecule in bricks of cells, made on the fly and computed one by one.
- *   bricks FILE.xyzr AX BY CZ  NX NY NZ  CELLS [FOLDER]      x y z r on each line
+ *   bricks FILE.xyzr AX BY CZ  NX NY NZ  CELLS [FOLDER [PART PARTS]]      x y z r on each line
  * The cell has the sides AX, BY and CZ; there are NX NY NZ of them, and a brick has CELLS along each axis. Components,
  * voids, Euler number, area and volume of all are those that one piece would have. Ctrl-C stops it. With a FOLDER,
- * which has to be there, summaries of finished bricks are kept in it, and another run goes on from these. */
+ * which has to be there, summaries of finished bricks are kept in it, and another run goes on from these. Several runs
+ * at a time, on one machine or many, with PART 0 to PARTS - 1, make some of the bricks each and print nothing; a last
+ * run without PART merges them. */
 #include <hardsphere_workspace.h>
 #include <signal.h>
 #include <stdio.h>
@@ -10,6 +12,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "../../clients/brick_summaries.h"
 #include "../read_balls.h"
 
 static volatile sig_atomic_t interrupted = 0;
@@ -23,10 +26,9 @@ static int32_t HSP_CALL proceed(void *context) {
 }
 static const hsp_executor stopping = {sizeof stopping, 1, NULL, NULL, proceed};
 
-/* A summary and how many bytes it has; of the bricks from `place` on in the order of work. */
+/* A summary of the bricks from `place` on in the order of work. */
 struct block {
-  uint8_t *byte;
-  size_t bytes;
+  brick_summary summary;
   uint64_t place;
 };
 
@@ -36,6 +38,7 @@ struct crystal {
   double largest_radius;
   int cells[3], size, bricks[3];
   const char *folder;
+  uint32_t part, parts;
   hsp_workspace work;
   struct balls balls; /* of the brick that is computed, with those around it */
   uint64_t *id;
@@ -114,7 +117,7 @@ static int make_brick(struct crystal *crystal, const int first[3], uint32_t bric
   return 1;
 }
 
-static int32_t compute(struct crystal *crystal, uint32_t brick, struct block *summary) {
+static int32_t compute(struct crystal *crystal, uint32_t brick, brick_summary *summary) {
   const hsp_boundary_request asked = {sizeof asked, 0, &stopping, NULL};
   const uint32_t all = (uint32_t)(crystal->bricks[0] * crystal->bricks[1] * crystal->bricks[2]);
   const hsp_brick_request request = {sizeof request, brick, all, 0, crystal->id, crystal->owner, &stopping};
@@ -126,20 +129,11 @@ static int32_t compute(struct crystal *crystal, uint32_t brick, struct block *su
     status = hsp_workspace_set(&crystal->work, balls->count, balls->xyz, balls->radius, &options, NULL);
   }
   if (status == HSP_OK) status = hsp_workspace_boundary_with(&crystal->work, &asked);
-  while (status == HSP_OK) {
-    status = hsp_brick_summarise(crystal->work.boundary, &request, summary->byte, &summary->bytes, NULL);
-    if (status != HSP_E_CAPACITY) break;
-    free(summary->byte);
-    summary->byte = malloc(summary->bytes);
-    status = summary->byte != NULL ? HSP_OK : HSP_E_MEMORY;
-  }
-  uint8_t *const shorter = status == HSP_OK ? realloc(summary->byte, summary->bytes) : NULL;
-  if (shorter != NULL) summary->byte = shorter;
-  return status;
+  return status == HSP_OK ? brick_summary_make(crystal->work.boundary, &request, summary) : status;
 }
 
 /* Reads the summary of an earlier run; 0 if there is none. */
-static int read_summary(const char *path, struct block *summary) {
+static int read_summary(const char *path, brick_summary *summary) {
   FILE *const file = fopen(path, "rb");
   if (file == NULL) return 0;
   long size = -1;
@@ -153,7 +147,7 @@ static int read_summary(const char *path, struct block *summary) {
 }
 
 /* Under another name first, so that a run that dies leaves no half of one. */
-static int write_summary(const char *path, const struct block *summary) {
+static int write_summary(const char *path, const brick_summary *summary) {
   char half[600];
   snprintf(half, sizeof half, "%s.half", path);
   FILE *const file = fopen(half, "wb");
@@ -162,7 +156,7 @@ static int write_summary(const char *path, const struct block *summary) {
   return fclose(file) == 0 && good && rename(half, path) == 0;
 }
 
-static int32_t summarise(struct crystal *crystal, const int first[3], struct block *summary) {
+static int32_t summarise(struct crystal *crystal, const int first[3], brick_summary *summary) {
   const uint32_t brick = brick_at(crystal, first);
   char path[512];
   if (crystal->folder != NULL) {
@@ -176,25 +170,11 @@ static int32_t summarise(struct crystal *crystal, const int first[3], struct blo
 }
 
 static int32_t merge(struct block *into, struct block *last) {
-  struct block merged = {NULL, 0, into->place};
   uint32_t brick = HSP_NONE;
-  int32_t status = hsp_brick_merge(into->byte, into->bytes, last->byte, last->bytes, NULL, &merged.bytes, &brick);
-  if (status == HSP_E_CAPACITY) {
-    merged.byte = malloc(merged.bytes);
-    if (merged.byte == NULL) return HSP_E_MEMORY;
-    status = hsp_brick_merge(into->byte, into->bytes, last->byte, last->bytes, merged.byte, &merged.bytes, &brick);
-  }
+  const int32_t status = brick_summary_merge(&into->summary, &last->summary, &stopping, &brick);
   if (status != HSP_OK) {
     fprintf(stderr, "brick %ld: %s\n", brick == HSP_NONE ? -1L : (long)brick, hsp_status_text(status));
-    free(merged.byte);
-    return status;
   }
-  uint8_t *const shorter = realloc(merged.byte, merged.bytes);
-  if (shorter != NULL) merged.byte = shorter;
-  free(into->byte);
-  free(last->byte);
-  *into = merged;
-  last->byte = NULL;
   return status;
 }
 
@@ -230,11 +210,17 @@ static int32_t run(struct crystal *crystal, struct block *waiting, uint32_t *cou
     for (int bit = 0; bit < 63; ++bit) first[2 - bit % 3] |= (int)(order[k] >> bit & 1) << bit / 3;
     for (int axis = 0; axis < 3; ++axis) first[axis] *= crystal->size;
     struct block *const last = &waiting[*count];
-    *last = (struct block){NULL, 0, order[k]};
-    status = summarise(crystal, first, last);
+    if (k % crystal->parts != crystal->part) continue;
+    *last = (struct block){{NULL, 0}, order[k]};
+    status = summarise(crystal, first, &last->summary);
+    fprintf(stderr, "\r%u of %u bricks", (unsigned)(k + 1), (unsigned)all);
+    if (crystal->parts > 1) {
+      free(last->summary.byte);
+      continue;
+    }
     *count += 1;
     size_t waits = 0;
-    for (uint32_t w = 0; w < *count; ++w) waits += waiting[w].bytes;
+    for (uint32_t w = 0; w < *count; ++w) waits += waiting[w].summary.bytes;
     if (waits > *most) *most = waits;
     const uint64_t next = k + 1 < all ? order[k + 1] : UINT64_MAX;
     for (int level = 1; level < 64 && status == HSP_OK; ++level) {
@@ -245,14 +231,13 @@ static int32_t run(struct crystal *crystal, struct block *waiting, uint32_t *cou
         if (status == HSP_OK) *count -= 1;
       }
     }
-    fprintf(stderr, "\r%u of %u bricks", (unsigned)(k + 1), (unsigned)all);
   }
   fprintf(stderr, "\n");
   free(order);
   return status;
 }
 
-static int print_totals(const struct block *whole, size_t most, double seconds) {
+static int print_totals(const brick_summary *whole, size_t most, double seconds) {
   hsp_brick_totals t;
   uint32_t brick = HSP_NONE;
   const int32_t status = hsp_brick_get_totals(whole->byte, whole->bytes, &t, &brick);
@@ -272,6 +257,7 @@ static int print_totals(const struct block *whole, size_t most, double seconds) 
 static int prepare(struct crystal *crystal, char **argument) {
   if (!read_balls(argument[1], &crystal->molecule) || crystal->molecule.count == 0) return 0;
   crystal->size = atoi(argument[8]);
+  if (crystal->part >= crystal->parts) return 0;
   for (int k = 0; k < 3; ++k) {
     crystal->side[k] = atof(argument[2 + k]);
     crystal->cells[k] = atoi(argument[5 + k]);
@@ -297,19 +283,21 @@ int main(int arguments, char **argument) {
   uint32_t count = 0;
   size_t most = 0;
   memset(&crystal, 0, sizeof crystal);
-  if (arguments < 9 || arguments > 10 || !prepare(&crystal, argument)) {
-    fprintf(stderr, "usage: bricks FILE.xyzr AX BY CZ NX NY NZ CELLS [FOLDER]\n");
+  crystal.folder = arguments > 9 ? argument[9] : NULL;
+  crystal.part = arguments == 12 ? (uint32_t)atoi(argument[10]) : 0;
+  crystal.parts = arguments == 12 ? (uint32_t)atoi(argument[11]) : 1;
+  if (arguments < 9 || arguments == 11 || arguments > 12 || !prepare(&crystal, argument)) {
+    fprintf(stderr, "usage: bricks FILE.xyzr AX BY CZ NX NY NZ CELLS [FOLDER [PART PARTS]]\n");
     free_balls(&crystal.molecule);
     return 2;
   }
-  if (arguments == 10) crystal.folder = argument[9];
   signal(SIGINT, interrupt);
   const clock_t begin = clock();
   const int32_t status = run(&crystal, waiting, &count, &most);
   const double seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
   if (status != HSP_OK) fprintf(stderr, "%s\n", hsp_status_text(status));
-  const int good = status == HSP_OK && print_totals(&waiting[0], most, seconds);
-  while (count > 0) free(waiting[--count].byte);
+  const int good = status == HSP_OK && (crystal.parts > 1 || print_totals(&waiting[0].summary, most, seconds));
+  while (count > 0) free(waiting[--count].summary.byte);
   free_balls(&crystal.molecule);
   free_balls(&crystal.balls);
   free(crystal.id);

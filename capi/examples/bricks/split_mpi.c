@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../clients/brick_summaries.h"
 #include "../read_balls.h"
 
 struct ball {
@@ -32,11 +33,6 @@ struct part {
   double *xyz, *radius, *area, *area_centre;
   uint64_t *id;
   uint32_t *owner;
-};
-
-struct block {
-  uint8_t *byte;
-  size_t bytes;
 };
 
 static int rank, ranks;
@@ -218,7 +214,7 @@ static struct part exchange(struct ball *own, int count, const struct region *re
 
 /* ---- a brick ----------------------------------------------------------------------------------------------------- */
 
-static int32_t compute(struct part *part, uint32_t brick, uint32_t bricks, struct block *summary) {
+static int32_t compute(struct part *part, uint32_t brick, uint32_t bricks, brick_summary *summary) {
   hsp_workspace work = {0};
   hsp_model_options options;
   const uint32_t n = part->count;
@@ -232,56 +228,14 @@ static int32_t compute(struct part *part, uint32_t brick, uint32_t bricks, struc
   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, NULL, NULL, part->area, NULL, n, NULL);
   if (status == HSP_OK) status = hsp_boundary_get_derivatives(work.boundary, NULL, &outputs);
-  *summary = (struct block){NULL, 0};
-  while (status == HSP_OK) {
-    status = hsp_brick_summarise(work.boundary, &request, summary->byte, &summary->bytes, NULL);
-    if (status != HSP_E_CAPACITY) break;
-    free(summary->byte);
-    summary->byte = need(malloc(summary->bytes));
-    status = HSP_OK;
-  }
+  *summary = (brick_summary){NULL, 0};
+  if (status == HSP_OK) status = brick_summary_make(work.boundary, &request, summary);
   hsp_workspace_free(&work);
   if (status != HSP_OK) {
     fprintf(stderr, "split_mpi: rank %d: %s\n", rank, hsp_status_text(status));
     summary->bytes = 0; /* which no rank takes for a summary */
   }
   return status;
-}
-
-/* Merges what another rank sends. A rank that has failed sends nothing, which is damaged, and so does the next one. */
-static void take(int from, struct block *summary) {
-  MPI_Status status;
-  int count = 0;
-  MPI_Probe(from, 0, MPI_COMM_WORLD, &status);
-  MPI_Get_count(&status, MPI_BYTE, &count);
-  struct block other = {need(malloc((size_t)count + 1)), (size_t)count}, merged = {NULL, 0};
-  MPI_Recv(other.byte, count, MPI_BYTE, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  uint32_t brick;
-  int32_t failed = hsp_brick_merge(summary->byte, summary->bytes, other.byte, other.bytes, NULL, &merged.bytes, &brick);
-  if (failed == HSP_E_CAPACITY) {
-    merged.byte = need(malloc(merged.bytes));
-    failed =
-        hsp_brick_merge(summary->byte, summary->bytes, other.byte, other.bytes, merged.byte, &merged.bytes, &brick);
-  }
-  if (failed != HSP_OK) {
-    fprintf(stderr, "split_mpi: summaries of ranks %d and %d: %s\n", rank, from, hsp_status_text(failed));
-    merged.bytes = 0;
-  }
-  free(other.byte);
-  free(summary->byte);
-  *summary = merged;
-}
-
-/* Down a binary tree to rank 0; returns how many bytes this rank has sent. */
-static uint64_t merge_all(struct block *summary) {
-  for (int step = 1; step < ranks; step *= 2) {
-    if ((rank & step) != 0) {
-      MPI_Send(summary->byte, (int)summary->bytes, MPI_BYTE, rank - step, 0, MPI_COMM_WORLD);
-      return summary->bytes;
-    }
-    if (rank + step < ranks) take(rank + step, summary);
-  }
-  return 0;
 }
 
 /* ---- results ----------------------------------------------------------------------------------------------------- */
@@ -317,7 +271,7 @@ static int write_areas(const char *path, const struct part *part) {
 static int is_as_in_one_piece(const struct ball *first, int *counts, int *places, uint64_t n, const struct part *part,
                               const hsp_brick_totals *totals) {
   struct ball *const all = need(malloc(((size_t)n + 1) * sizeof *all));
-  struct block summary;
+  brick_summary summary;
   hsp_brick_totals of_one;
   MPI_Allgatherv(first, counts[rank], of_ball, all, counts, places, of_ball, MPI_COMM_WORLD);
   for (uint64_t i = 0; i < n; ++i) all[i].owner = 0;
@@ -353,10 +307,10 @@ static int run(const char *path, const char *further) {
   struct region *const region = find_regions(first, counts[rank]);
   struct part part = exchange(first, counts[rank], region);
   for (uint32_t i = 0; i < part.count; ++i) figures[0] += part.owner[i] != (uint32_t)rank;
-  struct block summary;
+  brick_summary summary;
   hsp_brick_totals totals;
   int good = compute(&part, (uint32_t)rank, (uint32_t)ranks, &summary) == HSP_OK;
-  figures[1] = merge_all(&summary);
+  figures[1] = brick_summary_reduce(&summary, MPI_COMM_WORLD);
   MPI_Reduce(figures, sums, 2, MPI_UINT64_T, MPI_SUM, 0, MPI_COMM_WORLD);
   memset(&totals, 0, sizeof totals);
   if (rank == 0) {

@@ -14,10 +14,13 @@ import ctypes as C
 from typing import Any
 
 from ._calls import Handle, Record, call, describe
+from .arrays import Doubles, Integers, Numbers, Records, Rows, Truths, Values
 
 # ---- constants
 '''
 HINTS = {"double": "float", "char": "str"}
+ARRAYS_IN = {"uint32_t": "Integers", "int32_t": "Integers", "uint8_t": "Truths | bytes"}
+ARRAYS_OUT = {"double": "Doubles", "uint32_t": "Numbers"}
 
 
 def python_module(interface):
@@ -174,7 +177,7 @@ def parameters_of(interface, function, owner):
         if a.kind == "value":
             found.append((a.name, HINTS.get(a.base, "int"), False))
         elif a.kind in ("array_in", "struct_in"):
-            found.append((a.name, class_name(a.base) if a.kind == "struct_in" else "Any", optional))
+            found.append((a.name, class_name(a.base) if a.kind == "struct_in" else array_hint(a), optional))
         elif a.kind == "handle":
             found.append((a.name, class_name(a.base), optional))
         elif a.kind == "string":
@@ -189,6 +192,16 @@ def parameters_of(interface, function, owner):
     return sorted(found, key=lambda parameter: parameter[2]), after
 
 
+def array_hint(argument):
+    if argument.base == "double":
+        return "Rows" if len(argument.extents) > 1 else "Rows | Values" if argument.extents == ["9"] else "Values"
+    return ARRAYS_IN.get(argument.base, "Any")
+
+
+def array_back(interface, argument):
+    return "Records" if argument.base in interface.structs else ARRAYS_OUT.get(argument.base, "Any")
+
+
 def named_fields(interface, argument):
     """The fields of a request or of options, and of options in these, as a caller passes them."""
     found = []
@@ -198,11 +211,12 @@ def named_fields(interface, argument):
         elif f.kind == "sized_in":
             found += named_fields(interface, f)
         else:
-            found.append((f.name, HINTS.get(f.base, "int") if f.kind == "value" and not f.extents else "Any", True))
+            hint = HINTS.get(f.base, "int") if f.kind == "value" and not f.extents else array_hint(f)
+            found.append((f.name, hint, True))
     return found
 
 
-def outputs_of(function):
+def outputs_of(interface, function):
     """What comes back: name and hint."""
     found = []
     for a in function.arguments:
@@ -214,7 +228,7 @@ def outputs_of(function):
             elif f.kind == "struct_out":
                 found.append((f.name, class_name(f.base)))
             elif f.kind == "array_out":
-                found.append((f.name, "Any"))
+                found.append((f.name, array_back(interface, f)))
         if a.kind == "callback":
             found.append(("bytes", "bytes"))
     return found
@@ -229,7 +243,7 @@ def method_rows(interface, function, owner):
     parts += [f"{python_name(n)}: {hint}{' | None = None' if optional else ''}" for n, hint, optional in positional]
     if named:
         parts += ["*"] + [f"{python_name(n)}: {hint} | None = None" for n, hint, _ in named]
-    outputs = outputs_of(function)
+    outputs = outputs_of(interface, function)
     if function.result != "int32_t":
         hint = "str" if function.result == "const char *" else "int"
     else:

@@ -27,7 +27,8 @@ static double distance_to(const struct molecule *molecule, const struct stick_pa
   way(molecule, stick->ball[0], ball, to);
   const double length = sqrt(dot(axis, axis)), along = length > 0.0 ? dot(axis, to) / length : 0.0;
   const double across = sqrt(fmax(0.0, dot(to, to) - along * along)) - radius_of_stick(parts, stick);
-  return hypot(fmax(0.0, across), fmax(0.0, fmax(-along, along - length)));
+  const double beside = fmax(0.0, across), behind = fmax(0.0, fmax(-along, along - length));
+  return sqrt(beside * beside + behind * behind); /* hypot is of glibc 2.35 and rounds as each library likes */
 }
 
 /* The least radius of a ball with which its own sticks do not meet outside of it: sticks.h. */

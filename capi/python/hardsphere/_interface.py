@@ -5,6 +5,7 @@ import ctypes as C
 from typing import Any
 
 from ._calls import Handle, Record, call, describe
+from .arrays import Doubles, Integers, Numbers, Records, Rows, Truths, Values
 
 # ---- constants
 
@@ -926,7 +927,7 @@ class PictureOptions(Record):
 class Model(Handle):
     noun = "model"
 
-    def set(self, xyz: Any, radius: Any, *, probe: float | None = None, step: float | None = None,
+    def set(self, xyz: Rows, radius: Values, *, probe: float | None = None, step: float | None = None,
             largest_radius: float | None = None) -> Model:
         """Take n balls: round them to the lattice, hash them into cubes."""
         return call("hsp_model_set", self, xyz=xyz, radius=radius, probe=probe, step=step,
@@ -945,19 +946,19 @@ class Model(Handle):
         """The figures of Section 2, and by flags whether the set meets the conditions of Theorem 2.1 at all."""
         return call("hsp_model_get_packing", self)
 
-    def query_point(self, xyz: Any) -> Any:
+    def query_point(self, xyz: Values) -> Numbers:
         """The balls that contain the point xyz [3]."""
         return call("hsp_query_point", self, xyz=xyz)
 
-    def query_ball(self, xyz: Any, radius: float) -> Any:
+    def query_ball(self, xyz: Values, radius: float) -> Numbers:
         """The balls that meet the ball with centre xyz [3] and the given radius."""
         return call("hsp_query_ball", self, xyz=xyz, radius=radius)
 
-    def query_meets(self, xyz: Any, radius: float) -> int:
+    def query_meets(self, xyz: Values, radius: float) -> int:
         """Whether any ball meets the ball with centre xyz [3] and the given radius: *meets becomes 1 or 0."""
         return call("hsp_query_meets", self, xyz=xyz, radius=radius)
 
-    def query_neighbours(self, ball: int) -> Any:
+    def query_neighbours(self, ball: int) -> Numbers:
         """The other balls that meet ball `ball` of the model."""
         return call("hsp_query_neighbours", self, ball=ball)
 
@@ -966,7 +967,7 @@ class Model(Handle):
         + 1] - 1], ascending. Gives .first, .ids."""
         return call("hsp_query_pairs", self, flags=flags)
 
-    def query_ray(self, origin: Any, direction: Any) -> RayHit:
+    def query_ray(self, origin: Values, direction: Values) -> RayHit:
         """The first ball on the ray from origin [3] along direction [3], a vector of any length but 0: the ball that
         has the first point of the ray that lies in any ball; of several such balls the one with the lowest index."""
         return call("hsp_query_ray", self, origin=origin, direction=direction)
@@ -984,42 +985,42 @@ class Body(Handle):
         """Take the balls of a model."""
         return call("hsp_body_set", self, model=model)
 
-    def hits(self, posed: Body, pose: Any) -> Any:
+    def hits(self, posed: Body, pose: Any) -> Numbers:
         """Whether any ball of the posed body meets one of the body at rest, for each pose [poses]: hit [poses] becomes
         1 or 0."""
         return call("hsp_body_hits", self, posed=posed, pose=pose)
 
-    def hits_along(self, posed: Body, pose: Any, margin: float) -> Any:
+    def hits_along(self, posed: Body, pose: Any, margin: float) -> Numbers:
         """The same answers, sooner for the frames of a motion, of which each is near the one before."""
         return call("hsp_body_hits_along", self, posed=posed, pose=pose, margin=margin)
 
-    def gaps(self, posed: Body, pose: Any) -> Any:
+    def gaps(self, posed: Body, pose: Any) -> Records:
         """The least gap for each pose [poses]: gap [poses]."""
         return call("hsp_body_gaps", self, posed=posed, pose=pose)
 
-    def overlaps(self, posed: Body, pose: Any) -> Any:
+    def overlaps(self, posed: Body, pose: Any) -> Records:
         """How much the bodies overlap, the penalty that docking codes want, for each pose [poses]: overlap [poses]."""
         return call("hsp_body_overlaps", self, posed=posed, pose=pose)
 
-    def pairs(self, posed: Body, pose: Pose) -> Any:
+    def pairs(self, posed: Body, pose: Pose) -> Numbers:
         """All pairs of balls that meet in one pose: pair [needed][2], the ball at rest first, ascending."""
         return call("hsp_body_pairs", self, posed=posed, pose=pose)
 
-    def rational_hits(self, posed: Body, pose: Any) -> Any:
+    def rational_hits(self, posed: Body, pose: Any) -> Numbers:
         """As hsp_body_hits, for each rational pose [poses], which moves a body as truly rigid: no ball is put on the
         lattice again, and whether two balls meet is decided about the ideal ones, in integers of 256 bits where doubles
         leave a doubt."""
         return call("hsp_body_rational_hits", self, posed=posed, pose=pose)
 
-    def rational_hits_along(self, posed: Body, pose: Any, margin: float) -> Any:
+    def rational_hits_along(self, posed: Body, pose: Any, margin: float) -> Numbers:
         """As hsp_body_hits_along, for each rational pose [poses]: the answers of hsp_body_rational_hits."""
         return call("hsp_body_rational_hits_along", self, posed=posed, pose=pose, margin=margin)
 
-    def rational_gaps(self, posed: Body, pose: Any) -> Any:
+    def rational_gaps(self, posed: Body, pose: Any) -> Records:
         """As hsp_body_gaps, for each rational pose [poses]: of the ideal balls."""
         return call("hsp_body_rational_gaps", self, posed=posed, pose=pose)
 
-    def rational_pairs(self, posed: Body, pose: RationalPose) -> Any:
+    def rational_pairs(self, posed: Body, pose: RationalPose) -> Numbers:
         """As hsp_body_pairs, for a rational pose."""
         return call("hsp_body_rational_pairs", self, posed=posed, pose=pose)
 
@@ -1031,7 +1032,8 @@ class Boundary(Handle):
         """Compute the boundary of the union of the model's balls."""
         return call("hsp_boundary_compute", self, model=model)
 
-    def compute_with(self, model: Model, *, threads: int | None = None, selected: Any | None = None) -> Boundary:
+    def compute_with(self, model: Model, *, threads: int | None = None,
+                     selected: Truths | bytes | None = None) -> Boundary:
         """The same as hsp_boundary_compute, as a request says; request may be NULL: all defaults."""
         return call("hsp_boundary_compute_with", self, model=model, threads=threads, selected=selected)
 
@@ -1039,31 +1041,31 @@ class Boundary(Handle):
         """How many of everything the boundary has."""
         return call("hsp_boundary_get_counts", self)
 
-    def get_vertices(self) -> Any:
+    def get_vertices(self) -> Records:
         """The vertices; index in the array = vertex id used by hsp_arc."""
         return call("hsp_boundary_get_vertices", self)
 
-    def get_arcs(self) -> Any:
+    def get_arcs(self) -> Records:
         """The arcs, each once; index in the array = arc id used by hsp_loop_arc."""
         return call("hsp_boundary_get_arcs", self)
 
-    def get_circles(self) -> Any:
+    def get_circles(self) -> Records:
         """The free circles; index in the array = circle id used by hsp_loop."""
         return call("hsp_boundary_get_circles", self)
 
-    def get_faces(self) -> Any:
+    def get_faces(self) -> Records:
         """The faces; index in the array = face id; faces of one ball are consecutive."""
         return call("hsp_boundary_get_faces", self)
 
-    def get_loops(self) -> Any:
+    def get_loops(self) -> Records:
         """The loops, face after face: counts.loops records."""
         return call("hsp_boundary_get_loops", self)
 
-    def get_loop_arcs(self) -> Any:
+    def get_loop_arcs(self) -> Records:
         """The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records."""
         return call("hsp_boundary_get_loop_arcs", self)
 
-    def get_balls(self) -> Any:
+    def get_balls(self) -> Records:
         """One record per ball, in the caller's order."""
         return call("hsp_boundary_get_balls", self)
 
@@ -1071,12 +1073,13 @@ class Boundary(Handle):
         """Check the invariants of a computed boundary: what fuzzers and careful callers call. Gives .invariant, .id."""
         return call("hsp_boundary_check", self)
 
-    def measure(self, selected: Any | None = None, *, only: Any | None = None) -> Any:
+    def measure(self, selected: Truths | bytes | None = None, *, only: Any | None = None) -> Any:
         """Area and volume of the union, and each ball's terms of both, or those of some balls while the others only
         block. Gives .totals, .area, .volume_term."""
         return call("hsp_boundary_measure", self, selected=selected, only=only)
 
-    def get_measures(self, *, selected: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
+    def get_measures(self, *, selected: Truths | bytes | None = None, threads: int | None = None,
+                     only: Any | None = None) -> Any:
         """The same as a request says; request may be NULL: all defaults. Gives .totals, .area, .volume_term."""
         return call("hsp_boundary_get_measures", self, selected=selected, threads=threads, only=only)
 
@@ -1086,23 +1089,23 @@ class Boundary(Handle):
         return call("hsp_boundary_measure_faces", self, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
+                     sigma: Values | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """An energy and its gradient, in one pass. Gives .energy, .d_centre, .d_radius, .flags, .area."""
         return call("hsp_boundary_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads, only=only)
 
-    def get_derivatives(self, *, tangency: int | None = None, sigma: Any | None = None, threads: int | None = None,
+    def get_derivatives(self, *, tangency: int | None = None, sigma: Values | None = None, threads: int | None = None,
                         only: Any | None = None) -> Any:
         """The two parts of that gradient, each on its own. Gives .area_centre, .area_radius, .volume_centre,
         .volume_radius, .flags."""
         return call("hsp_boundary_get_derivatives", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
-    def get_area_row(self, ball: int, tangency: int) -> Any:
+    def get_area_row(self, ball: int, tangency: int) -> Records:
         """The derivatives of A_i, i = ball: an entry for i itself and one for every j whose circle on i has a free
         piece, ascending in j; all others are 0."""
         return call("hsp_boundary_get_area_row", self, ball=ball, tangency=tangency)
 
-    def get_area_rows(self, *, tangency: int | None = None, sigma: Any | None = None, threads: int | None = None,
+    def get_area_rows(self, *, tangency: int | None = None, sigma: Values | None = None, threads: int | None = None,
                       only: Any | None = None) -> Any:
         """The whole Jacobian of the areas as compressed rows: those of ball i are entries first[i] to first[i + 1] - 1,
         with ball [needed] the columns j, ascending, d_centre [needed][3] sigma_i dA_i/dc_j and d_radius [needed], which
@@ -1115,7 +1118,7 @@ class Boundary(Handle):
         return call("hsp_boundary_curvature", self, only=only)
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
-                        bending: float | None = None, gaussian: float | None = None, sigma: Any | None = None,
+                        bending: float | None = None, gaussian: float | None = None, sigma: Values | None = None,
                         threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy and its gradient in one pass; balls that touch count as overlapping. Gives .energy,
         .d_centre, .d_radius, .flags."""
@@ -1123,7 +1126,7 @@ class Boundary(Handle):
                     gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
     def get_hessian_rows(self, *, tangency: int | None = None, tension: float | None = None,
-                         pressure: float | None = None, sigma: Any | None = None, threads: int | None = None,
+                         pressure: float | None = None, sigma: Values | None = None, threads: int | None = None,
                          only: Any | None = None) -> Any:
         """The second derivatives of E by the centres, as compressed rows of 3x3 blocks: those of ball i are entries
         first[i] to first[i + 1] - 1, with ball [needed] the columns j, ascending, i among them, and block
@@ -1131,8 +1134,8 @@ class Boundary(Handle):
         return call("hsp_boundary_get_hessian_rows", self, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads, only=only)
 
-    def get_hessian_product(self, direction: Any, *, tangency: int | None = None, tension: float | None = None,
-                            pressure: float | None = None, sigma: Any | None = None, threads: int | None = None,
+    def get_hessian_product(self, direction: Rows, *, tangency: int | None = None, tension: float | None = None,
+                            pressure: float | None = None, sigma: Values | None = None, threads: int | None = None,
                             only: Any | None = None) -> Any:
         """product [n][3] becomes H times direction [n][3], without storage; the two may not overlap. Gives .product,
         .flags."""
@@ -1140,7 +1143,7 @@ class Boundary(Handle):
                     pressure=pressure, sigma=sigma, threads=threads, only=only)
 
     def brick_summarise(self, *, brick: int | None = None, bricks: int | None = None, flags: int | None = None,
-                        id: Any | None = None, owner: Any | None = None, threads: int | None = None) -> int:
+                        id: Any | None = None, owner: Integers | None = None, threads: int | None = None) -> int:
         """Write the summary of a brick, of a boundary of all balls of its model."""
         return call("hsp_brick_summarise", self, brick=brick, bricks=bricks, flags=flags, id=id, owner=owner,
                     threads=threads)
@@ -1149,24 +1152,24 @@ class Boundary(Handle):
 class Moving(Handle):
     noun = "moving"
 
-    def set(self, model: Model, tension: float, pressure: float, tangency: int, sigma: Any | None = None) -> Moving:
+    def set(self, model: Model, tension: float, pressure: float, tangency: int, sigma: Values | None = None) -> Moving:
         """Take the balls of a model, and the energy that is to be known: sigma [n], NULL for all ones, tension,
         pressure and tangency are those of hsp_gradient_request."""
         return call("hsp_moving_set", self, model=model, tension=tension, pressure=pressure, tangency=tangency,
                     sigma=sigma)
 
     def set_with(self, model: Model, *, tangency: int | None = None, tension: float | None = None,
-                 pressure: float | None = None, sigma: Any | None = None, threads: int | None = None) -> Moving:
+                 pressure: float | None = None, sigma: Values | None = None, threads: int | None = None) -> Moving:
         """The same as hsp_moving_set, of the energy that a request says; request may be NULL: all defaults."""
         return call("hsp_moving_set_with", self, model=model, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads)
 
-    def move(self, ball: Any, xyz: Any | None = None, radius: Any | None = None) -> Moving:
+    def move(self, ball: Integers, xyz: Rows | None = None, radius: Values | None = None) -> Moving:
         """Move some balls: ball [count] to the centres xyz [count][3], with the radii radius [count], the probe not
         included."""
         return call("hsp_moving_move", self, ball=ball, xyz=xyz, radius=radius)
 
-    def move_with(self, ball: Any, xyz: Any | None = None, radius: Any | None = None, *,
+    def move_with(self, ball: Integers, xyz: Rows | None = None, radius: Values | None = None, *,
                   threads: int | None = None) -> Moving:
         """The same as hsp_moving_move, as a request says; request may be NULL: all defaults."""
         return call("hsp_moving_move_with", self, ball=ball, xyz=xyz, radius=radius, threads=threads)
@@ -1190,12 +1193,12 @@ class Moving(Handle):
         .d_centre, .d_radius, .flags."""
         return call("hsp_moving_gradient", self, only=only)
 
-    def get_balls(self, ball: Any) -> Any:
+    def get_balls(self, ball: Integers) -> Records:
         """Some balls with all that is known of them: out [count] of ball [count], in this order; the same may be listed
         again."""
         return call("hsp_moving_get_balls", self, ball=ball)
 
-    def get_changed(self) -> Any:
+    def get_changed(self) -> Numbers:
         """The balls of which anything may have changed by the last move, or by taking it back, ascending: those that
         moved, those that they met or meet, and those whose terms of the volume are about another origin now."""
         return call("hsp_moving_get_changed", self)
@@ -1217,11 +1220,11 @@ class Contacts(Handle):
         """The same as hsp_contacts_compute, as a request says; request may be NULL: all defaults."""
         return call("hsp_contacts_compute_with", self, boundary=boundary, threads=threads)
 
-    def get_pairs(self) -> Any:
+    def get_pairs(self) -> Records:
         """All contacts, ascending in their balls."""
         return call("hsp_contacts_get_pairs", self)
 
-    def get_row(self, ball: int) -> Any:
+    def get_row(self, ball: int) -> Records:
         """The contacts of one ball, ascending in the other one."""
         return call("hsp_contacts_get_row", self, ball=ball)
 
@@ -1230,7 +1233,7 @@ class Contacts(Handle):
         NULL and else hold capacity >= n entries. Gives .totals, .share_volume, .contact_area."""
         return call("hsp_contacts_measure", self, only=only)
 
-    def group(self, group: Any) -> Any:
+    def group(self, group: Integers) -> Records:
         """Sums over the contacts between groups of balls, as residues or chains: for every two different groups that
         have any, ascending."""
         return call("hsp_contacts_group", self, group=group)
@@ -1239,7 +1242,7 @@ class Contacts(Handle):
         """The simplices of the dual complex by dimension and kind."""
         return call("hsp_contacts_get_complex", self)
 
-    def get_simplices(self, dimension: int) -> Any:
+    def get_simplices(self, dimension: int) -> Records:
         """The triangles (dimension 2) or tetrahedra (3), in no particular order."""
         return call("hsp_contacts_get_simplices", self, dimension=dimension)
 
@@ -1252,13 +1255,13 @@ class Contacts(Handle):
 class Periodic(Handle):
     noun = "periodic"
 
-    def compute(self, xyz: Any, radius: Any, box: Any, *, probe: float | None = None, step: float | None = None,
-                largest_radius: float | None = None) -> Periodic:
+    def compute(self, xyz: Rows, radius: Values, box: Rows | Values, *, probe: float | None = None,
+                step: float | None = None, largest_radius: float | None = None) -> Periodic:
         """Take n balls and a box, and compute boundary, contacts and components."""
         return call("hsp_periodic_compute", self, xyz=xyz, radius=radius, box=box, probe=probe, step=step,
                     largest_radius=largest_radius)
 
-    def compute_with(self, xyz: Any, radius: Any, box: Any, *, areas_alone: int | None = None,
+    def compute_with(self, xyz: Rows, radius: Values, box: Rows | Values, *, areas_alone: int | None = None,
                      probe: float | None = None, step: float | None = None, largest_radius: float | None = None,
                      threads: int | None = None) -> Periodic:
         """The same as hsp_periodic_compute, as a request says."""
@@ -1281,39 +1284,39 @@ class Periodic(Handle):
         return call("hsp_periodic_curvature", self, only=only)
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
-                        bending: float | None = None, gaussian: float | None = None, sigma: Any | None = None,
+                        bending: float | None = None, gaussian: float | None = None, sigma: Values | None = None,
                         threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call: as
         hsp_boundary_get_morphometry. Gives .energy, .d_centre, .d_radius, .flags, .d_strain, .d_box."""
         return call("hsp_periodic_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
                     gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
-    def get_contacts(self) -> Any:
+    def get_contacts(self) -> Records:
         """All contacts, each once, ascending in their balls and shifts."""
         return call("hsp_periodic_get_contacts", self)
 
-    def group_contacts(self, group: Any) -> Any:
+    def group_contacts(self, group: Integers) -> Records:
         """Sums over the contacts between groups of balls, as hsp_contacts_group; images belong to the groups of their
         balls."""
         return call("hsp_periodic_group_contacts", self, group=group)
 
-    def get_windings(self) -> Any:
+    def get_windings(self) -> Records:
         """The components, in the order of their first balls."""
         return call("hsp_periodic_get_windings", self)
 
-    def get_components(self) -> Any:
+    def get_components(self) -> Numbers:
         """The component of each ball: component [n]."""
         return call("hsp_periodic_get_components", self)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
+                     sigma: Values | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """An energy and its derivatives by the balls and by the box, as hsp_boundary_get_gradient. Gives .energy,
         .d_centre, .d_radius, .flags, .d_strain, .d_box, .area."""
         return call("hsp_periodic_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads, only=only)
 
     def get_hessian_rows(self, *, tangency: int | None = None, tension: float | None = None,
-                         pressure: float | None = None, sigma: Any | None = None, threads: int | None = None,
+                         pressure: float | None = None, sigma: Values | None = None, threads: int | None = None,
                          only: Any | None = None) -> Any:
         """The second derivatives of the same energy by the centres, as hsp_boundary_get_hessian_rows
         (hardsphere/hessian.h) has them for a union in free space: compressed rows of 3x3 blocks, one for each two balls
@@ -1321,16 +1324,16 @@ class Periodic(Handle):
         return call("hsp_periodic_get_hessian_rows", self, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads, only=only)
 
-    def query_point(self, xyz: Any) -> Any:
+    def query_point(self, xyz: Values) -> Records:
         """The balls and images that contain the point xyz [3], wherever it is, ascending in balls and shifts."""
         return call("hsp_periodic_query_point", self, xyz=xyz)
 
-    def query_ball(self, xyz: Any, radius: float) -> Any:
+    def query_ball(self, xyz: Values, radius: float) -> Records:
         """The balls and images that meet the ball with centre xyz [3] and the given radius, wherever it is, ascending
         in balls and shifts."""
         return call("hsp_periodic_query_ball", self, xyz=xyz, radius=radius)
 
-    def query_neighbours(self, ball: int) -> Any:
+    def query_neighbours(self, ball: int) -> Records:
         """The balls and images that meet ball `ball` where it was given, ascending in balls and shifts; itself is none
         of them, but its images may be."""
         return call("hsp_periodic_query_neighbours", self, ball=ball)
@@ -1345,31 +1348,31 @@ class Periodic(Handle):
         little in common. Gives .invariant, .id."""
         return call("hsp_periodic_check", self)
 
-    def get_vertices(self) -> Any:
+    def get_vertices(self) -> Records:
         """The vertices: counts.vertices records."""
         return call("hsp_periodic_get_vertices", self)
 
-    def get_arcs(self) -> Any:
+    def get_arcs(self) -> Records:
         """The arcs: counts.arcs records."""
         return call("hsp_periodic_get_arcs", self)
 
-    def get_circles(self) -> Any:
+    def get_circles(self) -> Records:
         """The free circles: counts.circles records."""
         return call("hsp_periodic_get_circles", self)
 
-    def get_faces(self) -> Any:
+    def get_faces(self) -> Records:
         """The faces: counts.faces records; faces of one ball are consecutive."""
         return call("hsp_periodic_get_faces", self)
 
-    def get_loops(self) -> Any:
+    def get_loops(self) -> Records:
         """The loops, face after face: counts.loops records."""
         return call("hsp_periodic_get_loops", self)
 
-    def get_loop_arcs(self) -> Any:
+    def get_loop_arcs(self) -> Records:
         """The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records."""
         return call("hsp_periodic_get_loop_arcs", self)
 
-    def get_balls(self) -> Any:
+    def get_balls(self) -> Records:
         """Each ball as the boundary has it, as hsp_boundary_get_balls: one record per ball, in the caller's order."""
         return call("hsp_periodic_get_balls", self)
 
@@ -1381,13 +1384,13 @@ class Surface(Handle):
         """Compute the surface over a computed boundary."""
         return call("hsp_surface_compute", self, boundary=boundary)
 
-    def compute_shells(self, boundary: Boundary, shells: Any) -> Surface:
+    def compute_shells(self, boundary: Boundary, shells: Integers) -> Surface:
         """The same for a chosen part of the boundary: shells [count] of it, numbered as in hsp_face.shell, in any
         order."""
         return call("hsp_surface_compute_shells", self, boundary=boundary, shells=shells)
 
     def compute_with(self, boundary: Boundary, *, count: int | None = None, threads: int | None = None,
-                     shells: Any | None = None) -> Surface:
+                     shells: Integers | None = None) -> Surface:
         """The same as hsp_surface_compute or hsp_surface_compute_shells, as a request says; request may be NULL: all
         defaults."""
         return call("hsp_surface_compute_with", self, boundary=boundary, count=count, threads=threads, shells=shells)
@@ -1401,7 +1404,7 @@ class Surface(Handle):
         return call("hsp_surface_measure", self, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
+                     sigma: Values | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """E = tension * sum_i sigma_i A_i + pressure * V of the smooth surface and its gradient, in one pass, with A_i
         ball i's share of the area as hsp_surface_measure has it. Gives .energy, .d_centre, .d_radius, .flags, .area."""
         return call("hsp_surface_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
@@ -1432,19 +1435,19 @@ class Surface(Handle):
         """The patch on the left of h."""
         return call("hsp_surface_left", self, h=h)
 
-    def get_patches(self, first: int, count: int) -> Any:
+    def get_patches(self, first: int, count: int) -> Records:
         """The patches first .."""
         return call("hsp_surface_get_patches", self, first=first, count=count)
 
-    def get_edges(self, first: int, count: int) -> Any:
+    def get_edges(self, first: int, count: int) -> Records:
         """The edges first .."""
         return call("hsp_surface_get_edges", self, first=first, count=count)
 
-    def get_corners(self, first: int, count: int) -> Any:
+    def get_corners(self, first: int, count: int) -> Records:
         """The corners first .."""
         return call("hsp_surface_get_corners", self, first=first, count=count)
 
-    def get_shells(self) -> Any:
+    def get_shells(self) -> Records:
         """The shells: hsp_surface_part_counts.shells records."""
         return call("hsp_surface_get_shells", self)
 
@@ -1482,7 +1485,7 @@ class Mesh(Handle):
         not fit for): positions, normals, areas and balls. Gives .xyz, .normals, .areas, .balls."""
         return call("hsp_mesh_get_vertices", self, only=only)
 
-    def get_weights(self, area: Any) -> Any:
+    def get_weights(self, area: Values) -> Doubles:
         """Weights of the vertices for sums over the surface, such as the mean of something at its points: areas as
         above, but those of a patch's triangles are scaled so that they sum to its exact area."""
         return call("hsp_mesh_get_weights", self, area=area)
@@ -1512,28 +1515,28 @@ class Topology(Handle):
         """How many vertices, edges, faces, shells, components and regions there are."""
         return call("hsp_topology_get_counts", self)
 
-    def get_shells(self) -> Any:
+    def get_shells(self) -> Records:
         """The shells: hsp_topology_counts.shells records."""
         return call("hsp_topology_get_shells", self)
 
-    def get_components(self) -> Any:
+    def get_components(self) -> Records:
         """The connected components of the union, as numbered in hsp_ball: hsp_topology_counts.components records."""
         return call("hsp_topology_get_components", self)
 
-    def get_regions(self) -> Any:
+    def get_regions(self) -> Records:
         """The regions of the complement: hsp_topology_counts.regions records."""
         return call("hsp_topology_get_regions", self)
 
-    def get_region_shells(self, region: int) -> Any:
+    def get_region_shells(self, region: int) -> Numbers:
         """The shells that bound a region, ascending: its enclosing shell, and the outer shell of every component in
         it."""
         return call("hsp_topology_get_region_shells", self, region=region)
 
-    def get_region_balls(self, region: int) -> Any:
+    def get_region_balls(self, region: int) -> Numbers:
         """The balls that line a region, ascending: those with a face on one of its shells."""
         return call("hsp_topology_get_region_balls", self, region=region)
 
-    def locate(self, xyz: Any) -> int:
+    def locate(self, xyz: Values) -> int:
         """Where the point xyz [3] lies: *region becomes its region, or HSP_NONE if it lies in a ball."""
         return call("hsp_topology_locate", self, xyz=xyz)
 
@@ -1561,19 +1564,19 @@ class Topology(Handle):
         """The structure as two flat arrays, for the edges first .. Gives .onext, .origin."""
         return call("hsp_topology_get_quad_edges", self, first=first, count=count, only=only)
 
-    def get_vertices(self, first: int, count: int) -> Any:
+    def get_vertices(self, first: int, count: int) -> Records:
         """The vertices first .."""
         return call("hsp_topology_get_vertices", self, first=first, count=count)
 
-    def get_edges(self, first: int, count: int) -> Any:
+    def get_edges(self, first: int, count: int) -> Records:
         """The edges first .."""
         return call("hsp_topology_get_edges", self, first=first, count=count)
 
-    def get_simple_faces(self, first: int, count: int) -> Any:
+    def get_simple_faces(self, first: int, count: int) -> Records:
         """The simple faces first .."""
         return call("hsp_topology_get_simple_faces", self, first=first, count=count)
 
-    def get_traversal(self, shell: int) -> Any:
+    def get_traversal(self, shell: int) -> Numbers:
         """The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits
         them, around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for
         start_face) and at once into every neighbour not visited before."""
@@ -1599,19 +1602,19 @@ class Cells(Handle):
         """How many cells, neighbours and regions there are."""
         return call("hsp_cells_get_counts", self)
 
-    def get_cells(self, first: int, count: int) -> Any:
+    def get_cells(self, first: int, count: int) -> Records:
         """The cells first .."""
         return call("hsp_cells_get_cells", self, first=first, count=count)
 
-    def get_neighbours(self, cell: int) -> Any:
+    def get_neighbours(self, cell: int) -> Numbers:
         """The neighbours of a cell, ascending."""
         return call("hsp_cells_get_neighbours", self, cell=cell)
 
-    def get_pairs(self, first: int, count: int) -> Any:
+    def get_pairs(self, first: int, count: int) -> Records:
         """The pairs first .."""
         return call("hsp_cells_get_pairs", self, first=first, count=count)
 
-    def locate(self, xyz: Any) -> int:
+    def locate(self, xyz: Values) -> int:
         """Where the point xyz [3] lies: *cell becomes its cell, or HSP_NONE if it lies in a ball."""
         return call("hsp_cells_locate", self, xyz=xyz)
 
@@ -1631,16 +1634,16 @@ class Paths(Handle):
         """The same as hsp_paths_compute, as a request says; request may be NULL: all defaults."""
         return call("hsp_paths_compute_with", self, model=model, threads=threads)
 
-    def find(self, from_: Any, to: Any) -> Path:
+    def find(self, from_: Values, to: Values) -> Path:
         """Find a path between two points, from [3] and to [3], after hsp_paths_compute; they are rounded to the
         lattice."""
         return call("hsp_paths_find", self, from_=from_, to=to)
 
-    def find_with(self, from_: Any, to: Any, *, threads: int | None = None) -> Path:
+    def find_with(self, from_: Values, to: Values, *, threads: int | None = None) -> Path:
         """The same as hsp_paths_find, as a request says; request may be NULL: all defaults."""
         return call("hsp_paths_find_with", self, from_=from_, to=to, threads=threads)
 
-    def get_points(self) -> Any:
+    def get_points(self) -> Doubles:
         """The points [needed][3] of the last path, from its start to its end; none if there was none."""
         return call("hsp_paths_get_points", self)
 
@@ -1661,32 +1664,32 @@ class Pores(Handle):
         """How many maxima, gates and cavities there are."""
         return call("hsp_pores_get_counts", self)
 
-    def get_maxima(self, first: int, count: int) -> Any:
+    def get_maxima(self, first: int, count: int) -> Records:
         """The maxima first .."""
         return call("hsp_pores_get_maxima", self, first=first, count=count)
 
-    def get_gates(self, first: int, count: int) -> Any:
+    def get_gates(self, first: int, count: int) -> Records:
         """The gates first .."""
         return call("hsp_pores_get_gates", self, first=first, count=count)
 
-    def get_gate_shifts(self, first: int, count: int) -> Any:
+    def get_gate_shifts(self, first: int, count: int) -> Records:
         """The shifts of the gates first .."""
         return call("hsp_pores_get_gate_shifts", self, first=first, count=count)
 
-    def get_maximum_balls(self, maximum: int) -> Any:
+    def get_maximum_balls(self, maximum: int) -> Numbers:
         """All balls that are nearest at a maximum, in ascending order; in a box once for each image that is."""
         return call("hsp_pores_get_maximum_balls", self, maximum=maximum)
 
-    def get_gate_balls(self, gate: int) -> Any:
+    def get_gate_balls(self, gate: int) -> Numbers:
         """All balls that are nearest at a gate, in ascending order; in a box once for each image that is."""
         return call("hsp_pores_get_gate_balls", self, gate=gate)
 
-    def get_maximum_images(self, maximum: int) -> Any:
+    def get_maximum_images(self, maximum: int) -> Records:
         """All images of balls that are nearest at a maximum, ascending in balls and shifts; without a box shifts are
         0."""
         return call("hsp_pores_get_maximum_images", self, maximum=maximum)
 
-    def get_gate_images(self, gate: int) -> Any:
+    def get_gate_images(self, gate: int) -> Records:
         """All images of balls that are nearest at a gate, ascending in balls and shifts; without a box shifts are 0."""
         return call("hsp_pores_get_gate_images", self, gate=gate)
 
@@ -1694,7 +1697,7 @@ class Pores(Handle):
         """The widest probes that get through a box; *percolation becomes the record."""
         return call("hsp_pores_get_percolation", self)
 
-    def get_channels(self, radius: float) -> Any:
+    def get_channels(self, radius: float) -> Records:
         """All parts of free space for a probe of this radius but the outside, that of the widest maximum first."""
         return call("hsp_pores_get_channels", self, radius=radius)
 
@@ -1708,31 +1711,31 @@ class Pores(Handle):
         tightest gate of the widest path between them, of which narrower probes get from one to the other."""
         return call("hsp_pores_gate_between", self, maximum=maximum, other=other)
 
-    def locate(self, xyz: Any) -> PorePlace:
+    def locate(self, xyz: Values) -> PorePlace:
         """Where the point xyz [3] is, rounded to the lattice: *place becomes its record."""
         return call("hsp_pores_locate", self, xyz=xyz)
 
-    def locate_with_shifts(self, xyz: Any) -> Any:
+    def locate_with_shifts(self, xyz: Values) -> Any:
         """The same, with the copies of the ball and of the maximum: *shifts becomes their record, too. Gives .place,
         .shifts."""
         return call("hsp_pores_locate_with_shifts", self, xyz=xyz)
 
-    def widest(self, from_: Any, to: Any | None = None) -> PorePassage:
+    def widest(self, from_: Values, to: Values | None = None) -> PorePassage:
         """The widest probe that gets from one point to another, from [3] and to [3], or to the outside if `to` is
         NULL."""
         return call("hsp_pores_widest", self, from_=from_, to=to)
 
-    def find_tunnel(self, from_: Any, avoided: Any, to: Any | None = None) -> Tunnel:
+    def find_tunnel(self, from_: Values, avoided: Integers, to: Values | None = None) -> Tunnel:
         """Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the
         gates to be avoided."""
         return call("hsp_pores_find_tunnel", self, from_=from_, avoided=avoided, to=to)
 
-    def find_cheapest_tunnel(self, from_: Any, avoided: Any, to: Any | None = None) -> Tunnel:
+    def find_cheapest_tunnel(self, from_: Values, avoided: Integers, to: Values | None = None) -> Tunnel:
         """The same with the tunnel of the least cost, which weighs how wide a way is against how long."""
         return call("hsp_pores_find_cheapest_tunnel", self, from_=from_, avoided=avoided, to=to)
 
-    def find_tunnel_with(self, from_: Any, avoided: Any, to: Any | None = None, *, cheapest: int | None = None,
-                         threads: int | None = None) -> Tunnel:
+    def find_tunnel_with(self, from_: Values, avoided: Integers, to: Values | None = None, *,
+                         cheapest: int | None = None, threads: int | None = None) -> Tunnel:
         """The same as hsp_pores_find_tunnel or hsp_pores_find_cheapest_tunnel, as a request says; request may be NULL:
         all defaults."""
         return call("hsp_pores_find_tunnel_with", self, from_=from_, avoided=avoided, to=to, cheapest=cheapest,
@@ -1742,11 +1745,11 @@ class Pores(Handle):
         """The cost of the last tunnel and its vector: *route becomes the record, all 0 if there was none."""
         return call("hsp_pores_get_tunnel_route", self)
 
-    def get_tunnel_points(self) -> Any:
+    def get_tunnel_points(self) -> Records:
         """The points [needed] of the last tunnel, from its start to its end; none if there was none."""
         return call("hsp_pores_get_tunnel_points", self)
 
-    def get_tunnel_point_shifts(self) -> Any:
+    def get_tunnel_point_shifts(self) -> Records:
         """The shifts of the points [needed] of the last tunnel, in the same order."""
         return call("hsp_pores_get_tunnel_point_shifts", self)
 
@@ -1755,19 +1758,19 @@ class Pores(Handle):
         the outside."""
         return call("hsp_pores_find_pockets", self, narrow=narrow, wide=wide)
 
-    def get_pockets(self, first: int, count: int) -> Any:
+    def get_pockets(self, first: int, count: int) -> Records:
         """The pockets first .."""
         return call("hsp_pores_get_pockets", self, first=first, count=count)
 
-    def get_pocket_maxima(self, pocket: int) -> Any:
+    def get_pocket_maxima(self, pocket: int) -> Numbers:
         """The maxima of a pocket, the widest first."""
         return call("hsp_pores_get_pocket_maxima", self, pocket=pocket)
 
-    def get_pocket_mouths(self, pocket: int) -> Any:
+    def get_pocket_mouths(self, pocket: int) -> Numbers:
         """The mouths of a pocket, the widest first: numbers of gates."""
         return call("hsp_pores_get_pocket_mouths", self, pocket=pocket)
 
-    def get_pocket_balls(self, pocket: int) -> Any:
+    def get_pocket_balls(self, pocket: int) -> Numbers:
         """The balls that line a pocket, in ascending order: nearest ones of its maxima, of the gates between them and
         of its mouths."""
         return call("hsp_pores_get_pocket_balls", self, pocket=pocket)
@@ -1788,15 +1791,15 @@ class Pores(Handle):
         .regions."""
         return call("hsp_pores_find_regions_with", self, boundary=boundary, threads=threads)
 
-    def get_regions(self, first: int, count: int) -> Any:
+    def get_regions(self, first: int, count: int) -> Records:
         """The regions first .."""
         return call("hsp_pores_get_regions", self, first=first, count=count)
 
-    def measure_pockets(self, plugged: Pores, boundary: Boundary | None = None) -> Any:
+    def measure_pockets(self, plugged: Pores, boundary: Boundary | None = None) -> Records:
         """Measure all pockets of the last hsp_pores_find_pockets: out gets a record for each, in their order."""
         return call("hsp_pores_measure_pockets", self, plugged=plugged, boundary=boundary)
 
-    def measure_pockets_with(self, plugged: Pores, boundary: Boundary, *, threads: int | None = None) -> Any:
+    def measure_pockets_with(self, plugged: Pores, boundary: Boundary, *, threads: int | None = None) -> Records:
         """The same as hsp_pores_measure_pockets, as a request says; request may be NULL: all defaults."""
         return call("hsp_pores_measure_pockets_with", self, plugged=plugged, boundary=boundary, threads=threads)
 
@@ -1805,7 +1808,7 @@ class View(Handle):
     noun = "view"
 
     def compute(self, model: Model, boundary: Boundary | None = None, *, pieces: int | None = None,
-                flags: int | None = None, towards: Any | None = None, up: Any | None = None,
+                flags: int | None = None, towards: Values | None = None, up: Values | None = None,
                 threads: int | None = None) -> View:
         """Cut and sort the pieces for one direction; any number of times, from any directions."""
         return call("hsp_view_compute", self, model=model, boundary=boundary, pieces=pieces, flags=flags,
@@ -1815,26 +1818,27 @@ class View(Handle):
         """Describe the view."""
         return call("hsp_view_get_info", self)
 
-    def get_pieces(self) -> Any:
+    def get_pieces(self) -> Records:
         """The pieces in drawing order, farthest first; pieces without arcs (nothing to draw) are left out."""
         return call("hsp_view_get_pieces", self)
 
-    def get_loops(self) -> Any:
+    def get_loops(self) -> Records:
         """The loops, piece after piece."""
         return call("hsp_view_get_loops", self)
 
-    def get_arcs(self) -> Any:
+    def get_arcs(self) -> Records:
         """The arcs, loop after loop."""
         return call("hsp_view_get_arcs", self)
 
-    def picture_write(self, colour: Any | None = None, title: str | None = None, description: str | None = None, *,
+    def picture_write(self, colour: Integers | None = None, title: str | None = None, description: str | None = None, *,
                       format: int | None = None, style: int | None = None, unit: int | None = None,
                       width: float | None = None, height: float | None = None, margin: float | None = None,
                       outline: float | None = None, fog: float | None = None, outline_colour: int | None = None,
                       background: int | None = None, flags: int | None = None, scale: float | None = None,
-                      centre: Any | None = None, ink: Any | None = None, group: Any | None = None,
-                      ink_width: Any | None = None, ink_colour: Any | None = None, atom_class: Any | None = None,
-                      atom_title: Any | None = None, ink_of_sticks: Any | None = None) -> bytes:
+                      centre: Values | None = None, ink: Any | None = None, group: Integers | None = None,
+                      ink_width: Values | None = None, ink_colour: Integers | None = None,
+                      atom_class: Any | None = None, atom_title: Any | None = None,
+                      ink_of_sticks: Any | None = None) -> bytes:
         """Write a picture of a computed view."""
         return call("hsp_picture_write", self, colour=colour, title=title, description=description, format=format,
                     style=style, unit=unit, width=width, height=height, margin=margin, outline=outline, fog=fog,
@@ -1846,8 +1850,8 @@ class View(Handle):
 class Map(Handle):
     noun = "map"
 
-    def compute(self, model: Model, *, pieces: int | None = None, flags: int | None = None, towards: Any | None = None,
-                up: Any | None = None, threads: int | None = None) -> Map:
+    def compute(self, model: Model, *, pieces: int | None = None, flags: int | None = None,
+                towards: Values | None = None, up: Values | None = None, threads: int | None = None) -> Map:
         """Find what is seen from one direction; any number of times, from any directions."""
         return call("hsp_map_compute", self, model=model, pieces=pieces, flags=flags, towards=towards, up=up,
                     threads=threads)
@@ -1877,24 +1881,24 @@ class Map(Handle):
         """The face on the left of h."""
         return call("hsp_map_left", self, h=h)
 
-    def get_vertices(self, first: int, count: int) -> Any:
+    def get_vertices(self, first: int, count: int) -> Records:
         """The vertices first .."""
         return call("hsp_map_get_vertices", self, first=first, count=count)
 
-    def get_edges(self, first: int, count: int) -> Any:
+    def get_edges(self, first: int, count: int) -> Records:
         """The edges first .."""
         return call("hsp_map_get_edges", self, first=first, count=count)
 
-    def get_faces(self, first: int, count: int) -> Any:
+    def get_faces(self, first: int, count: int) -> Records:
         """The faces first .."""
         return call("hsp_map_get_faces", self, first=first, count=count)
 
-    def get_areas(self) -> Any:
+    def get_areas(self) -> Doubles:
         """How much of each ball is seen: areas in the view plane, length^2, in the caller's order; 0 of what is
         hidden."""
         return call("hsp_map_get_areas", self)
 
-    def get_outline(self, ball: int) -> Any:
+    def get_outline(self, ball: int) -> Numbers:
         """The visible outline of a ball: a directed edge of every loop around what is seen of it."""
         return call("hsp_map_get_outline", self, ball=ball)
 
@@ -1915,13 +1919,14 @@ class Map(Handle):
         """Check the invariants of a computed map. Gives .invariant, .id."""
         return call("hsp_map_check", self)
 
-    def picture_write_map(self, colour: Any | None = None, title: str | None = None, description: str | None = None, *,
-                          format: int | None = None, style: int | None = None, unit: int | None = None,
-                          width: float | None = None, height: float | None = None, margin: float | None = None,
-                          outline: float | None = None, fog: float | None = None, outline_colour: int | None = None,
-                          background: int | None = None, flags: int | None = None, scale: float | None = None,
-                          centre: Any | None = None, ink: Any | None = None, group: Any | None = None,
-                          ink_width: Any | None = None, ink_colour: Any | None = None, atom_class: Any | None = None,
+    def picture_write_map(self, colour: Integers | None = None, title: str | None = None,
+                          description: str | None = None, *, format: int | None = None, style: int | None = None,
+                          unit: int | None = None, width: float | None = None, height: float | None = None,
+                          margin: float | None = None, outline: float | None = None, fog: float | None = None,
+                          outline_colour: int | None = None, background: int | None = None, flags: int | None = None,
+                          scale: float | None = None, centre: Values | None = None, ink: Any | None = None,
+                          group: Integers | None = None, ink_width: Values | None = None,
+                          ink_colour: Integers | None = None, atom_class: Any | None = None,
                           atom_title: Any | None = None, ink_of_sticks: Any | None = None) -> bytes:
         """Write a picture of what is seen, from a computed map: for each ball that is seen one path around all of its
         faces, farthest ball first."""
@@ -1936,13 +1941,13 @@ class Sticks(Handle):
     noun = "sticks"
 
     def compute(self, model: Model, stick: Any, radius: float, *, pieces: int | None = None, flags: int | None = None,
-                towards: Any | None = None, up: Any | None = None, threads: int | None = None) -> SticksConflict:
+                towards: Values | None = None, up: Values | None = None, threads: int | None = None) -> SticksConflict:
         """Find what is painted from one direction; any number of times."""
         return call("hsp_sticks_compute", self, model=model, stick=stick, radius=radius, pieces=pieces, flags=flags,
                     towards=towards, up=up, threads=threads)
 
     def compute_map(self, model: Model, stick: Any, radius: float, *, pieces: int | None = None,
-                    flags: int | None = None, towards: Any | None = None, up: Any | None = None,
+                    flags: int | None = None, towards: Values | None = None, up: Values | None = None,
                     threads: int | None = None) -> SticksConflict:
         """The same with a map in any case: also where there is an order to paint, which the conflict then tells."""
         return call("hsp_sticks_compute_map", self, model=model, stick=stick, radius=radius, pieces=pieces, flags=flags,
@@ -1956,19 +1961,19 @@ class Sticks(Handle):
         """Describe the map; `balls` are balls that are seen, without sticks."""
         return call("hsp_sticks_get_map_info", self)
 
-    def get_vertices(self, first: int, count: int) -> Any:
+    def get_vertices(self, first: int, count: int) -> Records:
         """The vertices first .."""
         return call("hsp_sticks_get_vertices", self, first=first, count=count)
 
-    def get_edges(self, first: int, count: int) -> Any:
+    def get_edges(self, first: int, count: int) -> Records:
         """The edges first .."""
         return call("hsp_sticks_get_edges", self, first=first, count=count)
 
-    def get_faces(self, first: int, count: int) -> Any:
+    def get_faces(self, first: int, count: int) -> Records:
         """The faces first .."""
         return call("hsp_sticks_get_faces", self, first=first, count=count)
 
-    def get_areas(self) -> Any:
+    def get_areas(self) -> Doubles:
         """How much of each ball and then of each half of a stick is seen, by their numbers in the map: areas in the
         view plane, length^2; 0 of what is hidden and of the second half of a whole stick."""
         return call("hsp_sticks_get_areas", self)
@@ -1978,7 +1983,7 @@ class Sticks(Handle):
         becomes that record."""
         return call("hsp_sticks_pick", self, x=x, y=y)
 
-    def get_outline(self, ball: int) -> Any:
+    def get_outline(self, ball: int) -> Numbers:
         """The visible outline of a ball or half of a stick, by its number in the map: a directed edge of every loop
         around what is seen of it."""
         return call("hsp_sticks_get_outline", self, ball=ball)
@@ -1996,13 +2001,14 @@ class Sticks(Handle):
         """Check the invariants of the map, those of hsp_map_check. Gives .invariant, .id."""
         return call("hsp_sticks_check", self)
 
-    def picture_write_sticks(self, colour: Any | None = None, title: str | None = None, description: str | None = None,
-                             *, format: int | None = None, style: int | None = None, unit: int | None = None,
-                             width: float | None = None, height: float | None = None, margin: float | None = None,
-                             outline: float | None = None, fog: float | None = None, outline_colour: int | None = None,
-                             background: int | None = None, flags: int | None = None, scale: float | None = None,
-                             centre: Any | None = None, ink: Any | None = None, group: Any | None = None,
-                             ink_width: Any | None = None, ink_colour: Any | None = None, atom_class: Any | None = None,
+    def picture_write_sticks(self, colour: Integers | None = None, title: str | None = None,
+                             description: str | None = None, *, format: int | None = None, style: int | None = None,
+                             unit: int | None = None, width: float | None = None, height: float | None = None,
+                             margin: float | None = None, outline: float | None = None, fog: float | None = None,
+                             outline_colour: int | None = None, background: int | None = None, flags: int | None = None,
+                             scale: float | None = None, centre: Values | None = None, ink: Any | None = None,
+                             group: Integers | None = None, ink_width: Values | None = None,
+                             ink_colour: Integers | None = None, atom_class: Any | None = None,
                              atom_title: Any | None = None, ink_of_sticks: Any | None = None) -> bytes:
         """Write a picture of computed balls and sticks."""
         return call("hsp_picture_write_sticks", self, colour=colour, title=title, description=description,
@@ -2068,7 +2074,7 @@ def residue_radius(set: int, residue: str, atom: str) -> float:
     return call("hsp_residue_radius", None, set=set, residue=residue, atom=atom)
 
 
-def residue_get_atoms(set: int) -> Any:
+def residue_get_atoms(set: int) -> Records:
     """All atoms of a set, in the order of its publication, for tables of one's own."""
     return call("hsp_residue_get_atoms", None, set=set)
 
@@ -2078,28 +2084,28 @@ def model_max_balls() -> int:
     return call("hsp_model_max_balls", None)
 
 
-def pose_from_matrix(matrix: Any, translation: Any) -> Pose:
+def pose_from_matrix(matrix: Rows | Values, translation: Values) -> Pose:
     """The pose of a rotation matrix [9], row by row, and a translation [3]."""
     return call("hsp_pose_from_matrix", None, matrix=matrix, translation=translation)
 
 
-def areas(xyz: Any, radius: Any, probe: float, *, only: Any | None = None) -> Any:
+def areas(xyz: Rows, radius: Values, probe: float, *, only: Any | None = None) -> Any:
     """Area of each of n balls that a probe can reach, and area and volume of all, in one call: of centres xyz [n][3]
     and radius [n] + probe. Gives .bytes, .totals, .area."""
     return call("hsp_areas", None, xyz=xyz, radius=radius, probe=probe, only=only)
 
 
-def brick_merge(a: Any, b: Any) -> Any:
+def brick_merge(a: Truths | bytes, b: Truths | bytes) -> Any:
     """Merge two summaries, a [a_bytes] and b [b_bytes], into a third one. Gives .bytes, .brick."""
     return call("hsp_brick_merge", None, a=a, b=b)
 
 
-def brick_get_totals(summary: Any) -> Any:
+def brick_get_totals(summary: Truths | bytes) -> Any:
     """Totals of the whole, of a summary [bytes] with all bricks in it. Gives .totals, .brick."""
     return call("hsp_brick_get_totals", None, summary=summary)
 
 
-def brick_get_shells(summary: Any) -> Any:
+def brick_get_shells(summary: Truths | bytes) -> Any:
     """The shells of the whole, of a summary [bytes] with all bricks in it that were kept with HSP_BRICK_KEEP_SHELLS.
     Gives .out, .brick."""
     return call("hsp_brick_get_shells", None, summary=summary)
@@ -2301,8 +2307,8 @@ FUNCTIONS = {
     "hsp_brick_summarise": "int32_t boundary:handle:hsp_boundary::never request:sized_in:hsp_brick_request::never "
         "summary:memory:void::never bytes:value_out:size_t::never first_bad:value_out:uint32_t::always",
     "hsp_brick_merge": "int32_t a:array_in:uint8_t:a_bytes:never a_bytes:value:size_t::never "
-        "b:array_in:uint8_t:b_bytes:never b_bytes:value:size_t::never summary:memory:void::never "
-        "bytes:value_out:size_t::never brick:value_out:uint32_t::always",
+        "b:array_in:uint8_t:b_bytes:never b_bytes:value:size_t::never executor:sized_in:hsp_executor::always "
+        "summary:memory:void::never bytes:value_out:size_t::never brick:value_out:uint32_t::always",
     "hsp_brick_get_totals": "int32_t summary:array_in:uint8_t:bytes:never bytes:value:size_t::never "
         "totals:struct_out:hsp_brick_totals::never brick:value_out:uint32_t::always",
     "hsp_brick_get_shells": "int32_t summary:array_in:uint8_t:bytes:never bytes:value:size_t::never "

@@ -1,10 +1,14 @@
-"""Areas of a selection over a trajectory, for MDAnalysis.
+"""Areas and pockets of a selection over a trajectory, for MDAnalysis.
 
     from hardsphere.mdanalysis import SASA
     run = SASA(universe.select_atoms("protein"), environment=universe.select_atoms("protein or resname LIG")).run(step=10)
     run.results.area                # [frames]
     run.results.areas               # [frames][atoms of the selection]
     run.results.residue_areas       # [frames][residues of the selection]
+
+    run = Pockets(universe.select_atoms("protein"), narrow=1.4, wide=3.0, least=20).run()
+    run.results.volume              # [frames]: of all pockets of at least 20 cubic angstrom
+    run.results.pockets             # a list for each frame, the largest first: hardsphere.Pocket
 """
 from __future__ import annotations
 
@@ -65,3 +69,27 @@ class SASA(AnalysisBase):
         self.results.residue_areas = numpy.zeros((len(self.results.areas), len(groups)))
         for frame, row in enumerate(self.results.areas):
             self.results.residue_areas[frame] = numpy.bincount(number, weights=row, minlength=len(groups))
+
+
+class Pockets(AnalysisBase):
+    """Where a narrow probe fits between atoms and a wide one does not get to from the outside, in each frame: those of a
+    volume of `least` or more. radii: one for each atom, in angstrom; pockets have indices of balls, which count these."""
+
+    def __init__(self, atoms: Any, radii: Any = None, narrow: float = 1.4, wide: float = 3.0, least: float = 0.0,
+                 **keywords: Any):
+        super().__init__(atoms.universe.trajectory, **keywords)
+        self.atoms, self.narrow, self.wide, self.least = atoms, narrow, wide, least
+        self.radii = radii_of(atoms) if radii is None else numpy.asarray(radii, dtype=float)
+        self.balls: Any = None
+
+    def _prepare(self) -> None:
+        self.results.volume, self.results.pockets = numpy.zeros(self.n_frames), []
+
+    def _single_frame(self) -> None:
+        if self.balls is None:
+            self.balls = hardsphere.Balls(self.atoms.positions, self.radii)
+        else:
+            self.balls.set(self.atoms.positions)
+        found = [pocket for pocket in self.balls.pockets(self.narrow, self.wide) if (pocket.volume or 0.0) >= self.least]
+        self.results.volume[self._frame_index] = sum(pocket.volume or 0.0 for pocket in found)
+        self.results.pockets.append(found)

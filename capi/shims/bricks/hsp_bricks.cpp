@@ -93,15 +93,18 @@ int32_t hsp_brick_summarise(const hsp_boundary *boundary, const hsp_brick_reques
   return hand_back_bytes(result.status, result.bytes, bytes);
 }
 
-int32_t hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, void *summary,
-                        size_t *bytes, uint32_t *brick) {
+int32_t hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes,
+                        const hsp_executor *executor, void *summary, size_t *bytes, uint32_t *brick) {
   LibraryArithmetic arithmetic;
+  hsp::capi::Executor asked(arithmetic);
   name(HSP_NONE, brick);
+  if (const int32_t status = asked.read(executor); status != HSP_OK) return status;
   if (a == nullptr || b == nullptr || is_missing(summary, bytes)) return HSP_E_ARGUMENT;
   hsp::SummaryBlock first, second;
   const int32_t status = hsp::capi::versions_first(to_c(first.read(a, a_bytes)), to_c(second.read(b, b_bytes)));
   if (status != HSP_OK) return status;
-  const hsp::MergeResult result = hsp::merge_summaries(first, second, static_cast<uint8_t *>(summary), *bytes);
+  const hsp::MergeResult result =
+      hsp::merge_summaries(first, second, hsp::Patience(&asked), static_cast<uint8_t *>(summary), *bytes);
   name(result.brick, brick);
   return hand_back_bytes(result.status, result.bytes, bytes);
 }

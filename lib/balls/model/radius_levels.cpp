@@ -17,7 +17,7 @@ namespace {
 // So many of the largest balls are looked at by everybody.
 constexpr uint32_t most_large = 16;
 // Balls of a cube, on average over balls, from which on its block is worth an index.
-constexpr double many_in_a_cube = 32;
+constexpr double many_pairs_a_ball = 32;
 // Whose level that is.
 constexpr uint8_t large_ball = 255;
 
@@ -158,7 +158,7 @@ bool RadiusLevels::may_save_work(const OrderedBalls &order) {
   const BallSet &balls = order.balls();
   const bool some_are_small = balls.smallest_radius >= 0 && 8 * balls.smallest_radius <= order.side();
   return balls.n >= fewest_balls && !order.has_images() && (some_are_small || balls.n / 16 >= order.cubes()) &&
-         pairs_in(order.first_ball(), order.cubes()) >= many_in_a_cube * balls.n;
+         pairs_in(order.first_ball(), order.cubes()) >= many_pairs_a_ball * balls.n;
 }
 
 void RadiusLevels::build(OrderedBalls &order, const IndexMemory &memory) {

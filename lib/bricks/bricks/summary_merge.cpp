@@ -5,16 +5,19 @@
 namespace hsp {
 namespace {
 
+constexpr uint32_t instructions_for_a_record = 500;
+
 // Goes over the seams of two lists in the order of their names: both(i, j) of a name that stands in both, else
-// alone(seam, from_a).
+// alone(seam, from_a). False once it is stopped.
 template <class Record, class SeamAt, class Both, class Alone>
-void match(const SummaryBlock &a, uint32_t in_a, const SummaryBlock &b, uint32_t in_b, SeamAt seam_at, Both both,
-           Alone alone) {
+bool match(const SummaryBlock &a, uint32_t in_a, const SummaryBlock &b, uint32_t in_b, Patience &patience,
+           SeamAt seam_at, Both both, Alone alone) {
   uint32_t i = 0, j = 0;
   Record first, second;
   if (in_a > 0) first = seam_at(a, 0);
   if (in_b > 0) second = seam_at(b, 0);
   while (i < in_a || j < in_b) {
+    if (!patience.allows(instructions_for_a_record)) return false;
     const bool from_a = j == in_b || (i < in_a && first.is_before(second));
     const bool from_b = !from_a && (i == in_a || second.is_before(first));
     if (from_a || from_b)
@@ -24,37 +27,40 @@ void match(const SummaryBlock &a, uint32_t in_a, const SummaryBlock &b, uint32_t
     if (!from_b && ++i < in_a) first = seam_at(a, i);
     if (!from_a && ++j < in_b) second = seam_at(b, j);
   }
+  return true;
 }
 
 class Merge {
  public:
-  Merge(const SummaryBlock &a, const SummaryBlock &b, uint8_t *memory, uint64_t bytes)
-      : a_(a), b_(b), draft_(memory), memory_(memory), size_(bytes) {}
+  Merge(const SummaryBlock &a, const SummaryBlock &b, Patience &patience, uint8_t *memory, uint64_t bytes)
+      : a_(a), b_(b), patience_(patience), draft_(memory), memory_(memory), size_(bytes) {}
 
   MergeResult run();
 
  private:
   template <class Both, class Alone>
-  void match_shells(Both both, Alone alone) const {
-    match<ShellSeam>(
-        a_, a_.header().shell_seams, b_, b_.header().shell_seams,
+  bool match_shells(Both both, Alone alone) {
+    return match<ShellSeam>(
+        a_, a_.header().shell_seams, b_, b_.header().shell_seams, patience_,
         [](const SummaryBlock &block, uint32_t k) { return block.shell_seam(k); }, both, alone);
   }
   template <class Both, class Alone>
-  void match_components(Both both, Alone alone) const {
-    match<ComponentSeam>(
-        a_, a_.header().component_seams, b_, b_.header().component_seams,
+  bool match_components(Both both, Alone alone) {
+    return match<ComponentSeam>(
+        a_, a_.header().component_seams, b_, b_.header().component_seams, patience_,
         [](const SummaryBlock &block, uint32_t k) { return block.component_seam(k); }, both, alone);
   }
   template <class Put>
   MergeResult list_bricks(Put put) const;
   MergeResult check();
-  void join();
-  void put_pieces();
-  void put_components();
-  void put_seams();
+  // False once it is stopped, also below.
+  bool join();
+  bool put_pieces();
+  bool put_components();
+  bool put_seams();
 
   const SummaryBlock &a_, &b_;
+  Patience &patience_;
   SummaryDraft draft_;
   uint8_t *const memory_;
   const uint64_t size_;
@@ -101,9 +107,9 @@ MergeResult Merge::check() {
       }
     };
   };
-  match_shells(both, alone_in(draft_.header.shell_seams));
-  match_components(both, alone_in(draft_.header.component_seams));
-  return result;
+  const bool done = match_shells(both, alone_in(draft_.header.shell_seams)) &&
+                    match_components(both, alone_in(draft_.header.component_seams));
+  return done ? result : MergeResult{Status::stopped};
 }
 
 // Numbers sets in the order of their first members; returns how many there are. Parents come before their children.
@@ -113,15 +119,18 @@ uint32_t number_sets(Span<uint32_t> set) {
   return count;
 }
 
-void Merge::join() {
+bool Merge::join() {
   DisjointSets pieces(piece_), components(component_);
   pieces.reset();
   components.reset();
   const auto alone = [](const Seam &, bool) {};
-  match_shells([&](uint32_t in_a, uint32_t in_b) { pieces.join(in_a, a_.header().pieces + in_b); }, alone);
-  match_components([&](uint32_t in_a, uint32_t in_b) { components.join(in_a, a_.header().components + in_b); }, alone);
+  const bool done =
+      match_shells([&](uint32_t in_a, uint32_t in_b) { pieces.join(in_a, a_.header().pieces + in_b); }, alone) &&
+      match_components([&](uint32_t in_a, uint32_t in_b) { components.join(in_a, a_.header().components + in_b); },
+                       alone);
   draft_.header.pieces = number_sets(piece_);
   draft_.header.components = number_sets(component_);
+  return done;
 }
 
 // The first of those that become one is put, and others are added to it: numbers of the draft ascend with the first.
@@ -137,40 +146,44 @@ void add_record(SummaryDraft &draft, uint32_t k, const Record &record, RecordAt 
   }
 }
 
-void Merge::put_pieces() {
+bool Merge::put_pieces() {
   uint32_t known = 0;
   for (uint32_t k = 0; k < piece_.size(); ++k) {
+    if (!patience_.allows(instructions_for_a_record)) return false;
     const bool of_a = k < a_.header().pieces;
     ShellPiece piece = of_a ? a_.piece(k) : b_.piece(k - a_.header().pieces);
     piece.component = component_[piece.component + (of_a ? 0 : a_.header().components)];
     add_record(
         draft_, piece_[k], piece, [this](uint32_t at) { return draft_.piece(at); }, known);
   }
+  return true;
 }
 
-void Merge::put_components() {
+bool Merge::put_components() {
   uint32_t known = 0;
   for (uint32_t k = 0; k < component_.size(); ++k) {
+    if (!patience_.allows(instructions_for_a_record)) return false;
     const bool of_a = k < a_.header().components;
     ComponentPart part = of_a ? a_.component(k) : b_.component(k - a_.header().components);
     if (part.top_piece != no_id) part.top_piece = piece_[part.top_piece + (of_a ? 0 : a_.header().pieces)];
     add_record(
         draft_, component_[k], part, [this](uint32_t at) { return draft_.component(at); }, known);
   }
+  return true;
 }
 
-void Merge::put_seams() {
+bool Merge::put_seams() {
   const auto both = [](uint32_t, uint32_t) {};
   uint32_t k = 0;
-  match_shells(both, [&](ShellSeam seam, bool from_a) {
+  const bool done = match_shells(both, [&](ShellSeam seam, bool from_a) {
     seam.label = piece_[seam.label + (from_a ? 0 : a_.header().pieces)];
     draft_.put(k++, seam);
   });
   k = 0;
-  match_components(both, [&](ComponentSeam seam, bool from_a) {
-    seam.label = component_[seam.label + (from_a ? 0 : a_.header().components)];
-    draft_.put(k++, seam);
-  });
+  return done && match_components(both, [&](ComponentSeam seam, bool from_a) {
+           seam.label = component_[seam.label + (from_a ? 0 : a_.header().components)];
+           draft_.put(k++, seam);
+         });
 }
 
 MergeResult Merge::run() {
@@ -186,11 +199,9 @@ MergeResult Merge::run() {
   DraftWords words(memory_, size_);
   piece_ = words.take(pieces);
   component_ = words.take(components);
-  join();
+  if (!join()) return {Status::stopped};
   static_cast<void>(list_bricks([this](uint32_t k, uint32_t brick) { draft_.put_brick(k, brick); }));
-  put_pieces();
-  put_components();
-  put_seams();
+  if (!put_pieces() || !put_components() || !put_seams()) return {Status::stopped};
   if (!draft_.finish(piece_.part(0, draft_.header.pieces), component_.part(0, draft_.header.components))) {
     return {Status::conflict, b_.brick(0)};
   }
@@ -199,8 +210,9 @@ MergeResult Merge::run() {
 
 }  // namespace
 
-MergeResult merge_summaries(const SummaryBlock &a, const SummaryBlock &b, uint8_t *memory, uint64_t bytes) {
-  return Merge(a, b, memory, bytes).run();
+MergeResult merge_summaries(const SummaryBlock &a, const SummaryBlock &b, Patience patience, uint8_t *memory,
+                            uint64_t bytes) {
+  return Merge(a, b, patience, memory, bytes).run();
 }
 
 }  // namespace hsp

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "bricks/summary_draft.hpp"
+#include "core/patience.hpp"
 
 namespace hsp {
 
@@ -17,7 +18,8 @@ struct MergeResult {
 
 // The summaries do not overlap each other or the memory. Status::argument with other lattices, bricks or flags: b's
 // first brick is named; Status::id: that brick is in both; Status::conflict: seams do not fit, and a brick that lacks
-// one is named.
-MergeResult merge_summaries(const SummaryBlock &a, const SummaryBlock &b, uint8_t *memory, uint64_t bytes);
+// one is named; Status::stopped.
+MergeResult merge_summaries(const SummaryBlock &a, const SummaryBlock &b, Patience patience, uint8_t *memory,
+                            uint64_t bytes);
 
 }  // namespace hsp

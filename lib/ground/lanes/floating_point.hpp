@@ -17,6 +17,10 @@
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 #error "hardsphere needs doubles without excess precision (on i686: -msse2 -mfpmath=sse)"
 #endif
+// g++ fuses where it can, and no macro says that options forbid it: library.cmake and the core as one file see to that.
+#if !defined(HSP_NO_CONTRACTION) && (defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(__FP_FAST_FMA))
+#error "hardsphere needs -ffp-contract=off, and with g++ -fno-tree-vectorize: say so by -DHSP_NO_CONTRACTION"
+#endif
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
 
 namespace hsp {

@@ -37,9 +37,9 @@ struct HostCircle {
 };
 
 // Tests points of a host edge against planes, with one filter for all planes concerned.
-class PointTest {
+class HostPointTest {
  public:
-  PointTest(const HostCircle &host, const Plane &plane, const Plane &other)
+  HostPointTest(const HostCircle &host, const Plane &plane, const Plane &other)
       : predicates_(host.sphere, length_squared(host, plane, other)), circle_(host.circle) {}
 
   bool inside(const Plane &Q, int sign, const Plane &R) const { return predicates_.inside(circle_, Q, sign, R) > 0; }
@@ -65,7 +65,7 @@ struct BoundedPoint {
   int sign;
   bool leaves_host;  // the plane's other point with the circle is covered by the reference
 
-  BoundedPoint(const PointTest &test, const Plane &reference, const Plane &own, int own_sign)
+  BoundedPoint(const HostPointTest &test, const Plane &reference, const Plane &own, int own_sign)
       : plane(own), sign(own_sign) {
     if (test.inside(reference, +1, plane)) {
       plane = complement(plane);
@@ -77,7 +77,7 @@ struct BoundedPoint {
 
 // Whether subdivision vertex X comes before Y, of another plane, counter-clockwise from the exit of the reference. Cut
 // open there, the circle is a line and what a plane covers is an interval [l, r] of it; X is l if its sign is negative.
-bool comes_before(const HostCircle &host, const PointTest &test, const BoundedPoint &X, const BoundedPoint &Y) {
+bool comes_before(const HostCircle &host, const HostPointTest &test, const BoundedPoint &X, const BoundedPoint &Y) {
   // The other end of X's interval lies in the reference: on the host it covers all after X.
   if (X.leaves_host) return test.inside(Y.plane, Y.sign, X.plane);
   if (Y.leaves_host) return !test.inside(X.plane, X.sign, Y.plane);
@@ -168,7 +168,7 @@ CutArcEnd Subdivision::insert_end(const BallSet &balls, const Boundary &boundary
         return end_on_point_of_circle(same_direction(plane, halves) ? sign : -sign);
       }
       host.reference = halves;
-      if (PointTest(host, plane, halves).inside(plane, sign, halves)) {
+      if (HostPointTest(host, plane, halves).inside(plane, sign, halves)) {
         host.reference = complement(halves);
         link = &first_[++host_id];
       }
@@ -192,7 +192,7 @@ CutArcEnd Subdivision::insert_end(const BallSet &balls, const Boundary &boundary
         }
         return {*link, side};
       }
-      const PointTest test(host, plane, other);
+      const HostPointTest test(host, plane, other);
       const BoundedPoint placed(test, host.reference, plane, sign);
       const BoundedPoint there(test, host.reference, other, point.sign);
       // Of two ends of one interval the entry comes first.

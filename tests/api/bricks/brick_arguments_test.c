@@ -48,7 +48,7 @@ static summary summarised(const hsp_boundary *boundary, uint32_t brick, uint32_t
 
 static int32_t merge(const summary *a, const summary *b, summary *merged, uint32_t *brick) {
   size_t bytes = sizeof memory;
-  const int32_t status = hsp_brick_merge(a->byte, a->bytes, b->byte, b->bytes, memory, &bytes, brick);
+  const int32_t status = hsp_brick_merge(a->byte, a->bytes, b->byte, b->bytes, NULL, memory, &bytes, brick);
   if (status != HSP_OK || !CHECK(bytes <= sizeof merged->byte)) return status;
   memcpy(merged->byte, memory, bytes);
   merged->bytes = bytes;
@@ -149,8 +149,8 @@ static void every_size(const hsp_boundary *boundary) {
   check_scene("a merge in memory of every size");
   for (size = 0; size < BYTES; ++size) {
     size_t bytes = size;
-    const int32_t status =
-        hsp_brick_merge(first.byte, first.bytes, second.byte, second.bytes, size > 0 ? memory : NULL, &bytes, NULL);
+    const int32_t status = hsp_brick_merge(first.byte, first.bytes, second.byte, second.bytes, NULL,
+                                           size > 0 ? memory : NULL, &bytes, NULL);
     if (merged_in == 0) {
       CHECK(status == HSP_E_CAPACITY);
       merged_in = bytes;
@@ -236,10 +236,19 @@ static void faults(const hsp_boundary *boundary) {
   CHECK_EQUAL(merge(&first, &of_three, &merged, &brick), HSP_E_ARGUMENT);
   CHECK_EQUAL(brick, 1);
   CHECK_EQUAL(merge(&second, &kept, &merged, &brick), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_brick_merge(NULL, 0, second.byte, second.bytes, memory, &bytes, &brick), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_brick_merge(first.byte, first.bytes, NULL, 0, memory, &bytes, &brick), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_brick_merge(first.byte, first.bytes, second.byte, second.bytes, NULL, &bytes, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_brick_merge(first.byte, first.bytes, second.byte, second.bytes, memory, NULL, NULL), HSP_E_ARGUMENT);
+  const hsp_executor older = {1, 1, NULL, NULL, NULL}, without_run = {sizeof without_run, 2, NULL, NULL, NULL};
+  bytes = 0;
+  CHECK_EQUAL(hsp_brick_merge(first.byte, first.bytes, second.byte, second.bytes, &older, NULL, &bytes, &brick),
+              HSP_E_VERSION);
+  CHECK_EQUAL(hsp_brick_merge(first.byte, first.bytes, second.byte, second.bytes, &without_run, NULL, &bytes, &brick),
+              HSP_E_ARGUMENT);
+  bytes = sizeof memory;
+  CHECK_EQUAL(hsp_brick_merge(NULL, 0, second.byte, second.bytes, NULL, memory, &bytes, &brick), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_brick_merge(first.byte, first.bytes, NULL, 0, NULL, memory, &bytes, &brick), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_brick_merge(first.byte, first.bytes, second.byte, second.bytes, NULL, NULL, &bytes, NULL),
+              HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_brick_merge(first.byte, first.bytes, second.byte, second.bytes, NULL, memory, NULL, NULL),
+              HSP_E_ARGUMENT);
   check_scene("a brick that does not know of its neighbour");
   owner[1] = 0;
   lonely = summarised(boundary, 1, 2, 0); /* which owns nothing, and has no seam */

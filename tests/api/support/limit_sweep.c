@@ -97,6 +97,20 @@ void sweep_limits(const known_handle *known, const char *name) {
   try_limits(known, &none, 7);
 }
 
+void sweep_every_limit(const known_handle *known, const char *name) {
+  const limit_numbers exact = exact_limits(known);
+  int which;
+  for (which = 1; which <= known->kind->limits; ++which) {
+    limit_numbers limits = exact;
+    uint32_t value;
+    for (value = 0; value < exact.number[which]; ++value) {
+      check_scene("%s, %s %u of %u", name, known->kind->names[which], (unsigned)value, (unsigned)exact.number[which]);
+      limits.number[which] = value;
+      try_limits(known, &limits, value % 16);
+    }
+  }
+}
+
 /* ---- memory ---- */
 
 void sweep_alignments(const known_handle *known, void (*more)(void *handle, const void *source)) {

@@ -22,6 +22,9 @@ typedef struct known_handle {
  * results. From each, the limits that come back must lead to success. */
 void sweep_limits(const known_handle *known, const char *name);
 
+/* The same with every limit at every value below what it needs, beside limits that are exact. */
+void sweep_every_limit(const known_handle *known, const char *name);
+
 /* A computation with room for these limits, enlarged by what it asks for until it succeeds. */
 void try_limits(const known_handle *known, const limit_numbers *from, size_t misalignment);
 

@@ -169,6 +169,108 @@ void test_lives() {
   EXPECT(work.measure().total.area == 0 && work.pairs().ids.empty());
 }
 
+// A sphere that meets its own images along x: each side loses a cap of height 0.1.
+void test_boxes() {
+  const std::vector<double> centre = {7.3, -2, 0.5}, radius = {0.6}, lengths = {1, 2, 2};
+  const double area = 4 * pi * 0.36 - 2 * 2 * pi * 0.6 * 0.1;
+  hardsphere::box box(centre, radius, lengths);
+  EXPECT(near(box.measure().total.area, area) && near(box.measure().total.box_volume, 4));
+  EXPECT(near(box.measure().share_volume[0], box.measure().total.volume));
+  const hardsphere::box_gradients slope = box.gradient({.tension = 1});
+  EXPECT(near(slope.energy.value, area) && near(slope.d_strain[0], 2 * pi * 0.6, 1e-7) && near(slope.d_strain[4], 0));
+  EXPECT(near(slope.d_box[0], 2 * pi * 0.6, 1e-7));  // a cap of 0.6 - a / 2
+  // The same vectors turned: x to y, y to z, z to x.
+  const std::vector<double> turned = {0, 1, 0, 0, 0, 2, 2, 0, 0};
+  hardsphere::box other = std::move(box);
+  EXPECT(box->periodic == nullptr && near(other.measure().total.area, area));
+  other.areas_alone().set(centre, radius, turned);
+  EXPECT(near(other.measure().total.area, area, 1e-8) && other.measure().share_volume.empty());
+  EXPECT(near(other.gradient({.tension = 1}).d_strain[4], 2 * pi * 0.6, 1e-7));
+  other.areas_alone(false).set(centre, radius, lengths);
+  EXPECT(hardsphere::all(hsp_periodic_query_neighbours, other.periodic(), 0U).size() == 2);
+  hsp_pores_counts counts{};
+  hardsphere::check(hsp_pores_get_counts(other.pores(), &counts));
+  const uint32_t maxima = counts.maxima;
+  hardsphere::check(hsp_pores_get_counts(other.pores(1), &counts));
+  EXPECT(maxima > 0 && counts.maxima == 0);
+  for (const std::vector<double> &bad : {std::vector<double>{1, 2}, {1, 2, 0}, {1, 0, 0, 1, 0, 0, 0, 0, 1}}) {
+    const int32_t status = caught([&] { other.set(centre, radius, bad); }).status();
+    EXPECT(status == (bad.size() == 2 ? HSP_E_ARGUMENT : HSP_E_RANGE) && other.size() == 0);
+    EXPECT(caught([&] { other.measure(); }).status() == HSP_E_STATE);
+  }
+  EXPECT(caught([&] { other.set(lens, radius, lengths); }).status() == HSP_E_ARGUMENT);
+  const std::vector<double> negative = {-1};
+  EXPECT(caught([&] { other.set(centre, negative, lengths); }).ball() == 0);
+  EXPECT(caught([] { hardsphere::box().measure(); }).status() == HSP_E_ARGUMENT);
+}
+
+void test_smooth() {
+  hardsphere::workspace work(lens, ones, {.probe = 1});
+  hsp_surface_totals totals{};
+  hardsphere::check(hsp_surface_measure(work.surface(), &totals, nullptr, 0, nullptr));
+  const hardsphere::gradients slope = work.smooth_gradient({.tension = 1});
+  EXPECT(near(slope.energy.value, totals.area) && slope.d_centre[0] < 0);
+  EXPECT(near(slope.d_centre[0] + slope.d_centre[3], 0));
+  EXPECT(near(work.smooth_gradient({.pressure = 1}).energy.value, totals.volume));
+}
+
+void test_bodies() {
+  const hardsphere::body fixed(lens, ones);
+  const hardsphere::body posed = fixed;
+  const std::vector<hsp_pose> poses = {
+      {{1, 0, 0, 0}, {0, 2.5, 0}}, {{1, 0, 0, 0}, {0, 1, 0}}, {{1, 0, 0, 0}, {3, 0, 0}}};
+  EXPECT(fixed.hits(posed, poses) == (std::vector<uint32_t>{0, 1, 1}));  // that touch meet
+  EXPECT(near(fixed.gaps(posed, poses)[0].gap, 0.5, 1e-8) && fixed.gaps(posed, poses)[2].fixed == 1);
+  EXPECT(near(fixed.overlaps(posed, poses)[1].volume,
+              2 * pi * 5 / 12 + 2 * pi * (4 + std::sqrt(2)) * std::pow(2 - std::sqrt(2), 2) / 12, 1e-7));
+  EXPECT(fixed.pairs(posed, poses[0]).empty() && fixed.pairs(posed, poses[1]).size() == 4);
+  EXPECT(fixed.pairs(posed, poses[2]) == (std::vector<std::array<uint32_t, 2>>{{1, 0}}));
+  const std::vector<hsp_rational_pose> exact = {{{1, 0, 0, 1}, {0, 2, 0}}, {{1, 0, 0, 1}, {0, 2.001, 0}}};
+  EXPECT(fixed.hits(posed, exact) == (std::vector<uint32_t>{1, 0}));
+  EXPECT(near(fixed.gaps(posed, exact)[1].gap, 0.001, 1e-8));
+  const std::vector<hsp_pose> bad = {poses[0], {{0, 0, 0, 0}, {0, 0, 0}}};
+  const hardsphere::error failure = caught([&] { fixed.hits(posed, bad); });
+  EXPECT(failure.status() == HSP_E_RANGE && failure.ball() == 1);
+  EXPECT(caught([&] { hardsphere::body().hits(posed, poses); }).status() == HSP_E_ARGUMENT);
+  EXPECT(caught([] { hardsphere::body(lens, {}); }).status() == HSP_E_ARGUMENT);
+}
+
+void test_moving() {
+  const std::vector<double> sigma = {1, 2};
+  hardsphere::moving walk(lens, ones, {.tension = 1, .sigma = sigma});
+  EXPECT(near(walk.energy().value, 9 * pi) && near(walk.gradient().d_centre[3], 3 * pi, 1e-7));
+  EXPECT(walk.gradient().area == walk.measure().area && near(walk.measure().total.area, 6 * pi));
+  const uint32_t one = 1;
+  const std::vector<double> away = {3, 0, 0}, larger = {1};
+  EXPECT(near(walk.move({&one, 1}, away).energy().value, 12 * pi));
+  EXPECT(near(walk.undo().energy().value, 9 * pi));
+  EXPECT(near(walk.move({&one, 1}, away, larger).energy().value, 12 * pi));
+  EXPECT(caught([&] { walk.move({&one, 1}, lens); }).status() == HSP_E_ARGUMENT);
+  const uint32_t none = 2;
+  EXPECT(caught([&] { walk.move({&none, 1}, away); }).status() == HSP_E_ID && near(walk.energy().value, 12 * pi));
+  EXPECT(hardsphere::all(hsp_query_neighbours, walk.model(), 1U).empty());
+  hardsphere::moving other = std::move(walk);
+  EXPECT(near(other.energy().value, 12 * pi) && walk.handle() == nullptr);
+  for (const auto &set : {std::pair{lens, lens}, {{0, 0, 0, 1, 0, std::numeric_limits<double>::infinity()}, ones}}) {
+    other.set(lens, ones, {.tension = 1});
+    caught([&] { other.set(set.first, set.second, {.tension = 1}); });
+    EXPECT(other.size() == 0 && caught([&] { other.energy(); }).status() == HSP_E_STATE);
+  }
+  EXPECT(caught([&] { other.set(lens, ones, {.tension = 1, .sigma = lens}); }).status() == HSP_E_ARGUMENT);
+  // 300 balls that come to meet each other need a larger handle, which holds what a new one does.
+  std::vector<double> row, together, radius(300, 1);
+  std::vector<uint32_t> all;
+  for (uint32_t i = 0; i < 300; ++i) {
+    all.push_back(i);
+    row.insert(row.end(), {3.0 * i, 0, 0});
+    together.insert(together.end(), {0.001 * i, 0.0007 * (i * 37 % 300), 0.0009 * (i * 61 % 300)});
+  }
+  hardsphere::moving many(row, radius, {.tension = 1, .sigma = radius});
+  many.move(all, together);
+  EXPECT(many.measure().area == hardsphere::moving(together, radius, {.tension = 1}).measure().area);
+  EXPECT(near(many.undo().energy().value, 300 * 4 * pi, 1e-9));
+}
+
 }  // namespace
 
 int main() {
@@ -178,5 +280,9 @@ int main() {
   test_all_and_range();
   test_refusals();
   test_lives();
+  test_boxes();
+  test_smooth();
+  test_bodies();
+  test_moving();
   return failed;
 }

@@ -1013,12 +1013,13 @@ static const argument of_hsp_brick_merge[] = {
   {"a_bytes", "size_t", .kind = KIND_value, .size = sizeof(size_t)},
   {"b", "uint8_t", .kind = KIND_array_in, .size = sizeof(uint8_t), .extent = "b_bytes", .is_const = 1},
   {"b_bytes", "size_t", .kind = KIND_value, .size = sizeof(size_t)},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .is_const = 1},
   {"summary", "void", .kind = KIND_memory},
   {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
   {"brick", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_brick_merge(const value *v) {
-  return (int64_t)hsp_brick_merge(v[0].p, v[1].z, v[2].p, v[3].z, v[4].p, v[5].p, v[6].p);
+  return (int64_t)hsp_brick_merge(v[0].p, v[1].z, v[2].p, v[3].z, v[4].p, v[5].p, v[6].p, v[7].p);
 }
 
 static const argument of_hsp_brick_get_totals[] = {
@@ -3499,9 +3500,9 @@ const function registry[] = {
   {"hsp_brick_summarise", "bricks", RESULT_status, 11, of_hsp_brick_summarise, call_hsp_brick_summarise, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_ID) | BIT(HSP_E_STOPPED)},
-  {"hsp_brick_merge", "bricks", RESULT_status, 7, of_hsp_brick_merge, call_hsp_brick_merge, BIT(HSP_OK) |
+  {"hsp_brick_merge", "bricks", RESULT_status, 8, of_hsp_brick_merge, call_hsp_brick_merge, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_ID) | BIT(HSP_E_RANGE) |
-      BIT(HSP_E_CONFLICT) | BIT(HSP_E_DAMAGED)},
+      BIT(HSP_E_CONFLICT) | BIT(HSP_E_DAMAGED) | BIT(HSP_E_STOPPED)},
   {"hsp_brick_get_totals", "bricks", RESULT_status, 4, of_hsp_brick_get_totals, call_hsp_brick_get_totals, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_STATE) | BIT(HSP_E_CONFLICT) | BIT(HSP_E_DAMAGED)},
   {"hsp_brick_get_shells", "bricks", RESULT_status, 6, of_hsp_brick_get_shells, call_hsp_brick_get_shells, BIT(HSP_OK) |

@@ -92,10 +92,10 @@ class BrickMaker {
 // HSP_OK, or what is wrong.
 inline int32_t merge(const Summary &a, const Summary &b, Summary &merged, uint32_t *brick = nullptr) {
   size_t bytes = 0;
-  int32_t status = hsp_brick_merge(a.data(), a.size(), b.data(), b.size(), nullptr, &bytes, brick);
+  int32_t status = hsp_brick_merge(a.data(), a.size(), b.data(), b.size(), nullptr, nullptr, &bytes, brick);
   if (status != HSP_E_CAPACITY) return status;
   Summary memory(bytes);
-  status = hsp_brick_merge(a.data(), a.size(), b.data(), b.size(), memory.data(), &bytes, brick);
+  status = hsp_brick_merge(a.data(), a.size(), b.data(), b.size(), nullptr, memory.data(), &bytes, brick);
   if (status == HSP_OK) merged.assign(memory.begin(), memory.begin() + static_cast<std::ptrdiff_t>(bytes));
   return status;
 }

@@ -1018,16 +1018,16 @@ int32_t __wrap_hsp_brick_summarise(const hsp_boundary *boundary, const hsp_brick
   return result;
 }
 
-int32_t __real_hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, void *summary, size_t
-    *bytes, uint32_t *brick);
-int32_t __wrap_hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, void *summary, size_t
-    *bytes, uint32_t *brick);
-int32_t __wrap_hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, void *summary, size_t
-    *bytes, uint32_t *brick) {
+int32_t __real_hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, const hsp_executor
+    *executor, void *summary, size_t *bytes, uint32_t *brick);
+int32_t __wrap_hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, const hsp_executor
+    *executor, void *summary, size_t *bytes, uint32_t *brick);
+int32_t __wrap_hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes, const hsp_executor
+    *executor, void *summary, size_t *bytes, uint32_t *brick) {
   int32_t result;
   host_call call;
   host_call_begins(&call, "hsp_brick_merge");
-  result = __real_hsp_brick_merge(a, a_bytes, b, b_bytes, summary, bytes, brick);
+  result = __real_hsp_brick_merge(a, a_bytes, b, b_bytes, executor, summary, bytes, brick);
   host_call_ends(&call);
   return result;
 }

@@ -25,11 +25,11 @@ Merged merge(const BlockParts &a, const BlockParts &b) {
   EXPECT_EQ(one.read(first.data(), first.size()), hsp::SummaryFault::none);
   EXPECT_EQ(other.read(second.data(), second.size()), hsp::SummaryFault::none);
   Merged merged;
-  merged.result = hsp::merge_summaries(one, other, nullptr, 0);
+  merged.result = hsp::merge_summaries(one, other, hsp::Patience(), nullptr, 0);
   if (merged.result.status != Status::capacity) return merged;
   // Bytes behind those that suffice are not written, wherever words begin.
   merged.bytes.assign(merged.result.bytes + 8, 0xA5);
-  merged.result = hsp::merge_summaries(one, other, merged.bytes.data() + 1, merged.result.bytes);
+  merged.result = hsp::merge_summaries(one, other, hsp::Patience(), merged.bytes.data() + 1, merged.result.bytes);
   for (size_t k = merged.bytes.size() - 7; k < merged.bytes.size(); ++k) EXPECT_EQ(merged.bytes[k], 0xA5);
   if (merged.result.status == Status::ok) {
     EXPECT_EQ(merged.block.read(merged.bytes.data() + 1, merged.result.bytes), hsp::SummaryFault::none);
