@@ -6,7 +6,7 @@ file(MAKE_DIRECTORY ${CORPUS})
 set(digit 0)  # the digit is the format's number
 file(READ ${CMAKE_CURRENT_LIST_DIR}/../capi/program/read/file_format.c table)
 string(REGEX MATCHALL "FORMAT\\([a-z0-9]+\\)" formats ${table})
-list(FILTER formats EXCLUDE REGEX "xtc|trr|dcd")  # coordinates alone
+list(FILTER formats EXCLUDE REGEX "xtc|trr|dcd|nc")  # coordinates alone
 foreach(entry ${formats})
   string(REGEX REPLACE "FORMAT\\(([a-z0-9]+)\\)" "\\1" format ${entry})
   file(WRITE ${CORPUS}.format ${digit})

@@ -58,10 +58,10 @@ Reading read(const std::string &path, uint32_t atoms, uint64_t every) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (size < 2) return 0;
-  static constexpr const char *extensions[] = {".xtc", ".dcd", ".pdb", ".xyz", ".gro", ".trr"};
+  static constexpr const char *extensions[] = {".xtc", ".dcd", ".pdb", ".xyz", ".gro", ".trr", ".nc"};
   const char *given = std::getenv("TMPDIR");
   const std::string path = std::string(given != nullptr ? given : "/tmp") + "/hardsphere-fuzz-" +
-                           std::to_string(getpid()) + extensions[static_cast<uint8_t>(data[0] - '0') % 6];
+                           std::to_string(getpid()) + extensions[static_cast<uint8_t>(data[0] - '0') % 7];
   const uint32_t atoms = 1 + static_cast<uint8_t>(data[1] - 'A') % 32U;
   std::FILE *file = std::fopen(path.c_str(), "wb");
   FUZZ_REQUIRE(file != nullptr, path.c_str());

@@ -64,7 +64,7 @@ written() {
     seq -f "${out%.*}-%03g.${out##*.}" 0 $((pictures - 1))
     return
   fi
-  grep -oE '(> |-o |--output[ =]|--pdb-out[ =]|--map[ =]|--points[ =]|--tunnels-out[ =]|--profile[ =]|--tree[ =])[^ ]+' <<<"$1" | sed 's/.*[ =]//' | grep -vx -e - |
+  grep -oE '(> |-o |--output[ =]|--pdb-out[ =]|--map[ =]|--points[ =]|--tunnels-out[ =]|--profile[ =]|--tree[ =]|--plot[ =])[^ ]+' <<<"$1" | sed 's/.*[ =]//' | grep -vx -e - |
     sed -E 's/(.*)\.vert$/&\n\1.face/' | sort -u || true
 }
 

@@ -151,8 +151,8 @@ TEST(JsonOutput, ShellsAndVoidsHaveTheirKeys) {
     EXPECT_EQ(voids.keys, (Keys{"n", "voids", "smaller", "input"})) << file;
     EXPECT_EQ(static_cast<double>(voids["voids"].items.size()), boundary["voids"].number) << file;
     for (const Json &cavity : voids["voids"].items) {
-      EXPECT_EQ(cavity.keys, (Keys{"cell", "area", "volume", "components", "balls", "middle", "point", "clearance",
-                                   "clearance_bound"}))
+      EXPECT_EQ(cavity.keys, (Keys{"void", "cell", "area", "volume", "components", "balls", "middle", "point",
+                                   "clearance", "clearance_bound"}))
           << file;
     }
   }

@@ -85,7 +85,7 @@ def with_mdanalysis():
 
     everything = list(frames())
     universe = MDAnalysis.Universe(MOLECULE)
-    for ending in ("xtc", "dcd"):
+    for ending in ("xtc", "dcd", "ncdf"):
         path = os.path.join(work, "mdanalysis." + ending)
         with MDAnalysis.Writer(path, len(LINES)) as writer:
             for moved, box in everything:

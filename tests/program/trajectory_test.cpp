@@ -2,6 +2,7 @@
 // number.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <limits>
@@ -244,6 +245,114 @@ TEST(Trajectory, DamagedFramesInFullPrecision) {
   }
 }
 
+std::vector<Floats> some_floats(size_t atoms, size_t frames) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<float> anywhere(-9.0F, 9.0F);
+  std::vector<Floats> all(frames, Floats(atoms));
+  for (Floats &frame : all) {
+    for (auto &atom : frame) {
+      for (float &coordinate : atom) coordinate = anywhere(random);
+    }
+  }
+  return all;
+}
+
+// All versions, floats and doubles, counted or not, with and without other variables beside the coordinates.
+TEST(Trajectory, VariablesOfFrames) {
+  const std::vector<Floats> written = some_floats(700, 4);
+  for (int kind = 0; kind < 3 * 64; ++kind) {
+    trajectories::NcOptions options;
+    options.version = std::array<char, 3>{1, 2, 5}[static_cast<size_t>(kind) % 3];
+    const int bits = kind / 3;
+    options.wide = (bits & 1) != 0;
+    options.streamed = (bits & 2) != 0;
+    options.time = (bits & 4) != 0;
+    options.cell = (bits & 8) != 0;
+    options.velocities = (bits & 16) != 0;
+    options.labels = options.flags = (bits & 32) != 0;
+    options.scale = options.labels ? 0.5 : 1;
+    const TemporaryFile stored("run.nc", trajectories::nc_file(written, options));
+    for (const uint64_t every : {uint64_t{1}, uint64_t{2}}) {
+      const Reading reading = read_all(stored.path(), 700, every);
+      ASSERT_EQ(reading.reason, "") << kind;
+      ASSERT_EQ(reading.frames.size(), 4 / every);
+      for (const Frame &frame : reading.frames) {
+        const size_t k = frame.number - 1;
+        EXPECT_FALSE(frame.stamp.stepped);
+        EXPECT_EQ(frame.stamp.timed, options.time);
+        EXPECT_EQ(frame.stamp.time, options.time ? 0.5 * static_cast<double>(k) : 0);
+        EXPECT_EQ(frame.stamp.box.given, options.cell);
+        if (options.cell) {
+          EXPECT_EQ(frame.stamp.box.vector[0], 30 + static_cast<double>(k));
+          EXPECT_NEAR(frame.stamp.box.vector[3], 20, 1e-12);
+          EXPECT_EQ(frame.stamp.box.vector[8], 50);
+        }
+        for (size_t i = 0; i < 2100; ++i) {
+          ASSERT_EQ(frame.xyz[i], static_cast<double>(written[k][i / 3][i % 3])) << kind;
+        }
+      }
+    }
+  }
+}
+
+// Every shorter file keeps the frames that are whole; damages that a number tells are said with it.
+TEST(Trajectory, DamagedVariables) {
+  trajectories::NcOptions options;
+  options.cell = options.velocities = true;
+  const std::vector<Floats> frames = some_floats(5, 3);
+  const Bytes good = trajectories::nc_file(frames, options);
+  const auto read = [&](const Bytes &file) {
+    const TemporaryFile stored("run.nc", file);
+    return read_all(stored.path(), 5);
+  };
+  const size_t frame = 4 + 60 + 60 + 48, header = good.size() - 3 * frame;
+  for (size_t length = 0; length < good.size(); ++length) {
+    const Reading reading = read(good.substr(0, length));
+    const size_t whole = length < header ? 0 : (length - header) / frame;
+    EXPECT_EQ(reading.frames.size(), whole) << length;
+    EXPECT_EQ(reading.reason,
+              (length < header ? "" : "frame " + std::to_string(whole + 1) + ": ") + "cut off: the file ends here");
+  }
+  // Offsets of 64 bits whose ends are beyond all numbers.
+  trajectories::NcOptions wide = options;
+  wide.version = 2;
+  Bytes beyond = trajectories::nc_file(frames, wide);
+  beyond.replace(beyond.find("cell_lengths") + 40, 8, "\xff\xff\xff\xff\xff\xff\xff\xf8");
+  EXPECT_EQ(read(beyond).reason, "its header is damaged");
+  options.streamed = true;
+  EXPECT_EQ(read(trajectories::nc_file(frames, options) + "x").reason, "frame 4: cut off: the file ends here");
+  const auto found = [&](const std::string &text) { return good.find(text); };
+  const struct {
+    size_t at;
+    Bytes bytes;
+    const char *reason;
+  } damages[] = {
+      {0, "\x89HDF", "NetCDF-4 files are not read"},
+      {0, "CDX", "this is no .nc file"},
+      {3, "\x03", "this is no .nc file"},
+      {11, "\x0b", "its header is damaged"},                    // the tag of dimensions
+      {12, Bytes("\0\0\x04\x01", 4), "its header is damaged"},  // 1025 of them
+      {found("atom") + 7, "\x06", "6 in place of 5 atoms"},
+      {found("spatial") + 11, "\x02", "its variable coordinates is not by frame, atom and axis"},
+      {found("cell_spatial") + 15, "\x04", "its variable cell_lengths is not by frame, three numbers each"},
+      {found("coordinates"), "x", "it has no coordinates"},
+      {found("coordinates") + 12 + 11, Bytes("\0", 1), "its header is damaged"},  // by frame, frame and axis
+      {found("angstrom"), "nanometr", "its variable coordinates is not in angstrom"},
+      {found("cell_lengths") + 12 + 12 + 8 + 3, "\x04", "its variable cell_lengths has neither floats nor doubles"},
+      {found("cell_lengths") + 12 + 12 + 8 + 3, "\x0c", "its header is damaged"},
+      {found("cell_lengths") + 12 + 12 + 8 + 8, "\x7f", "its header is damaged"},  // it begins elsewhere
+      {header, "\x7f\xc0", "frame 1: its time is not finite"},
+      {header + 4 + 60, "\x7f\xc0", "frame 1: x of atom 1, counted from 1, is not finite"},
+      {header + frame + 4 + 60 + 60, "\x7f\xf0", "frame 2: its cell is not finite"},
+  };
+  for (const auto &damage : damages) {
+    Bytes file = good;
+    ASSERT_NE(damage.at, Bytes::npos);
+    file.replace(damage.at, damage.bytes.size(), damage.bytes);
+    EXPECT_NE(read(file).reason.find(damage.reason), std::string::npos) << damage.at << " " << read(file).reason;
+  }
+}
+
 // Three frames of six atoms on a lattice of 0.01 angstrom.
 std::vector<std::vector<Place>> some_frames() {
   std::vector<std::vector<Place>> frames;
@@ -366,6 +475,42 @@ TEST(Trajectory, FramesGiveWhatFilesGive) {
   }
 }
 
+// Quarters of an angstrom, which floats and decimals have alike: a NetCDF file gives the bytes that .xyz and .gro give.
+TEST(Trajectory, VariablesGiveWhatTextsGive) {
+  std::vector<Floats> floats;
+  Bytes xyz, gro;
+  for (std::vector<Place> frame : some_frames()) {
+    floats.emplace_back();
+    for (Place &place : frame) {
+      floats.back().emplace_back();
+      for (size_t axis = 0; axis < 3; ++axis) {
+        place[axis] = place[axis] / 25 * 25;
+        floats.back().back()[axis] = static_cast<float>(place[axis]) / 100;
+      }
+    }
+    xyz += xyz_of(frame, "");
+    gro += gro_of(frame, "");
+  }
+  trajectories::NcOptions options;
+  options.velocities = true;
+  const TemporaryFile xyz_file("run.xyz", xyz), gro_file("run.gro", gro),
+      nc_file("run.nc", trajectories::nc_file(floats, options));
+  const auto rows = [&](const TemporaryFile &run) {
+    std::vector<std::string> cut;
+    for (const std::string &line :
+         lines_of(run_program({"measure", xyz_file.path(), "--trajectory", run.path(), "--curvature", "--threads", "2"})
+                      .out)) {
+      size_t at = 0;
+      for (int comma = 0; comma < 3; ++comma) at = line.find(',', at) + 1;  // without time and step
+      cut.push_back(line.substr(0, line.find(',')) + line.substr(at));
+    }
+    return cut;
+  };
+  EXPECT_EQ(rows(nc_file).size(), 4U);
+  EXPECT_EQ(rows(nc_file), rows(xyz_file));
+  EXPECT_EQ(rows(nc_file), rows(gro_file));
+}
+
 // tests/program/inputs/crambin.xtc: crambin as its .pdb file has it, to the last digit, and shaken twice.
 TEST(Trajectory, PackedCoordinatesAreThoseOfTheFile) {
   const std::string crambin = molecules_folder() + "/crambin.pdb";
@@ -484,9 +629,10 @@ TEST(Trajectory, UsageThatIsRefused) {
     EXPECT_EQ(outcome.status, 2) << testing::PrintToString(options);
     EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
   }
-  EXPECT_EQ(run_program({"voids", "good/water.pdb", "--trajectory", "run.xtc"}).status, 2);
-  EXPECT_EQ(run_program({"measure", "good/water.pdb", "--trajectory", "run.nc"}).err,
-            "hardsphere: run.nc: no trajectory by its extension; expected .xtc, .trr, .dcd, .pdb, .xyz or .gro\n");
+  EXPECT_EQ(run_program({"model", "good/water.pdb", "--trajectory", "run.xtc"}).status, 2);
+  EXPECT_EQ(
+      run_program({"measure", "good/water.pdb", "--trajectory", "run.mdcrd"}).err,
+      "hardsphere: run.mdcrd: no trajectory by its extension; expected .xtc, .trr, .dcd, .nc, .pdb, .xyz or .gro\n");
 }
 
 struct Broken {

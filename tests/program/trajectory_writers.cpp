@@ -274,4 +274,103 @@ Bytes trr_frame(const Floats &atoms, const TrrOptions &options) {
   return frame;
 }
 
+namespace {
+
+// Of the NetCDF classic formats: names, counts and offsets by the version.
+class NcWriter {
+ public:
+  explicit NcWriter(const NcOptions &options) : options_(options) {}
+  [[nodiscard]] Bytes count(uint64_t value) const { return bytes_of(value, options_.version == 5 ? 8 : 4, true); }
+  [[nodiscard]] Bytes text(const std::string &value) const { return count(value.size()) + filled(value); }
+  [[nodiscard]] Bytes list(uint32_t tag, const std::vector<Bytes> &items) const {
+    Bytes all = bytes_of(items.empty() ? 0 : tag, 4, true) + count(items.size());
+    for (const Bytes &item : items) all += item;
+    return all;
+  }
+  [[nodiscard]] Bytes label(const std::string &name, const std::string &value) const {
+    return text(name) + bytes_of(2, 4, true) + text(value);
+  }
+  [[nodiscard]] Bytes number(double value, bool wide) const {
+    uint64_t bits = 0;
+    std::memcpy(&bits, &value, 8);
+    return wide ? bytes_of(bits, 8, true) : bytes_of(bits_of(static_cast<float>(value)), 4, true);
+  }
+  [[nodiscard]] Bytes variable(const std::string &name, const std::vector<uint64_t> &dimensions,
+                               const std::vector<Bytes> &attributes, uint32_t kind, uint64_t size,
+                               uint64_t begin) const {
+    Bytes all = text(name) + count(dimensions.size());
+    for (const uint64_t dimension : dimensions) all += count(dimension);
+    return all + list(12, attributes) + bytes_of(kind, 4, true) + count(size) +
+           bytes_of(begin, options_.version == 1 ? 4 : 8, true);
+  }
+
+ private:
+  static Bytes filled(Bytes bytes) {
+    while (bytes.size() % 4 != 0) bytes += '\0';
+    return bytes;
+  }
+  const NcOptions &options_;
+};
+
+}  // namespace
+
+Bytes nc_file(const std::vector<Floats> &frames, const NcOptions &options) {
+  const NcWriter writer(options);
+  const uint64_t atoms = frames.at(0).size(), width = options.wide ? 8 : 4;
+  enum : uint64_t { FRAME, SPATIAL, ATOM, CELL, ANGULAR };
+  const uint32_t kind = options.wide ? 6 : 5;
+  // Where variables begin, once the length of what is before them is known.
+  const auto header = [&](uint64_t length) {
+    std::vector<Bytes> variables, of_coordinates = {writer.label("units", options.unit)};
+    if (options.scale != 1) {
+      of_coordinates.push_back(writer.text("scale_factor") + bytes_of(6, 4, true) + writer.count(1) +
+                               writer.number(options.scale, true));
+    }
+    uint64_t at = length + (options.labels ? 4 : 0);
+    if (options.labels) variables.push_back(writer.variable("spatial", {SPATIAL}, {}, 2, 4, length));
+    if (options.time) {
+      variables.push_back(writer.variable("time", {FRAME}, {writer.label("units", "picosecond")}, 5, 4, at));
+      at += 4;
+    }
+    if (options.velocities) {
+      variables.push_back(writer.variable("velocities", {FRAME, ATOM, SPATIAL}, {}, 5, 12 * atoms, at));
+      at += 12 * atoms;
+    }
+    variables.push_back(
+        writer.variable("coordinates", {FRAME, ATOM, SPATIAL}, of_coordinates, kind, 3 * width * atoms, at));
+    at += 3 * width * atoms;
+    if (options.flags) {
+      variables.push_back(writer.variable("flags", {FRAME}, {}, 3, 4, at));
+      at += 4;
+    }
+    if (options.cell) {
+      variables.push_back(writer.variable("cell_lengths", {FRAME, CELL}, {}, 6, 24, at));
+      variables.push_back(writer.variable("cell_angles", {FRAME, ANGULAR}, {}, 6, 24, at + 24));
+    }
+    const uint64_t none = ~uint64_t{0};
+    return Bytes("CDF") + options.version + writer.count(options.streamed ? none : frames.size()) +
+           writer.list(10, {writer.text("frame") + writer.count(0), writer.text("spatial") + writer.count(3),
+                            writer.text("atom") + writer.count(atoms), writer.text("cell_spatial") + writer.count(3),
+                            writer.text("cell_angular") + writer.count(3)}) +
+           writer.list(12, {writer.label("Conventions", "AMBER"), writer.label("ConventionVersion", "1.0")}) +
+           writer.list(11, variables);
+  };
+  Bytes file = header(header(0).size());
+  if (options.labels) file += Bytes("xyz") + '\0';
+  for (size_t k = 0; k < frames.size(); ++k) {
+    const auto place = static_cast<double>(k);
+    if (options.time) file += writer.number(0.5 * place, false);
+    for (uint64_t i = 0; options.velocities && i < 3 * atoms; ++i) file += writer.number(1e30, false);
+    for (const auto &atom : frames[k]) {
+      for (const float x : atom) file += writer.number(static_cast<double>(x) / options.scale, options.wide);
+    }
+    if (options.flags) file += Bytes("\x7f\x01\0\0", 4);
+    const double cell[] = {30 + place, 40, 50, 90, 90, 60};
+    for (const double number : cell) {
+      if (options.cell) file += writer.number(number, true);
+    }
+  }
+  return file;
+}
+
 }  // namespace trajectories

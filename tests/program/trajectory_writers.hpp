@@ -59,4 +59,17 @@ struct TrrOptions {
 // One frame, of nanometres.
 Bytes trr_frame(const Floats &atoms, const TrrOptions &options);
 
+struct NcOptions {
+  char version = 1;
+  bool wide = false;      // doubles
+  bool streamed = false;  // the number of frames is not stated
+  bool time = true, cell = false, velocities = false, labels = false;
+  bool flags = false;  // a number of 16 bits for each frame, which is filled up
+  double scale = 1;    // of the coordinates, which are divided by it; 1: it is not stated
+  std::string unit = "angstrom";
+};
+
+// A whole file. Frame k, from 0 on, is at time k / 2, with a cell of 30 + k, 40 and 50 at 90, 90 and 60 degrees.
+Bytes nc_file(const std::vector<Floats> &frames, const NcOptions &options);
+
 }  // namespace trajectories

@@ -6,6 +6,7 @@
 #include "draw/contact_map.h"
 #include "draw/mesh_drawing.h"
 #include "draw/pores_charts.h"
+#include "draw/volumes_chart.h"
 
 /* Functions that need a component of the library or the part of the program that draws, and nothing if the build leaves
  * that out. */
@@ -30,6 +31,7 @@ const struct pictures pictures = {
     .mesh = DRAW(SMOOTH(mesh_draw)),
     .tunnels = DRAW(SPACE(pores_write_profile)),
     .classes = DRAW(SPACE(pores_write_tree)),
+    .volumes = DRAW(volumes_write),
 };
 
 const struct command_row command_table[COMMANDS] = {
@@ -113,6 +115,7 @@ const struct command_row command_table[COMMANDS] = {
                        .arguments = "FILE [options]",
                        .summary = "the cavities in the union and the balls around them",
                        .run = command_voids,
+                       .of_run = voids_of_run,
                        .text = "hardsphere voids FILE [--min-volume V] [--balls] [options]\n"
                                "\n"
                                "Lists the cavities that the union encloses, largest volume first: volume, area, the "
@@ -129,7 +132,9 @@ const struct command_row command_table[COMMANDS] = {
                            "mean of their centres, which may lie in a ball; point lies in the void, by integers, null "
                            "if it is narrower than the lattice, and no point of the void has more clearance; "
                            "clearance_bound is clearance once more; smaller is how many voids --min-volume leaves "
-                           "out.",
+                           "out. With --trajectory first frame, time and step, and no input; void is a number that "
+                           "stays, from the one that a void was part of in the frame before, or \"none\", merged "
+                           "those that have ended in it.",
                        .describe = describe_voids},
     [COMMAND_CONTACTS] =
         {.name = "contacts",
@@ -224,6 +229,7 @@ const struct command_row command_table[COMMANDS] = {
          .summary = "pores for every probe at once: cavities, gates, pockets, tunnels",
          .part = "space",
          .run = SPACE(command_pores),
+         .of_run = SPACE(pores_of_run),
          .check = SPACE(check_pores),
          .text = "hardsphere pores FILE [--gates] [--regions] [--pockets W] [--tunnels-from X Y Z|atom:N] [options]\n"
                  "\n"
@@ -247,7 +253,9 @@ const struct command_row command_table[COMMANDS] = {
                  "other_end_shift, by which the maxima are to be moved, and directions, in which their class goes on; "
                  "tunnels have shift, the vectors from the point that was named to the copy of it where they "
                  "end.\nWith --regions <--regions..accessible_volume>, null without a box, <--regions>; xyz, radius "
-                 "and volume are null outside.",
+                 "and volume are null outside.\nWith --trajectory first frame, time and step, and no input; pocket is "
+                 "a number that stays, from the one that a pocket was part of in the frame before, or \"none\", merged "
+                 "those that have ended in it.",
          .describe = SPACE(describe_pores)},
     [COMMAND_CLASH] =
         {.name = "clash",
@@ -263,7 +271,7 @@ const struct command_row command_table[COMMANDS] = {
          .json = "JSON: <..pairs>: [[first, second], ...], <..nearest>: [first, second], <..nearest_balls>: of each "
                  "{ball, atom, element, chain, residue, number, insertion, xyz, radius}, as far as files have it, "
                  "<..fixed>: {n, input} and <>: {n, input}; balls by their indices in the order of their files, "
-                 "counted from 0.",
+                 "counted from 0. With --trajectory first frame, time and step, and neither fixed nor moving.",
          .describe = describe_clash},
     [COMMAND_QUERY] = {.name = "query",
                        .arguments = "FILE [options]",

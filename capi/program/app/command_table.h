@@ -14,6 +14,7 @@ struct command_row {
   const char *part;           /* that it needs: a component of the library, or DRAWING; NULL: none */
   command_function *run;      /* NULL: the part is left out, or the command is about two molecules */
   command_of_two *run_two;    /* likewise, about one */
+  command_of_run *of_run;     /* of frames that are more than one after the other; NULL: they are not */
   command_check *check;       /* what goes together among its own options, or NULL */
   const char *text;           /* before the options in its help, */
   const char *closing;        /* and behind them, */

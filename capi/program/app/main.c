@@ -48,7 +48,7 @@ static unsigned keeping_of(const struct request *request) {
 /* Read the file of a request and do what it asks for, by so many threads. */
 static bool run_command(const struct request *request, uint32_t threads, struct notes *notes, struct text_buffer *out,
                         struct failure *failure) {
-  command_function *const command = command_table[request->command].run;
+  const struct command_row *const row = &command_table[request->command];
   struct molecule molecule;
   struct geometry geometry = {.work = {0}};
   const bool again = request->measure.pdb_out != NULL && input_is_standard(request->file);
@@ -57,21 +57,20 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
       read_molecule(request->file, request->format, &request->choice, keeping_of(request), &molecule, failure) &&
       prepare(request, &molecule, notes, failure) && (!request->measure.polar || polarity_find(&molecule, failure));
   if (done && request->trajectory != NULL) {
-    const struct frame_work work = {.command = command};
+    const struct frame_work work = {.command = row->run};
+    command_of_run *const run = request->measure.mean ? measure_mean : row->of_run;
     double *const rounding = &notes->largest_rounding;
-    done = request->measure.mean ? measure_mean(request, &molecule, out, rounding, failure)
-                                 : command_frames(request, &molecule, &work, rounding, failure);
+    done = run != NULL ? run(request, &molecule, out, rounding, failure)
+                       : command_frames(request, &molecule, &work, rounding, failure);
   } else {
     geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
     done = done && unit_cell_fill(request, &molecule, failure);
     if (done) notes_look_at_symmetry(notes, request, &molecule.symmetry);
     geometry_share_work(&geometry, threads, molecule.atoms);
     out->threads = threads;
-    /* Pores are those of every probe. */
-    const double grown = request->command == COMMAND_PORES ? 0.0 : request->probe;
-    done = done && geometry_set_model(&geometry, &molecule, grown, 0.0, failure);
+    done = done && geometry_set_model(&geometry, &molecule, request_grown(request), 0.0, failure);
     if (done && !request_wants_places(request)) molecule_drop_balls(&molecule);
-    done = done && command(request, &molecule, &geometry, out, failure);
+    done = done && row->run(request, &molecule, &geometry, out, failure);
     if (geometry.misfit[0] != '\0') text_buffer_add(&notes->lines, "%s\n", geometry.misfit);
     notes->labels = geometry.labels;
     notes->labels_left_out = geometry.labels_left_out;

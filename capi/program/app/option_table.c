@@ -7,6 +7,7 @@
 #define IN(member) offsetof(struct request, member)
 #define OF(COMMAND) (1u << COMMAND_##COMMAND)
 #define EVERY EVERY_COMMAND
+#define OF_CAVITIES_AND_PAIRS (OF(CONTACTS) | OF(VOIDS) | OF(PORES) | OF(CLASH))
 
 const struct option *option_at(size_t i) {
   static const struct option table[] = {
@@ -152,7 +153,8 @@ const struct option *option_at(size_t i) {
        .help = "only those of volume V or more"},
       {"--balls", NULL, take_flag, OF(VOIDS), .target = IN(voids.balls), .help = "also the balls around each"},
       {"--csv", NULL, take_flag, OF(VOIDS), .target = IN(csv),
-       .help = "print the list as comma-separated values and nothing else"},
+       .help = "print the list as comma-separated values and nothing else; of a --trajectory that of each\n"
+               "frame, in place of a row"},
 
       {"--by", "residue|chain", take_choice, OF(CONTACTS), .target = IN(by), .words = "residue|chain", .first = 1,
        .help = "sums over the contacts between residues or chains, instead of those between balls"},
@@ -166,13 +168,6 @@ const struct option *option_at(size_t i) {
        .help = "also a picture of the list: a square for each pair, darker the larger its area"},
       {"--dark", NULL, take_flag, OF(CONTACTS), .target = IN(contacts.dark),
        .help = "that picture before a dark page, with lighter squares for larger areas"},
-      {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
-      {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S"},
-      {"--begin", "T", take_real, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},
-      {"--end", "T", take_real, OF(CONTACTS), .target = IN(frames.end), .what = "a time"},
-      {"--interval", "DT", take_real, OF(CONTACTS), .target = IN(frames.interval), .what = "a time", .positive = true,
-       .help = "for every frame a row of numbers, or with --json a line with the list: see measure"},
-
       {"--from", "X Y Z", take_place, OF(PATH), .target = IN(path.from), .help = ""},
       {"--to", "X Y Z", take_place, OF(PATH), .target = IN(path.to), .help = ""},
 
@@ -194,7 +189,11 @@ const struct option *option_at(size_t i) {
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pores.pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
                "outside, or with --box from where it goes on for ever. Volume and area are those of places\n"
-               "of the centre of P, cut off by balls that fill the mouths; - where these do not close it"},
+               "of the centre of P, cut off by balls that fill the mouths; - where these do not close it.\n"
+               "The largest volume is first; numbers are by width, but of a --trajectory each has one that\n"
+               "stays"},
+      {"--min-volume", "V", take_length, OF(PORES), .target = IN(pores.min_volume), .what = "a volume",
+       .help = "only pockets of volume V or more, and those whose volume is not known"},
       {"--balls", NULL, take_flag, OF(PORES), .target = IN(pores.balls),
        .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
       {"--tunnels-from", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(pores.tunnels_from),
@@ -219,15 +218,28 @@ const struct option *option_at(size_t i) {
        .help = "also a chart of the tunnels: the radius along the length, with a ring at the bottleneck"},
       {"--tree", "OUT.svg", take_path, OF(PORES), .target = IN(pores.tree), .part = DRAWING, .what = "a file",
        .help = "also a chart of the classes: a line from birth to death for each, down to that which it\n"
-               "merges into; with --pockets in the colours of the six widest pockets"},
+               "merges into; with --pockets in the colours of the six largest pockets. Of more than\n"
+               "100 those that live longest"},
       {"--csv", NULL, take_flag, OF(PORES), .target = IN(csv),
        .help = "print maxima, gates, regions, pockets or points of tunnels as comma-separated values and\n"
-               "nothing else"},
+               "nothing else; of a --trajectory those of each frame, in place of a row"},
 
       {"--rotate", "X,Y,Z", take_angles, OF(CLASH), .target = IN(clash.rotate), .part = DRAWING,
        .help = "turn the second one by X, then Y, then Z degrees about axes through the mean of its\n"
                "centres"},
       {"--translate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(clash.translate), .help = "then move it"},
+
+      {"--plot", "OUT.svg", take_path, OF(VOIDS) | OF(PORES), .target = IN(plot), .part = DRAWING, .what = "a file",
+       .help = "with --trajectory: also a chart of the volume of each by frame, of the six that have most\n"
+               "over the run"},
+      {"--trajectory", "RUN", take_path, OF_CAVITIES_AND_PAIRS, .target = IN(trajectory)},
+      {"--frames", "A:B:S", take_frames, OF_CAVITIES_AND_PAIRS, .what = "frames, A:B:S"},
+      {"--begin", "T", take_real, OF_CAVITIES_AND_PAIRS, .target = IN(frames.begin), .what = "a time"},
+      {"--end", "T", take_real, OF_CAVITIES_AND_PAIRS, .target = IN(frames.end), .what = "a time"},
+      {"--interval", "DT", take_real, OF_CAVITIES_AND_PAIRS, .target = IN(frames.interval), .what = "a time",
+       .positive = true,
+       .help = "for every frame a row of numbers, or with --json a line with the list: see measure. Of clash\n"
+               "the frames are of the second molecule"},
 
       {"--point", "X Y Z", take_query, OF(QUERY), .help = ""},
       {"--ball", "X Y Z R", take_query, OF(QUERY), .help = ""},
@@ -256,7 +268,7 @@ const struct option *option_at(size_t i) {
       {"--pockets", "W", take_number, OF(MESH), .target = IN(meshing.pockets), .what = "a length", .most = 1e6,
        .part = "space",
        .help = "in .svg show pockets instead, as pores has them: where the probe fits, and one of radius W\n"
-               "does not get to from outside. The widest six have colours; --cut goes through the first"},
+               "does not get to from outside. The largest six have colours; --cut goes through the first"},
       {"--least", "D", take_length, OF(MESH), .target = IN(meshing.persistence), .what = "a length", .part = "space",
        .help = "only pockets that are wider than their widest mouth by D"},
 
@@ -398,7 +410,7 @@ const struct option *option_at(size_t i) {
       {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES), .words = "file|p1",
        .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or its vectors AX,AY,AZ,BX,BY,BZ,CX,CY,CZ"},
       {"--box", "file", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES),
-       .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc, .trr and .dcd,\n"
+       .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc, .trr, .dcd, .nc,\n"
                "Lattice of .xyz; 1 1 1 stands for none. That of FILE is filled by copies: those by the\n"
                "operators in REMARK 290 of .pdb or in .cif; without operators the table says that none are\n"
                "made. An image that falls on an atom, within the digits of the file, as on an axis or\n"

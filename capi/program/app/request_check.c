@@ -15,29 +15,38 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   if (path == NULL) {
     const char *const lone = request->frames_given               ? "--frames"
                              : request->measure.mean             ? "--mean"
+                             : request->plot != NULL             ? "--plot"
                              : request->frames.begin > -HUGE_VAL ? "--begin"
                              : request->frames.end < HUGE_VAL    ? "--end"
                              : request->frames.interval > 0.0    ? "--interval"
                                                                  : NULL;
     return lone == NULL || failure_in_usage(failure, "%s needs --trajectory", lone);
   }
-  if (request->files > 1) return failure_in_usage(failure, "--trajectory takes one file at a time");
-  if (request->measure.pdb_out != NULL) return failure_in_usage(failure, "--pdb-out is not for a --trajectory");
-  if (request->contacts.map != NULL) return failure_in_usage(failure, "--map is not for a --trajectory");
+  if (request->files > 1 && request->command != COMMAND_CLASH) {
+    return failure_in_usage(failure, "--trajectory takes one file at a time");
+  }
+  struct output_choice outputs[MOST_OUTPUTS];
+  const int count = request_outputs(request, outputs);
+  for (int k = 0; k < count; ++k) {
+    if (outputs[k].path == request->plot) continue;
+    return failure_in_usage(failure, "%s is not for a --trajectory", outputs[k].option);
+  }
   if (request->csv && request->json) return true; /* refused with the options of measure */
   if (request->measure.mean && (request->measure.gradient || request->measure.interface != NULL)) {
     return failure_in_usage(failure, "%s has no mean: not with --mean",
                             request->measure.gradient ? "--gradient" : "--interface");
   }
-  const char *longer = request->measure.per_ball      ? "--per-ball"
-                       : request->measure.gradient    ? "--gradient"
-                       : request->by != GROUPING_NONE ? "--by"
-                       : request->contacts.cells      ? "--cells"
-                                                      : NULL;
+  const char *longer = request->measure.per_ball                      ? "--per-ball"
+                       : request->measure.gradient                    ? "--gradient"
+                       : request->by != GROUPING_NONE                 ? "--by"
+                       : request->contacts.cells                      ? "--cells"
+                       : request->voids.balls || request->pores.balls ? "--balls"
+                                                                      : NULL;
   if (longer != NULL && !request->json && !request->measure.mean) {
     return failure_in_usage(failure, "%s has no place in the one row of a frame: it needs --json", longer);
   }
-  if (!request->measure.mean) request->csv = false; /* it is the table of frames anyway */
+  const bool lists = request->measure.mean || request->command == COMMAND_VOIDS || request->command == COMMAND_PORES;
+  if (!lists) request->csv = false; /* it is the table of frames anyway */
   if (!input_is_standard(path)) return true;
   if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
     return failure_in_usage(failure, "standard input is one file, not two");

@@ -12,7 +12,6 @@
 #include "write/csv.h"
 
 enum {
-  MOST_FORMATS = 12,
   SLOTS_OF_WORKER = 8, /* so that a large file among small ones keeps nobody waiting */
   WATCHED_FILES = 100, /* less takes no time that anybody would watch */
   MEMORY_OF_BYTE = 5   /* what takes a byte in a file takes about so many in memory */

@@ -1,8 +1,10 @@
 /* hardsphere clash: a molecule against another one that is turned and moved. */
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "commands/command_frames.h"
 #include "commands/commands.h"
 #include "commands/input_report.h"
 #include "read/geometry.h"
@@ -29,8 +31,10 @@ static void clash_free(struct clash *clash) {
 /* Both models on one lattice: the coarser one of those that they would choose. */
 static bool set_models(const struct molecule_request *const both[2], struct clash *clash, struct failure *failure) {
   double step[2];
+  const bool frame = both[1]->molecule->frame.number > 0;
+  const char *const files[2] = {both[0]->request->file, frame ? failure->file : both[1]->request->file};
   for (int k = 0; k < 2; ++k) {
-    failure->file = both[k]->request->file;
+    failure->file = files[k];
     if (!geometry_set_model(&clash->geometry[k], both[k]->molecule, both[k]->request->probe, 0.0, failure))
       return false;
     hsp_model_info info;
@@ -40,7 +44,7 @@ static bool set_models(const struct molecule_request *const both[2], struct clas
   }
   if (step[0] == step[1]) return true;
   const int finer = step[0] < step[1] ? 0 : 1;
-  failure->file = both[finer]->request->file;
+  failure->file = files[finer];
   return geometry_set_model(&clash->geometry[finer], both[finer]->molecule, both[finer]->request->probe,
                             step[1 - finer], failure);
 }
@@ -149,8 +153,9 @@ static void print_nearest(const struct molecule_request *const both[2], const st
 static void record_findings(struct record *record, const struct molecule_request *const both[2],
                             const struct clash *clash) {
   const uint32_t pairs = clash->overlap.pairs, nearest[2] = {clash->gap.fixed, clash->gap.posed};
+  const bool row = record->form == AS_CSV || record->form == AS_CSV_TITLES;
   record_whether(record, "hit", NULL, pairs > 0, "");
-  record_count(record, NULL, "pairs", pairs, "of balls that meet");
+  record_count(record, row ? "pairs" : NULL, "pairs", pairs, "of balls that meet");
   if (record_key(record, "pairs")) {
     text_buffer_add_text(record->out, "[");
     for (uint32_t k = 0; k < pairs; ++k) {
@@ -161,6 +166,8 @@ static void record_findings(struct record *record, const struct molecule_request
   }
   record_number(record, "gap", "least gap", clash->gap.gap, 6, "@, of the two balls below");
   record_counts(record, "nearest", nearest, 2);
+  if (row) record_count(record, "nearest_1", NULL, nearest[0], "");
+  if (row) record_count(record, "nearest_2", NULL, nearest[1], "");
   record_number(record, "overlap_volume", "overlap", clash->overlap.volume, 6, "@^3, summed pair by pair");
   if (record_key(record, "nearest_balls")) {
     for (int k = 0; k < 2; ++k) {
@@ -169,6 +176,7 @@ static void record_findings(struct record *record, const struct molecule_request
     }
     text_buffer_add_text(record->out, "}]");
   }
+  if (record->molecule->frame.number > 0) return; /* it would be the same for all frames */
   add_input(record, "fixed", both[0]);
   add_input(record, "moving", both[1]);
 }
@@ -194,6 +202,51 @@ static void print(const struct molecule_request *const both[2], const struct cla
   }
 }
 
+static bool find_all(const struct molecule_request *const both[2], struct clash *clash, struct failure *failure) {
+  return set_models(both, clash, failure) && make_bodies(clash, failure) && find(both[1], clash, failure);
+}
+
+/* Frames of the second molecule. */
+struct run {
+  const struct molecule_request *const *both;
+};
+
+struct findings {
+  struct clash clash;
+  const struct molecule_request *const *both; /* in print_row */
+};
+
+static bool find_in_frame(const void *of, const struct molecule *molecule, struct geometry *geometry, void *findings,
+                          struct failure *failure) {
+  const struct molecule_request *const *const both = ((const struct run *)of)->both;
+  const struct molecule_request posed = {both[1]->request, molecule, NULL};
+  const struct molecule_request *const now[2] = {both[0], &posed};
+  (void)geometry; /* of the finer lattice of both */
+  return find_all(now, &((struct findings *)findings)->clash, failure);
+}
+
+static void print_row(struct record *record, const void *of) {
+  const struct findings *const found = of;
+  const struct molecule_request posed = {found->both[1]->request, record->molecule, NULL};
+  const struct molecule_request *const now[2] = {found->both[0], &posed};
+  record_findings(record, now, &found->clash);
+}
+
+static bool take_frame(void *of, const struct molecule *molecule, void *findings, struct text_buffer *out,
+                       struct failure *failure) {
+  struct findings *const found = findings;
+  (void)failure;
+  found->both = ((const struct run *)of)->both;
+  double *const rounding = found->both[0]->largest_rounding;
+  *rounding = fmax(*rounding, found->clash.geometry[0].largest_rounding);
+  report(found->both[1]->request, molecule, print_row, found, out);
+  return true;
+}
+
+static void clear(void *findings) {
+  clash_free(&((struct findings *)findings)->clash);
+}
+
 bool command_clash(const struct molecule_request *fixed, const struct molecule_request *moving, struct text_buffer *out,
                    struct failure *failure) {
   const struct molecule_request *const both[2] = {fixed, moving};
@@ -201,9 +254,15 @@ bool command_clash(const struct molecule_request *fixed, const struct molecule_r
     return failure_in_usage(failure, "the files have different units: %s and %s", fixed->molecule->format->unit,
                             moving->molecule->format->unit);
   }
+  if (moving->request->trajectory != NULL) {
+    struct run run = {both};
+    const struct frame_work work = {
+        .bytes = sizeof(struct findings), .find = find_in_frame, .take = take_frame, .clear = clear, .of = &run};
+    return command_frames(moving->request, moving->molecule, &work, moving->largest_rounding, failure);
+  }
   struct clash clash;
   memset(&clash, 0, sizeof clash);
-  const bool done = set_models(both, &clash, failure) && make_bodies(&clash, failure) && find(moving, &clash, failure);
+  const bool done = find_all(both, &clash, failure);
   for (int k = 0; k < 2; ++k) *both[k]->largest_rounding = clash.geometry[k].largest_rounding;
   if (done) print(both, &clash, out);
   clash_free(&clash);

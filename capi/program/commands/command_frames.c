@@ -21,7 +21,7 @@ struct frame {
   bool done;                /* it was read, and the command has its results */
   struct failure failure;   /* if not */
   struct text_buffer out;
-  double *numbers; /* [work->count] */
+  void *findings; /* [work->bytes] */
 };
 
 struct frames {
@@ -93,6 +93,12 @@ static bool take_frame(void *of, uint32_t slot, uint64_t *weight) {
   return false;
 }
 
+static void clear_findings(const struct frame_work *work, struct frame *frame) {
+  if (frame->findings == NULL) return;
+  if (work->clear != NULL) work->clear(frame->findings);
+  memset(frame->findings, 0, work->bytes);
+}
+
 static void work_on_frame(void *of, uint32_t worker, uint32_t slot) {
   const struct frames *const frames = of;
   const struct request *const request = frames->request;
@@ -103,23 +109,26 @@ static void work_on_frame(void *of, uint32_t worker, uint32_t slot) {
   if (!frame->done) return;
   frame->out.length = 0;
   const struct frame_work *const to_do = frames->work;
-  frame->done =
-      geometry_set_model(geometry, &frame->molecule, request->probe, 0.0, failure) &&
-      (to_do->command != NULL ? to_do->command(request, &frame->molecule, geometry, &frame->out, failure)
-                              : to_do->evaluate(to_do->of, &frame->molecule, geometry, frame->numbers, failure));
+  clear_findings(to_do, frame);
+  frame->done = geometry_set_model(geometry, &frame->molecule, request_grown(request), 0.0, failure) &&
+                (to_do->command != NULL ? to_do->command(request, &frame->molecule, geometry, &frame->out, failure)
+                                        : to_do->find(to_do->of, &frame->molecule, geometry, frame->findings, failure));
   if (!frame->done && failure->file == file) failure_in_frame(failure, frame->molecule.frame.number);
   progress_end(&geometry->progress);
 }
 
 static bool print_frame(void *of, uint32_t slot) {
   struct frames *const frames = of;
-  const struct frame *const frame = &frames->frame[slot];
+  struct frame *const frame = &frames->frame[slot];
+  const struct frame_work *const work = frames->work;
   progress_end(&frames->progress);
   if (!frame->done) {
     *frames->failure = frame->failure;
     return false;
   }
-  if (frames->work->command == NULL) frames->work->take(frames->work->of, frame->numbers);
+  if (work->command == NULL && !work->take(work->of, &frame->molecule, frame->findings, &frame->out, frames->failure)) {
+    return false;
+  }
   if (!text_buffer_print(&frame->out, frames->failure)) return false;
   if (frames->loop.workers > 1) show_frame(frames, frame->molecule.frame.number);
   return true;
@@ -149,8 +158,8 @@ static bool allocate(struct frames *frames, struct failure *failure) {
     *molecule = *frames->molecule;
     molecule->xyz = malloc((atoms + 1) * 3 * sizeof *molecule->xyz);
     molecule->line = malloc((atoms + 1) * sizeof *molecule->line);
-    frames->frame[k].numbers = malloc((frames->work->count + 1) * sizeof *frames->frame[k].numbers);
-    done = molecule->xyz != NULL && molecule->line != NULL && frames->frame[k].numbers != NULL;
+    frames->frame[k].findings = calloc(frames->work->bytes + 1, 1);
+    done = molecule->xyz != NULL && molecule->line != NULL && frames->frame[k].findings != NULL;
   }
   return done || failure_of_memory(failure);
 }
@@ -163,7 +172,8 @@ static void release(struct frames *frames, double *largest_rounding) {
   for (uint32_t k = 0; frames->frame != NULL && k < frames->loop.slots; ++k) {
     free(frames->frame[k].molecule.xyz);
     free(frames->frame[k].molecule.line);
-    free(frames->frame[k].numbers);
+    clear_findings(frames->work, &frames->frame[k]);
+    free(frames->frame[k].findings);
     text_buffer_free(&frames->frame[k].out);
   }
   free(frames->geometry);

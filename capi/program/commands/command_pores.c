@@ -2,9 +2,12 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
+#include "commands/command_frames.h"
 #include "commands/commands.h"
 #include "commands/input_report.h"
+#include "commands/pictures.h"
 #include "commands/pores_found.h"
 #include "write/ball_label.h"
 
@@ -153,37 +156,47 @@ static struct table table_of_regions(const struct molecule *molecule, const stru
 
 static bool pocket_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct pores_found *const found = of;
-  const hsp_pore_pocket *const pocket = &found->pockets[row];
-  if (!pores_lists_pocket(found, row)) return false;
-  cells[0].count = (int64_t)row + 1;
+  const uint32_t number = found->listed[row].pocket;
+  const hsp_pore_pocket *const pocket = &found->pockets[number];
+  const hsp_pore_pocket_size *const size = &found->sizes[number];
+  cells[0].count = (int64_t)number + 1;
   cells[1].vector = found->maxima[pocket->maximum].xyz;
   cells[2].quantity = pocket->radius;
   cells[3].quantity = pocket->mouth;
   cells[4].count = pocket->maximum;
-  cells[5].text = number_text(text, CELL_BYTES, pocket->gate);
+  cells[5].text = number_text(text, CELL_BYTES / 2, pocket->gate);
   cells[6].count = pocket->maxima;
   cells[7].count = pocket->mouths;
   cells[8].count = pocket->balls;
-  cells[9].quantity = found->sizes[row].volume;
-  cells[10].quantity = found->sizes[row].area;
-  cells[11].count = found->sizes[row].closed;
-  set_list(&cells[12], &found->mouths, row);
-  set_list(&cells[13], &found->lining, row);
+  cells[9].quantity = size->volume;
+  cells[10].quantity = size->area;
+  cells[11].count = size->closed;
+  set_list(&cells[12], &found->mouths, number);
+  set_list(&cells[13], &found->lining, number);
+  if (found->followed != NULL) followed_cells(&found->followed[row], &cells[0], &cells[14], text);
   return true;
 }
 
 static struct table table_of_pockets(const struct molecule *molecule, const struct pores_found *found) {
   static const struct column columns[] = {
-      {"pocket", NULL, "pocket", 6, COLUMN_COUNT, 0},    {"xyz", "x,y,z", "x y z", 9, COLUMN_POINT, 0},
-      {"radius", NULL, "radius", 9, COLUMN_QUANTITY, 4}, {"mouth_radius", NULL, "mouth", 9, COLUMN_QUANTITY, 4},
-      {"maximum", NULL, "maximum", 7, COLUMN_COUNT, 0},  {"gate", NULL, "gate", 7, COLUMN_RESIDUE_NUMBER, 0},
-      {"maxima", NULL, "maxima", 7, COLUMN_COUNT, 0},    {NULL, "mouths", "mouths", 6, COLUMN_COUNT, 0},
-      {NULL, "balls", "balls", 6, COLUMN_COUNT, 0},      {"volume", NULL, "volume", 9, COLUMN_QUANTITY, 4},
-      {"area", NULL, "area", 9, COLUMN_QUANTITY, 4},     {"closed", NULL, NULL, 0, COLUMN_COUNT, 0},
-      {"mouths", "", NULL, 0, COLUMN_COUNTS, 0},         {"balls", "", NULL, 0, COLUMN_COUNTS, 0},
+      {"pocket", NULL, "pocket", 6, COLUMN_COUNT, 0},
+      {"xyz", "x,y,z", "x y z", 9, COLUMN_POINT, 0},
+      {"radius", NULL, "radius", 9, COLUMN_QUANTITY, 4},
+      {"mouth_radius", NULL, "mouth", 9, COLUMN_QUANTITY, 4},
+      {"maximum", NULL, "maximum", 7, COLUMN_COUNT, 0},
+      {"gate", NULL, "gate", 7, COLUMN_RESIDUE_NUMBER, 0},
+      {"maxima", NULL, "maxima", 7, COLUMN_COUNT, 0},
+      {NULL, "mouths", "mouths", 6, COLUMN_COUNT, 0},
+      {NULL, "balls", "balls", 6, COLUMN_COUNT, 0},
+      {"volume", NULL, "volume", 9, COLUMN_QUANTITY, 4},
+      {"area", NULL, "area", 9, COLUMN_QUANTITY, 4},
+      {"closed", NULL, NULL, 0, COLUMN_COUNT, 0},
+      {"mouths", "", NULL, 0, COLUMN_COUNTS, 0},
+      {"balls", "", NULL, 0, COLUMN_COUNTS, 0},
+      FOLLOWED_COLUMNS,
   };
-  return (struct table){
-      columns, sizeof columns / sizeof columns[0], molecule->format, found->pocket_count, found, pocket_row, NULL};
+  const int count = sizeof columns / sizeof columns[0] - (found->followed == NULL ? FOLLOWED : 0);
+  return (struct table){columns, count, molecule->format, found->listed_count, found, pocket_row, NULL};
 }
 
 static bool tunnel_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
@@ -263,6 +276,11 @@ static void set_diameters(double out[3], const double radius[3], const uint32_t 
   for (int d = 0; d < 3; ++d) out[d] = gate[d] == HSP_NONE ? (double)NAN : 2.0 * radius[d];
 }
 
+/* That of a frame, with numbers alone. */
+static bool is_row(const struct record *record) {
+  return record->form == AS_CSV || record->form == AS_CSV_TITLES;
+}
+
 static void print_box(struct record *record, const struct pores_found *found) {
   static const char *const titles[2][3] = {{"pore limit, 1-d", "pore limit, 2-d", "pore limit, 3-d"},
                                            {"along the first", "along the second", "along the third"}};
@@ -277,6 +295,7 @@ static void print_box(struct record *record, const struct pores_found *found) {
   set_diameters(included, wide->included, wide->gate);
   set_diameters(along, wide->along, wide->gate_along);
   record_numbers(record, "pore_limiting_diameter", through, 3);
+  if (is_row(record)) record_number(record, "pore_limiting_diameter", NULL, through[0], 0, "");
   record_numbers(record, "included_cavity_diameter", included, 3);
   record_numbers(record, "pore_limiting_diameter_along", along, 3);
   for (int k = 0; persons && k < 6; ++k) {
@@ -321,6 +340,37 @@ static bool lists_balls(const struct record *record, const struct pores_found *f
   return record->form == FOR_PERSONS && found->request->pores.balls;
 }
 
+/* In the row of a frame: all volumes that are known, and the largest pocket. */
+static void record_pocket_sums(struct record *record, const struct pores_found *found) {
+  double volume = 0.0;
+  for (uint32_t i = 0; i < found->listed_count; ++i) volume += fmax(found->listed[i].volume, 0.0);
+  const bool any = found->listed_count > 0 && found->listed[0].volume >= 0.0;
+  record_number(record, "pocket_volume", NULL, volume, 0, "");
+  record_number(record, "largest_pocket", NULL, any ? (double)found->followed[0].number : (double)NAN, 0, "");
+  record_number(record, "largest_pocket_volume", NULL, any ? found->listed[0].volume : (double)NAN, 0, "");
+}
+
+static void print_pockets(struct record *record, const struct pores_found *found) {
+  const bool persons = record->form == FOR_PERSONS;
+  const struct table table = table_of_pockets(record->molecule, found);
+  uint32_t empty = 0;
+  for (uint32_t i = 0; i < found->listed_count; ++i) empty += found->listed[i].volume == 0.0 ? 1 : 0;
+  record_count(record, "pockets", "pockets", found->pocket_count, "where the probe fits that --pockets keeps out");
+  record_count(record, "smaller", found->smaller > 0 ? "smaller" : NULL, found->smaller,
+               "not listed: smaller than --min-volume");
+  record_count(record, NULL, empty > 0 ? "of volume 0" : NULL, empty,
+               "hardly wider than their mouths: the balls that fill these fill them, too");
+  if (!persons) record_table(record, "pocket_list", &table);
+  if (is_row(record)) record_pocket_sums(record, found);
+  print_table(
+      record, &table,
+      "  x y z: where the widest probe fits; its radius, and the widest mouth's, in @; volume in @^3, area in @^2");
+  for (uint32_t i = 0; lists_balls(record, found) && i < found->listed_count; ++i) {
+    const uint32_t pocket = found->listed[i].pocket;
+    print_balls(record, "pocket", pocket + 1, &found->lining, pocket);
+  }
+}
+
 static void print(struct record *record, const void *of) {
   const struct pores_found *const found = of;
   const struct request *const request = found->request;
@@ -329,7 +379,6 @@ static void print(struct record *record, const void *of) {
   const bool persons = record->form == FOR_PERSONS, pockets = request->pores.pockets >= 0.0;
   const bool tunnels = request->pores.tunnels_from.point.given;
   const struct table maxima = table_of_maxima(molecule, found), gates = table_of_gates(molecule, found);
-  const struct table pocket_table = table_of_pockets(molecule, found);
   const struct table tunnel_table = table_of_tunnels(molecule, found), steps = table_of_steps(molecule, found);
   const struct table channels = table_of_channels(molecule, found);
   record_atoms(record);
@@ -356,16 +405,7 @@ static void print(struct record *record, const void *of) {
   }
   if (request->pores.regions) print_regions(record, found);
   if (persons && request->pores.gates) print_table(record, &gates, "  narrower probes than radius, in @, pass");
-  if (pockets) {
-    record_count(record, "pockets", "pockets", found->pocket_count, "where the probe fits that --pockets keeps out");
-    if (!persons) record_table(record, "pocket_list", &pocket_table);
-    print_table(
-        record, &pocket_table,
-        "  x y z: where the widest probe fits; its radius, and the widest mouth's, in @; volume in @^3, area in @^2");
-    for (uint32_t i = 0; lists_balls(record, found) && i < found->pocket_count; ++i) {
-      if (pores_lists_pocket(found, i)) print_balls(record, "pocket", i + 1, &found->lining, i);
-    }
-  }
+  if (pockets) print_pockets(record, found);
   if (!tunnels) return;
   if (persons && (request->pores.gates || request->pores.regions || pockets)) record_line(record, "");
   const bool ends = request->pores.tunnels_to.point.given;
@@ -376,6 +416,11 @@ static void print(struct record *record, const void *of) {
                ends                ? "to that point, each by another bottleneck"
                : is_boxed(request) ? "to a copy of the start, each by another bottleneck"
                                    : "to the outside, each by another bottleneck");
+  if (is_row(record)) {
+    const hsp_tunnel *const best = found->tunnel_count > 0 ? found->tunnels : NULL;
+    record_number(record, "tunnel_radius", NULL, best == NULL ? (double)NAN : best->radius, 0, "");
+    record_number(record, "tunnel_length", NULL, best == NULL ? (double)NAN : best->length, 0, "");
+  }
   if (!persons) record_table(record, "tunnel_list", &tunnel_table);
   if (!persons) record_table(record, "tunnel_points", &steps);
   print_table(record, &tunnel_table,
@@ -404,6 +449,8 @@ bool check_pores(struct request *request, struct failure *failure) {
       {pores->tunnels > 0 && !from, "--tunnels needs --tunnels-from"},
       {pores->tunnels_to.point.given && !from, "--tunnels-to needs --tunnels-from"},
       {pores->cheapest && !from, "--cheapest needs --tunnels-from"},
+      {pores->min_volume > 0.0 && !pockets, "--min-volume needs --pockets"},
+      {request->plot != NULL && !pockets, "--plot needs --pockets"},
       {pockets && pores->pockets < request->probe, "--pockets: W must not be less than --probe"},
       {pores->tunnels_out != NULL && !from, "--tunnels-out needs --tunnels-from"},
       {pores->profile != NULL && !from, "--profile needs --tunnels-from"},
@@ -419,16 +466,73 @@ void describe_pores(const struct request *request, struct record *record) {
   print(record, &none);
 }
 
+static void write(const struct request *request, const struct molecule *molecule, const struct pores_found *found,
+                  struct text_buffer *out) {
+  if (request->csv) {
+    const struct table table = table_of(molecule, found);
+    report_list(molecule, &table, out);
+  } else if (!request_prints_file(request)) {
+    report(request, molecule, print, found, out);
+  }
+}
+
 bool command_pores(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
   struct pores_found found = {.request = request};
   const bool done = pores_find(molecule, geometry, &found, failure) && pores_write_files(&found, molecule, failure);
-  if (done && request->csv) {
-    const struct table table = table_of(molecule, &found);
-    table_csv(&table, out);
-  } else if (done && !request_prints_file(request)) {
-    report(request, molecule, print, &found, out);
-  }
+  if (done) write(request, molecule, &found, out);
   pores_free(&found);
+  return done;
+}
+
+/* A trajectory. */
+struct run {
+  const struct request *request;
+  struct followed followed; /* pockets */
+};
+
+static bool find_in_frame(const void *of, const struct molecule *molecule, struct geometry *geometry, void *findings,
+                          struct failure *failure) {
+  struct pores_found *const found = findings;
+  found->request = ((const struct run *)of)->request;
+  return pores_find(molecule, geometry, found, failure);
+}
+
+static bool follow(struct run *run, const struct molecule *molecule, struct pores_found *found,
+                   struct failure *failure) {
+  found->followed = calloc((size_t)found->listed_count + 1, sizeof *found->followed);
+  if (found->followed == NULL) return failure_of_memory(failure);
+  for (uint32_t i = 0; i < found->listed_count; ++i) {
+    const uint32_t pocket = found->listed[i].pocket;
+    union cell balls;
+    set_list(&balls, &found->lining, pocket);
+    found->followed[i] = (struct cavity){
+        .balls = balls.counts.list, .ball_count = balls.counts.length, .volume = found->sizes[pocket].volume};
+  }
+  return followed_take(&run->followed, molecule, found->followed, found->listed_count, failure);
+}
+
+static bool take_frame(void *of, const struct molecule *molecule, void *findings, struct text_buffer *out,
+                       struct failure *failure) {
+  struct run *const run = of;
+  if (run->request->pores.pockets >= 0.0 && !follow(run, molecule, findings, failure)) return false;
+  write(run->request, molecule, findings, out);
+  return true;
+}
+
+static void clear(void *findings) {
+  pores_free(findings);
+}
+
+bool pores_of_run(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
+                  double *largest_rounding, struct failure *failure) {
+  struct run run = {.request = request, .followed = {.keeps_volumes = request->plot != NULL}};
+  const struct frame_work work = {
+      .bytes = sizeof(struct pores_found), .find = find_in_frame, .take = take_frame, .clear = clear, .of = &run};
+  (void)out;
+  const bool done =
+      command_frames(request, molecule, &work, largest_rounding, failure) &&
+      (request->plot == NULL || pictures.volumes(&run.followed, molecule, "pocket", request->plot, failure));
+  followed_free(&run.followed);
   return done;
 }

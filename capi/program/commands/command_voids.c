@@ -1,9 +1,13 @@
 /* hardsphere voids: the cavities that the union encloses, and the balls around them. */
 #include <inttypes.h>
 #include <math.h>
+#include <stdlib.h>
 
+#include "commands/command_frames.h"
 #include "commands/commands.h"
+#include "commands/followed.h"
 #include "commands/input_report.h"
+#include "commands/pictures.h"
 #include "commands/void_list.h"
 #include "write/ball_label.h"
 
@@ -11,12 +15,13 @@
 struct found {
   const struct request *request;
   struct void_list list;
+  struct cavity *followed; /* [list.count] of a trajectory; NULL: of a single molecule */
 };
 
 static bool void_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  const struct void_cell *cell = &((const struct found *)of)->list.voids[row];
+  const struct found *const found = of;
+  const struct void_cell *cell = &found->list.voids[row];
   const struct void_sphere *sphere = &cell->sphere;
-  (void)text;
   cells[0].count = (int64_t)row + 1;
   cells[1].count = cell->region;
   cells[2].quantity = cells[4].quantity = cell->figures.volume;
@@ -28,12 +33,13 @@ static bool void_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   cells[8].vector = sphere->found ? sphere->xyz : NULL;
   cells[9].quantity = cells[10].quantity = sphere->found ? sphere->clearance : (double)NAN;
   cells[11].count = cell->ball_count;
+  if (found->followed != NULL) followed_cells(&found->followed[row], &cells[0], &cells[13], text);
   return true;
 }
 
 static struct table table_of(const struct molecule *molecule, const struct found *found) {
   static const struct column columns[] = {
-      {NULL, "void", "void", 6, COLUMN_COUNT, 0},
+      {"void", NULL, "void", 6, COLUMN_COUNT, 0},
       {"cell", "", NULL, 0, COLUMN_COUNT, 0},
       {NULL, "volume", "volume", 16, COLUMN_QUANTITY, 4},
       {"area", NULL, "area", 16, COLUMN_QUANTITY, 4},
@@ -46,20 +52,33 @@ static struct table table_of(const struct molecule *molecule, const struct found
       {"clearance_bound", NULL, NULL, 0, COLUMN_QUANTITY, 0},
       {NULL, "balls", "balls", 6, COLUMN_COUNT, 0},
       {NULL, "components", "inside", 6, COLUMN_COUNT, 0},
+      FOLLOWED_COLUMNS,
   };
-  return (struct table){
-      columns, sizeof columns / sizeof columns[0], molecule->format, found->list.count, found, void_row, NULL};
+  const int count = sizeof columns / sizeof columns[0] - (found->followed == NULL ? FOLLOWED : 0);
+  return (struct table){columns, count, molecule->format, found->list.count, found, void_row, NULL};
+}
+
+/* In the row of a frame. */
+static void record_sums(struct record *record, const struct void_list *list) {
+  double volume = 0.0, area = 0.0;
+  for (uint32_t i = 0; i < list->count; ++i) volume += list->voids[i].figures.volume;
+  for (uint32_t i = 0; i < list->count; ++i) area += list->voids[i].figures.area;
+  record_number(record, "volume", NULL, volume, 0, "");
+  record_number(record, "area", NULL, area, 0, "");
+  record_number(record, "largest", NULL, list->count > 0 ? list->voids[0].figures.volume : 0.0, 0, "");
 }
 
 static void print(struct record *record, const void *of) {
   const struct found *const found = of;
   const struct void_list *const list = &found->list;
   const struct table table = table_of(record->molecule, found);
+  const bool row = record->form == AS_CSV || record->form == AS_CSV_TITLES;
   record_atoms(record);
-  record_count(record, NULL, "voids", list->count, "cavities enclosed by the union, largest first");
+  record_count(record, row ? "voids" : NULL, "voids", list->count, "cavities enclosed by the union, largest first");
   if (record->form == AS_JSON) record_table(record, "voids", &table);
   record_count(record, "smaller", list->smaller > 0 ? "smaller" : NULL, list->smaller,
                "not listed: smaller than --min-volume");
+  if (row) record_sums(record, list);
   if (record->form == FOR_PERSONS && list->count > 0) {
     record_line(record, "");
     record_line(record,
@@ -78,17 +97,75 @@ void describe_voids(const struct request *request, struct record *record) {
   print(record, &none);
 }
 
+static bool find(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                 struct found *found, struct failure *failure) {
+  found->request = request;
+  return geometry_compute_topology(geometry, failure) &&
+         void_list_make(geometry, molecule, request->probe, request->voids.min_volume, &found->list, failure);
+}
+
+static void write(const struct request *request, const struct molecule *molecule, const struct found *found,
+                  struct text_buffer *out) {
+  const struct table table = table_of(molecule, found);
+  if (request->csv) {
+    report_list(molecule, &table, out);
+  } else if (!request_prints_file(request)) {
+    report(request, molecule, print, found, out);
+  }
+}
+
+static void clear(void *findings) {
+  struct found *const found = findings;
+  void_list_free(&found->list);
+  free(found->followed);
+}
+
 bool command_voids(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
-  if (!geometry_compute_topology(geometry, failure)) return false;
-  struct found found = {.request = request};
-  const bool done = void_list_make(geometry, molecule, request->probe, request->voids.min_volume, &found.list, failure);
-  const struct table table = table_of(molecule, &found);
-  if (done && request->csv) {
-    table_csv(&table, out);
-  } else if (done) {
-    report(request, molecule, print, &found, out);
+  struct found found = {.list = VOID_LIST_NONE};
+  const bool done = find(request, molecule, geometry, &found, failure);
+  if (done) write(request, molecule, &found, out);
+  clear(&found);
+  return done;
+}
+
+/* A trajectory. */
+struct run {
+  const struct request *request;
+  struct followed followed;
+};
+
+static bool find_in_frame(const void *of, const struct molecule *molecule, struct geometry *geometry, void *findings,
+                          struct failure *failure) {
+  return find(((const struct run *)of)->request, molecule, geometry, findings, failure);
+}
+
+static bool take_frame(void *of, const struct molecule *molecule, void *findings, struct text_buffer *out,
+                       struct failure *failure) {
+  struct run *const run = of;
+  struct found *const found = findings;
+  const struct void_list *const list = &found->list;
+  found->followed = calloc((size_t)list->count + 1, sizeof *found->followed);
+  if (found->followed == NULL) return failure_of_memory(failure);
+  for (uint32_t i = 0; i < list->count; ++i) {
+    const struct void_cell *const one = &list->voids[i];
+    found->followed[i] =
+        (struct cavity){.balls = one->balls, .ball_count = one->ball_count, .volume = one->figures.volume};
   }
-  void_list_free(&found.list);
+  if (!followed_take(&run->followed, molecule, found->followed, list->count, failure)) return false;
+  write(run->request, molecule, found, out);
+  return true;
+}
+
+bool voids_of_run(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
+                  double *largest_rounding, struct failure *failure) {
+  struct run run = {.request = request, .followed = {.keeps_volumes = request->plot != NULL}};
+  const struct frame_work work = {
+      .bytes = sizeof(struct found), .find = find_in_frame, .take = take_frame, .clear = clear, .of = &run};
+  (void)out;
+  const bool done =
+      command_frames(request, molecule, &work, largest_rounding, failure) &&
+      (request->plot == NULL || pictures.volumes(&run.followed, molecule, "void", request->plot, failure));
+  followed_free(&run.followed);
   return done;
 }

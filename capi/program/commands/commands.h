@@ -30,6 +30,12 @@ typedef bool command_of_two(const struct molecule_request *fixed, const struct m
 
 command_of_two command_clash;
 
+/* The frames of a trajectory, of which the molecule has all else. *largest_rounding becomes that of all models. */
+typedef bool command_of_run(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
+                            double *largest_rounding, struct failure *failure);
+
+command_of_run voids_of_run, pores_of_run;
+
 /* Whether options of the command go together, and with the file that is named. Adds what follows from others. */
 typedef bool command_check(struct request *request, struct failure *failure);
 

@@ -317,3 +317,42 @@ void report(const struct request *request, const struct molecule *molecule,
   if (request->json) text_buffer_add_text(out, "}");
   if (record.form != FOR_PERSONS) text_buffer_add_text(out, "\n");
 }
+
+/* A table of a frame, and what each row begins with. */
+struct framed {
+  const struct table *table;
+  struct text_buffer lead[2]; /* titles, values */
+};
+
+static bool framed_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct table *const table = ((const struct framed *)of)->table;
+  return table->row(table->of, row, cells, text);
+}
+
+static void framed_lead(const void *of, size_t row, enum form form, struct text_buffer *out) {
+  const struct text_buffer *const lead = &((const struct framed *)of)->lead[row == TABLE_TITLES ? 0 : 1];
+  (void)form;
+  text_buffer_append(out, lead->text, lead->length);
+}
+
+void report_list(const struct molecule *molecule, const struct table *table, struct text_buffer *out) {
+  if (molecule->frame.number == 0) {
+    table_csv(table, out);
+    return;
+  }
+  struct framed framed = {table, {TEXT_BUFFER_EMPTY, TEXT_BUFFER_EMPTY}};
+  for (int k = 0; k < 2; ++k) {
+    struct record record = {
+        .form = k == 0 ? AS_CSV_TITLES : AS_CSV, .molecule = molecule, .width = 0, .out = &framed.lead[k]};
+    record_frame(&record, &molecule->frame);
+  }
+  struct table rows = *table;
+  rows.of = &framed;
+  rows.row = framed_row;
+  rows.lead = framed_lead;
+  (molecule->frame.first ? table_csv : table_csv_rows)(&rows, out);
+  for (int k = 0; k < 2; ++k) {
+    out->out_of_memory = out->out_of_memory || framed.lead[k].out_of_memory;
+    text_buffer_free(&framed.lead[k]);
+  }
+}

@@ -17,5 +17,9 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
 void report(const struct request *request, const struct molecule *molecule,
             void print(struct record *record, const void *of), const void *of, struct text_buffer *out);
 
+/* The table as comma-separated values; in a frame of a trajectory each row behind what the frame is, with titles in the
+ * first frame alone. The table has no lead of its own. */
+void report_list(const struct molecule *molecule, const struct table *table, struct text_buffer *out);
+
 /* How many molecules of water are among the balls; 0 if there is nothing else. */
 uint64_t input_report_waters(const struct molecule *molecule);

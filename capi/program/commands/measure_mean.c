@@ -22,8 +22,9 @@ static bool has_groups(const struct request *request) {
   return request->by != GROUPING_NONE;
 }
 
-static bool evaluate(const void *of, const struct molecule *molecule, struct geometry *geometry, double *numbers,
-                     struct failure *failure) {
+static bool find(const void *of, const struct molecule *molecule, struct geometry *geometry, void *findings,
+                 struct failure *failure) {
+  double *numbers = findings;
   const struct findings *const found = of;
   const struct atom_groups *const groups = &found->groups;
   const struct request *const request = found->request;
@@ -42,9 +43,12 @@ static bool evaluate(const void *of, const struct molecule *molecule, struct geo
   return done;
 }
 
-static void take(void *of, const double *numbers) {
+static bool take(void *of, const struct molecule *molecule, void *findings, struct text_buffer *out,
+                 struct failure *failure) {
   struct findings *const found = of;
-  running_mean_add(&found->running, numbers);
+  (void)molecule, (void)out, (void)failure;
+  running_mean_add(&found->running, findings);
+  return true;
 }
 
 static bool quantity_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
@@ -138,7 +142,8 @@ bool measure_mean(const struct request *request, const struct molecule *molecule
   struct findings found = {.request = request, .molecule = molecule, .groups = ATOM_GROUPS_NONE};
   bool done = make(&found, failure);
   if (done) {
-    const struct frame_work work = {.count = found.running.count, .evaluate = evaluate, .take = take, .of = &found};
+    const struct frame_work work = {
+        .bytes = found.running.count * sizeof *found.running.mean, .find = find, .take = take, .of = &found};
     done = command_frames(request, molecule, &work, largest_rounding, failure);
   }
   if (done) {

@@ -34,6 +34,7 @@ struct mesh_drawn {
 };
 
 struct pores_found;
+struct followed;
 
 /* Each writes a file, and is NULL in a program that does not draw; there options that ask for one are refused. */
 struct pictures {
@@ -44,6 +45,8 @@ struct pictures {
   bool (*tunnels)(const struct pores_found *found, const struct molecule *molecule, const char *path,
                   struct failure *failure);
   bool (*classes)(const struct pores_found *found, const struct molecule *molecule, const char *path,
+                  struct failure *failure);
+  bool (*volumes)(const struct followed *followed, const struct molecule *molecule, const char *noun, const char *path,
                   struct failure *failure);
 };
 

@@ -54,9 +54,8 @@ static bool write_points(const struct pores_found *found, struct failure *failur
     points[count] = (struct point){.residue = at_gate, .chain = 'G', .number = i};
     add_gate(found, i, &points[count++]);
   }
-  for (uint32_t i = 0; i < pockets; ++i) {
-    if (pores_lists_pocket(found, i)) count += add_pocket(found, i, points + count);
-  }
+  for (uint32_t i = 0; i < found->listed_count; ++i)
+    count += add_pocket(found, found->listed[i].pocket, points + count);
   for (size_t i = 0; i < found->step_count; ++i) {
     const struct tunnel_step *const step = &found->steps[i];
     const hsp_tunnel_point *const at = &step->point;

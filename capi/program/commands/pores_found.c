@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands/space_geometry.h"
-
 enum { TUNNELS = 3 };
 
 typedef int32_t get_list(const hsp_pores *pores, uint32_t of, uint32_t *numbers, uint32_t capacity, uint32_t *needed);
@@ -66,14 +64,30 @@ static bool take_channels(hsp_pores *pores, struct pores_found *found, struct fa
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* If they are printed. */
 static bool measure_pockets(const struct geometry *geometry, struct pores_found *found, struct failure *failure) {
   const struct request *const request = found->request;
-  if (request_prints_file(request)) return true;
   found->sizes = calloc((size_t)found->pocket_count + 1, sizeof *found->sizes);
   if (found->sizes == NULL) return failure_of_memory(failure);
   return geometry_measure_pockets(geometry, request->box.source != BOX_NONE ? found->box.box : NULL,
                                   found->pocket_count, found->sizes, failure);
+}
+
+/* Those that live long enough and are large enough. */
+static bool list_pockets(struct pores_found *found, struct failure *failure) {
+  const struct pores_request *const asked = &found->request->pores;
+  found->listed = calloc((size_t)found->pocket_count + 1, sizeof *found->listed);
+  if (found->listed == NULL) return failure_of_memory(failure);
+  for (uint32_t p = 0; p < found->pocket_count; ++p) {
+    const double volume = found->sizes[p].volume;
+    if (found->pockets[p].radius - found->pockets[p].mouth < asked->persistence) continue;
+    if (volume < asked->min_volume) { /* one whose volume nobody knows may be large */
+      ++found->smaller;
+      continue;
+    }
+    found->listed[found->listed_count++] = (struct sized_pocket){p, volume >= 0.0 ? volume : -1.0};
+  }
+  sized_pockets_sort(found->listed, found->listed_count);
+  return true;
 }
 
 static bool take_pockets(const struct geometry *geometry, struct pores_found *found, struct failure *failure) {
@@ -87,7 +101,7 @@ static bool take_pockets(const struct geometry *geometry, struct pores_found *fo
   if (found->pockets == NULL) return failure_of_memory(failure);
   status = hsp_pores_get_pockets(pores, 0, *count, found->pockets);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  return measure_pockets(geometry, found, failure) &&
+  return measure_pockets(geometry, found, failure) && list_pockets(found, failure) &&
          take_lists(pores, *count, hsp_pores_get_pocket_mouths, &found->mouths, failure) &&
          take_lists(pores, *count, hsp_pores_get_pocket_balls, &found->lining, failure) &&
          take_lists(pores, *count, hsp_pores_get_pocket_maxima, &found->of_pockets, failure);
@@ -246,6 +260,8 @@ void pores_free(struct pores_found *found) {
   free(found->gates);
   free(found->pockets);
   free(found->sizes);
+  free(found->listed);
+  free(found->followed);
   free(found->tunnels);
   free(found->routes);
   free(found->steps);
@@ -257,8 +273,4 @@ void pores_free(struct pores_found *found) {
 
 bool pores_lists_maximum(const struct pores_found *found, size_t maximum) {
   return found->maxima[maximum].radius - found->maxima[maximum].death >= found->request->pores.persistence;
-}
-
-bool pores_lists_pocket(const struct pores_found *found, size_t pocket) {
-  return found->pockets[pocket].radius - found->pockets[pocket].mouth >= found->request->pores.persistence;
 }

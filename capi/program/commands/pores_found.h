@@ -5,8 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "commands/followed.h"
 #include "commands/periodic_result.h"
 #include "commands/request.h"
+#include "commands/space_geometry.h"
 #include "hardsphere.h"
 #include "read/failure.h"
 #include "read/geometry.h"
@@ -36,6 +38,10 @@ struct pores_found {
   uint32_t pocket_count;
   hsp_pore_pocket *pockets;
   hsp_pore_pocket_size *sizes; /* of the pockets */
+  struct sized_pocket *listed; /* [listed_count] */
+  uint32_t listed_count;
+  uint32_t smaller;        /* pockets that are not listed because of their volume */
+  struct cavity *followed; /* [listed_count] of a trajectory; NULL: of a single molecule */
   struct number_lists mouths;
   struct number_lists lining;
   struct number_lists of_pockets; /* maxima */
@@ -62,9 +68,8 @@ bool pores_find(const struct molecule *molecule, struct geometry *geometry, stru
                 struct failure *failure);
 void pores_free(struct pores_found *found);
 
-/* Whether the class of a maximum, or a pocket, lives long enough to be listed. */
+/* Whether the class of a maximum lives long enough to be listed. */
 bool pores_lists_maximum(const struct pores_found *found, size_t maximum);
-bool pores_lists_pocket(const struct pores_found *found, size_t pocket);
 
 /* Write all files that the request names. */
 bool pores_write_files(const struct pores_found *found, const struct molecule *molecule, struct failure *failure);

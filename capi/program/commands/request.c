@@ -42,6 +42,7 @@ int request_outputs(const struct request *request, struct output_choice outputs[
       {"--tunnels-out", request->pores.tunnels_out, "a .cif"},
       {"--profile", request->pores.profile, "an .svg"},
       {"--tree", request->pores.tree, "an .svg"},
+      {"--plot", request->plot, "an .svg"},
   };
   int count = 0;
   for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k) {
@@ -57,6 +58,10 @@ bool request_prints_file(const struct request *request) {
     if (output_is_standard(outputs[k].path)) return true;
   }
   return false;
+}
+
+double request_grown(const struct request *request) {
+  return request->command == COMMAND_PORES ? 0.0 : request->probe;
 }
 
 uint32_t request_threads(const struct request *request) {

@@ -96,6 +96,7 @@ struct pores_request {
   bool regions;              /* which the probe finds, and how large they are */
   double persistence;        /* of what is listed, at least */
   double pockets;            /* radius of a probe that does not get there; negative: none are asked for */
+  double min_volume;         /* of those that are listed */
   struct place tunnels_from; /* a way out from there */
   struct place tunnels_to;   /* else the outside, in a box a copy of the start */
   uint32_t tunnels;          /* how many; 0: it is not said */
@@ -159,9 +160,10 @@ struct request {
   bool csv;               /* of those that list something */
   enum grouping by;       /* of `measure` and `contacts` */
   struct box_choice box;  /* likewise, and of `boundary` and `pores` */
-  const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
+  const char *trajectory; /* a file with frames of the molecule, or NULL */
   bool frames_given;
   struct frame_range frames;
+  const char *plot;       /* a file for a chart of volumes by frame, or NULL; of `voids` and `pores` */
   bool excluded_surface;  /* it is asked for in place of the boundary; of `measure` and `mesh` */
   struct viewing viewing; /* of `map`, `pick` and `mesh` */
 
@@ -209,6 +211,9 @@ bool request_reads(const struct request *request, const char *path);
 
 /* Whether one of them goes to standard output, where nothing else does then. */
 bool request_prints_file(const struct request *request);
+
+/* By how much the radii of a model are grown: pores are those of every probe. */
+double request_grown(const struct request *request);
 
 /* How many threads may be at work. */
 uint32_t request_threads(const struct request *request);

@@ -257,6 +257,16 @@ bool geometry_measure_pockets(const struct geometry *geometry, const double *box
   return done;
 }
 
+static int order_of_pockets(const void *left, const void *right) {
+  const struct sized_pocket *const a = left, *const b = right;
+  if (a->volume != b->volume) return a->volume > b->volume ? -1 : 1;
+  return (a->pocket > b->pocket) - (a->pocket < b->pocket);
+}
+
+void sized_pockets_sort(struct sized_pocket *pockets, uint32_t count) {
+  if (count > 1) qsort(pockets, count, sizeof *pockets, order_of_pockets);
+}
+
 bool geometry_find_tunnel(struct geometry *geometry, const struct tunnel_question *question, hsp_tunnel *tunnel,
                           struct failure *failure) {
   hsp_workspace *const work = &geometry->work;

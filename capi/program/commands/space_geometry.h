@@ -46,6 +46,13 @@ bool geometry_find_regions(struct geometry *geometry, const struct molecule *mol
 bool geometry_measure_pockets(const struct geometry *geometry, const double *box, uint32_t pockets,
                               hsp_pore_pocket_size *sizes, struct failure *failure);
 
+/* A pocket in the order of a list: the largest volume first; those whose volume is not known last, by their numbers. */
+struct sized_pocket {
+  uint32_t pocket;
+  double volume; /* below 0: not known */
+};
+void sized_pockets_sort(struct sized_pocket *pockets, uint32_t count);
+
 /* Which tunnel is wanted, in the pores of the same narrowest probe. */
 struct tunnel_question {
   double narrowest;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "commands/space_geometry.h"
 #include "draw/mesh_split.h"
 #include "draw/smooth_borders.h"
 #include "read/stopping.h"
@@ -13,11 +14,13 @@ enum { MOST_LIFTS = 4 };
 static const double below = 0.01; /* the narrowest probe: so the one that touches fits for all rounding; of an edge */
 static const double edges_smoothed = 4.0; /* around a vertex */
 
-/* The pocket of each maximum, from 1 on; OTHER_POCKETS: one that has no colour of its own; 0: none. */
-static int32_t mark_maxima(const hsp_pores *pores, uint32_t all, double least, uint32_t *maxima, uint32_t room,
-                           struct mesh_pockets *found, uint8_t *of_maximum) {
+/* The pocket of each maximum, from 1 on; OTHER_POCKETS: one that has no colour of its own; 0: none. The first ones of
+ * the list [all] have colours. */
+static int32_t mark_maxima(const hsp_pores *pores, const struct sized_pocket *list, uint32_t all, double least,
+                           uint32_t *maxima, uint32_t room, struct mesh_pockets *found, uint8_t *of_maximum) {
   int32_t status = HSP_OK;
-  for (uint32_t p = 0; status == HSP_OK && p < all; ++p) {
+  for (uint32_t place = 0; status == HSP_OK && place < all; ++place) {
+    const uint32_t p = list[place].pocket;
     hsp_pore_pocket pocket;
     hsp_pore_maximum widest;
     uint32_t needed = 0;
@@ -35,21 +38,41 @@ static int32_t mark_maxima(const hsp_pores *pores, uint32_t all, double least, u
   return status;
 }
 
-/* *of_maximum is to be freed on every status. */
-static int32_t find_pockets(hsp_pores *pores, double wide, double least, struct mesh_pockets *found,
-                            uint8_t **of_maximum) {
+/* All pockets that were found last, as a list that is to be freed; NULL: the failure says why. */
+static struct sized_pocket *list_pockets(const struct geometry *geometry, uint32_t all, struct failure *failure) {
+  hsp_pore_pocket_size *const sizes = calloc((size_t)all + 1, sizeof *sizes);
+  struct sized_pocket *list = calloc((size_t)all + 1, sizeof *list);
+  bool done = (sizes != NULL && list != NULL) || failure_of_memory(failure);
+  done = done && geometry_measure_pockets(geometry, NULL, all, sizes, failure);
+  for (uint32_t p = 0; done && p < all; ++p) {
+    list[p] = (struct sized_pocket){p, sizes[p].volume >= 0.0 ? sizes[p].volume : -1.0};
+  }
+  if (done) sized_pockets_sort(list, all);
+  free(sizes);
+  if (done) return list;
+  free(list);
+  return NULL;
+}
+
+/* *of_maximum is to be freed on true and on false. */
+static bool find_pockets(const struct geometry *geometry, double wide, double least, struct mesh_pockets *found,
+                         uint8_t **of_maximum, struct failure *failure) {
+  hsp_pores *const pores = geometry->work.pores;
   hsp_pores_counts counts;
   uint32_t all = 0;
   int32_t status = hsp_pores_get_counts(pores, &counts);
   if (status == HSP_OK) status = hsp_pores_find_pockets(pores, 0.0, wide, &all);
-  if (status != HSP_OK) return status;
+  if (status != HSP_OK) return failure_in_library(failure, status);
   found->all = all;
+  struct sized_pocket *const list = list_pockets(geometry, all, failure);
+  if (list == NULL) return false;
   uint32_t *const maxima = malloc(((size_t)counts.maxima + 1) * sizeof *maxima);
   *of_maximum = calloc((size_t)counts.maxima + 1, 1);
   const bool enough = maxima != NULL && *of_maximum != NULL;
-  status = enough ? mark_maxima(pores, all, least, maxima, counts.maxima, found, *of_maximum) : HSP_E_MEMORY;
+  status = enough ? mark_maxima(pores, list, all, least, maxima, counts.maxima, found, *of_maximum) : HSP_E_MEMORY;
   free(maxima);
-  return status;
+  free(list);
+  return status == HSP_OK || failure_in_library(failure, status);
 }
 
 /* Of a probe that touches the surface, all that tells where it is. */
@@ -173,16 +196,16 @@ bool mesh_pockets_find(struct geometry *geometry, const struct molecule *molecul
   uint8_t *of_maximum = NULL;
   uint32_t patches = 0;
   progress_show(&geometry->progress, "looking for pockets");
-  int32_t status = hsp_workspace_pores(&geometry->work, &options);
+  const int32_t status = hsp_workspace_pores(&geometry->work, &options);
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--pockets: %s", geometry_reason(status));
   /* The balls of the model are grown by the probe. */
-  if (status == HSP_OK) status = find_pockets(geometry->work.pores, wide - mesh->probe, least, pockets, &of_maximum);
+  bool done = status == HSP_OK ? find_pockets(geometry, wide - mesh->probe, least, pockets, &of_maximum, failure)
+                               : failure_in_library(failure, status);
   for (uint32_t t = 0; t < mesh->triangles; ++t) patches = mesh->patches[t] < patches ? patches : mesh->patches[t] + 1;
   const struct places places = {geometry->work.pores, molecule, mesh, smooth ? mesh->probe : 0.0, of_maximum};
   /* No farther than an atom is wide: across a pocket none would be left of it, however long edges are. */
   const double reach = fmin(edges_smoothed * mesh->edge, molecule_mean_radius(molecule));
-  const bool done = status == HSP_OK ? colour_mesh(&places, mesh, patches, reach, pockets, failure)
-                                     : failure_in_library(failure, status);
+  done = done && colour_mesh(&places, mesh, patches, reach, pockets, failure);
   free(of_maximum);
   return done;
 }

@@ -15,13 +15,43 @@
 
 enum { NAME_BYTES = 96 };
 
+enum { MOST_CLASSES = 100 };
+
 /* Rows of the tree, each a class that is listed, from the outside or a class that meets no other on. Those that merge
  * into a class are below it, the widest gate first: so no line crosses another. */
 struct tree {
   uint32_t *row;   /* [maxima], from 1 on; 0: it is not listed */
   uint32_t *class; /* [rows], in the order of rows */
-  uint32_t rows;
+  uint32_t rows, listed;
 };
+
+/* How long it lives, as the radius of a probe shrinks. */
+struct life {
+  double length;
+  uint32_t class;
+};
+
+static int order_of_lives(const void *left, const void *right) {
+  const struct life *const a = left, *const b = right;
+  if (a->length != b->length) return a->length > b->length ? -1 : 1;
+  return (a->class > b->class) - (a->class < b->class);
+}
+
+/* Marks in row those that are drawn: of the listed ones those that live longest, and with each the class that it merges
+ * into, as that is older and ends later; and ones that meet no other live on. */
+static bool choose_classes(const struct pores_found *found, struct tree *tree) {
+  const uint32_t maxima = found->counts.maxima;
+  struct life *const life = malloc(((size_t)maxima + 1) * sizeof *life);
+  if (life == NULL) return false;
+  for (uint32_t m = 0; m < maxima; ++m) {
+    if (!pores_lists_maximum(found, m)) continue;
+    life[tree->listed++] = (struct life){found->maxima[m].radius - found->maxima[m].death, m};
+  }
+  if (tree->listed > MOST_CLASSES) qsort(life, tree->listed, sizeof *life, order_of_lives);
+  for (uint32_t k = 0; k < tree->listed && k < MOST_CLASSES; ++k) tree->row[life[k].class] = 1;
+  free(life);
+  return true;
+}
 
 /* A stack of classes, where *links has the next one below each of them. */
 static void push(uint32_t *top, uint32_t *links, uint32_t maximum) {
@@ -37,13 +67,14 @@ static bool order_tree(const struct pores_found *found, struct tree *tree) {
   uint32_t *const next = malloc(((size_t)maxima + 1) * sizeof *next);
   tree->row = calloc((size_t)maxima + 1, sizeof *tree->row);
   tree->class = calloc((size_t)maxima + 1, sizeof *tree->class);
-  const bool done = of_gate != NULL && first != NULL && next != NULL && tree->row != NULL && tree->class != NULL;
+  const bool done = of_gate != NULL && first != NULL && next != NULL && tree->row != NULL && tree->class != NULL &&
+                    choose_classes(found, tree);
   if (done) {
     uint32_t stack = HSP_NONE;
     for (uint32_t g = 0; g < gates; ++g) of_gate[g] = HSP_NONE;
     for (uint32_t m = 0; m <= maxima; ++m) first[m] = HSP_NONE;
     for (uint32_t m = maxima; m-- > 0;) {
-      if (!pores_lists_maximum(found, m)) continue;
+      if (tree->row[m] == 0) continue;
       if (found->maxima[m].gate == HSP_NONE) push(&stack, next, m);
       if (found->maxima[m].gate != HSP_NONE) of_gate[found->maxima[m].gate] = m;
     }
@@ -95,13 +126,14 @@ static bool find_colours(const struct pores_found *found, uint8_t **colour) {
   *colour = malloc((size_t)maxima + 1);
   if (*colour == NULL) return false;
   for (uint32_t m = 0; m < maxima; ++m) (*colour)[m] = NO_POCKET;
-  uint32_t rank = 0;
-  for (uint32_t p = 0; p < found->pocket_count; ++p) {
-    const bool coloured = rank < OTHERS && pores_lists_pocket(found, p);
-    for (size_t k = found->of_pockets.first[p]; k < found->of_pockets.first[p + 1]; ++k) {
-      (*colour)[found->of_pockets.number[k]] = (uint8_t)(coloured ? rank : OTHERS);
+  const struct number_lists *const of_pockets = &found->of_pockets;
+  const size_t all = found->pocket_count == 0 ? 0 : of_pockets->first[found->pocket_count];
+  for (size_t k = 0; k < all; ++k) (*colour)[of_pockets->number[k]] = OTHERS;
+  for (uint32_t rank = 0; rank < found->listed_count && rank < OTHERS; ++rank) {
+    const uint32_t p = found->listed[rank].pocket;
+    for (size_t k = of_pockets->first[p]; k < of_pockets->first[p + 1]; ++k) {
+      (*colour)[of_pockets->number[k]] = (uint8_t)rank;
     }
-    if (coloured) ++rank;
   }
   return true;
 }
@@ -253,7 +285,14 @@ static bool has_cavities(const struct pores_found *found, const struct tree *tre
   return false;
 }
 
-/* The pockets that have colours, as many as there are; then what else is drawn. */
+static bool is_drawn(const struct tree *tree, const uint8_t *colour, uint8_t rank) {
+  for (uint32_t k = 0; k < tree->rows; ++k) {
+    if (colour[tree->class[k]] == rank) return true;
+  }
+  return false;
+}
+
+/* The pockets that have colours, as far as they are drawn; then what else is. */
 static void add_tree_legend(struct tree_legend *legend, const struct pores_found *found, const struct tree *tree,
                             const struct tree_page *page, const uint8_t *colour) {
   static const char *const others[] = {[OTHERS] = "other pockets", [NO_POCKET] = "no pocket"};
@@ -261,17 +300,20 @@ static void add_tree_legend(struct tree_legend *legend, const struct pores_found
                     cavity[] = "ends in a dot: a cavity, which no such probe leaves";
   const bool pockets = found->request->pores.pockets >= 0.0;
   double at[2];
-  int rank = 0;
-  for (uint32_t p = 0; pockets && p < found->pocket_count && rank < OTHERS; ++p) {
-    if (!pores_lists_pocket(found, p)) continue;
+  for (uint8_t rank = 0; pockets && rank < found->listed_count && rank < OTHERS; ++rank) {
     char name[NAME_BYTES];
-    snprintf(name, sizeof name, "pocket %" PRIu32, p + 1);
-    add_swatch(legend, pocket_colours[rank++], name);
+    snprintf(name, sizeof name, "pocket %" PRIu32, found->listed[rank].pocket + 1);
+    if (is_drawn(tree, colour, rank)) add_swatch(legend, pocket_colours[rank], name);
   }
   for (uint8_t other = OTHERS; pockets && other < TREE_COLOURS; ++other) {
-    bool any = false;
-    for (uint32_t k = 0; k < tree->rows && !any; ++k) any = colour[tree->class[k]] == other;
-    if (any) add_swatch(legend, colour_of(other), others[other]);
+    if (is_drawn(tree, colour, other)) add_swatch(legend, colour_of(other), others[other]);
+  }
+  if (tree->rows < tree->listed) {
+    char name[NAME_BYTES];
+    snprintf(name, sizeof name, "the %" PRIu32 " classes that live longest; %" PRIu32 " more are left out", tree->rows,
+             tree->listed - tree->rows);
+    place_entry(legend, 0.0, name, at);
+    name_entry(legend, 0.0, name, at);
   }
   if (shows_wide_probe(found, page)) {
     place_entry(legend, SWATCH + BEHIND_SWATCH, wide_probe, at);
@@ -351,7 +393,7 @@ static void add_tree(struct text_buffer *out, const struct pores_found *found, c
 bool pores_write_tree(const struct pores_found *found, const struct molecule *molecule, const char *path,
                       struct failure *failure) {
   struct text_buffer out = TEXT_BUFFER_EMPTY;
-  struct tree tree = {NULL, NULL, 0};
+  struct tree tree = {NULL, NULL, 0, 0};
   uint8_t *colour = NULL;
   bool done = (order_tree(found, &tree) && find_colours(found, &colour)) || failure_of_memory(failure);
   if (done) {

@@ -10,6 +10,7 @@
   FORMAT(xtc)           \
   FORMAT(trr)           \
   FORMAT(dcd)           \
+  FORMAT(nc)            \
   FORMAT(xyzr)          \
   FORMAT(pdb)           \
   FORMAT(pqr)           \
@@ -26,7 +27,8 @@ FORMATS(DECLARE)
 const struct file_format *file_format_at(size_t i) {
 #define ADDRESS(name) &name##_format,
   static const struct file_format *const formats[] = {FORMATS(ADDRESS)};
-  return i < sizeof formats / sizeof formats[0] ? formats[i] : NULL;
+  enum { FORMATS_ARE = sizeof formats / sizeof formats[0], ROOM_IS_LEFT = 1 / (FORMATS_ARE < MOST_FORMATS) };
+  return i < FORMATS_ARE ? formats[i] : NULL;
 }
 
 bool file_format_has(const struct file_format *format, enum file_feature feature) {

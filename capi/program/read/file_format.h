@@ -52,6 +52,8 @@ struct file_format {
 
 #define ANGSTROM .unit = "angstrom", .sign = "\xC3\x85"
 
+enum { MOST_FORMATS = 16 }; /* more than there are */
+
 /* All formats, from 0 on; NULL beyond the last. */
 const struct file_format *file_format_at(size_t i);
 

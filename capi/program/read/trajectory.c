@@ -103,5 +103,6 @@ void trajectory_close(struct trajectory *trajectory) {
   byte_reader_close(&trajectory->bytes);
   xtc_free(&trajectory->xtc);
   dcd_free(&trajectory->dcd);
+  netcdf_free(&trajectory->netcdf);
   memset(trajectory, 0, sizeof *trajectory);
 }

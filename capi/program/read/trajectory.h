@@ -6,6 +6,7 @@
 #include "read/line_reader.h"
 #include "read/molecule.h"
 #include "read/read_dcd.h"
+#include "read/read_nc.h"
 #include "read/read_xtc.h"
 
 struct trajectory {
@@ -25,6 +26,7 @@ struct trajectory {
   struct byte_reader bytes;
   struct xtc xtc;
   struct dcd dcd;
+  struct netcdf netcdf;
 };
 
 /* The format of the file, by its extension; of standard input that of the molecule. False: no trajectory, and the

@@ -303,5 +303,9 @@ void table_csv(const struct table *table, struct text_buffer *out) {
     if (three) text_buffer_add(out, "_x,%s_y,%s_z", key, key);
   }
   text_buffer_add_text(out, "\n");
+  table_csv_rows(table, out);
+}
+
+void table_csv_rows(const struct table *table, struct text_buffer *out) {
   add_all_rows(table, csv_row, out);
 }

@@ -66,6 +66,9 @@ struct table {
 void table_print(const struct table *table, struct text_buffer *out);
 void table_csv(const struct table *table, struct text_buffer *out);
 
+/* The same without the line of titles. */
+void table_csv_rows(const struct table *table, struct text_buffer *out);
+
 /* "[{...}, ...]" */
 void table_json(const struct table *table, struct text_buffer *out);
 
