@@ -123,7 +123,8 @@ HSP_API int32_t HSP_CALL hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *bo
  *  @retval HSP_E_CAPACITY      a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
  *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed
- *  @retval HSP_E_DEGENERATE    as for a boundary; of sets of a few points 1e-7 off a lattice up to 17 of 100 */
+ *  @retval HSP_E_DEGENERATE    borders touch or lie on each other, as for a boundary, around a patch that has an area:
+ *                              of 28 families of sets full of ties at most 4 of 100, of most of them none */
 HSP_API int32_t HSP_CALL hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
                                                   hsp_mesh_limits *limits);
 

@@ -31,11 +31,11 @@
  * leave of a concave patch are decided in doubles where their error bounds allow and all patches fit together. Else all
  * decisions are about one set of balls in general position, moved off the given one by far less than a rounding, in
  * floats of up to 2048 bits with error bounds. So no two patches contradict each other, and the surface is closed: of
- * 19,000 sets full of ties and near-ties all are. Should a sign stay undecided the status is HSP_E_DEGENERATE; no set
+ * 28,000 sets full of ties and near-ties all are. Should a sign stay undecided the status is HSP_E_DEGENERATE; no set
  * is known that has it. Areas are at most 1e-7 p^2 off where balls touch in a vertex.
  *
  * Such sets have patches, creases and corners without any size; which ones depends on how the balls are moved, their
- * areas do not. They take longer: milliseconds for a few points, up to a second where hundreds of probes
+ * areas do not. They take longer: milliseconds for a few points, a fifth of a second where two hundred probes
  * meet in one place.
  *
  * NUMBERS   Patches, edges and corners are numbered by the boundary, which has F faces, A arcs, C circles and V

@@ -12,7 +12,6 @@ hsp_part(smooth
     surface/cusped_circles.cpp
     surface/cut_patches.cpp
     surface/degenerate_balls.cpp
-    surface/flat_patches.cpp
     surface/near_probes.kernel.cpp
     surface/near_vertices.cpp
     surface/patch_corners.cpp
@@ -37,8 +36,8 @@ hsp_part(smooth
     mesh/boundary_outline.cpp
     mesh/concave_outline.cpp
     mesh/convex_outline.cpp
-    mesh/flat_strips.cpp
     mesh/mesh_builder.cpp
+    mesh/patch_from_loops.cpp
     mesh/pinched_cells.cpp
     mesh/pinched_patch.cpp
     mesh/sphere_triangulation.cpp

@@ -80,8 +80,8 @@ class BoundaryOutline {
 
   bool has_patches(uint32_t sphere) const { return faces_.any(sphere); }
   double spacing(uint32_t sphere, double edge) const { return spacing_on(balls_.r[sphere], edge); }
-  // No area, as of probes in the plane of their balls.
-  bool is_flat(uint32_t, Vec3 &) const { return false; }
+  // Less area than this, as of probes in the plane of their balls.
+  bool has_next_to_no_area(uint32_t, double) const { return false; }
   double steradians(uint32_t sphere) const { return faces_.steradians(balls_, sphere); }
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
   // A point inside a patch.

@@ -1,7 +1,6 @@
 #include "mesh/mesh_builder.hpp"
 
 #include "core/sorting.hpp"
-#include "mesh/flat_strips.hpp"
 #include "mesh/mesh_sizes.hpp"
 
 namespace hsp {
@@ -17,6 +16,8 @@ constexpr int rounds_before_pinching = 4;
 // more of them.
 constexpr uint64_t most_growth = 8;
 constexpr uint64_t growth_of_small_meshes = 20000;
+// Patches with less area, on the unit sphere, are made from their loops alone: at once, or where all else has failed.
+constexpr double no_area = 2e-7, small_area = 1e-3;
 
 }  // namespace
 
@@ -134,7 +135,34 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge, Patience &pat
     pinching_from = round + 1;
     for (uint32_t s = 0; s < spheres; ++s) range_[s].outdated = range_[s].outdated || range_[s].unfinished;
   }
-  return Status::degenerate;
+  return triangulate_rest(outline, edge, patience);
+}
+
+// All that has no triangles yet, or other points than its curves have now: without more points.
+template <class Outline>
+Status MeshBuilder::triangulate_rest(Outline &outline, double edge, Patience &patience) {
+  for (uint32_t s = 0; s < outline.sphere_count(); ++s) {
+    if (!range_[s].outdated && !range_[s].unfinished) continue;
+    if (!patience.allows(10000 + 2000 * patch_.needed_points())) return Status::stopped;
+    bool done = range_[s].outdated && triangulate(outline, edge, s, true);
+    uint64_t needed = range_[s].outdated ? patch_.needed_points() : 0;
+    if (!done && outline.has_next_to_no_area(s, small_area)) {
+      done = triangulate_from_loops(outline, edge, s);
+      needed = needed > patch_.needed_points() ? needed : patch_.needed_points();
+    }
+    needed_.points = larger_count(needed_.points, clamped_count(needed));
+    if (!done && needed_.points <= limits_.points) return Status::degenerate;
+  }
+  return needed_.points > limits_.points ? Status::capacity : Status::ok;
+}
+
+template <class Outline>
+bool MeshBuilder::triangulate_from_loops(Outline &outline, double edge, uint32_t sphere) {
+  patch_.begin(outline.spacing(sphere, edge));
+  outline.add_border(sphere, patch_);
+  const PatchState state = patch_.triangulate_from_loops();
+  if (state == PatchState::complete) emit(outline, sphere, patch_);
+  return state != PatchState::too_coarse;
 }
 
 template <class Outline>
@@ -146,15 +174,7 @@ void MeshBuilder::add_samples(Outline &outline, uint32_t c) {
 // The triangles have the sphere as their ball until name_balls.
 template <class Outline>
 bool MeshBuilder::triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched) {
-  if (Vec3 normal; outline.is_flat(sphere, normal)) {
-    patch_.begin(outline.spacing(sphere, edge));
-    outline.add_border(sphere, patch_);
-    const FlatStrips strips(patch_, normal);
-    if (!patch_.overflowed() && strips.are_strips()) {
-      emit(outline, sphere, strips);
-      return true;
-    }
-  }
+  if (outline.has_next_to_no_area(sphere, no_area)) return triangulate_from_loops(outline, edge, sphere);
   const auto attempt = [&](bool pinch) {
     patch_.begin(outline.spacing(sphere, edge));
     outline.add_border(sphere, patch_);

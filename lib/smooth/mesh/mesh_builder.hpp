@@ -35,6 +35,10 @@ class MeshBuilder : public Limited<MeshLimits> {
   template <class Outline>
   Status triangulate_all(Outline &outline, double edge, Patience &patience);
   template <class Outline>
+  Status triangulate_rest(Outline &outline, double edge, Patience &patience);
+  template <class Outline>
+  bool triangulate_from_loops(Outline &outline, double edge, uint32_t sphere);
+  template <class Outline>
   bool triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched);
   template <class Outline, class Triangles>
   void emit(Outline &outline, uint32_t sphere, Triangles &triangles);

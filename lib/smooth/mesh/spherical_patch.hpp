@@ -60,13 +60,8 @@ class SphericalPatch {
   // Without loops the whole sphere is face 0.
   // pinched: what runs along something else on the way to the next point may take the same way.
   PatchState triangulate(bool pinched = false);
-
-  // The records that have been added.
-  uint32_t loop_count() const { return loops_.size(); }
-  uint32_t face_of_loop(uint32_t loop) const { return loops_[loop].face; }
-  IdRange samples_of_loop(uint32_t loop) const { return {loops_[loop].first, last_sample(loop)}; }
-  const BorderSample &sample(uint32_t k) const { return samples_[k]; }
-  bool overflowed() const { return samples_.overflowed(); }
+  // From the order of the points alone, where the patch has no area (patch_from_loops.cpp).
+  PatchState triangulate_from_loops();
 
   // The points that have been there, or an upper bound of them after PatchState::capacity.
   uint64_t needed_points() const { return needed_points_; }
@@ -177,6 +172,11 @@ class SphericalPatch {
   void add_cell(uint32_t face, const uint32_t *corner, uint32_t count);
   template <class Visit>
   void for_each_of_neck(uint32_t sample, Visit visit) const;
+
+  uint32_t ring_beside(uint32_t first_loop, uint32_t last_loop);
+  uint32_t nearest_of_loop(uint32_t loop, uint32_t sample) const;
+  double square_between(uint32_t a, uint32_t b) const;
+  void cut_off_corners(uint32_t ring);
 
   double spacing_ = 1.0;
   bool all_coarse_ = false;

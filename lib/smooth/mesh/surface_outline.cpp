@@ -1,8 +1,6 @@
 #include "mesh/surface_outline.hpp"
 
 #include "measure/areas.hpp"
-#include "surface/flat_patches.hpp"
-#include "surface/probe_positions.hpp"
 
 namespace hsp {
 
@@ -16,13 +14,10 @@ double SurfaceOutline::steradians(uint32_t sphere) const {
   return curves_.surface().patch(sphere - balls()).area / (curves_.probe() * curves_.probe());
 }
 
-bool SurfaceOutline::is_flat(uint32_t sphere, Vec3 &normal) const {
+bool SurfaceOutline::has_next_to_no_area(uint32_t sphere, double least) const {
   const Surface &surface = curves_.surface();
-  if (sphere < balls()) return false;
-  if (!surface.is_of_actual_balls() && !surface.cut_patches().is_cut(sphere - balls())) return false;
-  const Boundary &boundary = curves_.boundary();
-  const Position position = position_of_probe(curves_.balls(), boundary, sphere - balls());
-  return hsp::is_flat(curves_.balls(), boundary, position, sphere - balls(), normal);
+  return sphere >= balls() && (surface.is_of_actual_balls() || surface.cut_patches().is_cut(sphere - balls())) &&
+         steradians(sphere) < least;
 }
 
 uint32_t SurfaceOutline::patch(uint32_t sphere, uint32_t face) const {

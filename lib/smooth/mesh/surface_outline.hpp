@@ -53,8 +53,8 @@ class SurfaceOutline {
   }
   double spacing(uint32_t sphere, double edge) const;
   double steradians(uint32_t sphere) const;
-  // A cut patch without area in a plane, with this normal.
-  bool is_flat(uint32_t sphere, Vec3 &normal) const;
+  // A patch that others may cut has less area than this, on the unit sphere.
+  bool has_next_to_no_area(uint32_t sphere, double least) const;
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
   MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const;
   uint32_t patch(uint32_t sphere, uint32_t face) const;

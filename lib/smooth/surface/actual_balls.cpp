@@ -39,23 +39,23 @@ void ActualNumbers<WideFloat>::find_difference(uint32_t i, uint32_t j, NumberVec
   v.z = moved(between.z);
 }
 
+// M is an integer of less than 80 bits: few bits do until it is a term of the weight.
 WideFloat ActualNumbers<WideFloat>::weight(uint32_t i) const {
+  constexpr uint32_t bits_of_form = 128;
   const exact::Vector c = balls.exact_difference(boundary.component_origin(i), i);
-  WideFloat weight = number(static_cast<int64_t>(balls.r[i]));
-  weight = weight * weight;
-  weight = weight + weight.scaled(proportion);
   struct Term {
     int64_t coefficient, first, second;
   };
   const Term terms[] = {{1009, c.x, c.x}, {757, c.x, c.y}, {499, c.x, c.z},
                         {331, c.y, c.y},  {211, c.y, c.z}, {113, c.z, c.z}};
+  WideFloat form;
   for (const Term &term : terms) {
-    WideFloat product = number(term.coefficient);
-    product = product * number(term.first);
-    product = product * number(term.second);
-    weight = weight + product.scaled(of_the_form);
+    form = form + WideFloat(term.coefficient * term.first, bits_of_form) * WideFloat(term.second, bits_of_form);
   }
-  return weight;
+  WideFloat weight = number(static_cast<int64_t>(balls.r[i]));
+  weight = weight * weight;
+  weight = weight + weight.scaled(proportion);
+  return weight + form.exact_in(bits).scaled(of_the_form);
 }
 
 WideFloat ActualNumbers<WideFloat>::root_discriminant(uint32_t v, const NumberVector<WideFloat> &n,
@@ -71,37 +71,77 @@ int ActualBalls::overlap(uint32_t v, uint32_t w) const {
   });
 }
 
-int ActualBalls::have_corners(uint32_t a, uint32_t b, uint32_t c) const {
-  return decide_at(a, [&](const auto &actual) { return actual.discriminant(a, b, c).sign(); });
+namespace {
+
+// Of a point at the probe's radius from vertex v, seen from there. The probes first, as one of them decides most. Once
+// it is known where the point is, doubles know most of the rest.
+template <class Number>
+[[gnu::noinline]] int is_left(const ActualPoints<Number> &actual, uint32_t v, const NumberVector<Number> &arm,
+                              Span<const uint32_t> near, uint32_t w, uint32_t x) {
+  [[maybe_unused]] const ActualPoints<BoundedDouble> rounded({actual.balls, actual.boundary, actual.kept},
+                                                             actual.origin());
+  [[maybe_unused]] const NumberVector<BoundedDouble> about{BoundedDouble(arm.x), BoundedDouble(arm.y),
+                                                           BoundedDouble(arm.z)};
+  constexpr bool doubles_first = !small_code && !std::is_same_v<Number, BoundedDouble>;
+  if constexpr (doubles_first) {
+    const int sure = is_left(rounded, v, about, near, w, x);
+    if (sure != 0) return sure;
+  }
+  int sure = 1;
+  for (const uint32_t other : near) {
+    if (other == w || other == x) continue;
+    if constexpr (doubles_first) {
+      if (rounded.in_probe(other, v, about) < 0) continue;
+    }
+    const int inside = actual.in_probe(other, v, arm);
+    if (inside > 0) return -1;
+    if (inside == 0) sure = 0;
+  }
+  const int in_patch = actual.inside_of_sides(v, arm);
+  return in_patch < 0 ? -1 : in_patch == 0 ? 0 : sure;
 }
 
-int ActualBalls::inside_of_side(const BorderPoint &point, uint32_t v, uint32_t slot) const {
-  const VertexRecord &record = boundary_.vertex(v);
-  const SideOfPatch side = side_of_patch(record, slot);
-  return decide_at(v, [&](const auto &actual) {
-    auto arm = vector_of(actual), inward = arm;
-    actual.find_arm(v, point, arm);
-    actual.find_inward(v, record.ball[side.first], record.ball[side.second], inward);
-    return dot(arm, inward).sign();
+}  // namespace
+
+uint32_t ActualBalls::corners(uint32_t a, uint32_t b, uint32_t c, Span<const uint32_t> near) const {
+  constexpr int decided = 4;
+  const int answer = decide_at(a, [&](const auto &actual) {
+    auto middle = vector_of(actual), half = middle;
+    const int meet = actual.find_meeting(a, b, c, middle, half);
+    if (meet <= 0) return meet < 0 ? decided : 0;
+    middle -= half;
+    const int low = hsp::is_left(actual, a, middle, near, b, c);
+    half += half;
+    middle += half;
+    const int high = low == 0 ? 0 : hsp::is_left(actual, a, middle, near, b, c);
+    return high == 0 ? 0 : decided | (low > 0 ? 1 : 0) | (high > 0 ? 2 : 0);
   });
+  return static_cast<uint32_t>(answer) % decided;
 }
 
-int ActualBalls::in_probe(const BorderPoint &point, uint32_t vertex) const {
-  return decide_at(vertex, [&](const auto &actual) {
+int ActualBalls::is_left(const BorderPoint &point, Span<const uint32_t> near) const {
+  const uint32_t v = point.id[0];
+  return decide_at(v, [&](const auto &actual) {
     auto arm = vector_of(actual);
-    actual.find_arm(vertex, point, arm);
-    return (actual.probe_weight() - dot(arm, arm)).sign();
+    actual.find_arm(v, point, arm);
+    return hsp::is_left(actual, v, arm, near, point.id[1], no_id);
   });
 }
 
-int ActualBalls::starts_at_corner(const BorderPoint &corner, uint32_t v, uint32_t w, uint32_t x) const {
+int ActualBalls::in_patch(const BorderPoint &point, uint32_t v) const {
   return decide_at(v, [&](const auto &actual) {
-    auto axis = vector_of(actual), arm = axis, other = axis;
-    actual.find_arm_to_vertex(v, w, axis);
-    actual.find_arm(v, corner, arm);
-    actual.find_arm(x, corner, other);
-    return determinant(axis, arm, other).sign();
+    auto arm = vector_of(actual);
+    actual.find_arm(v, point, arm);
+    return actual.inside_of_sides(v, arm);
   });
+}
+
+// For the corner J of u, v and w, a, b and c by number, with the sign s: seen from a, J is s r n + something in the
+// plane of the three, r > 0 and n = (b - a) x (c - a). So det(w - v, J - v, J - u) = s r n.((w - v) x (u - v)), which
+// has the sign s if v, w and u are in the order of a, b and c, or of b, c and a, and else the other one.
+bool ActualBalls::starts_at_corner(const BorderPoint &corner, uint32_t v, uint32_t w) {
+  const bool third_is_between = corner.id[0] == v && corner.id[2] == w;
+  return (corner.sign > 0) != third_is_between;
 }
 
 // Going away from the cusp along the crease, one is on the inner side of the side of v that leads to it.

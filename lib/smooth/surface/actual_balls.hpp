@@ -10,8 +10,9 @@
 // lie on one circle; but so little that no decision of the boundary changes.
 #pragma once
 
-#include "boundary/boundary.hpp"
+#include "core/small_code.hpp"
 #include "surface/border_points.hpp"
+#include "surface/kept_vertices.hpp"
 
 namespace hsp {
 
@@ -24,16 +25,18 @@ class ActualBalls {
 
   // Each of them is 1 or -1; 0 only where no width decides, which has not been seen.
 
-  // Whether the probes at two vertices overlap; whether those at three, that do so in pairs, have two points in common.
+  // Whether the probes at two vertices overlap.
   int overlap(uint32_t v, uint32_t w) const;
-  int have_corners(uint32_t a, uint32_t b, uint32_t c) const;
-  // Whether a point is where the patch of vertex v is, as seen from its side opposite ball number slot.
-  int inside_of_side(const BorderPoint &point, uint32_t v, uint32_t slot) const;
-  // Whether the probe at a vertex contains a point.
-  int in_probe(const BorderPoint &point, uint32_t vertex) const;
-  // Whether the crease of vertices v and w, counter-clockwise about the axis from v to w, starts where it meets the
-  // probe at x, rather than ends; and in a cusp, where v is the vertex at one end of a covered gap of this circle.
-  int starts_at_corner(const BorderPoint &corner, uint32_t v, uint32_t w, uint32_t x) const;
+  // Which of the two points that the probes at three vertices have in common are in the patch of the first, and in none
+  // of the probes near it: 1 for that with the negative sign, 2 for the other one, or both. 0 also if not decided.
+  uint32_t corners(uint32_t a, uint32_t b, uint32_t c, Span<const uint32_t> near) const;
+  // The same of a point of the crease of a vertex and another one; whether it is in the patch of another vertex.
+  int is_left(const BorderPoint &point, Span<const uint32_t> near) const;
+  int in_patch(const BorderPoint &point, uint32_t v) const;
+  // Whether the crease of vertices v < w, counter-clockwise about the axis from v to w, starts where it meets the probe
+  // at a third vertex, rather than ends; and in a cusp, where v is the vertex at one end of a covered gap of this
+  // circle.
+  static bool starts_at_corner(const BorderPoint &corner, uint32_t v, uint32_t w);
   int starts_at_cusp(const BorderPoint &cusp, uint32_t v, uint32_t w) const;
   // Of two points on the crease of v and w: whether the second follows the first within half a turn.
   int turn(uint32_t v, uint32_t w, const BorderPoint &first, const BorderPoint &second) const;
@@ -50,6 +53,11 @@ class ActualBalls {
     uint64_t by_doubles = 0, by_floats = 0, by_none = 0;
   };
   const Answers &answers() const { return answers_; }
+
+  // Memory for vertices that are asked for again, as long as nobody else uses it.
+  void keep_vertices(Span<uint64_t> memory) const {
+    if constexpr (!small_code) kept_ = KeptVertices(memory);
+  }
 
   const BallSet &balls() const { return balls_; }
   const Boundary &boundary() const { return boundary_; }
@@ -71,13 +79,7 @@ class ActualBalls {
   const BallSet &balls_;
   const Boundary &boundary_;
   mutable Answers answers_;
+  mutable KeptVertices kept_;
 };
-
-// The two balls of a vertex that are not number slot, such that they and that one are counter-clockwise about the way
-// from the vertex to all three.
-struct SideOfPatch {
-  uint32_t first, second;  // slots
-};
-SideOfPatch side_of_patch(const VertexRecord &vertex, uint32_t slot);
 
 }  // namespace hsp

@@ -1,7 +1,6 @@
 // Asks a question in numbers of one width after the other (actual_balls.hpp).
 #pragma once
 
-#include "core/small_code.hpp"
 #include "surface/actual_balls.hpp"
 #include "surface/actual_points.hpp"
 
@@ -15,7 +14,7 @@ NumberVector<Number> vector_of(const ActualPoints<Number> &) {
 
 template <class Question>
 int ActualBalls::decide_about(uint32_t ball, Question question) const {
-  const int sure = question(ActualPoints<BoundedDouble>({balls_, boundary_}, ball));
+  const int sure = question(ActualPoints<BoundedDouble>({balls_, boundary_, kept_}, ball));
   if (sure == 0) return decide_in_floats(ball, question);
   ++answers_.by_doubles;
   return sure;
@@ -24,7 +23,7 @@ int ActualBalls::decide_about(uint32_t ball, Question question) const {
 template <class Question>
 int ActualBalls::decide_in_floats(uint32_t ball, Question question) const {
   for (const uint32_t bits : widths) {
-    const int fine = question(ActualPoints<WideFloat>({balls_, boundary_, bits}, ball));
+    const int fine = question(ActualPoints<WideFloat>({balls_, boundary_, kept_, bits}, ball));
     if (fine != 0) {
       ++answers_.by_floats;
       return fine;

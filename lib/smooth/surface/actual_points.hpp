@@ -2,66 +2,12 @@
 // know their error: doubles, or floats of some width.
 #pragma once
 
-#include "boundary/boundary.hpp"
-#include "numbers/wide_float.hpp"
+#include "core/small_code.hpp"
+#include "numbers/number_vector.hpp"
 #include "surface/border_points.hpp"
+#include "surface/kept_vertices.hpp"
 
 namespace hsp {
-
-template <class Number>
-struct NumberVector {
-  Number x, y, z;
-};
-// Apart, and into what is there, as each of these is long in wide floats: what stands between them is mostly calls, and
-// a frame holds no more than it has names for.
-template <class Number>
-[[gnu::noinline]] void operator+=(NumberVector<Number> &a, const NumberVector<Number> &b) {
-  a.x = a.x + b.x;
-  a.y = a.y + b.y;
-  a.z = a.z + b.z;
-}
-template <class Number>
-[[gnu::noinline]] void operator-=(NumberVector<Number> &a, const NumberVector<Number> &b) {
-  a.x = a.x - b.x;
-  a.y = a.y - b.y;
-  a.z = a.z - b.z;
-}
-template <class Number>
-[[gnu::noinline]] void operator*=(NumberVector<Number> &a, const Number &s) {
-  a.x = s * a.x;
-  a.y = s * a.y;
-  a.z = s * a.z;
-}
-template <class Number>
-[[gnu::noinline]] Number dot(const NumberVector<Number> &a, const NumberVector<Number> &b) {
-  Number sum = a.x * b.x;
-  sum = sum + a.y * b.y;
-  return sum + a.z * b.z;
-}
-// a b - c d
-template <class Number>
-[[gnu::noinline]] Number difference_of_products(const Number &a, const Number &b, const Number &c, const Number &d) {
-  const Number first = a * b;
-  return first - c * d;
-}
-template <class Number>
-NumberVector<Number> cross(const NumberVector<Number> &a, const NumberVector<Number> &b) {
-  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
-          difference_of_products(a.x, b.y, a.y, b.x)};
-}
-template <class Number>
-[[gnu::noinline]] Number determinant(const NumberVector<Number> &a, const NumberVector<Number> &b,
-                                     const NumberVector<Number> &c) {
-  const NumberVector<Number> n = cross(b, c);
-  return dot(a, n);
-}
-
-inline Vec3 to_double(const NumberVector<BoundedDouble> &a) {
-  return {a.x.value, a.y.value, a.z.value};
-}
-inline Vec3 to_double(const NumberVector<WideFloat> &a) {
-  return {BoundedDouble(a.x).value, BoundedDouble(a.y).value, BoundedDouble(a.z).value};
-}
 
 // The coordinate axis that a vector is least along.
 inline int8_t axis_least_along(const Vec3 &d) {
@@ -78,6 +24,8 @@ template <>
 struct ActualNumbers<BoundedDouble> {
   const BallSet &balls;
   const Boundary &boundary;
+  KeptVertices &kept;
+  static constexpr uint32_t bits = 53;
 
   // The input and the actual set differ by far less than the last bit, but by more than the smallest double.
   static constexpr double shift = 0x1p-590;
@@ -117,6 +65,7 @@ template <>
 struct ActualNumbers<WideFloat> {
   const BallSet &balls;
   const Boundary &boundary;
+  KeptVertices &kept;
   uint32_t bits;
 
   WideFloat number(int64_t value) const { return WideFloat(value, bits); }
@@ -140,6 +89,7 @@ class ActualPoints : public ActualNumbers<Number> {
   // All points as seen from the centre of this ball.
   ActualPoints(const Base &numbers, uint32_t ball) : Base(numbers), origin_(ball) {}
 
+  uint32_t origin() const { return origin_; }
   Number probe() const { return number(this->balls.probe_steps); }
   Number probe_weight() const {
     const Number p = probe();
@@ -151,24 +101,19 @@ class ActualPoints : public ActualNumbers<Number> {
     find_from_first_ball(v, x);
     add_centre(this->boundary.vertex(v).ball[0], x);
   }
-  void find_point(const BorderPoint &point, Vector &x) const {
-    switch (point.kind) {
-      case BorderPoint::Kind::corner:
-        return find_corner(point, x);
-      case BorderPoint::Kind::cusp:
-        return find_cusp(point.id[0], point.id[1], point.sign, x);
-      case BorderPoint::Kind::towards_ball:
-        return find_towards_ball(point.id[0], point.id[1], x);
-      default:
-        return find_on_crease(point, x);
-    }
-  }
-  // The same, as seen from a vertex.
+  // A point as seen from a vertex.
   [[gnu::noinline]] void find_arm(uint32_t v, const BorderPoint &point, Vector &arm) const {
-    Vector here;
     find_point(point, arm);
-    find_vertex(v, here);
-    arm -= here;
+    if (point.kind == BorderPoint::Kind::cusp || v != point.id[0]) add_way_to_origin_of(point, v, arm);
+  }
+  [[gnu::noinline]] void add_way_to_origin_of(const BorderPoint &point, uint32_t v, Vector &arm) const {
+    Vector way;
+    if (point.kind == BorderPoint::Kind::cusp) {
+      find_arm_to_ball(v, point.id[0], way);
+    } else {
+      find_arm_to_vertex(v, point.id[0], way);
+    }
+    arm += way;
   }
   [[gnu::noinline]] void find_arm_to_vertex(uint32_t v, uint32_t other, Vector &arm) const {
     Vector here;
@@ -189,11 +134,40 @@ class ActualPoints : public ActualNumbers<Number> {
     find_arm_to_ball(v, second, arm);
     normal = cross(normal, arm);
   }
-  // 4 p^2 N - q.q of the probes at three vertices: more than 0 iff they meet in two points.
-  Number discriminant(uint32_t a, uint32_t b, uint32_t c) const {
-    Vector n, q;
-    find_planes(a, b, c, n, q);
-    return discriminant(n, q, probe_weight());
+  // Where the probes at three vertices meet, as seen from the first: in the points middle - half and middle + half, or
+  // in none if 4 p^2 N - q.q is less than 0. Its sign is returned; nothing is certain of half if it is not.
+  [[gnu::noinline]] int find_meeting(uint32_t a, uint32_t b, uint32_t c, Vector &middle, Vector &half) const {
+    find_planes(a, b, c, half, middle);
+    const Number square = discriminant(half, middle, probe_weight());
+    const int sign = square.sign();
+    if (sign >= 0) to_meeting(half, middle, square_root(square));
+    return sign;
+  }
+  // Whether a point that is seen from a vertex is in its patch.
+  [[gnu::noinline]] int inside_of_sides(uint32_t v, const Vector &arm) const {
+    int sure = 1;
+    for (uint32_t slot = 0; slot < 3 && sure >= 0; ++slot) {
+      const int inside = inside_of_side(v, slot, arm);
+      if (inside <= 0) sure = inside;
+    }
+    return sure;
+  }
+  [[gnu::noinline]] int inside_of_side(uint32_t v, uint32_t slot, const Vector &arm) const {
+    const VertexRecord &record = this->boundary.vertex(v);
+    const SideOfPatch side = side_of_patch(record, slot);
+    Vector inward;
+    find_inward(v, record.ball[side.first], record.ball[side.second], inward);
+    return dot(arm, inward).sign();
+  }
+  // Whether a point at the probe's radius from vertex v, seen from there, is in another probe: with d the way from this
+  // one's centre to v, (arm + d)^2 < arm^2.
+  [[gnu::noinline]] int in_probe(uint32_t other, uint32_t v, const Vector &arm) const {
+    Vector way, sum;
+    find_arm_to_vertex(other, v, way);
+    sum = arm;
+    sum += arm;
+    sum += way;
+    return -dot(way, sum).sign();
   }
   [[gnu::noinline]] static Number discriminant(const Vector &n, const Vector &q, const Number &weight) {
     return (weight * dot(n, n)).scaled(2) - dot(q, q);
@@ -245,14 +219,14 @@ class ActualPoints : public ActualNumbers<Number> {
     z -= u;
     u = n;
   }
-  // (q x n + root n) / (2 n.n), or with the root's negative, into n.
-  [[gnu::noinline]] void to_meeting(Vector &n, const Vector &q, const Number &root, bool positive) const {
-    const Number factor = (number(1) / dot(n, n)).scaled(-1);
-    Vector along = cross(q, n);
-    n *= root;
-    if (!positive) n *= number(-1);
-    n += along;
-    n *= factor;
+  [[gnu::noinline]] Number half_over_square(const Vector &n) const { return (number(1) / dot(n, n)).scaled(-1); }
+  [[gnu::noinline]] static void to_cross(Vector &a, const Vector &b) { a = cross(a, b); }
+  // q x n / (2 n.n), into q, and root n / (2 n.n), into n.
+  [[gnu::noinline]] void to_meeting(Vector &n, Vector &q, const Number &root) const {
+    const Number factor = half_over_square(n);
+    to_cross(q, n);
+    q *= factor;
+    n *= root * factor;
   }
   [[gnu::noinline]] void find_planes_of_balls(const VertexRecord &record, Vector &n, Vector &q) const {
     this->find_difference(record.ball[0], record.ball[1], n);
@@ -261,11 +235,51 @@ class ActualPoints : public ActualNumbers<Number> {
     to_normals(n, h_n, q, height(record.ball[0], record.ball[2], q));
   }
   [[gnu::noinline]] void find_from_first_ball(uint32_t v, Vector &x) const {
+    if (find_kept(v, x)) return;
+    compute_from_first_ball(v, x);
+    keep(v, x);
+  }
+  // Points by a number that no vertex has.
+  bool find_kept(uint32_t name, Vector &x) const {
+    if constexpr (small_code) return false;
+    return this->kept.find(name, this->bits, x);
+  }
+  void keep(uint32_t name, const Vector &x) const {
+    if constexpr (!small_code) this->kept.keep(name, this->bits, x);
+  }
+  // A cusp as seen from the centre of its first ball, others from their first vertex.
+  [[gnu::noinline]] void find_point(const BorderPoint &point, Vector &x) const {
+    const bool may_be_kept = point.number < BorderPoint::no_number;
+    const uint32_t name = ~point.number;
+    if (may_be_kept && find_kept(name, x)) return;
+    switch (point.kind) {
+      case BorderPoint::Kind::cusp:
+        find_cusp(point.id[0], point.id[1], point.sign, x);
+        break;
+      case BorderPoint::Kind::corner:
+        find_corner(point, x);
+        break;
+      case BorderPoint::Kind::towards_ball:
+        find_towards_ball(point.id[0], point.id[1], x);
+        break;
+      default:
+        find_on_crease(point, x);
+    }
+    if (may_be_kept) keep(name, x);
+  }
+  [[gnu::noinline]] void compute_from_first_ball(uint32_t v, Vector &x) const {
     const VertexRecord &record = this->boundary.vertex(v);
-    Vector q;
-    find_planes_of_balls(record, x, q);
-    const Number root = this->root_discriminant(v, x, q);
-    to_meeting(x, q, root, record.positive());
+    Vector half;
+    find_planes_of_balls(record, half, x);
+    to_meeting(half, x, this->root_discriminant(v, half, x));
+    to_one_of_two(x, half, record.positive());
+  }
+  static void to_one_of_two(Vector &middle, const Vector &half, bool positive) {
+    if (positive) {
+      middle += half;
+    } else {
+      middle -= half;
+    }
   }
   // Of the probes at three vertices, as seen from the first.
   [[gnu::noinline]] void find_planes(uint32_t a, uint32_t b, uint32_t c, Vector &n, Vector &q) const {
@@ -275,24 +289,13 @@ class ActualPoints : public ActualNumbers<Number> {
     to_normals(n, h_n, q, dot(q, q));
   }
   [[gnu::noinline]] void find_corner(const BorderPoint &point, Vector &x) const {
-    find_corner_from_first(point, x);
-    add_vertex(point.id[0], x);
-  }
-  [[gnu::noinline]] void find_corner_from_first(const BorderPoint &point, Vector &x) const {
-    Vector q;
-    find_planes(point.id[0], point.id[1], point.id[2], x, q);
-    const Number root = square_root(discriminant(x, q, probe_weight()));
-    to_meeting(x, q, root, point.sign > 0);
-  }
-  [[gnu::noinline]] void add_vertex(uint32_t v, Vector &x) const {
-    Vector here;
-    find_vertex(v, here);
-    x += here;
+    Vector half;
+    find_meeting(point.id[0], point.id[1], point.id[2], x, half);
+    to_one_of_two(x, half, point.sign > 0);
   }
   [[gnu::noinline]] void find_cusp(uint32_t a, uint32_t b, int sign, Vector &x) const {
     this->find_difference(a, b, x);
     x *= share_of_cusp(a, b, sign, x);
-    add_centre(a, x);
   }
   [[gnu::noinline]] Number share_of_cusp(uint32_t a, uint32_t b, int sign, const Vector &u) const {
     const Number square = dot(u, u);
@@ -303,12 +306,10 @@ class ActualPoints : public ActualNumbers<Number> {
   [[gnu::noinline]] void find_towards_ball(uint32_t v, uint32_t ball, Vector &x) const {
     find_arm_to_ball(v, ball, x);
     x *= probe() / square_root(this->weight(ball));
-    add_vertex(v, x);
   }
   [[gnu::noinline]] void find_on_crease(const BorderPoint &point, Vector &x) const {
     find_arm_to_vertex(point.id[0], point.id[1], x);
     to_point_on_crease(point.sign, x);
-    add_vertex(point.id[0], x);
   }
   [[gnu::noinline]] void to_point_on_crease(int axis, Vector &x) const {
     Vector across;

@@ -1,7 +1,7 @@
 // The points where borders of concave patches end or are looked at, by name: where they lie follows from balls alone.
 #pragma once
 
-#include <cstdint>
+#include "boundary/boundary.hpp"
 
 namespace hsp {
 
@@ -16,6 +16,16 @@ struct BorderPoint {
   Kind kind;
   int8_t sign;  // or the axis
   uint32_t id[3];
+  uint32_t number = no_number;  // of a corner (cut_patches.hpp), if it has one: where it lies may be kept by that
+
+  static constexpr uint32_t no_number = UINT32_C(1) << 31;
 };
+
+// The two balls of a vertex that are not number slot, such that they and that one are counter-clockwise about the way
+// from the vertex to all three.
+struct SideOfPatch {
+  uint32_t first, second;  // slots
+};
+SideOfPatch side_of_patch(const VertexRecord &vertex, uint32_t slot);
 
 }  // namespace hsp

@@ -1,6 +1,13 @@
 #include "surface/creased_patches.hpp"
 
+#include "core/begin_array.hpp"
+
 namespace hsp {
+namespace {
+
+constexpr uint32_t words_of_border = (sizeof(BorderArc) + 7) / 8;
+
+}  // namespace
 
 void CreasedPatches::push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end, uint32_t crease) {
   BorderArc arc{across, start, end, no_id, no_id, no_id, crease, {}, {}};
@@ -40,7 +47,7 @@ void CreasedPatches::add_creases(const Inputs &in, const NearVertices &near, uin
 }
 
 Span<BorderArc> CreasedPatches::find_border(const Inputs &in, const NearVertices &near, uint32_t v) {
-  arcs_.clear();
+  arcs_ = FixedVector(begin_array<BorderArc>(memory_.part(0, memory_.size() / words_of_arc * words_of_border)));
   add_sides(in, v);
   const uint64_t sides = arcs_.required();
   add_creases(in, near, v);
@@ -96,7 +103,10 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
   Span<BorderArc> arcs = arcs_.items();
   PatchLoops loops(in.actual, v, arcs);
   if (!loops.chain()) return Status::degenerate;
+  const uint32_t first_figures = arcs.size() * words_of_border, first_kept = arcs.size() * words_of_arc;
+  figures_ = begin_array<ArcFigures>(memory_.part(first_figures, first_kept));
   const Span<ArcFigures> figures = figures_.part(0, arcs.size());
+  in.actual.keep_vertices(memory_.part(first_kept, memory_.size()));
   for (uint32_t k = 0; k < arcs.size(); ++k) {
     if (!loops.measure(k, figures[k])) return Status::degenerate;
   }

@@ -18,11 +18,9 @@ class CreasedPatches {
     Creases &creases;  // whose numbers of arcs and corners are written
   };
 
-  // Memory for the borders of one patch.
-  void use(Span<BorderArc> arcs, Span<ArcFigures> figures) {
-    arcs_ = FixedVector(arcs);
-    figures_ = figures;
-  }
+  // Memory for the borders of one patch: so many words for each arc.
+  static constexpr uint32_t words_of_arc = (sizeof(BorderArc) + 7) / 8 + (sizeof(ArcFigures) + 7) / 8;
+  void use(Span<uint64_t> memory) { memory_ = memory; }
 
   // Status::degenerate if borders do not close, or no width tells what they bound. Cut patches may have no room.
   // Status::stopped if more is not allowed.
@@ -41,6 +39,7 @@ class CreasedPatches {
                      CreaseSums &sums) const;
   void number_corners(const Inputs &in, CutPatches &cut);
 
+  Span<uint64_t> memory_;
   FixedVector<BorderArc> arcs_;  // of the patch at hand
   Span<ArcFigures> figures_;     // of these
 };

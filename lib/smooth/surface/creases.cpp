@@ -51,21 +51,6 @@ bool Creases::on_one_circle(uint32_t a, uint32_t b, uint32_t c) const {
   return common >= 2;
 }
 
-bool Creases::in_patch(const BorderPoint &point, uint32_t v) const {
-  for (uint32_t slot = 0; slot < 3; ++slot) {
-    if (actual_->inside_of_side(point, v, slot) <= 0) return false;
-  }
-  return true;
-}
-
-// Of those near the vertex at hand, in whose patch the point is.
-bool Creases::in_other_probe(const BorderPoint &point, uint32_t w, uint32_t x) const {
-  for (const uint32_t other : near_.items()) {
-    if (other != w && other != x && actual_->in_probe(point, other) >= 0) return true;
-  }
-  return false;
-}
-
 // Each at its lowest vertex.
 Status Creases::find_corners(NearVertices &near, Patience &patience) {
   for (uint32_t a = 0; a < actual_->boundary().vertex_count(); ++a) {
@@ -78,11 +63,9 @@ Status Creases::find_corners(NearVertices &near, Patience &patience) {
       if (others[k] > a && !patience.allows(of_a_pair * uint64_t{others.size() - k})) return Status::stopped;
       for (uint32_t j = k + 1; others[k] > a && j < others.size(); ++j) {
         const uint32_t b = others[k], c = others[j];
-        if (on_one_circle(a, b, c) || actual_->have_corners(a, b, c) <= 0) continue;
-        for (int8_t sign = -1; sign <= 1; sign = static_cast<int8_t>(sign + 2)) {
-          const BorderPoint corner{BorderPoint::Kind::corner, sign, {a, b, c}};
-          if (in_patch(corner, a) && !in_other_probe(corner, b, c)) corners_.push({{a, b, c}, sign, no_id});
-        }
+        const uint32_t corners = on_one_circle(a, b, c) ? 0 : actual_->corners(a, b, c, others);
+        if ((corners & 1) != 0) corners_.push({{a, b, c}, -1, no_id});
+        if ((corners & 2) != 0) corners_.push({{a, b, c}, 1, no_id});
       }
     }
   }
@@ -103,16 +86,19 @@ BorderPoint Creases::point(uint32_t corner) const {
   if (corner < first_cusp_) {
     return {BorderPoint::Kind::towards_ball,
             0,
-            {corner / 3, actual_->boundary().vertex(corner / 3).ball[corner % 3], no_id}};
+            {corner / 3, actual_->boundary().vertex(corner / 3).ball[corner % 3], no_id},
+            corner};
   }
   if (corner < first_crease_corner_) {
     const uint32_t k = (corner - first_cusp_) / 2, side = (corner - first_cusp_) % 2;
     return {BorderPoint::Kind::cusp,
             static_cast<int8_t>(side == 0 ? -1 : 1),
-            {cusped_->ball(k, 0), cusped_->ball(k, 1), no_id}};
+            {cusped_->ball(k, 0), cusped_->ball(k, 1), no_id},
+            corner};
   }
   const CreaseCorner &own = corners_[corner - first_crease_corner_];
-  return {BorderPoint::Kind::corner, static_cast<int8_t>(own.sign), {own.vertex[0], own.vertex[1], own.vertex[2]}};
+  return {
+      BorderPoint::Kind::corner, static_cast<int8_t>(own.sign), {own.vertex[0], own.vertex[1], own.vertex[2]}, corner};
 }
 
 // Of a pair on one circle, or on more: where the covered gap of one of them lies between the two, the cusps. Whether
@@ -145,7 +131,7 @@ void Creases::add_corner_ends(uint32_t v, uint32_t w, uint32_t x) {
     const CreaseCorner &corner = corners_[c];
     if (corner.vertex[0] != vertex[0] || corner.vertex[1] != vertex[1] || corner.vertex[2] != vertex[2]) return;
     const uint32_t number = first_crease_corner_ + c;
-    ends_.push({number, actual_->starts_at_corner(point(number), v, w, x) > 0, false});
+    ends_.push({number, ActualBalls::starts_at_corner(point(number), v, w), false});
   }
 }
 
@@ -180,8 +166,8 @@ Status Creases::add_creases(const ProbeGrid &grid, uint32_t v, uint32_t w, bool 
     if (share_cusps || actual_->overlap(v, w) <= 0) return Status::ok;
     const int8_t axis = axis_least_along(grid.difference(actual_->balls(), v, w));
     const BorderPoint anywhere{BorderPoint::Kind::on_crease, axis, {v, w, no_id}};
-    if (!in_patch(anywhere, v) || in_other_probe(anywhere, w, w)) return Status::ok;
-    if (!in_patch(anywhere, w)) return Status::degenerate;
+    if (actual_->is_left(anywhere, near_.items()) <= 0) return Status::ok;
+    if (actual_->in_patch(anywhere, w) <= 0) return Status::degenerate;
     creases_.push({v, w, no_id, no_id, no_id});
     return Status::ok;
   }

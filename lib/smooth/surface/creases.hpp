@@ -58,8 +58,6 @@ class Creases {
  private:
   Status find_corners(NearVertices &near, Patience &patience);
   Status find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, NearVertices &near, Patience &patience);
-  bool in_patch(const BorderPoint &point, uint32_t v) const;
-  bool in_other_probe(const BorderPoint &point, uint32_t w, uint32_t x) const;
   bool on_one_circle(uint32_t a, uint32_t b, uint32_t c) const;
   void add_corner_ends(uint32_t v, uint32_t w, uint32_t x);
   bool add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w);

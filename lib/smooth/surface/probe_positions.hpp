@@ -15,7 +15,7 @@ namespace hsp {
 inline constexpr double radius_of_touching = 0x1p-23;
 
 // The unit vector from the point where two of its balls touch to the vertex. 0 for all other vertices, and where the
-// third ball alone covers the rest of the circle: then the patch has no area (flat_patches.hpp).
+// third ball alone covers the rest of the circle: then the patch has no area.
 Vec3 way_off_touching_point(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
 
 // The slot of the third ball of a vertex of which two balls touch from outside, in that very point; 3 for all others.

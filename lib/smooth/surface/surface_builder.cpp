@@ -12,6 +12,12 @@ namespace {
 // three start in each such corner: the rest are sides, and what few sets need.
 constexpr uint32_t arcs_for_crease = 4, arcs_for_corner = 8;
 
+// The words of so many T.
+template <class T>
+constexpr uint32_t words_of(uint32_t count) {
+  return static_cast<uint32_t>((sizeof(T) + 7) / 8) * count;
+}
+
 }  // namespace
 
 // The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph; so many
@@ -30,8 +36,8 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   surface_.first_half_edges_.carve(workspace, 3 * uint64_t{limits.vertices});
   surface_.touching_.carve(workspace, limits.vertices);
   const uint64_t caps = uint64_t{limits.neighbours} + ProbeCaps::sides;
-  corners_ = FixedVector(workspace.take<RegionCorner>(6 * caps));
-  arcs_ = FixedVector(workspace.take<RegionArc>(6 * caps));
+  border_room_ = workspace.take<BorderRoom>(6 * caps);
+  use_for_doubles();
   creases_.carve(workspace, limits.neighbours, limits.arcs / arcs_for_crease, limits.arcs / arcs_for_corner);
 }
 
@@ -139,10 +145,20 @@ bool SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary,
   return true;
 }
 
+void SurfaceBuilder::use_for_doubles() {
+  const uint32_t n = border_room_.size();
+  const Span<uint64_t> words = begin_array<uint64_t>(border_room_);
+  const uint32_t corners = words_of<RegionCorner>(n);
+  corners_ = FixedVector(begin_array<RegionCorner>(words.part(0, corners)).part(0, n));
+  arcs_ = FixedVector(begin_array<RegionArc>(words.part(corners, words.size())).part(0, n));
+}
+
 Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &patience) {
   CutPatches &cut = surface_.cut_patches_;
   surface_.counts_ = {};
   surface_.of_actual_balls_ = true;
+  // The memory of patches that are cut on their own is free.
+  actual.keep_vertices(begin_array<uint64_t>(border_room_));
   Status status = creases_.build(actual, surface_.chosen_, grid_, surface_.cusped_circles_, patience);
   needed_.neighbours = larger_count(needed_.neighbours, creases_.most_near());
   need_arcs(arcs_for_corner * uint64_t{creases_.required_corners()});
@@ -156,10 +172,11 @@ Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &p
     need_arcs(2 * creases + 6 * uint64_t{needed_.vertices});
   }
   if (status != Status::ok) return status;
-  creased_.use(begin_array<BorderArc>(arcs_.room()), begin_array<ArcFigures>(corners_.room()));
+  static_assert(8 * CreasedPatches::words_of_arc <= sizeof(BorderRoom));
+  creased_.use(begin_array<uint64_t>(border_room_));
   status = creased_.fill({actual, surface_.chosen_, grid_, surface_.cusped_circles_, creases_}, cut, patience);
-  corners_ = FixedVector(begin_array<RegionCorner>(corners_.room()));
-  arcs_ = FixedVector(begin_array<RegionArc>(arcs_.room()));
+  actual.keep_vertices({});
+  use_for_doubles();
   if (status != Status::ok) return status;
   needed_.pieces = larger_count(needed_.pieces, clamped_count(cut.required_pieces()));
   need_arcs(cut.required_arcs());

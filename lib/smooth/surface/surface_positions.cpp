@@ -71,16 +71,14 @@ Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uin
 
 // The name of the corner of three creases where an arc of a cut patch begins. Of two points the one where its crease
 // leaves the probe of the arc before.
-BorderPoint name_of_start(const ActualBalls &actual, const Surface &surface, uint32_t vertex, uint32_t arc) {
+BorderPoint name_of_start(const Surface &surface, uint32_t vertex, uint32_t arc) {
   const CutPatches &cut = surface.cut_patches();
-  const PatchArc &own = cut.arc(arc);
-  const uint32_t before = cut.arc(cut.previous(arc)).across;
-  BorderPoint corner{BorderPoint::Kind::corner, 1, {vertex, own.across, before}};
+  const uint32_t across = cut.arc(arc).across;
+  BorderPoint corner{BorderPoint::Kind::corner, 1, {vertex, across, cut.arc(cut.previous(arc)).across}};
   sort_three(corner.id[0], corner.id[1], corner.id[2], [](uint32_t a, uint32_t b) { return a < b; });
-  const bool is_low = vertex < own.across;
-  const int starts =
-      actual.starts_at_corner(corner, is_low ? vertex : own.across, is_low ? own.across : vertex, before);
-  if ((starts > 0) != is_low) corner.sign = -1;
+  const bool is_low = vertex < across;
+  if (ActualBalls::starts_at_corner(corner, is_low ? vertex : across, is_low ? across : vertex) != is_low)
+    corner.sign = -1;
   return corner;
 }
 
@@ -98,9 +96,8 @@ Position position_of_crease_corner(const BallSet &balls, const Boundary &boundar
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_probe(balls, boundary, vertex);
   if (surface.is_of_actual_balls()) {
-    const ActualBalls actual(balls, boundary);
     Vec3 way;
-    if (actual.find_way(vertex, name_of_start(actual, surface, vertex, arc), way))
+    if (ActualBalls(balls, boundary).find_way(vertex, name_of_start(surface, vertex, arc), way))
       return {centre.ball, centre.offset + way};
   }
   return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) *

@@ -5,6 +5,8 @@
 // Each bound is itself rounded a few times; a relative 2^-50 and the smallest normal double cover that.
 #pragma once
 
+#include <bit>
+
 #include "lanes/floating_point.hpp"
 
 namespace hsp {
@@ -20,6 +22,17 @@ struct BoundedDouble {
 
   // +1 or -1 if that is certain, else 0.
   int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
+
+  // In memory of so many words, whatever the width, as wide floats have it.
+  static constexpr uint32_t words_of(uint32_t) { return 2; }
+  void store(uint64_t *to) const {
+    to[0] = std::bit_cast<uint64_t>(value);
+    to[1] = std::bit_cast<uint64_t>(error);
+  }
+  void load(const uint64_t *from) {
+    value = std::bit_cast<double>(from[0]);
+    error = std::bit_cast<double>(from[1]);
+  }
 
   BoundedDouble operator-() const { return {-value, error}; }
   // This number times 2^k, k of one digit or two.

@@ -55,6 +55,24 @@ class WideFloatOf {
     return word;
   }
 
+  // So many words hold a number of so many bits.
+  static constexpr uint32_t words_of(uint32_t bits) { return 2 + bits / 64; }
+  void store(uint64_t *to) const {
+    to[0] = static_cast<uint64_t>(static_cast<uint32_t>(exponent_)) << 32 | static_cast<uint32_t>(error_);
+    to[1] = uint64_t{bits_} << 8 | static_cast<uint8_t>(sign_);
+    for (uint32_t k = 0; k < words(); ++k) to[2 + k] = word(k);
+  }
+  void load(const uint64_t *from) {
+    exponent_ = static_cast<int32_t>(from[0] >> 32);
+    error_ = static_cast<int32_t>(static_cast<uint32_t>(from[0]));
+    bits_ = static_cast<uint16_t>(from[1] >> 8);
+    sign_ = static_cast<int8_t>(static_cast<uint8_t>(from[1]));
+    for (uint32_t k = 0; k < words(); ++k) {
+      for (uint32_t j = 0; j < 64 / limb_bits; ++j)
+        limb_[limbs() - 1 - k * (64 / limb_bits) - j] = static_cast<Limb>(from[2 + k] >> (64 - limb_bits * (j + 1)));
+    }
+  }
+
   // Of the value without its error: mantissa 2^exponent with 1/2 <= |mantissa| <= 1; 0 and the least exponent for 0.
   double leading(int32_t &exponent) const {
     exponent = sign_ != 0 ? top() : exact;
@@ -85,6 +103,18 @@ class WideFloatOf {
     WideFloatOf result = *this;
     result.exponent_ += k;
     if (error_ > exact) result.error_ += k;
+    return result;
+  }
+
+  // The same number with more or fewer bits, without its error: for those that are exact.
+  WideFloatOf exact_in(uint32_t bits) const {
+    WideFloatOf result;
+    result.copy_scale(*this);
+    result.bits_ = static_cast<uint16_t>(bits);
+    result.exponent_ = top() - static_cast<int32_t>(bits);
+    result.error_ = exact;
+    for (uint32_t k = 1; k <= result.limbs(); ++k)
+      result.limb_[result.limbs() - k] = sign_ != 0 && k <= limbs() ? limb_[limbs() - k] : Limb{0};
     return result;
   }
 
@@ -224,11 +254,13 @@ class WideFloatOf {
     Limb twice[2 * most_bits / limb_bits];
     for (uint32_t k = 0; k < 2 * n; ++k) twice[k] = 0;
     Limb highest = 0;
+    uint32_t first = 0;
+    while (b.limb_[first] == 0) ++first;
     for (uint32_t i = 0; i < n; ++i) {
       highest = 0;
       if (a.limb_[i] == 0) continue;  // most of an integer's
       Wide carry = 0;
-      for (uint32_t j = 0; j < n; ++j) {
+      for (uint32_t j = first; j < n; ++j) {
         carry += static_cast<Wide>(a.limb_[i]) * b.limb_[j] + twice[i + j];
         twice[i + j] = static_cast<Limb>(carry);
         carry >>= limb_bits;
@@ -244,17 +276,6 @@ class WideFloatOf {
     return result;
   }
 
-  // The same number with more or fewer bits, without its error.
-  WideFloatOf with_bits(uint32_t bits) const {
-    WideFloatOf result;
-    result.copy_scale(*this);
-    result.bits_ = static_cast<uint16_t>(bits);
-    result.exponent_ = top() - static_cast<int32_t>(bits);
-    result.error_ = exact;
-    for (uint32_t k = 1; k <= result.limbs(); ++k)
-      result.limb_[result.limbs() - k] = k <= limbs() ? limb_[limbs() - k] : Limb{0};
-    return result;
-  }
   // A double between 1/2 and 2.
   static WideFloatOf of_double(double value, uint32_t bits) {
     return WideFloatOf(static_cast<int64_t>(value * 0x1p60), bits, -60);
@@ -272,8 +293,8 @@ class WideFloatOf {
     WideFloatOf x = of_double(std::fabs(1.0 / mantissa), 64);
     for (uint32_t right = bits_of_start; right < b.bits_; right = bits_after_step(right)) {
       const uint32_t bits = bits_of_step(right, b.bits_);
-      x = x.with_bits(bits);
-      WideFloatOf step = b.with_bits(bits);
+      x = x.exact_in(bits);
+      WideFloatOf step = b.exact_in(bits);
       step.sign_ = 1;
       step.exponent_ = -static_cast<int32_t>(bits);
       step = product(step, x);
@@ -298,10 +319,10 @@ class WideFloatOf {
     WideFloatOf c;
     for (uint32_t right = bits_of_start;; right = bits_after_step(right)) {
       const uint32_t bits = bits_of_step(right, a.bits_);
-      c = a.with_bits(bits);
+      c = a.exact_in(bits);
       c.exponent_ = -static_cast<int32_t>(bits) + (odd ? 1 : 0);
       if (right >= a.bits_) break;
-      y = y.with_bits(bits);
+      y = y.exact_in(bits);
       WideFloatOf step = product(y, y);
       step = product(c, step);
       step = WideFloatOf(3, bits) - step;

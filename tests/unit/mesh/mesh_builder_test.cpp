@@ -10,6 +10,8 @@
 #include "lattice_lengths.hpp"
 #include "mesh/mesh_sizes.hpp"
 #include "random_balls.hpp"
+#include "sweep_length.hpp"
+#include "tied_families.hpp"
 
 namespace {
 
@@ -141,6 +143,32 @@ int64_t euler_of(const BuiltSurface &built) {
   int64_t corners = 0;
   for (uint32_t c = 0; c < map.corner_count(); ++c) corners += map.shell_of_corner(c) != hsp::no_id ? 1 : 0;
   return corners - edges + faces_and_holes;
+}
+
+// Sets of all families with ties: nearly all have a mesh, which is closed, has one ring around a vertex, and the
+// Euler number of the surface.
+TEST(MeshBuilder, SmoothSurfacesOfTiedFamilies) {
+  uint32_t sets = 0, refused = 0;
+  for (const support::TiedFamily &family : support::tied_families) {
+    SCOPED_TRACE(family.name);
+    for (int k = 0; k < oracle::rounds(6, 1000); ++k) {
+      SCOPED_TRACE(k);
+      const support::TiedSet set = family.member(static_cast<uint64_t>(k));
+      const BuiltSurface built(set.balls, set.probe, 0.0);
+      ASSERT_EQ(built.status(), hsp::Status::ok);
+      const BuiltMesh mesh(0.3 * static_cast<double>(built.balls().probe_steps), built.balls(), built.boundary(),
+                           built.surface());
+      ++sets;
+      if (mesh.status() != hsp::Status::ok) {
+        ASSERT_EQ(mesh.status(), hsp::Status::degenerate);
+        ++refused;
+        continue;
+      }
+      EXPECT_TRUE(mesh.is_closed());
+      EXPECT_EQ(mesh.euler(), euler_of(built));
+    }
+  }
+  EXPECT_LE(refused, sets / 100);
 }
 
 TEST(MeshBuilder, SmoothSurfacesOfRandomSets) {

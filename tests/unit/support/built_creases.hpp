@@ -26,9 +26,9 @@ class BuiltCreases {
       corners = creases_.required_corners();
     } while (status_ == hsp::Status::capacity);
     if (status_ != hsp::Status::ok) return;
-    arcs_.resize(2 * creases + 6);
-    figures_.resize(arcs_.size());
-    patches_.use({arcs_.data(), 2 * creases + 6}, {figures_.data(), 2 * creases + 6});
+    const uint32_t words = (2 * creases + 6) * hsp::CreasedPatches::words_of_arc;
+    border_memory_.resize(words);
+    patches_.use({border_memory_.data(), words});
     cut_memory_.carve(cut_, vertices, 2 * creases + vertices, 2 * creases + 6 * vertices);
     status_ = patches_.fill(inputs(), cut_, endless);
   }
@@ -59,8 +59,7 @@ class BuiltCreases {
   hsp::ActualBalls actual_;
   const hsp::ChosenFaces &chosen_;
   CarvedMemory grid_memory_, crease_memory_, cut_memory_;
-  std::vector<hsp::BorderArc> arcs_;
-  std::vector<hsp::ArcFigures> figures_;
+  std::vector<uint64_t> border_memory_;
   hsp::ProbeGrid grid_;
   hsp::Creases creases_;
   hsp::CreasedPatches patches_;

@@ -1,0 +1,64 @@
+// Vectors of numbers that know their error: doubles, or floats of some width.
+#pragma once
+
+#include "core/vec3.hpp"
+#include "numbers/wide_float.hpp"
+
+namespace hsp {
+
+template <class Number>
+struct NumberVector {
+  Number x, y, z;
+};
+// Apart, and into what is there, as each of these is long in wide floats: what stands between them is mostly calls, and
+// a frame holds no more than it has names for.
+template <class Number>
+[[gnu::noinline]] void operator+=(NumberVector<Number> &a, const NumberVector<Number> &b) {
+  a.x = a.x + b.x;
+  a.y = a.y + b.y;
+  a.z = a.z + b.z;
+}
+template <class Number>
+[[gnu::noinline]] void operator-=(NumberVector<Number> &a, const NumberVector<Number> &b) {
+  a.x = a.x - b.x;
+  a.y = a.y - b.y;
+  a.z = a.z - b.z;
+}
+template <class Number>
+[[gnu::noinline]] void operator*=(NumberVector<Number> &a, const Number &s) {
+  a.x = s * a.x;
+  a.y = s * a.y;
+  a.z = s * a.z;
+}
+template <class Number>
+[[gnu::noinline]] Number dot(const NumberVector<Number> &a, const NumberVector<Number> &b) {
+  Number sum = a.x * b.x;
+  sum = sum + a.y * b.y;
+  return sum + a.z * b.z;
+}
+// a b - c d
+template <class Number>
+[[gnu::noinline]] Number difference_of_products(const Number &a, const Number &b, const Number &c, const Number &d) {
+  const Number first = a * b;
+  return first - c * d;
+}
+template <class Number>
+NumberVector<Number> cross(const NumberVector<Number> &a, const NumberVector<Number> &b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
+template <class Number>
+[[gnu::noinline]] Number determinant(const NumberVector<Number> &a, const NumberVector<Number> &b,
+                                     const NumberVector<Number> &c) {
+  const NumberVector<Number> n = cross(b, c);
+  return dot(a, n);
+}
+
+inline Vec3 to_double(const NumberVector<BoundedDouble> &a) {
+  return {a.x.value, a.y.value, a.z.value};
+}
+inline Vec3 to_double(const NumberVector<WideFloat> &a) {
+  return {BoundedDouble(a.x).value, BoundedDouble(a.y).value, BoundedDouble(a.z).value};
+}
+
+}  // namespace hsp
