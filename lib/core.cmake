@@ -51,6 +51,7 @@ hsp_part(union
     sphere/outer_cell.cpp
     sphere/outer_cell.kernel.cpp
     sphere/pair_sweep.kernel.cpp
+    sphere/pairs_of_few.cpp
     sphere/root_discriminants.kernel.cpp
     sphere/vertex_finder.cpp
     boundary/boundary_builder.cpp

@@ -66,6 +66,7 @@ set(HSP_SOURCES_OF_LANES
   lib/union/sphere/lane_search.cpp
   lib/union/sphere/near_balls.kernel.cpp
   lib/union/sphere/pair_sweep.kernel.cpp
+  lib/union/sphere/pairs_of_few.cpp
   lib/union/sphere/root_discriminants.kernel.cpp)
 list(TRANSFORM HSP_SOURCES_OF_LANES PREPEND ${PROJECT_SOURCE_DIR}/)
 set(HSP_SOURCES_OF_LANES ${HSP_SOURCES_OF_LANES} CACHE INTERNAL "Sources with lanes of registers alone")

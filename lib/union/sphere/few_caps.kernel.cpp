@@ -217,8 +217,8 @@ class PairSearch {
     if ((all & ~(meet | relations.separate)) != 0 || (crossing & ~relations.at_points) != 0) return false;
     const CapBits later_caps = ((1U << count_) - 1U) & ~((1U << first_later_) - 1U);
     found_.points = 0;
-    found_.free_circles = later_caps & ~pairs_of_few.things_in(count_, cross | inside, cross | contains);
-    found_.clusters = connected_sets(pairs_of_few.matrix_of(count_, meet), count_);
+    found_.free_circles = later_caps & ~things_in(count_, cross | inside, cross | contains);
+    found_.clusters = connected_sets(matrix_of(count_, meet), count_);
     return test_points(crossing);
   }
 

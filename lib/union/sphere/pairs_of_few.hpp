@@ -5,7 +5,6 @@
 #include "lanes/words.hpp"
 
 namespace hsp {
-namespace {
 
 struct PairsOfFew {
   static constexpr uint32_t most = 8, size = 32;
@@ -15,48 +14,36 @@ struct PairsOfFew {
   alignas(32) uint32_t first[most + 1][most];
   alignas(32) uint32_t second[most + 1][most];
   // The 8 x 8 bits of a symmetric matrix, a byte for each row, of four pairs each.
-  static constexpr uint32_t fours = size / 4;
+  static constexpr uint32_t fours = 7;
   uint64_t matrix[most + 1][fours][16];
 
   static constexpr uint32_t count(uint32_t things) { return things * (things - 1) / 2; }
-  constexpr PairsOfFew() : j{}, k{}, first{}, second{}, matrix{} {
-    for (uint32_t things = 2; things <= most; ++things) {
-      uint32_t p = 0;
-      for (uint8_t a = 0; a < things; ++a) {
-        for (uint8_t b = static_cast<uint8_t>(a + 1); b < things; ++b, ++p) {
-          j[things][p] = a;
-          k[things][p] = b;
-          first[things][a] |= UINT32_C(1) << p;
-          second[things][b] |= UINT32_C(1) << p;
-          for (uint32_t bits = 0; bits < 16; ++bits) {
-            if ((bits >> p % 4 & 1U) != 0) {
-              matrix[things][p / 4][bits] |= UINT64_C(1) << (8 * a + b) | UINT64_C(1) << (8 * b + a);
-            }
-          }
-        }
-      }
-    }
-  }
-
-  // Of the pairs of so many things that are set.
-  uint64_t matrix_of(uint32_t things, uint32_t pairs) const {
-    uint64_t all = 0;
-#pragma GCC unroll 7
-    for (uint32_t four = 0; four < 7; ++four) all |= matrix[things][four][pairs >> 4 * four & 15U];
-    return all;
-  }
-  // The things that are the first one of a pair of one kind or the second one of a pair of another.
-  LaneBits things_in(uint32_t things, uint32_t as_first, uint32_t as_second) const {
-    LaneBits in_none = 0;
-    for (uint32_t t = 0; t < most; t += Integers::lanes) {
-      const Integers pairs = (Integers::load(first[things] + t) & Integers::all(as_first)) |
-                             (Integers::load(second[things] + t) & Integers::all(as_second));
-      in_none |= equal(pairs, Integers::all(0)) << t;
-    }
-    return ~in_none & ((1U << things) - 1U);
-  }
 };
-constexpr PairsOfFew pairs_of_few;
+// One table for the kernels of all targets, as it is large.
+extern const PairsOfFew pairs_of_few;
+
+namespace {
+
+// Of the pairs of so many things that are set.
+inline uint64_t matrix_of(uint32_t things, uint32_t pairs) {
+  uint64_t all = 0;
+#pragma GCC unroll 7
+  for (uint32_t four = 0; four < PairsOfFew::fours; ++four) {
+    all |= pairs_of_few.matrix[things][four][pairs >> 4 * four & 15U];
+  }
+  return all;
+}
+
+// The things that are the first one of a pair of one kind or the second one of a pair of another.
+inline LaneBits things_in(uint32_t things, uint32_t as_first, uint32_t as_second) {
+  LaneBits in_none = 0;
+  for (uint32_t t = 0; t < PairsOfFew::most; t += Integers::lanes) {
+    const Integers pairs = (Integers::load(pairs_of_few.first[things] + t) & Integers::all(as_first)) |
+                           (Integers::load(pairs_of_few.second[things] + t) & Integers::all(as_second));
+    in_none |= equal(pairs, Integers::all(0)) << t;
+  }
+  return ~in_none & ((1U << things) - 1U);
+}
 
 // How many sets `things` things fall into of which a symmetric matrix says which belong together (Warshall 1962).
 inline uint32_t connected_sets(uint64_t matrix, uint32_t things) {

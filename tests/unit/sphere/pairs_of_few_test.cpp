@@ -52,8 +52,8 @@ TEST(PairsOfFew, ThingsAndSets) {
       for (uint32_t s = 0; s < t; ++s) is_first = is_first && set_of[s] != set_of[t];
       sets += is_first ? 1 : 0;
     }
-    ASSERT_EQ(pairs_of_few.things_in(things, pairs, others), in);
-    ASSERT_EQ(hsp::connected_sets(pairs_of_few.matrix_of(things, pairs), things), sets);
+    ASSERT_EQ(hsp::things_in(things, pairs, others), in);
+    ASSERT_EQ(hsp::connected_sets(hsp::matrix_of(things, pairs), things), sets);
     in_one_set += sets == 1 && things > 4 ? 1 : 0;
   }
   EXPECT_GT(in_one_set, 20U);

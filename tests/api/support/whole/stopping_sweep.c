@@ -418,7 +418,7 @@ static const question questions[] = {
     {"second derivatives", ask_hessian_rows, NULL, 0, 0},
     {"second derivatives times a direction", ask_hessian_product, NULL, 0, 0},
     {"summary of a brick", ask_brick, NULL, 0, 0},
-    {"merge of two bricks", ask_merge, NULL, 0, 0},
+    {"merge of two bricks", ask_merge, NULL, 0, 1},
     {"view", ask_view, read_view, 0, 0},
     {"view of a boundary", ask_whole_view, read_view, 0, 0},
     {"map", ask_map, read_map, 0, 0},
