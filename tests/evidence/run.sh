@@ -20,7 +20,7 @@ while IFS='|' read -r name promise how tests; do
   log=$(mktemp)
   start=$(date +%s)
   status="holds"
-  ctest --test-dir build/dev -V -R "$tests" >"$log" 2>&1 || { status="FAILS" && failed=yes; }
+  ctest --test-dir build/dev -V -j2 -R "$tests" >"$log" 2>&1 || { status="FAILS" && failed=yes; }
   seconds=$(($(date +%s) - start))
   read -r passed skipped checks < <(awk '
     /\*\*\*Skipped/ { ++skipped }

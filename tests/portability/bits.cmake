@@ -17,5 +17,6 @@ target_compile_options(hsp_interface_checks PRIVATE -ffp-contract=off)
 
 add_executable(arc_tangent_bits ${HSP_PORTABILITY_HERE}/arc_tangent_bits.cpp $<TARGET_OBJECTS:hardsphere_objects>)
 target_compile_features(arc_tangent_bits PRIVATE cxx_std_20)
+target_compile_definitions(arc_tangent_bits PRIVATE HSP_NO_CONTRACTION=1) # the object that computes is the library's
 target_include_directories(arc_tangent_bits PRIVATE ${HSP_LIBRARY_ROOT}/lib/ground)
 target_link_libraries(arc_tangent_bits PRIVATE hardsphere_warnings)

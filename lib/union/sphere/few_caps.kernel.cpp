@@ -201,7 +201,7 @@ class PairSearch {
         found_(found) {}
 
   bool run() {
-    const uint32_t pair_count = PairsOfFew::count(count_);
+    const uint32_t pair_count = count_of_pairs(count_);
     const uint8_t *const j = pairs_of_few.j[count_], *const k = pairs_of_few.k[count_];
     Relations relations;
     for (uint32_t p = 0; p < pair_count; p += Floats::lanes) {

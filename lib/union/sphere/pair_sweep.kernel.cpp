@@ -183,7 +183,7 @@ uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, co
 // The same of all pairs of the few exposed circles, without a branch on which of them cross.
 uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {
   const CapPointers<float> by_size = pointers(sweep.by_size);
-  const uint32_t circles = sweep.exposed_count, count = PairsOfFew::count(circles);
+  const uint32_t circles = sweep.exposed_count, count = count_of_pairs(circles);
   const EightFloats x = EightFloats::load(sweep.exposed.x), y = EightFloats::load(sweep.exposed.y),
                     z = EightFloats::load(sweep.exposed.z), b = EightFloats::load(sweep.exposed.b);
   const auto caps_in_order = [&](const uint8_t *order) {

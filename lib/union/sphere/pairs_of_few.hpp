@@ -16,13 +16,15 @@ struct PairsOfFew {
   // The 8 x 8 bits of a symmetric matrix, a byte for each row, of four pairs each.
   static constexpr uint32_t fours = 7;
   uint64_t matrix[most + 1][fours][16];
-
-  static constexpr uint32_t count(uint32_t things) { return things * (things - 1) / 2; }
 };
 // One table for the kernels of all targets, as it is large.
 extern const PairsOfFew pairs_of_few;
 
 namespace {
+
+constexpr uint32_t count_of_pairs(uint32_t things) {
+  return things * (things - 1) / 2;
+}
 
 // Of the pairs of so many things that are set.
 inline uint64_t matrix_of(uint32_t things, uint32_t pairs) {

@@ -20,7 +20,7 @@ TEST(PairsOfFew, AreAllInOrder) {
         ASSERT_EQ(pairs_of_few.k[things][p], k);
       }
     }
-    ASSERT_EQ(PairsOfFew::count(things), p);
+    ASSERT_EQ(hsp::count_of_pairs(things), p);
   }
 }
 
@@ -29,7 +29,7 @@ TEST(PairsOfFew, ThingsAndSets) {
   uint32_t in_one_set = 0;
   for (int turn = 0; turn < 4000; ++turn) {
     const auto things = static_cast<uint32_t>(random.in(1, PairsOfFew::most));
-    const uint32_t count = PairsOfFew::count(things);
+    const uint32_t count = hsp::count_of_pairs(things);
     // Few of them, so that there are several sets.
     const auto some = [&] {
       uint32_t bits = 0;
