@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Kernels of one target define no symbol that others define as well, or the rest of the library: of an inline function
 # that several objects define the linker keeps one, which would run on processors without the target's instructions. The
-# baseline is what the whole library is compiled for, so its kernels may.
+# baseline is what the whole library is compiled for, so its kernels may. Tables of constants are the same for all.
 #   target_symbols.sh FOLDER-OF-OBJECTS
 set -euo pipefail
 export LC_ALL=C
@@ -15,7 +15,7 @@ defined=$(
   while read -r object; do
     target=$(target_of "$object")
     echo "= $target"
-    nm -C --defined-only --extern-only "$object" | sed -nE "s/^[0-9a-f]+ . (.*)/$target \1/p"
+    nm -C --defined-only --extern-only "$object" | sed -nE "s/^[0-9a-f]+ [^RVuDBG] (.*)/$target \1/p"
   done < <(find . -name '*.o' -o -name '*.obj')
 )
 targets=$(sed -n 's/^= //p' <<<"$defined" | sort | uniq -c | awk '{print $2 " " $1}')

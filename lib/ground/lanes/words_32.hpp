@@ -391,7 +391,7 @@ FrontOrder front_order(LaneBits chosen) {
     return FrontOrder::of_four(chosen);
   }
 }
-inline Floats in_order(Floats a, FrontOrder order) {
+inline Floats lanes_in_order(Floats a, FrontOrder order) {
   return {_mm256_permutevar8x32_ps(a.v, order.v)};
 }
 // Up to eight numbers, of which any eight are wanted.
@@ -399,10 +399,10 @@ struct EightFloats {
   Floats numbers;
 
   static EightFloats load(const float *p) { return {Floats::load(p)}; }
-  Floats in_order(const uint8_t *order) const { return hsp::in_order(numbers, FrontOrder::widened(order)); }
+  Floats in_order(const uint8_t *order) const { return lanes_in_order(numbers, FrontOrder::widened(order)); }
 };
 inline void store_front(float *p, Floats a, FrontOrder order) {
-  in_order(a, order).store(p);
+  lanes_in_order(a, order).store(p);
 }
 inline void store_front(double *p, Doubles a, FrontOrder order) {
   _mm256_storeu_pd(p, _mm256_castsi256_pd(_mm256_permutevar8x32_epi32(_mm256_castpd_si256(a.v), order.v)));
