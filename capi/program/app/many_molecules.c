@@ -118,15 +118,24 @@ static void json_row(const struct one *one, const char *title, const char *reaso
   text_buffer_add_text(out, "}\n");
 }
 
-/* The columns between are empty if it failed. */
+/* Empty columns, as many as there are between the first and the last ones; a mark as long as that is not known. */
+static const char columns_to_come = '\1';
+static void add_empty_columns(const struct many *many, struct text_buffer *out) {
+  if (!many->begun) text_buffer_append(out, &columns_to_come, 1);
+  for (size_t k = 0; k < many->titles.length; ++k) {
+    if (many->titles.text[k] == ',') text_buffer_append(out, ",", 1);
+  }
+}
+
 static void csv_row(const struct many *many, const struct one *one, const char *title, const char *reason,
                     const char *row, size_t length, struct text_buffer *out) {
   text_buffer_add(out, "%" PRIu64 ",", one->text.number);
   csv_text(out, title);
   text_buffer_append(out, ",", 1);
-  if (one->done) text_buffer_append(out, row, length);
-  for (size_t k = 0; !one->done && k < many->titles.length; ++k) {
-    if (many->titles.text[k] == ',') text_buffer_append(out, ",", 1);
+  if (one->done) {
+    text_buffer_append(out, row, length);
+  } else {
+    add_empty_columns(many, out);
   }
   text_buffer_append(out, ",", 1);
   csv_text(out, reason);
@@ -153,12 +162,10 @@ static void begin_table(struct many *many, const char *titles, size_t length, st
   text_buffer_append(out, titles, length);
   text_buffer_add(out, "%s\n", csv ? ",fault" : "  title");
   for (size_t at = 0; at < many->early.length; ++at) {
-    if (many->early.text[at] != '\1') {
+    if (many->early.text[at] != columns_to_come) {
       text_buffer_append(out, many->early.text + at, 1);
-      continue;
-    }
-    for (size_t k = 0; k < length; ++k) {
-      if (titles[k] == ',') text_buffer_append(out, ",", 1);
+    } else {
+      add_empty_columns(many, out);
     }
   }
   many->early.length = 0;
@@ -185,15 +192,8 @@ static void add_row(struct many *many, const struct one *one, struct text_buffer
     json_row(one, name, why, out);
   } else if (rows == ROWS_FOR_PERSONS) {
     row_for_persons(one, name, why, row, length, out);
-  } else if (many->begun) {
-    csv_row(many, one, name, why, row, length, out);
   } else {
-    struct text_buffer *const early = &many->early;
-    text_buffer_add(early, "%" PRIu64 ",", one->text.number);
-    csv_text(early, name);
-    text_buffer_add_text(early, ",\1,");
-    csv_text(early, why);
-    text_buffer_append(early, "\n", 1);
+    csv_row(many, one, name, why, row, length, many->begun ? out : &many->early);
   }
   text_buffer_free(&reason);
 }

@@ -153,7 +153,7 @@ static void print_nearest(const struct molecule_request *const both[2], const st
 static void record_findings(struct record *record, const struct molecule_request *const both[2],
                             const struct clash *clash) {
   const uint32_t pairs = clash->overlap.pairs, nearest[2] = {clash->gap.fixed, clash->gap.posed};
-  const bool row = record->form == AS_CSV || record->form == AS_CSV_TITLES;
+  const bool row = record_is_row(record);
   record_whether(record, "hit", NULL, pairs > 0, "");
   record_count(record, row ? "pairs" : NULL, "pairs", pairs, "of balls that meet");
   if (record_key(record, "pairs")) {

@@ -44,7 +44,7 @@ static void print(struct record *record, const void *of) {
   const struct findings *const found = of;
   const struct request *const request = found->request;
   const struct measurement *const measurement = &found->measurement;
-  const bool line = record->form == AS_CSV || record->form == AS_CSV_TITLES;
+  const bool line = record_is_row(record);
   record_atoms(record);
   if (measurement->part != NULL) {
     record_count(record, "measured", "measured", measurement->part_atoms, "of them; all others only block");

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "commands/command_frames.h"
 #include "commands/commands.h"
+#include "commands/followed_run.h"
 #include "commands/framework_units.h"
 #include "commands/input_report.h"
 #include "commands/pictures.h"
@@ -277,11 +277,6 @@ static void set_diameters(double out[3], const double radius[3], const uint32_t 
   for (int d = 0; d < 3; ++d) out[d] = gate[d] == HSP_NONE ? (double)NAN : 2.0 * radius[d];
 }
 
-/* That of a frame, with numbers alone. */
-static bool is_row(const struct record *record) {
-  return record->form == AS_CSV || record->form == AS_CSV_TITLES;
-}
-
 static void print_box(struct record *record, const struct pores_found *found) {
   static const char *const titles[2][3] = {{"pore limit, 1-d", "pore limit, 2-d", "pore limit, 3-d"},
                                            {"along the first", "along the second", "along the third"}};
@@ -298,7 +293,7 @@ static void print_box(struct record *record, const struct pores_found *found) {
   set_diameters(included, wide->included, wide->gate);
   set_diameters(along, wide->along, wide->gate_along);
   record_numbers(record, "pore_limiting_diameter", through, 3);
-  if (is_row(record)) record_number(record, "pore_limiting_diameter", NULL, through[0], 0, "");
+  if (record_is_row(record)) record_number(record, "pore_limiting_diameter", NULL, through[0], 0, "");
   record_numbers(record, "included_cavity_diameter", included, 3);
   record_numbers(record, "pore_limiting_diameter_along", along, 3);
   for (int k = 0; (persons && k < 6) || (line && k < 3); ++k) {
@@ -385,7 +380,7 @@ static void print_pockets(struct record *record, const struct pores_found *found
   record_count(record, NULL, empty > 0 ? "of volume 0" : NULL, empty,
                "hardly wider than their mouths: the balls that fill these fill them, too");
   if (!persons) record_table(record, "pocket_list", &table);
-  if (is_row(record)) record_pocket_sums(record, found);
+  if (record_is_row(record)) record_pocket_sums(record, found);
   print_table(
       record, &table,
       "  x y z: where the widest probe fits; its radius, and the widest mouth's, in @; volume in @^3, area in @^2");
@@ -444,7 +439,7 @@ static void print(struct record *record, const void *of) {
                ends                ? "to that point, each by another bottleneck"
                : is_boxed(request) ? "to a copy of the start, each by another bottleneck"
                                    : "to the outside, each by another bottleneck");
-  if (is_row(record)) {
+  if (record_is_row(record)) {
     const hsp_tunnel *const best = found->tunnel_count > 0 ? found->tunnels : NULL;
     record_number(record, "tunnel_radius", NULL, best == NULL ? (double)NAN : best->radius, 0, "");
     record_number(record, "tunnel_length", NULL, best == NULL ? (double)NAN : best->length, 0, "");
@@ -513,20 +508,16 @@ bool command_pores(const struct request *request, const struct molecule *molecul
   return done;
 }
 
-/* A trajectory. */
-struct run {
-  const struct request *request;
-  struct followed followed; /* pockets */
-};
+/* ---- a trajectory ---- */
 
 static bool find_in_frame(const void *of, const struct molecule *molecule, struct geometry *geometry, void *findings,
                           struct failure *failure) {
   struct pores_found *const found = findings;
-  found->request = ((const struct run *)of)->request;
+  found->request = ((const struct followed_run *)of)->request;
   return pores_find(molecule, geometry, found, failure);
 }
 
-static bool follow(struct run *run, const struct molecule *molecule, struct pores_found *found,
+static bool follow(struct followed_run *run, const struct molecule *molecule, struct pores_found *found,
                    struct failure *failure) {
   found->followed = calloc((size_t)found->listed_count + 1, sizeof *found->followed);
   if (found->followed == NULL) return failure_of_memory(failure);
@@ -542,7 +533,7 @@ static bool follow(struct run *run, const struct molecule *molecule, struct pore
 
 static bool take_frame(void *of, const struct molecule *molecule, void *findings, struct text_buffer *out,
                        struct failure *failure) {
-  struct run *const run = of;
+  struct followed_run *const run = of;
   if (run->request->pores.pockets >= 0.0 && !follow(run, molecule, findings, failure)) return false;
   write(run->request, molecule, findings, out);
   return true;
@@ -554,13 +545,8 @@ static void clear(void *findings) {
 
 bool pores_of_run(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
                   double *largest_rounding, struct failure *failure) {
-  struct run run = {.request = request, .followed = {.keeps_volumes = request->plot != NULL}};
   const struct frame_work work = {
-      .bytes = sizeof(struct pores_found), .find = find_in_frame, .take = take_frame, .clear = clear, .of = &run};
+      .bytes = sizeof(struct pores_found), .find = find_in_frame, .take = take_frame, .clear = clear};
   (void)out;
-  const bool done =
-      command_frames(request, molecule, &work, largest_rounding, failure) &&
-      (request->plot == NULL || pictures.volumes(&run.followed, molecule, "pocket", request->plot, failure));
-  followed_free(&run.followed);
-  return done;
+  return follow_run(request, molecule, work, "pocket", largest_rounding, failure);
 }

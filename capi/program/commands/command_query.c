@@ -42,7 +42,7 @@ static void print(struct record *record, const void *of) {
   const bool point = request->query.kind == QUERY_POINT;
   const struct table table = {columns, 1, request->format, found->count, found, row_of, ball_rows_lead};
   record_counts(record, "hits", found->rows.balls, found->count);
-  if (record->form == AS_CSV || record->form == AS_CSV_TITLES) record_count(record, "hits", NULL, found->count, "");
+  if (record_is_row(record)) record_count(record, "hits", NULL, found->count, "");
   if (record->form != FOR_PERSONS) return;
   text_buffer_add(record->out, "  %-16s at %.10g %.10g %.10g", point ? "query point" : "query ball", at[0], at[1],
                   at[2]);

@@ -3,9 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "commands/command_frames.h"
 #include "commands/commands.h"
-#include "commands/followed.h"
+#include "commands/followed_run.h"
 #include "commands/input_report.h"
 #include "commands/pictures.h"
 #include "commands/void_list.h"
@@ -72,7 +71,7 @@ static void print(struct record *record, const void *of) {
   const struct found *const found = of;
   const struct void_list *const list = &found->list;
   const struct table table = table_of(record->molecule, found);
-  const bool row = record->form == AS_CSV || record->form == AS_CSV_TITLES;
+  const bool row = record_is_row(record);
   record_atoms(record);
   record_count(record, row ? "voids" : NULL, "voids", list->count, "cavities enclosed by the union, largest first");
   if (record->form == AS_JSON) record_table(record, "voids", &table);
@@ -129,20 +128,16 @@ bool command_voids(const struct request *request, const struct molecule *molecul
   return done;
 }
 
-/* A trajectory. */
-struct run {
-  const struct request *request;
-  struct followed followed;
-};
+/* ---- a trajectory ---- */
 
 static bool find_in_frame(const void *of, const struct molecule *molecule, struct geometry *geometry, void *findings,
                           struct failure *failure) {
-  return find(((const struct run *)of)->request, molecule, geometry, findings, failure);
+  return find(((const struct followed_run *)of)->request, molecule, geometry, findings, failure);
 }
 
 static bool take_frame(void *of, const struct molecule *molecule, void *findings, struct text_buffer *out,
                        struct failure *failure) {
-  struct run *const run = of;
+  struct followed_run *const run = of;
   struct found *const found = findings;
   const struct void_list *const list = &found->list;
   found->followed = calloc((size_t)list->count + 1, sizeof *found->followed);
@@ -159,13 +154,8 @@ static bool take_frame(void *of, const struct molecule *molecule, void *findings
 
 bool voids_of_run(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
                   double *largest_rounding, struct failure *failure) {
-  struct run run = {.request = request, .followed = {.keeps_volumes = request->plot != NULL}};
   const struct frame_work work = {
-      .bytes = sizeof(struct found), .find = find_in_frame, .take = take_frame, .clear = clear, .of = &run};
+      .bytes = sizeof(struct found), .find = find_in_frame, .take = take_frame, .clear = clear};
   (void)out;
-  const bool done =
-      command_frames(request, molecule, &work, largest_rounding, failure) &&
-      (request->plot == NULL || pictures.volumes(&run.followed, molecule, "void", request->plot, failure));
-  followed_free(&run.followed);
-  return done;
+  return follow_run(request, molecule, work, "void", largest_rounding, failure);
 }

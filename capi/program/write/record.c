@@ -52,6 +52,10 @@ static void print_row(struct record *record, const char *title, const char *valu
   text_buffer_add_text(record->out, "\n");
 }
 
+bool record_is_row(const struct record *record) {
+  return record->form == AS_CSV || record->form == AS_CSV_TITLES;
+}
+
 void record_atoms(struct record *record) {
   record_count(record, record->atoms, NULL, record->molecule->atoms, "");
 }

@@ -23,6 +23,9 @@ struct record {
 
 enum { VALUE_WIDTH = 14 };
 
+/* Whether it is one row, of comma-separated values or of a table for persons, or the titles of such rows. */
+bool record_is_row(const struct record *record);
+
 /* The number of atoms, which is for programs alone. */
 void record_atoms(struct record *record);
 

@@ -3,11 +3,6 @@
 #include "core/begin_array.hpp"
 
 namespace hsp {
-namespace {
-
-constexpr uint32_t words_of_border = (sizeof(BorderArc) + 7) / 8;
-
-}  // namespace
 
 void CreasedPatches::push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end, uint32_t crease) {
   BorderArc arc{across, start, end, no_id, no_id, no_id, crease, {}, {}};
@@ -47,7 +42,7 @@ void CreasedPatches::add_creases(const Inputs &in, const NearVertices &near, uin
 }
 
 Span<BorderArc> CreasedPatches::find_border(const Inputs &in, const NearVertices &near, uint32_t v) {
-  arcs_ = FixedVector(begin_array<BorderArc>(memory_.part(0, memory_.size() / words_of_arc * words_of_border)));
+  arcs_ = FixedVector(begin_array<BorderArc>(memory_.part(0, words_of<BorderArc>(memory_.size() / words_of_arc))));
   add_sides(in, v);
   const uint64_t sides = arcs_.required();
   add_creases(in, near, v);
@@ -103,7 +98,7 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
   Span<BorderArc> arcs = arcs_.items();
   PatchLoops loops(in.actual, v, arcs);
   if (!loops.chain()) return Status::degenerate;
-  const uint32_t first_figures = arcs.size() * words_of_border, first_kept = arcs.size() * words_of_arc;
+  const uint32_t first_figures = words_of<BorderArc>(arcs.size()), first_kept = arcs.size() * words_of_arc;
   figures_ = begin_array<ArcFigures>(memory_.part(first_figures, first_kept));
   const Span<ArcFigures> figures = figures_.part(0, arcs.size());
   in.actual.keep_vertices(memory_.part(first_kept, memory_.size()));

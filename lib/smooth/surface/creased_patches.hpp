@@ -8,6 +8,12 @@
 
 namespace hsp {
 
+// The words of so many T.
+template <class T>
+constexpr uint32_t words_of(uint32_t count) {
+  return static_cast<uint32_t>((sizeof(T) + 7) / 8) * count;
+}
+
 class CreasedPatches {
  public:
   struct Inputs {
@@ -19,7 +25,7 @@ class CreasedPatches {
   };
 
   // Memory for the borders of one patch: so many words for each arc.
-  static constexpr uint32_t words_of_arc = (sizeof(BorderArc) + 7) / 8 + (sizeof(ArcFigures) + 7) / 8;
+  static constexpr uint32_t words_of_arc = words_of<BorderArc>(1) + words_of<ArcFigures>(1);
   void use(Span<uint64_t> memory) { memory_ = memory; }
 
   // Status::degenerate if borders do not close, or no width tells what they bound. Cut patches may have no room.

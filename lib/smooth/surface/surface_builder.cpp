@@ -12,12 +12,6 @@ namespace {
 // three start in each such corner: the rest are sides, and what few sets need.
 constexpr uint32_t arcs_for_crease = 4, arcs_for_corner = 8;
 
-// The words of so many T.
-template <class T>
-constexpr uint32_t words_of(uint32_t count) {
-  return static_cast<uint32_t>((sizeof(T) + 7) / 8) * count;
-}
-
 }  // namespace
 
 // The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph; so many
