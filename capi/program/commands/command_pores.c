@@ -8,7 +8,6 @@
 #include "commands/followed_run.h"
 #include "commands/framework_units.h"
 #include "commands/input_report.h"
-#include "commands/pictures.h"
 #include "commands/pores_found.h"
 #include "write/ball_label.h"
 

@@ -6,7 +6,6 @@
 #include "commands/commands.h"
 #include "commands/followed_run.h"
 #include "commands/input_report.h"
-#include "commands/pictures.h"
 #include "commands/void_list.h"
 #include "write/ball_label.h"
 

@@ -5,7 +5,7 @@
 #include "commands/followed.h"
 #include "commands/request.h"
 
-/* What `of` of the work on frames is: a run whose cavities are followed by what it takes. */
+/* The `of` of the work on frames: a run whose cavities are followed. */
 struct followed_run {
   const struct request *request;
   struct followed followed;
