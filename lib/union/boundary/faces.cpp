@@ -169,7 +169,8 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
 // This joins all loops l_1 .. l_r of a face f: the sphere minus f is r discs. The meridian from a cluster in disc a to
 // the pole leaves the disc through l_a, and each further disc it enters it leaves through that disc's loop, so the
 // chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free. As many joins as there are
-// clusters but one leave as many sets as there are faces: after these no further meridian is looked at.
+// clusters but one leave as many sets as there are faces: after these no further meridian is looked at. Of many clusters
+// those come first whose loop is not in one set with that of the first meridian.
 void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, uint32_t joins,
                                          DisjointSets &loops) {
   const exact::Predicates predicates = caps.predicates();
@@ -178,11 +179,19 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, u
   uint32_t pole_loop = no_id;
   const auto join = [&](uint32_t p, uint32_t q) { joins -= static_cast<uint32_t>(loops.join(p, q)); };
   // In the order of the grid those of one side come first, whose meridians are all much the same.
-  const uint32_t step = small_code || intervals_.of_caps().empty() ? 1 : spreading_step(caps.count);
+  const bool many = !small_code && !intervals_.of_caps().empty();
+  const uint32_t step = many ? spreading_step(caps.count) : 1;
+  uint32_t hub = no_id;
+  const auto is_joined = [&](uint32_t cap) {
+    const Span<const uint32_t> elements = intervals_.of_caps();
+    return hub != no_id && !elements.empty() && elements[cap] != no_id &&
+           loops.find(boundary.loop_of(LoopElement::from_code(elements[cap])) - first_loop) == loops.find(hub);
+  };
   uint32_t representative = 0;
-  for (uint32_t left = caps.count; left > 0 && joins > 0;
+  for (uint32_t left = many ? 2 * caps.count : caps.count; left > 0 && joins > 0;
        --left, representative += small_code || representative < caps.count - step ? step : step - caps.count) {
     if (!clusters_.is_representative(representative)) continue;
+    if (!small_code && left > caps.count && is_joined(representative)) continue;
     const exact::Plane meridian = meridian_through(caps.direction(representative));
     intervals_.find(caps, predicates, meridian);
     const Span<const uint32_t> elements = intervals_.of_caps();
@@ -193,6 +202,7 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, u
       };
       const uint32_t exit_loop = loop_at(interval.exit_cap, +1);
       const uint32_t entry_loop = loop_at(interval.entry_cap, -1);
+      if (hub == no_id) hub = exit_loop;
       join(exit_loop, entry_loop);
       if (contains_pole(caps, predicates, meridian, interval, +1)) {
         if (pole_loop == no_id) pole_loop = exit_loop;

@@ -144,6 +144,7 @@ LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predic
 }
 
 void find_first_elements(const Caps &caps, const Boundary &boundary, Span<uint32_t> of_caps) {
+  for (uint32_t &of_cap : of_caps) of_cap = no_id;
   if (of_caps.empty()) return;
   for (const ClosedHalfEdge e : boundary.circles(caps.origin)) {
     of_caps[caps.cap_of(boundary.neighbour(e))] = LoopElement::circle(e).code();

@@ -1,5 +1,6 @@
 #include "sphere/meridian_sectors.hpp"
 
+#include "core/extremes.hpp"
 #include "core/rows.hpp"
 
 namespace hsp {
@@ -20,15 +21,15 @@ double part_of_turn(double x, double y) {
 
 }  // namespace
 
-uint32_t MeridianSectors::sector_of(double x, double y) const {
-  const double sector = part_of_turn(x, y) * (0.5 * sectors_);
-  return sector < sectors_ ? static_cast<uint32_t>(sector) : sectors_ - 1;
+uint32_t MeridianSectors::sector_of(double x, double y, uint32_t sectors) {
+  const double sector = part_of_turn(x, y) * (0.5 * sectors);
+  return sector < sectors ? static_cast<uint32_t>(sector) : sectors - 1;
 }
 
 // A meridian with the normal n meets a cap with the axis u only if |u.n| is at most the sine of the cap's angle: if its
 // direction is, seen from above, no farther from u than the angle whose sine is that by the length of u there. The
 // square is made larger by more than the errors of b, 16 units of 2^-53, and the sine by more than all others.
-MeridianSectors::Reach MeridianSectors::reach_of(const Caps &caps, uint32_t cap) const {
+MeridianSectors::Reach MeridianSectors::reach_of(const Caps &caps, uint32_t cap, uint32_t sectors) {
   const Reach wide{0, no_id};
   const double x = caps.ux[cap], y = caps.uy[cap], b = caps.b[cap];
   const double squared = 1.0 - b * b + 0x1p-40, across = std::sqrt(x * x + y * y);
@@ -36,44 +37,54 @@ MeridianSectors::Reach MeridianSectors::reach_of(const Caps &caps, uint32_t cap)
   const double sine = std::sqrt(squared) / across + 0x1p-30;
   if (!(sine < 0.5)) return wide;
   const double cosine = std::sqrt(1.0 - sine * sine);
-  const uint32_t first = sector_of(x * cosine + y * sine, y * cosine - x * sine);
-  const uint32_t last = sector_of(x * cosine - y * sine, y * cosine + x * sine);
-  return {first, (last >= first ? last - first : last + sectors_ - first) + 1};
+  const uint32_t first = sector_of(x * cosine + y * sine, y * cosine - x * sine, sectors);
+  const uint32_t last = sector_of(x * cosine - y * sine, y * cosine + x * sine, sectors);
+  return {first, (last >= first ? last - first : last + sectors - first) + 1};
 }
 
-void MeridianSectors::mark_all() const {
-  for (uint32_t s = 0; s < sectors_; ++s) marks()[s] = 1;
+namespace {
+
+void fill(Span<uint8_t> marks, uint8_t mark) {
+  for (uint8_t &each : marks) each = mark;
 }
 
-void MeridianSectors::unmark(const Caps &caps, uint32_t cap) const {
-  const Reach reach = reach_of(caps, cap);
-  for (uint32_t s = 0; s < reach.count && s < sectors_; ++s) marks()[(reach.first + s) % sectors_] = 0;
+}  // namespace
+
+void MeridianSectors::clear_marks() const {
+  fill(marks_, 0);
+}
+
+void MeridianSectors::mark(const Caps &caps, uint32_t cap) const {
+  const uint32_t all = marks_.size();
+  const Reach reach = reach_of(caps, cap, all);
+  const uint32_t count = smaller_of(reach.count, all), before_end = smaller_of(count, all - reach.first);
+  fill(marks_.part(reach.first, reach.first + before_end), 1);
+  fill(marks_.part(0, count - before_end), 1);
 }
 
 void MeridianSectors::start(const Caps &caps, const Memory &memory) {
   first_ = memory.first.data();
   listed_ = memory.listed.data();
   const uint32_t count = caps.count;
-  sectors_ = 1;
-  // No more than the root of the caps, and as many marks.
-  static_assert(sectors_for(fewest) * sectors_for(fewest) >= 4 * fewest);
-  while (4 * sectors_ * sectors_ <= count) sectors_ *= 2;
-  // As many sectors as there is room for.
+  // As many sectors as there is room for, with at least as much for the marks behind them.
   const Span<uint32_t> first = memory.first;
+  sectors_ = 1;
+  while (4 * sectors_ < first.size()) sectors_ *= 2;
   for (;; sectors_ /= 2) {
     for (uint32_t s = 0; s <= sectors_; ++s) first[s] = 0;
     all_ = 0;
     for (uint32_t k = 0; k < count; ++k) {
-      const Reach reach = reach_of(caps, k);
+      const Reach reach = reach_of(caps, k, sectors_);
       all_ += reach.count > most_sectors ? 1 : reach.count;
       for (uint32_t s = 0; s < reach.count && reach.count <= most_sectors; ++s) ++first[(reach.first + s) % sectors_];
     }
     if (all_ <= memory.listed.size()) break;
   }
+  marks_ = {reinterpret_cast<uint8_t *>(first_ + sectors_ + 1), 4 * (first.size() - sectors_ - 1)};
   placed_ = end_rows(first, sectors_);
   uint32_t wide = all_;
   for (uint32_t k = count; k-- > 0;) {
-    const Reach reach = reach_of(caps, k);
+    const Reach reach = reach_of(caps, k, sectors_);
     if (reach.count > most_sectors) memory.listed[--wide] = k;
     for (uint32_t s = 0; s < reach.count && reach.count <= most_sectors; ++s) {
       memory.listed[--first[(reach.first + s) % sectors_]] = k;

@@ -76,18 +76,19 @@ void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBal
                             FixedVector<CutArc> &arcs) {
   reset_nodes(boundary, face);
   const uint32_t first_arc = arcs.size();
-  uint32_t reserved = 0, tried = 0;
+  uint32_t reserved = 0;
   for (const uint32_t loop : boundary.loops_of_face(face)) {
     if (to_join_ == 0) break;
     const uint32_t cap = boundary.neighbour(boundary.loop_start(loop));
-    if (!small_code && tried > 0 && joins_nothing(gathered, cap)) continue;
+    if (!small_code && joins_nothing(gathered, cap)) continue;
     find_pieces(boundary, face, cap, gathered);
     const Joined joined = join_pieces(boundary);
-    if (!small_code) mark_joined(boundary, face, gathered, ++tried);
     if (joined.loops) {
       push_pieces(arcs);
     } else if (joined.poles) {
       reserve_[reserved++] = loop;
+    } else if (!small_code && ++in_vain_ >= most_in_vain && to_join_ <= to_join_when_marked_ / 2) {
+      mark_caps_to_join(boundary, face, gathered);
     }
   }
   for (uint32_t k = 0; k < reserved && to_join_directly_ > 0; ++k) {
@@ -97,34 +98,43 @@ void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBal
   make_pole_vertices(arcs.items().part(first_arc, arcs.size()));
 }
 
-// Where there are many loops, most circles would join nothing any more. All loops that have caps in a sector that is
-// marked are joined with each other and with the poles that are in the face, as the first circle has found them.
+// Where there are many loops, most circles would join nothing any more. Where there is no mark all loops that have caps
+// are joined with each other and with the poles that are in the face, as the first circle has found them.
 bool CutArcFinder::joins_nothing(const GatheredBall &gathered, uint32_t cap) const {
   const Caps &caps = gathered.caps;
   return has_marks_ && !gathered.intervals.of_caps().empty() &&
-         gathered.intervals.is_marked(meridian_through(caps.direction(caps.cap_of(cap))));
+         !gathered.intervals.is_marked(meridian_through(caps.direction(caps.cap_of(cap))));
 }
 
-void CutArcFinder::mark_joined(const Boundary &boundary, uint32_t face, const GatheredBall &gathered, uint32_t tried) {
-  if (tried == 1) has_marks_ = false;
+void CutArcFinder::mark_caps_to_join(const Boundary &boundary, uint32_t face, const GatheredBall &gathered) {
+  in_vain_ = 0;
   if (gathered.intervals.of_caps().empty()) return;
-  const MeridianSectors &sectors = gathered.intervals.sectors();
-  if (tried % (4 * sectors.count()) != 0) return;
   const uint32_t all = nodes_.find(0), poles = nodes_.size() - 2;
   for (uint32_t pole = 0; pole < 2; ++pole) {
     if (pole_joined_[pole] && nodes_.find(poles + pole) != all) return;
   }
   has_marks_ = true;
-  sectors.mark_all();
-  const auto unmark = [&](uint32_t loop, uint32_t ball) {
-    const IdRange loops = boundary.loops_of_face(face);
-    if (loop < loops.first || loop >= loops.last || nodes_.find(loop - loops.first) == all) return;
-    sectors.unmark(gathered.caps, gathered.caps.cap_of(ball));
+  const MeridianSectors &sectors = gathered.intervals.sectors();
+  sectors.clear_marks();
+  to_join_when_marked_ = to_join_;
+  const IdRange loops = boundary.loops_of_face(face);
+  const auto is_to_join = [&](LoopElement element) {
+    const uint32_t loop = boundary.loop_of(element);
+    return loop >= loops.first && loop < loops.last && nodes_.find(loop - loops.first) != all;
   };
-  const uint32_t i = gathered.caps.origin;
-  for (const uint32_t e : boundary.half_edges(i)) unmark(boundary.half_edge(e).loop, boundary.half_edge(e).circle);
-  for (const ClosedHalfEdge e : boundary.circles(i)) {
-    unmark(boundary.loop_of(LoopElement::circle(e)), boundary.neighbour(e));
+  const Span<const uint32_t> elements = gathered.intervals.of_caps();
+  const uint32_t end = boundary.half_edges(gathered.caps.origin).last;
+  for (uint32_t cap = 0; cap < elements.size(); ++cap) {
+    if (elements[cap] == no_id) continue;
+    const LoopElement first = LoopElement::from_code(elements[cap]);
+    bool marks = is_to_join(first);
+    if (!first.is_circle()) {
+      const uint32_t circle = boundary.half_edge(first.half_edge()).circle;
+      for (uint32_t e = first.half_edge() + 1; !marks && e < end && boundary.half_edge(e).circle == circle; ++e) {
+        marks = is_to_join(LoopElement::arc(e));
+      }
+    }
+    if (marks) sectors.mark(gathered.caps, cap);
   }
 }
 
@@ -136,6 +146,9 @@ void CutArcFinder::reset_nodes(const Boundary &boundary, uint32_t face) {
   direct_.reset();
   reserve_ = scratch_.part(2 * loops + 2, 3 * loops + 2);
   pole_joined_[0] = pole_joined_[1] = false;
+  has_marks_ = false;
+  to_join_when_marked_ = no_id;
+  in_vain_ = 0;
   to_join_ = to_join_directly_ = loops - 1;
 }
 

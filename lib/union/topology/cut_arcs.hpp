@@ -72,7 +72,7 @@ class CutArcFinder {
   };
   Joined join_pieces(const Boundary &boundary);
   bool joins_nothing(const GatheredBall &gathered, uint32_t cap) const;
-  void mark_joined(const Boundary &boundary, uint32_t face, const GatheredBall &gathered, uint32_t tried);
+  void mark_caps_to_join(const Boundary &boundary, uint32_t face, const GatheredBall &gathered);
   void push_pieces(FixedVector<CutArc> &arcs) const;
   void reset_nodes(const Boundary &boundary, uint32_t face);
 
@@ -82,7 +82,11 @@ class CutArcFinder {
   // directly do without the poles.
   DisjointSets nodes_, direct_;
   bool pole_joined_[2] = {false, false};
-  bool has_marks_ = false;                       // the index of meridians, of where this face's loops are joined
+  // Whether the index of meridians is marked where loops of this face are to be joined. It is marked again only for half
+  // of them, after so many circles that joined nothing: before, these cost less.
+  bool has_marks_ = false;
+  uint32_t to_join_when_marked_ = 0, in_vain_ = 0;
+  static constexpr uint32_t most_in_vain = 16;
   uint32_t to_join_ = 0, to_join_directly_ = 0;  // until the face's loops are one set
   Span<uint32_t> reserve_;                       // loops whose circles join nothing but poles
   Span<uint32_t> scratch_;

@@ -110,4 +110,25 @@ TEST(LoopsOfFaces, AreConsecutive) {
   EXPECT_LT(found_between, 48U);
 }
 
+// Two rings around one direction, and within the inner one hundreds of studs: a face with all of these, a band with two
+// loops that no stud borders, and the rest.
+TEST(LoopsOfFaces, BandBehindHundredsOfStuds) {
+  const auto ring_of = [](int balls, double degrees, int64_t radius) {
+    const double from_pole = degrees * std::acos(-1.0) / 180;
+    return oracle::ring_around_z(balls, 1000000 * std::sin(from_pole), std::lround(1000000 * std::cos(from_pole)),
+                                 radius, 0.3);
+  };
+  oracle::Balls balls =
+      oracle::joined({{0, 0, 0, 1000000}}, oracle::joined(ring_of(24, 25, 70000), ring_of(24, 40, 100000)));
+  for (int k = 0; k < 280; ++k) {
+    const double from_pole = 0.005 + 0.0011 * k, angle = 2.4 * k;
+    balls.push_back({std::lround(1e6 * std::sin(from_pole) * std::cos(angle)),
+                     std::lround(1e6 * std::sin(from_pole) * std::sin(angle)), std::lround(1e6 * std::cos(from_pole)),
+                     500});
+  }
+  for (const oracle::Balls &turned : oracle::axis_symmetries(balls)) {
+    EXPECT_EQ(loops_of_faces(turned), (std::vector<uint32_t>{1, 2, 281}));
+  }
+}
+
 }  // namespace

@@ -81,6 +81,37 @@ TEST(MeridianSectors, ListAllThatMeet) {
   EXPECT_GT(meetings, 50000U);
 }
 
+// Marked for one cap, all meridians that meet it are, and few others.
+TEST(MeridianSectors, MarkWhereCapsReach) {
+  oracle::RandomSource random(73);
+  for (const double size : {0.0001, 0.01, 0.2}) {
+    const Bumps bumpy(bumps(random, 1500, size, size));
+    const hsp::Caps &caps = bumpy.caps;
+    uint32_t marked = 0, met = 0, wide = 0;
+    for (uint32_t cap = 0; cap < caps.count; cap += 7) {
+      bumpy.sectors.clear_marks();
+      EXPECT_FALSE(bumpy.sectors.is_marked(caps.ux[cap], caps.uy[cap]));
+      bumpy.sectors.mark(caps, cap);
+      EXPECT_TRUE(bumpy.sectors.is_marked(caps.ux[cap], caps.uy[cap]));
+      const double across = std::hypot(caps.ux[cap], caps.uy[cap]);
+      const double sine = std::sqrt(1 - caps.b[cap] * caps.b[cap]) / across;
+      if (sine >= 0.49) continue;
+      for (int turn = 0; turn < 400; ++turn) {
+        const double angle = 0.007853981 * turn;
+        const double x = std::cos(angle), y = std::sin(angle);
+        const bool meets = std::fabs(caps.ux[cap] * y - caps.uy[cap] * x) < sine * across;
+        const bool is_marked = bumpy.sectors.is_marked(x, y);
+        if (meets) EXPECT_TRUE(is_marked) << cap << " at " << angle;
+        marked += is_marked ? 1 : 0;
+        met += meets ? 1 : 0;
+        ++wide;
+      }
+    }
+    EXPECT_GT(wide, 10000U);
+    EXPECT_LT(marked, met + wide / 100);
+  }
+}
+
 // About as many as lie on a meridian, for small caps all over the ball.
 TEST(MeridianSectors, LookAtFew) {
   oracle::RandomSource random(72);
@@ -90,7 +121,7 @@ TEST(MeridianSectors, LookAtFew) {
     const double angle = 0.1 * turn;
     looked_at += bumpy.visited(std::cos(angle), std::sin(angle)).size();
   }
-  EXPECT_LT(looked_at, 200U * bumpy.caps.count / 8);
+  EXPECT_LT(looked_at, 200U * bumpy.caps.count / 32);
   // Stopped after the first.
   int visits = 0;
   bumpy.sectors.visit(1.0, 0.0, [&](uint32_t) { return ++visits < 1; });
