@@ -198,6 +198,17 @@ await send('DOM.setFileInputFiles', {nodeId, files: [resolve(`${work}/wrong.pdb`
 await until('document.getElementById("message").textContent.includes("wrong.pdb")');
 same('what was there', await command(), before);
 
+// What the program says besides is shown, and a file of several molecules has a field for which.
+const atoms = ['0.0000    0.0000', '1.4000    0.0000', '2.1000    1.2000', '1.4000    2.4000'];
+const flat = `one\n\n\n  4  0\n${atoms.map(one => `    ${one}    0.0000 C\n`).join('')}M  END\n$$$$\n`;
+writeFileSync(`${work}/flat.sdf`, flat.repeat(2));
+await send('DOM.setFileInputFiles', {nodeId, files: [resolve(`${work}/flat.sdf`)]});
+await until(whole('flat.sdf'));
+if (!(await text('message')).includes('all z are 0')) throw new Error(`no note: ${await text('message')}`);
+same('models', await evaluate('document.getElementById("models").hidden'), false);
+await put('model', '2');
+await until('JSON.parse(document.getElementById("picture").dataset.command).includes("--model")');
+
 // Screens: the first molecule in each kind of picture, light and dark, on a desk and on a telephone. Nothing is wider
 // than the screen, the page is as light or dark as it should be, and the picture is not empty.
 await send('DOM.setFileInputFiles', {nodeId, files: [resolve(`${work}/crambin.pdb`)]});

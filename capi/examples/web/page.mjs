@@ -17,18 +17,24 @@ const module = await WebAssembly.compile(await unpacked(packed('program')));
 const worker_code = URL.createObjectURL(new Blob([element('worker').textContent], {type: 'text/javascript'}));
 
 // A worker that answers command lines about these files one after another: with bytes, or by throwing what went wrong.
+// notes() is what the last one that succeeded had to say besides.
 function program_with(files) {
   const worker = new Worker(worker_code);
   const waiting = [];
+  let notes = '';
   worker.addEventListener('message', ({data}) => waiting.shift()(data));
   worker.postMessage({module, files});
   const bytes = words => new Promise((resolve, reject) => {
-    waiting.push(({status, output, errors}) => status === 0 ? resolve(output) : reject(new Error(errors.trim())));
+    waiting.push(({status, output, errors}) => {
+      if (status !== 0) reject(new Error(errors.trim()));
+      notes = errors;
+      resolve(output);
+    });
     worker.postMessage({words});
   });
   const text = async words => new TextDecoder().decode(await bytes(words));
   const json = async words => JSON.parse(await text([...words, '--json']));
-  return {bytes, text, json, end: () => worker.terminate()};
+  return {bytes, text, json, notes: () => notes, end: () => worker.terminate()};
 }
 
 let shown; // what is in the page: files, names, options, numbers of its balls, the workers, and the picture's text
@@ -299,6 +305,7 @@ async function load(files, name, run) {
     element('message').textContent = error.message;
     return;
   }
+  element('message').textContent = numbers.notes();
   const {n, balls, input} = file.measured;
   const middle = [0, 1, 2].map(k => balls.reduce((sum, ball) => sum + ball.xyz[k] / n, 0));
   const reach = balls.reduce((most, {xyz, radius}) =>
