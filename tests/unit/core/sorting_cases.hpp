@@ -93,7 +93,7 @@ inline uint32_t three_sorted() {
   });
 }
 
-// A heap of items that know their places, in which keys go up and down: every item is where it was told last, and the
+// A heap of items that know their places, in which keys go up and down: each item is where it was put last, and the
 // first one has the largest key.
 inline uint32_t places_in_a_heap() {
   constexpr uint32_t items = 40, changes = 2000;
