@@ -72,9 +72,9 @@ inline uint32_t caps_are_found_dropped_and_added() {
   for (uint32_t k = 0; k < 4; ++k) {
     if (set.x[caps.ball[k]] != 0.0 || caps.ux[k] != 0.0 || caps.plane(k).v.x != 0) return 5;
   }
-  caps.add_half_sphere({0, 0, 3});
+  caps.add_half_sphere({0, 0, 3000});
   const bool half = caps.count == 5 && caps.ball[4] == hsp::no_id && caps.uz[4] == 1.0 && caps.b[4] == 0.0 &&
-                    caps.plane(4).h == 0 && caps.plane(4).perturbed == 0;
+                    caps.plane(4).h == 0 && caps.plane(4).perturbed == 0 && caps.length_squared >= 9000000.0;
   return half ? all_hold : 6;
 }
 
