@@ -21,6 +21,7 @@ void PoreBalls::carve(Workspace &workspace, uint32_t balls, uint32_t near) {
   set_.carve(workspace, balls);
   grid_.carve(workspace, balls);
   callers_ = workspace.take<uint32_t>(balls);
+  own_ball_ = workspace.take<uint32_t>(balls);
   ball_of_ = workspace.take<uint32_t>(balls);
   shift_of_ = workspace.take<SmallShift>(balls);
   near_ = workspace.take<uint32_t>(near);
@@ -57,16 +58,11 @@ Status PoreBalls::take(const PeriodicImages &images, Patience &patience) {
   return status;
 }
 
-// Memory of images is free without a box: ball_of_ has of each ball its number among the others, shift_of_ of each ball
-// of the caller its own number.
+// Memory of images is free without a box: ball_of_ has of each ball its number among the others.
 bool PoreBalls::compare(const CubeGrid &grid, const PoreBalls &others, int64_t &grown) {
   const uint32_t given = grid.balls().n;
   if (box_ != nullptr || others.box_ != nullptr) return false;
-  for (uint32_t k = 0; k < given; ++k) shift_of_[k].bits = no_id;
-  for (uint32_t k = 0; k < own_; ++k) {
-    shift_of_[callers_[k]].bits = k;
-    ball_of_[k] = no_id;
-  }
+  for (uint32_t k = 0; k < own_; ++k) ball_of_[k] = no_id;
   grown = 0;
   for (uint32_t k = 0; k < others.own_; ++k) {
     const uint32_t callers = others.callers_[k];
@@ -192,8 +188,10 @@ Status PoreBalls::keep_outer(Patience &patience) {
     sort_in_place(callers_.part(0, count),
                   [&](uint32_t a, uint32_t b) { return patience.allows(50) && set_.ranks_before(a, b); });
   }
+  for (uint32_t i = 0; i < set_.n; ++i) own_ball_[i] = no_id;
   // The grid has all balls, too.
   for (uint32_t k = 0; k < count; ++k) {
+    own_ball_[callers_[k]] = k;
     exact::LatticeBall ball = grid_.balls().ball(grid_.grid_index(callers_[k]));
     ball.index = k;
     set_.store(k, ball);

@@ -23,12 +23,12 @@ class PoreBalls {
   Status surround(int64_t reach);
 
   // After take() without a box: compares with balls that others have, as they took them. False unless all of these are
-  // in the grid as well, and have grown by one length since; then is_new() and own_ball() are known.
+  // in the grid as well, and have grown by one length since; then is_new() is known.
   bool compare(const CubeGrid &grid, const PoreBalls &others, int64_t &grown);
   // Whether a ball is none of the others.
   bool is_new(uint32_t own_ball) const { return ball_of_[own_ball] == no_id; }
   // That of the caller; no_id if it is inside another one.
-  uint32_t own_ball(uint32_t callers) const { return shift_of_[callers].bits; }
+  uint32_t own_ball(uint32_t callers) const { return own_ball_[callers]; }
 
   // Without images.
   uint32_t own() const { return own_; }
@@ -93,7 +93,7 @@ class PoreBalls {
 
   BallSet set_;  // each knows its own number; images are behind the others
   CubeGrid grid_;
-  Span<uint32_t> callers_;
+  Span<uint32_t> callers_, own_ball_;
   Span<uint32_t> ball_of_;  // of images
   Span<SmallShift> shift_of_;
   Span<uint32_t> near_;
