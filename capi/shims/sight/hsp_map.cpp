@@ -1,7 +1,7 @@
 #include "hsp_map.hpp"
 
-#include "map_records.hpp"
 #include "maps/map_check.hpp"
+#include "maps/map_queries.hpp"
 #include "view_options.hpp"
 
 using namespace hsp::capi;
@@ -11,7 +11,7 @@ namespace {
 // The map in which h is a directed edge; null if there is none.
 const hsp::VisibilityMap *map_with(const hsp_map *map, uint32_t h) {
   if (!is_live(map) || !map->has_results()) return nullptr;
-  return h < map->structure().half_edges.size() ? &map->structure() : nullptr;
+  return h < map->map().half_edges.size() ? &map->map() : nullptr;
 }
 
 }  // namespace
@@ -59,28 +59,8 @@ uint32_t hsp_map_left(const hsp_map *map, uint32_t h) {
   return of == nullptr ? HSP_NONE : of->face_of(h);
 }
 
-int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight) {
-  LibraryArithmetic arithmetic(x, y);
-  if (const int32_t status = check_results(map, sight == nullptr); status != HSP_OK) return status;
-  if (!hsp::is_finite(x) || !hsp::is_finite(y)) return HSP_E_NOT_FINITE;
-  put_sight(*map, map->structure(), map->builder.discs(), x, y, *sight);
-  return HSP_OK;
-}
-
-int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point) {
-  LibraryArithmetic arithmetic(t);
-  if (const int32_t status = check_results(map, point == nullptr); status != HSP_OK) return status;
-  return get_point(*map, map->structure(), edge, t, *point);
-}
-
-int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_results(map, pole == nullptr); status != HSP_OK) return status;
-  return get_pole(*map, map->structure(), face, *pole);
-}
-
 int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(map, invariant == nullptr || id == nullptr); status != HSP_OK) return status;
-  return report(hsp::check_map(map->structure(), map->builder.scratch()), invariant, id);
+  return report(hsp::check_map(map->map(), map->builder.scratch()), invariant, id);
 }
