@@ -92,7 +92,7 @@ TEST(Frameworks, MeasureHasTotalsToo) {
   const TemporaryFile file("cube.cif", cif({{"Ar", 0, 0, 0}, {"O", 0.5, 0.5, 0.5}}, 7, 6, 6));
   const Words words = {"measure", file.path(), "--box", "file", "--probe", "0.5"};
   const Json measured = run_json(words), found = pores(file.path(), "0.5");
-  EXPECT_EQ(measured["mass"].text, "55.949");
+  EXPECT_NEAR(measured["mass"].number, 55.949, 1e-9);
   EXPECT_EQ(measured["density"].text, found["density"].text);
   for (const char *key :
        {"total_area_m2_per_cm3", "total_area_m2_per_g", "total_volume_fraction", "total_volume_cm3_per_g"}) {
@@ -105,7 +105,7 @@ TEST(Frameworks, MeasureHasTotalsToo) {
   EXPECT_EQ(part["total_area_m2_per_g"].kind, Json::Kind::null);
   EXPECT_EQ(part["density"].text, found["density"].text);
   const std::string table = run_program(words).out;
-  EXPECT_NE(table.find("\n  void fraction    0.8"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n  void fraction    0.6389 of the cell"), std::string::npos) << table;
   EXPECT_NE(table.find("\n  area by mass     "), std::string::npos) << table;
   const std::string unknown = run_program({"measure", "good/two.xyzr", "--box", "9,9,9"}).out;
   EXPECT_NE(unknown.find("\n  void fraction    "), std::string::npos) << unknown;
@@ -113,8 +113,8 @@ TEST(Frameworks, MeasureHasTotalsToo) {
   EXPECT_EQ(unknown.find("density"), std::string::npos) << unknown;
 }
 
-// Atoms that take turns at places count whole, all of them, and a line says how many: of what is chosen, and of one group
-// where they belong to groups.
+// Atoms that take turns at places count whole, all of them, and a line says how many: of those that are chosen, and of
+// one group where they belong to groups.
 TEST(Frameworks, OccupanciesAreTold) {
   const std::string plain = cif({{"Si", 0, 0, 0}, {"O", 0.5, 0, 0}, {"O", 0.6, 0, 0}}, 9, 9, 9);
   const auto with_column = [&](const std::string &tags, const std::vector<std::string> &values) {

@@ -62,8 +62,8 @@ const struct option *option_at(size_t i) {
        .what = "first, occupancy or a letter",
        .help = "which location counts of atoms that .pdb and .cif files have at several: of each atom that\n"
                "which comes first, the default; or of a residue that with the largest mean occupancy, or\n"
-               "with the letter, where it has it. Of disordered groups of crystals likewise. What counts\n"
-               "counts whole, whatever its occupancy is; a line on stderr counts such atoms of crystals"},
+               "with the letter, where it has it. Of disordered groups of crystals likewise. Such atoms\n"
+               "count whole, whatever the occupancy; a line on stderr says how many of a crystal do"},
       {"--chains", "auth|label", take_chains, EVERY, .target = IN(chains), .words = "auth|label", .first = 1,
        .help = "of .cif files: chains by auth_asym_id, the default, or by label_asym_id, in which ligands and\n"
                "water have chains of their own; each where the other one is missing"},

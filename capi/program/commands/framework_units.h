@@ -15,7 +15,7 @@ struct framework framework_of(const struct molecule *molecule, const double box[
 /* In g/cm^3. */
 double framework_density(const struct framework *framework);
 
-/* What a probe gets to, or where it fits and does not get to. */
+/* Of the space that a probe gets to, or where it fits and does not get to. */
 struct pore_sizes {
   double area, volume;
 };

@@ -83,16 +83,18 @@ static inline uint32_t word_digits(uint64_t word) {
 static inline bool word_number(uint64_t word, double *value) {
   static const double powers[8] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
   const uint64_t point = word_find(word, '.');
-  unsigned decimals = 0;
+  unsigned decimals = 0, most = 56; /* bits before the first digit */
   if (point != 0) { /* what stands before it moves up to what stands behind it */
     const unsigned at = lowest_bit(point) & 56;
     const uint64_t behind = ~UINT64_C(0xFF) << at;
     word = (word & behind) | ((word << 8 | ' ') & ~behind);
     decimals = 7 - at / 8;
+    most = at + 8;
   }
   const uint64_t digits = word & WORD_OF(0x10); /* a bit of each digit that blanks, signs and points lack */
   if (FLT_EVAL_METHOD != 0 || digits == 0) return false;
   const unsigned head = lowest_bit(digits) & 56;
+  if (head > most) return false;
   const uint64_t blank = (UINT64_C(1) << head) - 1, sign = (word ^ WORD_OF(' ')) & blank;
   if (sign != 0 && sign != (uint64_t)(' ' ^ '-') << (head - 8)) return false;
   word = (word & ~blank) | (WORD_OF('0') & blank);

@@ -78,7 +78,7 @@ int32_t init_by_limits(void *memory, size_t bytes, const typename Handle::Limits
   return status == HSP_OK ? init(memory, bytes, wanted, handle) : status;
 }
 
-// hsp_X_bytes and hsp_X_init as the header declares them, of the handle X; and with hsp_X_limits_init by a number of balls.
+// hsp_X_bytes and hsp_X_init as the header declares them, of the handle X; with hsp_X_limits_init by a number of balls.
 #define HSP_HANDLE_MEMORY(X)                                                           \
   int32_t X##_bytes(const X##_limits *limits, size_t *bytes) {                         \
     return hsp::capi::get_bytes_by_limits<X>(limits, bytes);                           \

@@ -1,5 +1,5 @@
-// Answers from maps, of balls alone or with sticks: handle.map() is the map if handle.has_map(), caller(id) the caller's
-// number of whatever is seen, and there are bodies() of them.
+// Answers from maps, of balls alone or with sticks: handle.map() is the map if handle.has_map(), caller(id) the number
+// that the caller has for a body, of which there are bodies().
 #pragma once
 
 #include "maps/edge_geometry.hpp"
@@ -93,7 +93,7 @@ int32_t get_faces(const Handle *handle, uint32_t first, uint32_t count, hsp_map_
   return get_map_records(handle, first, count, out, &MapRecords::faces, put);
 }
 
-// What is seen of each body.
+// The part of each body that is seen.
 template <class Handle>
 int32_t get_areas(const Handle *handle, double *area, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
