@@ -21,7 +21,6 @@ void PoreBalls::carve(Workspace &workspace, uint32_t balls, uint32_t near) {
   set_.carve(workspace, balls);
   grid_.carve(workspace, balls);
   callers_ = workspace.take<uint32_t>(balls);
-  own_ball_ = workspace.take<uint32_t>(balls);
   ball_of_ = workspace.take<uint32_t>(balls);
   shift_of_ = workspace.take<SmallShift>(balls);
   near_ = workspace.take<uint32_t>(near);
@@ -188,10 +187,11 @@ Status PoreBalls::keep_outer(Patience &patience) {
     sort_in_place(callers_.part(0, count),
                   [&](uint32_t a, uint32_t b) { return patience.allows(50) && set_.ranks_before(a, b); });
   }
-  for (uint32_t i = 0; i < set_.n; ++i) own_ball_[i] = no_id;
+  given_ = set_.n;
+  for (uint32_t i = 0; i < given_; ++i) own_slot(i).bits = no_id;
   // The grid has all balls, too.
   for (uint32_t k = 0; k < count; ++k) {
-    own_ball_[callers_[k]] = k;
+    own_slot(callers_[k]).bits = k;
     exact::LatticeBall ball = grid_.balls().ball(grid_.grid_index(callers_[k]));
     ball.index = k;
     set_.store(k, ball);
@@ -203,10 +203,11 @@ Status PoreBalls::keep_outer(Patience &patience) {
 
 Status PoreBalls::surround(int64_t reach) {
   uint64_t count = own_;
+  const uint32_t hidden = given_ - own_;
   for (uint32_t i = 0; i < own_; ++i) {
     const exact::LatticeBall ball = set_.ball(i);
     box_->visit_images(ball.centre, reach, [&](const BoxShift &shift) {
-      if (count < callers_.size()) {
+      if (count + hidden < callers_.size()) {
         const auto k = static_cast<uint32_t>(count);
         ball_of_[k - own_] = i;
         shift_of_[k - own_] = SmallShift::of(shift);
@@ -217,8 +218,8 @@ Status PoreBalls::surround(int64_t reach) {
       ++count;
     });
   }
-  needed_balls_ = larger_count(needed_balls_, clamped_count(count));
-  set_.n = count > callers_.size() ? own_ : static_cast<uint32_t>(count);
+  needed_balls_ = larger_count(needed_balls_, clamped_count(count + hidden));
+  set_.n = count + hidden > callers_.size() ? own_ : static_cast<uint32_t>(count);
   return set_.n == count ? Status::ok : Status::capacity;
 }
 

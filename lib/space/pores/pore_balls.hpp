@@ -28,7 +28,7 @@ class PoreBalls {
   // Whether a ball is none of the others.
   bool is_new(uint32_t own_ball) const { return ball_of_[own_ball] == no_id; }
   // That of the caller; no_id if it is inside another one.
-  uint32_t own_ball(uint32_t callers) const { return own_ball_[callers]; }
+  uint32_t own_ball(uint32_t callers) const { return own_slot(callers).bits; }
 
   // Without images.
   uint32_t own() const { return own_; }
@@ -86,6 +86,8 @@ class PoreBalls {
     for (uint32_t k = 0; k < result.hits; ++k) sink(near_[k], shift);
     return true;
   }
+  // Own numbers of the caller's balls, at the end of the memory for images.
+  SmallShift &own_slot(uint32_t callers) const { return shift_of_[shift_of_.size() - given_ + callers]; }
   Status keep_outer(Patience &patience);
   uint32_t ball_at(const exact::Vector &position) const;
   void find_translations();
@@ -93,7 +95,7 @@ class PoreBalls {
 
   BallSet set_;  // each knows its own number; images are behind the others
   CubeGrid grid_;
-  Span<uint32_t> callers_, own_ball_;
+  Span<uint32_t> callers_;
   Span<uint32_t> ball_of_;  // of images
   Span<SmallShift> shift_of_;
   Span<uint32_t> near_;
@@ -103,7 +105,7 @@ class PoreBalls {
   exact::Vector translation_[most_translations];
   exact::Vector brick_{};
   uint32_t translation_count_ = 1;
-  uint32_t own_ = 0, needed_near_ = 0, needed_balls_ = 0;
+  uint32_t own_ = 0, given_ = 0, needed_near_ = 0, needed_balls_ = 0;
 };
 
 // Some balls and images, gathered around one way.
