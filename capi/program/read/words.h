@@ -84,7 +84,7 @@ static inline bool word_number(uint64_t word, double *value) {
   static const double powers[8] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
   const uint64_t point = word_find(word, '.');
   unsigned decimals = 0, most = 56; /* bits before the first digit */
-  if (point != 0) { /* what stands before it moves up to what stands behind it */
+  if (point != 0) {                 /* what stands before it moves up to what stands behind it */
     const unsigned at = lowest_bit(point) & 56;
     const uint64_t behind = ~UINT64_C(0xFF) << at;
     word = (word & behind) | ((word << 8 | ' ') & ~behind);
