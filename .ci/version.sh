@@ -41,3 +41,4 @@ if [ "$major" -gt 0 ]; then
 fi
 git add -A capi/abi
 git status --short
+echo "now: git commit -am \"version $version\""
