@@ -13,8 +13,8 @@ struct PairsOfFew {
   // Bits of pairs: those whose first thing, and whose second thing, is a thing.
   alignas(32) uint32_t first[most + 1][most];
   alignas(32) uint32_t second[most + 1][most];
-  // The 8 x 8 bits of a symmetric matrix, a byte for each row, of four pairs of eight things each. Pairs of fewer ones are
-  // the last of these, in the same order: those of the last things.
+  // The 8 x 8 bits of a symmetric matrix, a byte for each row, of four pairs of eight things each. Pairs of fewer ones
+  // are the last of these, in the same order: those of the last things.
   static constexpr uint32_t fours = 7;
   uint64_t matrix[fours][16];
 };
