@@ -87,8 +87,8 @@ function(hsp_add_to_unit unit source target folders options)
   set_source_files_properties(${file} PROPERTIES INCLUDE_DIRECTORIES "${folders}" COMPILE_OPTIONS "${options}")
 endfunction()
 
-# hsp_level_of(level part unit...): the optimization of the first of the names that has one of its own, of a unit or room of
-# a part, or of its `shims`; empty if that of all holds.
+# hsp_level_of(level part name...): the optimization of the first of the names that has one of its own, of a unit or room
+# of a part, or of its `shims`; empty if that of all holds.
 function(hsp_level_of level part)
   set(${level} "" PARENT_SCOPE)
   foreach(name ${ARGN})
