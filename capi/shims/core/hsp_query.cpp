@@ -14,7 +14,7 @@ int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *
   hsp::QueryResult result{ids, capacity, 0};
   const hsp::Status status = hsp::find_balls(model->grid, xyz, radius, result);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
-  return hsp::capi::check_output(ids, capacity, result.hits, needed);
+  return hsp::capi::check_output(capacity, result.hits, needed);
 }
 
 }  // namespace

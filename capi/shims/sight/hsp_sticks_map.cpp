@@ -63,7 +63,7 @@ int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t ca
   if (const int32_t status = check_handle(sticks, area == nullptr && capacity > 0); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   const uint32_t bodies = sticks->bodies();
-  const int32_t status = hsp::capi::check_output(area, capacity, bodies, needed);
+  const int32_t status = hsp::capi::check_output(capacity, bodies, needed);
   if (status != HSP_OK) return status;
   hsp::capi::put_areas(*sticks, sticks->map(), {area, bodies});
   return HSP_OK;

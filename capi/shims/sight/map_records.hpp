@@ -89,7 +89,7 @@ int32_t get_outline(const Map &map, uint32_t first_face, uint32_t *h, uint32_t c
   };
   uint32_t count = 0;
   visit([&](uint32_t) { ++count; });
-  const int32_t status = check_output(h, capacity, count, needed);
+  const int32_t status = check_output(capacity, count, needed);
   if (status == HSP_OK) visit([&](uint32_t half_edge) { *h++ = half_edge; });
   return status;
 }
