@@ -70,7 +70,7 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   if (overlap <= rounding) {
     touches_ = touches_ || (overlap >= -rounding && may_cut(boundary, other) &&
                             touches(balls, boundary, other, (1.0 / std::sqrt(square)) * to));
-    if (overlap <= 0.0) return;
+    return;
   }
   if (!may_cut(boundary, other)) return;
   if (square < coincident * coincident) {
@@ -92,9 +92,10 @@ bool ProbeCaps::may_cut(const Boundary &boundary, uint32_t other) const {
          (chosen_->all() || chosen_->together(face_at_vertex(boundary, other), face_at_vertex(boundary, vertex_)));
 }
 
-// Of probes whose centres are a diameter apart, up to rounding. A vertex of three spheres with the radii R is at the
-// distance p from the plane of their centres iff its projection is a common point of those with the squares R^2 - p^2:
-// then two circles on one of these touch.
+// Of probes whose centres are a diameter apart, up to rounding: they do not cut each other, as if the radius of the probe
+// were less by as much. A vertex of three spheres with the radii R is at the distance p from the plane of their centres
+// iff its projection is a common point of those with the squares R^2 - p^2: then two circles on one of these touch. If not,
+// doubles do not know.
 bool ProbeCaps::touches(const BallSet &balls, const Boundary &boundary, uint32_t other, const Vec3 &axis) {
   const double error =
       vertex_error * static_cast<double>(balls.largest_radius) / static_cast<double>(balls.probe_steps);
@@ -106,9 +107,11 @@ bool ProbeCaps::touches(const BallSet &balls, const Boundary &boundary, uint32_t
   }
   const exact::LatticeBall own = balls.ball(record.ball[0]);
   const exact::Sphere smaller{4 * (own.radius - balls.probe_steps) * (own.radius + balls.probe_steps), own.index};
-  return exact::Exact::crossing(smaller, exact::plane_of(own, balls.ball(record.ball[1])),
-                                exact::plane_of(own, balls.ball(record.ball[2])))
-      .tied;
+  const bool tied = exact::Exact::crossing(smaller, exact::plane_of(own, balls.ball(record.ball[1])),
+                                           exact::plane_of(own, balls.ball(record.ball[2])))
+                        .tied;
+  doubtful_ = doubtful_ || !tied;
+  return tied;
 }
 
 // Whether the cap leaves the triangle as it is, for certain (near_probes.hpp).
