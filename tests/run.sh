@@ -6,7 +6,7 @@
 #                                 clang     clang++ with address and undefined-behaviour sanitizers, and indices checked;
 #                                           without the slow tests and those that it cannot change
 #                                 slow      g++, the slow tests and builds for another processor
-#   bash tests/run.sh PRESET... other workflow presets of CMakePresets.json: long, portable, coverage
+#   bash tests/run.sh PRESET... other workflow presets of CMakePresets.json: long, evidence, portable, coverage
 #   bash tests/run.sh --help    prints this
 # Installs the packages that are missing, builds in build/, prints what ctest says and repeats its closing lines at the
 # end; build/logs holds all of it. The exit status is 0 only if every test succeeded. Run again it builds only what has
@@ -40,7 +40,7 @@ if [ "${presets[*]}" != dev ]; then
   install_packages "${packages_for_all_tests[@]}"
   install_optional_packages "${optional_packages_for_all_tests[@]}"
 fi
-if [[ " ${presets[*]} " == *" long "* ]]; then install_optional_packages "${packages_for_long_tests[@]}"; fi
+if [[ " ${presets[*]} " =~ \ (long|evidence)\  ]]; then install_optional_packages "${packages_for_long_tests[@]}"; fi
 printf '== packages: %d s\n' $SECONDS | tee build/logs/steps.log
 
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
@@ -64,7 +64,7 @@ step() { # preset, what is done, command
 for preset in "${presets[@]}"; do
   echo "== $preset"
   : >"build/logs/$preset.log"
-  case $preset in slow | long) configuration=dev ;; *) configuration=$preset ;; esac
+  case $preset in slow | long | evidence) configuration=dev ;; *) configuration=$preset ;; esac
   if ! step "$preset" configuration cmake --preset "$configuration"; then
     failed+=("$preset")
     continue

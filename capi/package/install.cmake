@@ -25,7 +25,12 @@ set(HSP_PACKED_COMPONENTS ${HSP_ALL_COMPONENTS})
 list(REMOVE_ITEM HSP_PACKED_COMPONENTS ${HSP_LEFT_OUT} wide)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere-config.cmake.in hardsphere-config.cmake
   INSTALL_DESTINATION ${HSP_PACKAGE_FOLDER})
-write_basic_package_version_file(hardsphere-config-version.cmake COMPATIBILITY SameMinorVersion)
+# A minor version takes programs for an older one from 1.0 on.
+set(compatibility SameMajorVersion)
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(compatibility SameMinorVersion)
+endif()
+write_basic_package_version_file(hardsphere-config-version.cmake COMPATIBILITY ${compatibility})
 list(JOIN HSP_PACKED_COMPONENTS " " HSP_PC_COMPONENTS)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere.pc.in hardsphere.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config.cmake
@@ -57,15 +62,20 @@ endif()
 
 if(HSP_TOOL)
   install(TARGETS hardsphere_tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT hardsphere_runtime)
-  # The program writes its manual page and what makes shells complete its options, where it can run.
+  # The program writes its manual page and what makes shells complete its options, where it can run, or HSP_NATIVE_TOOL.
   find_program(HSP_BASH bash)
-  if(HSP_BASH AND NOT CMAKE_CROSSCOMPILING)
+  set(HSP_NATIVE_TOOL "" CACHE FILEPATH "For a cross compiler: the same program for this machine, which writes its manual page")
+  set(writer "${HSP_NATIVE_TOOL}")
+  if(NOT writer AND NOT CMAKE_CROSSCOMPILING)
+    set(writer $<TARGET_FILE:hardsphere_tool>)
+  endif()
+  if(HSP_BASH AND writer)
     set(written ${CMAKE_CURRENT_BINARY_DIR}/hardsphere)
     install(CODE "
-      execute_process(COMMAND \"$<TARGET_FILE:hardsphere_tool>\" completion bash OUTPUT_FILE \"${written}.bash\")
-      execute_process(COMMAND \"$<TARGET_FILE:hardsphere_tool>\" completion zsh OUTPUT_FILE \"${written}.zsh\")
+      execute_process(COMMAND \"${writer}\" completion bash OUTPUT_FILE \"${written}.bash\")
+      execute_process(COMMAND \"${writer}\" completion zsh OUTPUT_FILE \"${written}.zsh\")
       execute_process(COMMAND \"${HSP_BASH}\" \"${PROJECT_SOURCE_DIR}/capi/program/app/man_page.sh\"
-        \"$<TARGET_FILE:hardsphere_tool>\" OUTPUT_FILE \"${written}.1\")" COMPONENT hardsphere_runtime)
+        \"${writer}\" OUTPUT_FILE \"${written}.1\")" COMPONENT hardsphere_runtime)
     install(FILES ${written}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT hardsphere_runtime)
     install(FILES ${written}.bash RENAME hardsphere
       DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT hardsphere_runtime)

@@ -9,7 +9,7 @@ set -euo pipefail
 source=$(cd "$1" && pwd) work=$2 cc=$3
 targets="x86_64-linux-gnu i386-linux-gnu x86_64-windows-msvc aarch64-linux-gnu arm64-apple-macos thumbv6m-none-eabi
   thumbv7em-none-eabihf armv7-linux-gnueabihf riscv32-none-elf riscv64-linux-gnu powerpc64le-linux-gnu s390x-linux-gnu
-  mips-linux-gnu wasm32-wasi"
+  mips-linux-gnu mips64el-linux-gnuabi64 wasm32-wasi"
 rm -rf "$work"
 mkdir -p "$work"
 cd "$source/capi/abi"
@@ -28,6 +28,13 @@ cd "$source/capi/abi"
       print "_Static_assert(sizeof(" field ") == " $4 " * sizeof(" $3 "), \"" $1 "\");" }' structs.txt
 } >"$work/asserted.c"
 [ "$(grep -c sizeof "$work/asserted.c")" -gt 600 ] || { echo "capi/abi is not read" && exit 1; }
+
+# Declarations of the stable tier in the last release, from 1.0 on, stay there.
+if [ -e frozen.txt ]; then
+  for file in functions constants structs; do awk '/^#/ { ++part; next } part == 1' $file.txt; done | LC_ALL=C sort >"$work/stable"
+  LC_ALL=C comm -23 frozen.txt "$work/stable" >"$work/gone"
+  [ ! -s "$work/gone" ] || { cat "$work/gone" && echo "are promised, and gone or changed" && exit 1; }
+fi
 
 failed=0 compared=0
 expect() { # what it is for, compiler and its options
