@@ -138,8 +138,8 @@ class FreeRegionFinder {
     const Vec3 centre = caps_.b[k] * caps_.axis(k);
     return turn_about(caps_.axis(k), from.point - centre, to.point - centre);
   }
-  // Seen from the circle's centre each end is uncertain by its error over the circle's radius. Negative if the angle may
-  // be 0 or 2 pi.
+  // Seen from the circle's centre each end is uncertain by its error over the circle's radius. Negative if the angle
+  // may be 0 or 2 pi.
   double arc_angle(uint32_t k, const RegionCorner &exit, const RegionCorner &entry) const {
     const double angle = turn(k, exit, entry);
     const double radius_squared = (1.0 - caps_.b[k]) * (1.0 + caps_.b[k]);

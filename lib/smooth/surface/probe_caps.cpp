@@ -92,10 +92,10 @@ bool ProbeCaps::may_cut(const Boundary &boundary, uint32_t other) const {
          (chosen_->all() || chosen_->together(face_at_vertex(boundary, other), face_at_vertex(boundary, vertex_)));
 }
 
-// Of probes whose centres are a diameter apart, up to rounding: they do not cut each other, as if the radius of the probe
-// were less by as much. A vertex of three spheres with the radii R is at the distance p from the plane of their centres
-// iff its projection is a common point of those with the squares R^2 - p^2: then two circles on one of these touch. If not,
-// doubles do not know.
+// Of probes whose centres are a diameter apart, up to rounding: they do not cut each other, as if the radius of the
+// probe were less by as much. A vertex of three spheres with the radii R is at the distance p from the plane of their
+// centres iff its projection is a common point of those with the squares R^2 - p^2: then two circles on one of these
+// touch. If not, doubles do not know.
 bool ProbeCaps::touches(const BallSet &balls, const Boundary &boundary, uint32_t other, const Vec3 &axis) {
   const double error =
       vertex_error * static_cast<double>(balls.largest_radius) / static_cast<double>(balls.probe_steps);

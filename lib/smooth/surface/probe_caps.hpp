@@ -32,9 +32,9 @@ class ProbeCaps {
   bool overflowed() const { return others_.overflowed(); }
   // Probes that may cut this one, before any closer look.
   uint32_t found() const { return found_; }
-  // Whether doubles know too little of the place: balls that touch in the vertex, a triangle without area, vertices so near
-  // to it that directions to them are noise, but not at the same position, an edge of the outside, or a probe that may
-  // touch this one.
+  // Whether doubles know too little of the place: balls that touch in the vertex, a triangle without area, vertices so
+  // near to it that directions to them are noise, but not at the same position, an edge of the outside, or a probe that
+  // may touch this one.
   bool is_doubtful() const { return doubtful_; }
   const Caps &caps() const { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2

@@ -23,8 +23,8 @@ inline uint32_t sound_surfaces() {
   return all_hold;
 }
 
-// Probes on both sides of the plane of these balls touch each other in it: where the balls grow they part, so there is no
-// hole.
+// Probes on both sides of the plane of these balls touch each other in it: where the balls grow they part, so there is
+// no hole.
 constexpr SurfaceScene touching_probes = {4,
                                           {{-300000000, -200000000, 0, 100000000},
                                            {300000000, -200000000, 0, 100000000},
