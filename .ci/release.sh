@@ -6,6 +6,7 @@
 #     hardsphere_VERSION-1.dsc and what belongs to it  the source package for Debian (capi/package/debian)
 #     *.deb                                            library, development files, program, Python module: amd64, arm64
 #     hardsphere-VERSION-linux-x86_64.tar.gz, -windows-x86_64.zip, -wasm32.tar.gz   programs that need no library
+#     hardsphere-VERSION.html                          the page in the browser
 #     SHA256SUMS                                       checksums of all of them
 # The same commit gives the same bytes, wherever and whenever it is built with the same compilers. The packages are built on
 # this machine or, as root, in the folder CHROOT, a bare Debian as debootstrap makes it; what they need is installed there.
@@ -94,7 +95,10 @@ program() { # system, option of CMake...
   cmake --build "$work/$system" --target hardsphere_tool --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
   cmake --install "$work/$system" --component hardsphere_runtime --prefix "$work/$folder"
   cp LICENSE "$work/$folder"
-  if [ "$system" = wasm32 ]; then cp capi/wasm/run.mjs "$work/$folder"; fi
+  if [ "$system" = wasm32 ]; then
+    cp capi/wasm/run.mjs "$work/$folder"
+    bash capi/examples/web/make_page.sh "$work/$folder/bin/hardsphere.wasm" >"$output/hardsphere-$version.html"
+  fi
   find "$work/$folder" -exec chmod u=rwX,go=rX {} + -exec touch -d "$date" {} +
   case $system in
     windows*) (cd "$work" && TZ=UTC python3 -m zipfile -c "$output/$folder.zip" "$folder") ;;

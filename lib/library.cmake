@@ -275,11 +275,14 @@ target_compile_definitions(hardsphere PUBLIC "$<BUILD_INTERFACE:${HSP_COMPONENT_
 if(UNIX AND NOT APPLE)
   target_link_libraries(hardsphere PUBLIC m)
 endif()
-# Each function and table has a section of its own: where the linker can, it leaves out what a program does not call.
+# Each function and table has a section of its own: where the linker can, it leaves out what a program does not call, and of
+# a shared library what none of its functions calls.
 set(HSP_PC_LINKS "")
-if(NOT BUILD_SHARED_LIBS AND NOT HSP_SANITIZE)
+if(NOT HSP_SANITIZE)
   check_linker_flag(C -Wl,--gc-sections HSP_LINKER_COLLECTS_SECTIONS)
-  if(HSP_LINKER_COLLECTS_SECTIONS)
+  if(HSP_LINKER_COLLECTS_SECTIONS AND BUILD_SHARED_LIBS)
+    target_link_options(hardsphere PRIVATE -Wl,--gc-sections)
+  elseif(HSP_LINKER_COLLECTS_SECTIONS)
     target_link_options(hardsphere INTERFACE -Wl,--gc-sections)
     set(HSP_PC_LINKS " -Wl,--gc-sections")
   endif()

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Makes a wheel of the module, a shared library and the program, with nothing but Python itself and without a network.
 
-  wheel.py SHARED-LIBRARY FOLDER [PROGRAM]    writes hardsphere-VERSION-py3-none-PLATFORM.whl into the folder
+  wheel.py [--lzma] SHARED-LIBRARY FOLDER [PROGRAM]    writes hardsphere-VERSION-py3-none-PLATFORM.whl into the folder
 
+--lzma packs it a sixth smaller, for pip, which unpacks all that Python does; other installers may know deflate alone.
 The library is what CMake builds with -DBUILD_SHARED_LIBS=ON, the program what it builds beside. On Linux the platform is
 manylinux with the least version of glibc that their symbols ask for. The wheel's bytes depend on its contents alone."""
 import base64
@@ -53,7 +54,7 @@ def platform_of(paths):
     return "manylinux_{}_{}_{}".format(*max({(2, 5), *versions}), machine[len("linux_"):])  # no older one has a tag
 
 
-def wheel(library, folder, *program):
+def wheel(packing, library, folder, *program):
     version = re.search(r'HSP_VERSION_STRING "([^"]+)"', (ROOT / "include/hardsphere/version.h").read_text())[1]
     tag = f"py3-none-{platform_of([library, *program])}"
     info = f"hardsphere-{version}.dist-info"
@@ -72,16 +73,17 @@ def wheel(library, folder, *program):
             for name, data in files.items()]
     files[f"{info}/RECORD"] = "\n".join([*rows, f"{info}/RECORD,,", ""]).encode()
     path = Path(folder) / f"hardsphere-{version}-{tag}.whl"
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+    with zipfile.ZipFile(path, "w", packing, compresslevel=9) as archive:
         for name, data in files.items():
             entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
             mode = 0o100755 if name == "hardsphere/hardsphere" else 0o100644  # pip asks for the kind of file, too
-            entry.external_attr, entry.compress_type = mode << 16, zipfile.ZIP_DEFLATED
+            entry.external_attr, entry.compress_type = mode << 16, packing
             archive.writestr(entry, data, compresslevel=9)
     return path
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (3, 4):
+    words = [word for word in sys.argv[1:] if word != "--lzma"]
+    if len(words) not in (2, 3):
         sys.exit(__doc__)
-    print(wheel(*sys.argv[1:]))
+    print(wheel(zipfile.ZIP_LZMA if "--lzma" in sys.argv else zipfile.ZIP_DEFLATED, *words))

@@ -146,8 +146,8 @@ void require_sound(const FoundPath &found, const Point &from, const Point &to) {
     length += distance(found.points[k - 1].data(), found.points[k].data());
   }
   FUZZ_REQUIRE(std::fabs(length - path.length) <= 1e-9 * (1 + length), "length of a path");
-  const double doubt = 1e-9 * (1 + length + std::hypot(from[0], from[1], from[2]));
-  FUZZ_REQUIRE(path.certified == 0 || path.clearance >= -doubt, "clearance of a certified path");
+  const double error = 1e-9 * (1 + length + std::hypot(from[0], from[1], from[2]));
+  FUZZ_REQUIRE(path.certified == 0 || path.clearance >= -error, "clearance of a certified path");
 }
 
 // One lattice step below the widest probe that pores say there is a path, and two above there is none.

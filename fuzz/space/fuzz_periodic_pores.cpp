@@ -119,13 +119,13 @@ void require_same(const Pores &one, const Pores &other, int times, const char *w
 // All images of the point's balls touch the probe there, and none is nearer.
 template <class Get>
 void require_point(const Pores &found, const double *xyz, double radius, uint32_t point, uint32_t least, Get get) {
-  constexpr double doubt = 1e-6;
+  constexpr double error = 1e-6;
   std::vector<hsp_image> images(256);
   uint32_t needed = 0;
   FUZZ_REQUIRE(get(found.pores.get(), point, images.data(), 256, &needed) == HSP_OK, "images");
   FUZZ_REQUIRE(needed >= least, "enough balls");
   for (uint32_t k = 0; k < needed; ++k) {
-    FUZZ_REQUIRE(std::fabs(gap(found.crystal, xyz, images[k].ball, images[k].shift) - radius) < doubt, "its balls");
+    FUZZ_REQUIRE(std::fabs(gap(found.crystal, xyz, images[k].ball, images[k].shift) - radius) < error, "its balls");
   }
   uint32_t touching = 0;
   constexpr int32_t far = 7;
@@ -135,8 +135,8 @@ void require_point(const Pores &found, const double *xyz, double radius, uint32_
         for (int32_t c = -far; c <= far; ++c) {
           const int32_t times[3] = {a, b, c};
           const double more = gap(found.crystal, xyz, ball, times) - radius;
-          FUZZ_REQUIRE(more > -doubt, "a ball is nearer");
-          touching += more < doubt ? 1U : 0U;
+          FUZZ_REQUIRE(more > -error, "a ball is nearer");
+          touching += more < error ? 1U : 0U;
         }
       }
     }
@@ -231,7 +231,7 @@ using Point = std::array<double, 3>;
 
 // Its points are as wide as they say, in one piece, and lead to the copy that it names.
 void require_way(const Pores &found, const Point &from, const Point &to, const hsp_tunnel &tunnel) {
-  constexpr double doubt = 1e-5;
+  constexpr double error = 1e-5;
   std::vector<hsp_tunnel_point> points(tunnel.points);
   std::vector<hsp_tunnel_point_shifts> shifts(tunnel.points);
   hsp_tunnel_route route{};
@@ -239,14 +239,14 @@ void require_way(const Pores &found, const Point &from, const Point &to, const h
   FUZZ_REQUIRE(hsp_pores_get_tunnel_points(pores, points.data(), tunnel.points, nullptr) == HSP_OK, "points");
   FUZZ_REQUIRE(hsp_pores_get_tunnel_point_shifts(pores, shifts.data(), tunnel.points, nullptr) == HSP_OK, "shifts");
   FUZZ_REQUIRE(hsp_pores_get_tunnel_route(pores, &route) == HSP_OK, "route");
-  FUZZ_REQUIRE(apart(from, points.front().xyz) < doubt, "its start");
-  FUZZ_REQUIRE(apart(moved(found.crystal, to.data(), route.shift), points.back().xyz) < doubt, "its end");
+  FUZZ_REQUIRE(apart(from, points.front().xyz) < error, "its start");
+  FUZZ_REQUIRE(apart(moved(found.crystal, to.data(), route.shift), points.back().xyz) < error, "its end");
   for (size_t k = 0; k < points.size(); ++k) {
     const double room = room_at(found.crystal, points[k].xyz);
-    FUZZ_REQUIRE(std::fabs(room - points[k].radius) < doubt && room > tunnel.radius - doubt, "room at a point");
+    FUZZ_REQUIRE(std::fabs(room - points[k].radius) < error && room > tunnel.radius - error, "room at a point");
     for (size_t b = 0; b < 4 && points[k].ball[b] != HSP_NONE; ++b) {
       const double there = gap(found.crystal, points[k].xyz, points[k].ball[b], shifts[k].ball + 3 * b);
-      FUZZ_REQUIRE(std::fabs(there - room) < doubt, "the copy of its ball");
+      FUZZ_REQUIRE(std::fabs(there - room) < error, "the copy of its ball");
     }
   }
 }

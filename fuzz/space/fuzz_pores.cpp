@@ -87,7 +87,7 @@ double nearest(const fuzz::ScaledBalls &set, const double *xyz) {
 }
 
 // The error of doubles of this size, and a step.
-double doubt_of(const fuzz::ScaledBalls &set, double size) {
+double error_of(const fuzz::ScaledBalls &set, double size) {
   return 2.0 * set.step() + 1e-12 * std::fabs(size);
 }
 
@@ -98,21 +98,21 @@ void require_sound(const fuzz::ScaledBalls &set, const Result &result, const hsp
     const hsp_pore_gate &gate = result.gates[k];
     merges += gate.merges;
     FUZZ_REQUIRE(gate.radius > floor - set.step(), "a gate above the floor");
-    FUZZ_REQUIRE(std::fabs(nearest(set, gate.xyz) - gate.radius) <= doubt_of(set, gate.radius), "radius at a gate");
+    FUZZ_REQUIRE(std::fabs(nearest(set, gate.xyz) - gate.radius) <= error_of(set, gate.radius), "radius at a gate");
     for (const uint32_t end : gate.end) {
       FUZZ_REQUIRE(end == outside || end < result.counts.maxima, "an end of a gate");
       FUZZ_REQUIRE(end == outside || result.maxima[end].radius >= gate.radius, "an end is wider");
     }
     for (const uint32_t ball : gate.ball) {
-      FUZZ_REQUIRE(std::fabs(distance(set, gate.xyz, ball) - gate.radius) <= doubt_of(set, gate.radius), "its balls");
+      FUZZ_REQUIRE(std::fabs(distance(set, gate.xyz, ball) - gate.radius) <= error_of(set, gate.radius), "its balls");
     }
   }
   FUZZ_REQUIRE(merges == result.counts.merges, "merges");
   FUZZ_REQUIRE(result.counts.cavities == result.counts.maxima - merges, "cavities");
   for (uint32_t k = 0; k < result.counts.maxima; ++k) {
     const hsp_pore_maximum &maximum = result.maxima[k];
-    FUZZ_REQUIRE(std::fabs(nearest(set, maximum.xyz) - maximum.radius) <= doubt_of(set, maximum.radius), "its radius");
-    FUZZ_REQUIRE(k == 0 || maximum.radius <= result.maxima[k - 1].radius + doubt_of(set, maximum.radius),
+    FUZZ_REQUIRE(std::fabs(nearest(set, maximum.xyz) - maximum.radius) <= error_of(set, maximum.radius), "its radius");
+    FUZZ_REQUIRE(k == 0 || maximum.radius <= result.maxima[k - 1].radius + error_of(set, maximum.radius),
                  "their order");
     uint32_t balls[64], needed = 0;
     const int32_t status = hsp_pores_get_maximum_balls(pores, k, balls, 64, &needed);
@@ -166,10 +166,10 @@ void require_regions(const fuzz::ScaledBalls &set, const Result &result, hsp_por
                      fuzz::Bytes &bytes) {
   const double radius = set.length(level);
   for (const auto &maximum : result.maxima) {
-    if (std::fabs(maximum.radius - radius) < doubt_of(set, radius)) return;
+    if (std::fabs(maximum.radius - radius) < error_of(set, radius)) return;
   }
   for (const auto &gate : result.gates) {
-    if (std::fabs(gate.radius - radius) < doubt_of(set, radius)) return;
+    if (std::fabs(gate.radius - radius) < error_of(set, radius)) return;
   }
   fuzz::ScaledBalls grown = set;
   grown.probe_steps += level;
@@ -203,7 +203,7 @@ void require_regions(const fuzz::ScaledBalls &set, const Result &result, hsp_por
     hsp_pore_place place{};
     uint32_t cell = 0, member = 0;
     FUZZ_REQUIRE(hsp_pores_locate(pores, xyz.data(), &place) == HSP_OK, "locate");
-    if (std::fabs(place.radius - radius) < doubt_of(set, radius)) continue;
+    if (std::fabs(place.radius - radius) < error_of(set, radius)) continue;
     FUZZ_REQUIRE(hsp_cells_locate(cells.get(), xyz.data(), &cell) == HSP_OK, "locate in cells");
     FUZZ_REQUIRE((cell != HSP_NONE) == (place.radius > radius), "whether it is free");
     if (cell == HSP_NONE) continue;
@@ -373,8 +373,8 @@ void require_tunnel(const fuzz::ScaledBalls &set, hsp_pores *pores, int64_t floo
   for (const hsp_tunnel_point &point : points) {
     const double there = nearest(set, point.xyz);
     if (set.n() == 0) continue;
-    FUZZ_REQUIRE(std::fabs(there - point.radius) <= 4.0 * doubt_of(set, there), "radius at a point");
-    FUZZ_REQUIRE(there >= tunnel.radius - 4.0 * doubt_of(set, there), "a point is as wide");
+    FUZZ_REQUIRE(std::fabs(there - point.radius) <= 4.0 * error_of(set, there), "radius at a point");
+    FUZZ_REQUIRE(there >= tunnel.radius - 4.0 * error_of(set, there), "a point is as wide");
   }
 }
 

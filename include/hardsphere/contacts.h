@@ -145,6 +145,7 @@ HSP_API int32_t HSP_CALL hsp_contacts_get_row(const hsp_contacts *contacts, uint
  *  - Property 1: the shares sum to the volume of the union.
  *  - Property 2: share_volume and contact_area do not depend on the order of the balls, bit for bit.
  *
+ *  Cost: O(n + contacts).
  *  @retval HSP_E_ARGUMENT  contacts is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */

@@ -41,6 +41,8 @@ typedef struct hsp_topology_limits {
  *  Without a boundary, for memory that is fixed beforehand, set them by hand: for molecules of `balls` atoms, van der
  *  Waals or solvent-accessible, neighbours min(balls, 256), edges 16 balls + 96, cut_arcs 2 balls + 16 and shells 0
  *  suffice.
+ *
+ *  Cost: O(n + faces).
  *  @retval HSP_E_ARGUMENT  limits or boundary is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
@@ -76,7 +78,8 @@ HSP_API int32_t HSP_CALL hsp_topology_init(void *memory, size_t bytes, const hsp
  *
  *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
  *  through the grid, at most O(n) each. A ball with m neighbours and a face of several loops takes about O(m), as on a
- *  line of balls that overlap; O(m^1.5) with m small balls that stud one, O(m^2) at worst.
+ *  line of balls that overlap; O(m^1.5) at most with m small balls that stud one, of which some m log m edges come out;
+ *  O(m^2) at worst.
  *  @retval HSP_E_ARGUMENT  topology or boundary is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with

@@ -19,6 +19,10 @@ cp "$source"/capi/python/hardsphere/*.py "$source/capi/clients/lammps_fix.py" ha
 python3 "$here/../python/exported.py" "$archive" hardsphere/libhardsphere.so.2 "$cc"
 export PYTHONPATH=$work PYTHONDONTWRITEBYTECODE=1
 
+# The lines of the guide, with radii and threads of the test; where ghosts have to reach farther is tried below.
+page=$(awk '/^fix sasa all external/ { on = 1 } /^```/ { on = 0 } on' "$source/capi/guide/ghosts.md")
+[[ $page = *", [2.0, 1.7])"* ]] && grep -qx 'comm_modify cutoff 12.0' <<<"$page"
+
 # 512 atoms, with forces of Lennard-Jones or with none but those of the surface.
 system() { # threads, pair style, its coefficients, more of Surface
   cat <<EOF
@@ -36,10 +40,7 @@ pair_style $2 10.0
 pair_coeff * * ${3:-}
 neighbor 2.0 bin
 neigh_modify every 1 delay 0 check yes
-fix sasa all external pf/callback 1 1
-fix_modify sasa energy yes virial yes
-python surface input 1 SELF format p here "from hardsphere.lammps_fix import Surface; surface = Surface('sasa', 0.0072, [2.0, 1.6], threads=$1${4:-})"
-python surface invoke
+$(sed -e '/^comm_modify/d' -e "s/, \[2.0, 1.7\])/, [2.0, 1.6], threads=$1${4:-})/" <<<"$page")
 compute stress all pressure NULL fix
 thermo_style custom step etotal f_sasa c_stress[*] vol
 thermo_modify norm no format float %.15g

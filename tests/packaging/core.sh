@@ -14,9 +14,12 @@ trap 'rm -rf "$work"' EXIT
 
 stable() { sed -n 's/ [0-9.]* stable$//p' capi/abi/since.txt; }
 stable >"$work/functions"
-# A shim defines a function where the name begins a declarator in the first column.
-grep -noE '^[a-z][a-z0-9_ ]* [*]?hsp_[a-z0-9_]+\(' capi/shims/*/*.cpp | sed -E 's/^([^:]*):.*[ *](hsp_[a-z0-9_]+)\($/\2 \1/' |
-  sort >"$work/defined"
+# A shim defines a function where the name begins a declarator in the first column, and those of a handle's life by a row.
+{
+  grep -noE '^[a-z][a-z0-9_ ]* [*]?hsp_[a-z0-9_]+\(' capi/shims/*/*.cpp | sed -E 's/^([^:]*):.*[ *](hsp_[a-z0-9_]+)\($/\2 \1/'
+  sed -nE 's/^HSP_HANDLE_(MEMORY|BY_BALLS)\((hsp_[a-z]+)\);$/\2_bytes \2_init \2_limits_init/p; T; F' capi/shims/*/*.cpp |
+    awk 'NF == 3 { split($0, name, " "); next } { for (k = 1; k <= 3; ++k) print name[k], $0 }'
+} | sort -u >"$work/defined"
 join <(sort "$work/functions") "$work/defined" >"$work/shims"
 [ "$(cut -d ' ' -f 1 "$work/shims" | sort -u | wc -l)" -eq "$(wc -l <"$work/functions")" ] ||
   { echo "of these stable functions no shim is found:" && join -v 1 <(sort "$work/functions") "$work/defined" && exit 1; }

@@ -26,6 +26,13 @@ fail() {
 for client in brick_summaries.h lammps_components.c lammps_fix.py lammps_sasa.c openmm_sasa.cpp exact_sasa.f90 smooth_energy.h surface_forces.h plumed/HspSurface.cpp; do
   [ -e "$(dirname "$guide")/clients/$client" ] || fail "clients/$client is missing beside the guide"
 done
+# Lines of clients, as the page on other codes has them.
+if [ "$which" = sources ]; then
+  counts=$(grep -c . "$root"/capi/clients/*.* "$root"/capi/clients/plumed/* "$root"/capi/python/hardsphere/*.py | sed 's/.*://')
+  while read -r count; do
+    grep -qx "$count" <<<"$counts" || fail "inside.md: no client has $count lines"
+  done < <(awk -F'|' 'NF > 6 { print $5 }' "$guide/inside.md" | grep -oE '[0-9]+')
+fi
 lines=$(wc -l <"$readme")
 [ "$lines" -le 200 ] || fail "$readme has $lines lines; 200 are what one reads. The guide has room for the rest"
 

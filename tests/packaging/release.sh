@@ -35,6 +35,7 @@ release=$work/release
 cd "$work"
 for packed in "$release"/hardsphere-*-{linux,wasm32}*.tar.gz; do tar -xf "$packed"; done
 python3 -m zipfile -e "$release"/hardsphere-*-windows-*.zip .
+[ "$(stat -c %s "$release"/hardsphere-[0-9]*.html)" -le 1500000 ]
 [ "$(stat -c %s hardsphere-*-linux-*/bin/hardsphere)" -le 3100000 ] || { ls -l hardsphere-*-linux-*/bin && exit 1; }
 ! ldd hardsphere-*-linux-*/bin/hardsphere 2>/dev/null || exit 1
 cp "$source/bench/molecules/crambin.pdb" .

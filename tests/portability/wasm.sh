@@ -2,7 +2,7 @@
 # Builds library and program for WebAssembly with Debian's clang and wasi-libc, runs them under Node, and compares every
 # byte of what they print with the reference outputs, which outputs.sh has written for the native build.
 #   wasm.sh SOURCE-FOLDER WORK-FOLDER REFERENCE-FOLDER
-# The program is left in WORK-FOLDER for other tests. Exit status 77: something is missing here.
+# The page is left in WORK-FOLDER for another test. Exit status 77: something is missing here.
 set -euo pipefail
 source=$1 work=$2 reference=$3
 here=$(cd "$(dirname "$0")" && pwd)
@@ -25,7 +25,7 @@ build() {
 mkdir -p "$work"
 build cmake -S "$here/target" -B "$work/build" -DCMAKE_TOOLCHAIN_FILE="$source/capi/wasm/wasi.cmake" \
   -DCMAKE_BUILD_TYPE=Release -DHSP_WERROR=ON
-build cmake --build "$work/build" --target outputs --parallel 2
+build cmake --build "$work/build" --target outputs hardsphere_page --parallel 2
 
 # The archive asks for memory copies, arithmetic of 128 bits and the stack, and for nothing else.
 archive=$work/build/hardsphere/libhardsphere.a
@@ -58,5 +58,5 @@ for output in "$work/outputs"/*; do
 done
 if ! diff <(ls "$reference") <(ls "$work/outputs"); then failed=$((failed + 1)); fi
 [ $failed -eq 0 ] || { echo "$failed outputs differ from those of the native build" && exit 1; }
-mv "$programs/hardsphere/capi/hardsphere.wasm" "$work/hardsphere.wasm"
+mv "$programs/hardsphere/capi/hardsphere.html" "$work"
 rm -rf "$work/build" "$work/outputs"

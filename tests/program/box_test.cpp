@@ -125,7 +125,10 @@ TEST(Box, FollowsTheFrames) {
   const TemporaryFile written("frames.pdb", frames);
   const Outcome table = run_program({"measure", written.path(), "--box", "file", "--trajectory", written.path()});
   EXPECT_EQ(table.status, 0) << table.err;
-  EXPECT_NE(table.out.find("frame,time,step,atoms,area,volume,box_volume,free_volume\n"), std::string::npos)
+  EXPECT_NE(
+      table.out.find("frame,time,step,atoms,area,volume,box_volume,free_volume,mass,density,total_area_m2_per_cm3,"
+                     "total_area_m2_per_g,total_volume_fraction,total_volume_cm3_per_g\n"),
+      std::string::npos)
       << table.out;
   EXPECT_NE(table.out.find("\n1,"), std::string::npos);
   size_t large = 0, small = 0;

@@ -87,6 +87,68 @@ TEST(Frameworks, TotalsAreThoseOfMeasure) {
   }
 }
 
+// Measure has the same totals of a box, and the density, without finding pores; of a part of the atoms no area of all.
+TEST(Frameworks, MeasureHasTotalsToo) {
+  const TemporaryFile file("cube.cif", cif({{"Ar", 0, 0, 0}, {"O", 0.5, 0.5, 0.5}}, 7, 6, 6));
+  const Words words = {"measure", file.path(), "--box", "file", "--probe", "0.5"};
+  const Json measured = run_json(words), found = pores(file.path(), "0.5");
+  EXPECT_NEAR(measured["mass"].number, 55.949, 1e-9);
+  EXPECT_EQ(measured["density"].text, found["density"].text);
+  for (const char *key :
+       {"total_area_m2_per_cm3", "total_area_m2_per_g", "total_volume_fraction", "total_volume_cm3_per_g"}) {
+    EXPECT_NEAR(measured[key].number, found[key].number, 1e-9 * found[key].number) << key;
+  }
+  EXPECT_EQ(measured["total_volume_fraction"].number, measured["free_volume"].number / measured["box_volume"].number);
+  Words arguments = words;
+  arguments.insert(arguments.end(), {"--of", "element:O"});
+  const Json part = run_json(arguments);
+  EXPECT_EQ(part["total_area_m2_per_g"].kind, Json::Kind::null);
+  EXPECT_EQ(part["density"].text, found["density"].text);
+  const std::string table = run_program(words).out;
+  EXPECT_NE(table.find("\n  void fraction    0.6389 of the cell"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n  area by mass     "), std::string::npos) << table;
+  const std::string unknown = run_program({"measure", "good/two.xyzr", "--box", "9,9,9"}).out;
+  EXPECT_NE(unknown.find("\n  void fraction    "), std::string::npos) << unknown;
+  EXPECT_EQ(unknown.find("by mass"), std::string::npos) << unknown;
+  EXPECT_EQ(unknown.find("density"), std::string::npos) << unknown;
+}
+
+// Atoms that take turns at places count whole, all of them, and a line says how many: of those that are chosen, and of
+// one group where they belong to groups.
+TEST(Frameworks, OccupanciesAreTold) {
+  const std::string plain = cif({{"Si", 0, 0, 0}, {"O", 0.5, 0, 0}, {"O", 0.6, 0, 0}}, 9, 9, 9);
+  const auto with_column = [&](const std::string &tags, const std::vector<std::string> &values) {
+    std::string text = plain;
+    text.insert(text.find("_atom_site_fract_z\n") + 19, tags);
+    size_t at = text.find("Si1 ");
+    for (const std::string &value : values) {
+      at = text.find('\n', at);
+      text.insert(at, " " + value);
+      at += value.size() + 2;
+    }
+    return text;
+  };
+  const auto note_of = [](const std::string &text, const Words &more) {
+    const TemporaryFile file("parts.cif", text);
+    Words words = {"measure", file.path(), "--box", "file"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const size_t begin = outcome.err.rfind(": ");
+    return begin == std::string::npos ? "" : outcome.err.substr(begin + 2);
+  };
+  const std::string occupied = "_atom_site_occupancy\n";
+  EXPECT_EQ(note_of(plain, {}), "");
+  EXPECT_EQ(note_of(with_column(occupied, {"1", "1.0(3)", "?"}), {}), "");
+  const std::string halves = with_column(occupied, {"1", "0.5(1)", "0.5"});
+  EXPECT_EQ(note_of(halves, {}), "2 atoms of an occupancy below 1 count whole, as if always there\n");
+  EXPECT_EQ(note_of(halves, {"--only", "element:Si"}), "");
+  const std::string groups = with_column(occupied + "_atom_site_disorder_group\n", {"1 .", "0.4 1", "0.6 2"});
+  EXPECT_EQ(note_of(groups, {}), "1 atom of an occupancy below 1 counts whole, as if always there\n");
+  EXPECT_EQ(note_of(groups, {"--altloc", "occupancy"}),
+            "1 atom of an occupancy below 1 counts whole, as if always there\n");
+}
+
 // Rock salt: 2.163 g/cm^3; twice the cell is as dense; an element without a weight has no density, and areas by volume.
 TEST(Frameworks, Densities) {
   const std::vector<Atom> salt = {{"Na", 0, 0, 0},  {"Na", 0, .5, .5},  {"Na", .5, 0, .5}, {"Na", .5, .5, 0},

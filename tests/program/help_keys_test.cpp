@@ -48,6 +48,7 @@ TEST(HelpKeys, AreAllThatAreWritten) {
       {"measure", water, "--probe=1.4", "--surface=ses", "--outer"},
       {"measure", water, "--of=element:O", "--per-ball"},
       {"measure", water, "--window=0.1", "--gradient"},
+      {"measure", water, box},
       {"hessian", water, "--tension=1"},
       {"voids", cage},
       {"contacts", water, "--cells"},

@@ -2,6 +2,7 @@
 // written.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <random>
 #include <string>
@@ -88,6 +89,50 @@ TEST(LineReader, TheMarkAtTheBeginning) {
   EXPECT_EQ(lines[0].text, "one");
   EXPECT_EQ(lines[1].text, "\xEF\xBB\xBFtwo");
   EXPECT_TRUE(lines_of("", &why).empty());
+}
+
+// Lines that are passed at once, and those between them, are all lines of the file. None that is passed begins with the
+// mark, ends otherwise or breaks off; and no line that might have been is read by itself.
+TEST(LineReader, LinesThatArePassed) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 60; ++round) {
+    std::string text, joined;
+    for (int i = 0; i < 800; ++i) {
+      const size_t length = random() % 60 == 0 ? random() % 9000 : random() % 40;
+      std::string line;
+      for (size_t k = 0; k < length; ++k) line += "ab $\t\x81\xFF~"[random() % 8];
+      if (random() % 3 > 0 && !line.empty() && line[0] == '$') line[0] = 'c';
+      text += line + (random() % (round % 2 == 0 ? 100 : 9) > 0 || line.empty() ? "\n"
+                      : random() % 2 == 0                                       ? "\r\n"
+                                                                                : "\r");
+    }
+    const TemporaryFile file("lines.txt", text);
+    line_reader reader;
+    failure why = {0, nullptr, 0, ""};
+    ASSERT_TRUE(line_reader_open(&reader, file.path().c_str(), &why));
+    size_t passes = 0;
+    for (;;) {
+      const char *passed = nullptr;
+      size_t bytes = 0;
+      const uint64_t before = reader.number, count = line_reader_pass(&reader, '$', &passed, &bytes);
+      const std::string lines(passed == nullptr ? "" : passed, bytes);
+      ASSERT_EQ(reader.number, before + count);
+      ASSERT_EQ(static_cast<uint64_t>(std::count(lines.begin(), lines.end(), '\n')), count);
+      ASSERT_EQ(lines.find('\r'), std::string::npos);
+      ASSERT_TRUE(bytes == 0 || (lines[0] != '$' && lines.find("\n$") == std::string::npos && lines.back() == '\n'));
+      joined += lines;
+      passes += count > 1 ? 1 : 0;
+      const size_t next = reader.next, filled = reader.filled;
+      if (line_reader_next(&reader, &why) != LINE_READ) break;
+      const bool within = reader.filled == filled && reader.next > next;
+      ASSERT_TRUE(!within || reader.text[0] == '$' || std::string(reader.ending) != "\n") << reader.text;
+      joined += std::string(reader.text, reader.length) + reader.ending;
+    }
+    EXPECT_EQ(why.reason, std::string());
+    ASSERT_TRUE(joined == text);
+    EXPECT_GT(passes, 20U);
+    line_reader_close(&reader);
+  }
 }
 
 // In any place of a word: every control character but a tab.

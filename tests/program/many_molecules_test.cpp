@@ -150,6 +150,28 @@ TEST(ManyMolecules, RowsAreWhatEachModelHas) {
   }
 }
 
+// However lines end, and wherever blocks of the file do, also with lines of data that begin as a record's end does.
+TEST(ManyMolecules, EndsOfLinesChangeNothing) {
+  std::string file;
+  for (size_t k = 0; k < 700; ++k) {
+    std::string one = k % 100 == 99 ? sdf(k).replace(sdf(k).find(" C "), 3, " Zq") : sdf(k);
+    const std::string data = "> <NOTE>\n" + std::string(k % 67, 'x') + "\n$$ " + std::string(k % 5, '$') + "\n\n";
+    file += one.insert(one.find("$$$$"), data);
+  }
+  const auto rows_of = [&](const char *ending) {
+    std::string text;
+    for (const char c : file) c == '\n' ? text += ending : text += c;
+    const TemporaryFile written("ends.sdf", text);
+    const Outcome outcome = run_program(call(written.path(), {"--csv"}));
+    EXPECT_EQ(outcome.status, 1);
+    return outcome.out;
+  };
+  const std::string rows = rows_of("\n");
+  EXPECT_EQ(lines_of(rows).size(), 701u);
+  EXPECT_EQ(rows_of("\r\n"), rows);
+  EXPECT_EQ(rows_of("\r"), rows);
+}
+
 // Each command that has rows, by its titles.
 TEST(ManyMolecules, OtherCommands) {
   const TemporaryFile file("many.sdf", file_of(formats[0], 3));

@@ -71,7 +71,7 @@ def with_mdtraj():
     boxes = numpy.array([box for _, box in everything], dtype=numpy.float32) / 10
     trajectory = mdtraj.Trajectory(xyz, mdtraj.load(MOLECULE, standard_names=False).topology)
     trajectory.unitcell_vectors = boxes
-    for ending in ("xtc", "dcd"):
+    for ending in ("xtc", "dcd", "nc"):
         path = os.path.join(work, "mdtraj." + ending)
         trajectory.save(path)
         again = mdtraj.load(path, top=trajectory.topology)
@@ -98,8 +98,44 @@ def with_mdanalysis():
         compare("MDAnalysis " + ending, path, read)
 
 
+def with_scipy():
+    """AMBER's conventions, in both classic formats that scipy writes, as floats and as doubles, scaled or not."""
+    import numpy
+    from scipy.io import netcdf_file
+
+    for version, kind, scale in ((1, "f4", None), (2, "f8", None), (2, "f4", 0.5)):
+        path = os.path.join(work, "scipy_%d_%s_%s.nc" % (version, kind, scale))
+        with netcdf_file(path, "w", version=version) as file:
+            file.Conventions, file.ConventionVersion, file.program = "AMBER", "1.0", "scipy"
+            for name, size in (("frame", None), ("spatial", 3), ("atom", len(LINES)), ("cell_spatial", 3),
+                               ("cell_angular", 3), ("label", 5)):
+                file.createDimension(name, size)
+            file.createVariable("spatial", "c", ("spatial",))[:] = list("xyz")
+            time = file.createVariable("time", "f4", ("frame",))
+            time.units = "picosecond"
+            xyz = file.createVariable("coordinates", kind, ("frame", "atom", "spatial"))
+            xyz.units = "angstrom"
+            if scale is not None:
+                xyz.scale_factor = scale
+            lengths = file.createVariable("cell_lengths", "f8", ("frame", "cell_spatial"))
+            angles = file.createVariable("cell_angles", "f8", ("frame", "cell_angular"))
+            lengths.units, angles.units = "angstrom", "degree"
+            for number, (moved, box) in enumerate(frames()):
+                box = numpy.array(box, dtype=float)
+                size = numpy.linalg.norm(box, axis=1)
+                time[number] = 2.5 * number
+                xyz[number] = numpy.array(moved) / (scale or 1)
+                lengths[number] = size
+                angles[number] = [numpy.degrees(numpy.arccos(box[i] @ box[j] / size[i] / size[j]))
+                                  for i, j in ((1, 2), (0, 2), (0, 1))]
+        with netcdf_file(path, "r", mmap=False) as file:
+            read = [((scale or 1) * place.astype(float), box)
+                    for place, (_, box) in zip(file.variables["coordinates"][:], frames())]
+        compare("scipy %d %s %s" % (version, kind, scale), path, read)
+
+
 ran = False
-for test, package in ((with_mdtraj, "mdtraj"), (with_mdanalysis, "MDAnalysis")):
+for test, package in ((with_mdtraj, "mdtraj"), (with_mdanalysis, "MDAnalysis"), (with_scipy, "scipy")):
     try:
         __import__(package)
     except ImportError as error:

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Trajectories that mdtraj and MDAnalysis write and read: the program measures of every frame what it measures of the
-# frame's coordinates and box as those two read them.
+# Trajectories that mdtraj, MDAnalysis and scipy write and read: the program measures of every frame what it measures of
+# the frame's coordinates and box as these read them.
 #   trajectory_oracles.sh PROGRAM SOURCE-FOLDER WORK-FOLDER
-# Skipped where neither is installed (Debian's python3-mdtraj, python3-mdanalysis). PYTHON: another interpreter.
+# Skipped where none is installed (Debian's python3-mdtraj, python3-mdanalysis, python3-scipy). PYTHON: another interpreter.
 set -euo pipefail
 program=$1 source=$2 work=$3
 rm -rf "$work"
@@ -16,5 +16,5 @@ for python in ${PYTHON:-python3 /usr/bin/python3}; do
   fi
   if [ "$status" -ne 77 ]; then exit "$status"; fi
 done
-echo "skipped: neither mdtraj nor MDAnalysis is installed"
+echo "skipped: neither mdtraj, MDAnalysis nor scipy is installed"
 exit 77

@@ -29,17 +29,20 @@ TEST(Words, BitsOfSixteenCharacters) {
     char other[16];
     for (char &c : other) c = text[static_cast<size_t>(&c - other) ^ random() % 2];
     const char byte = static_cast<char>(random() % 256), limit = static_cast<char>(1 + random() % 127);
-    uint32_t equal = 0, below = 0, either = 0, differ = 0;
+    uint32_t equal = 0, below = 0, either = 0, differ = 0, control = 0;
     for (unsigned i = 0; i < 16; ++i) {
       equal |= static_cast<uint32_t>(text[i] == byte) << i;
       below |= static_cast<uint32_t>(static_cast<unsigned char>(text[i]) < static_cast<unsigned char>(limit)) << i;
       either |= static_cast<uint32_t>(text[i] == byte || text[i] == limit) << i;
       differ |= static_cast<uint32_t>(text[i] != other[i]) << i;
+      const auto code = static_cast<unsigned char>(text[i]);
+      control |= static_cast<uint32_t>((code < ' ' && code != '\t') || code == 0x7F) << i;
     }
     ASSERT_EQ(equal_in_16(text, byte), equal);
     ASSERT_EQ(below_in_16(text, limit), below);
     ASSERT_EQ(either_in_16(text, byte, limit), either);
     ASSERT_EQ(differ_in_16(text, other), differ);
+    ASSERT_EQ(control_in_16(text), control);
   }
 }
 

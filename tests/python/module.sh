@@ -32,6 +32,9 @@ if [ "$variant" = wheel ]; then
   mkdir "$work/again" "$work/alone"
   wheel=$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work" "$program")
   cmp "$wheel" "$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work/again" "$program")"
+  mkdir "$work/packed"
+  packed=$("$python" "$source/capi/python/wheel.py" --lzma "$work/libhardsphere.so.2" "$work/packed" "$program")
+  [ $(($(stat -c %s "$packed") * 8)) -lt $(($(stat -c %s "$wheel") * 7)) ] || { echo "$packed is no smaller" && exit 1; }
   # The platform by what symbols ask for, of the library and of a file that asks for more.
   alone=$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work/alone")
   newer=$("$python" "$source/capi/python/wheel.py" "$work/libhardsphere.so.2" "$work/alone" /usr/bin/env)
@@ -55,7 +58,7 @@ print(f"{hardsphere.read(sys.argv[1]).balls(probe=1.4).area:.6f}")'
   area() { (cd / && PATH=/none PYTHONPATH=$1 "$python" -c "$file" "$source/bench/molecules/crambin.pdb"); }
   [ "$(area "$work/unpacked")" = 2971.323016 ]
   if installer=$(command -v pip3) && "$installer" --version >"$work/pip" 2>&1; then
-    "$installer" install --quiet --disable-pip-version-check --no-index --no-deps --target "$work/installed" "$wheel"
+    "$installer" install --quiet --disable-pip-version-check --no-index --no-deps --target "$work/installed" "$packed"
     [ "$(cd / && PYTHONPATH=$work/installed "$python" -c "$shot")" = 18.849556 ]
     [ "$(area "$work/installed")" = 2971.323016 ]
     (cd / && PYTHONPATH=$work/installed "$work/installed/bin/hardsphere" --version)
@@ -65,7 +68,7 @@ print(f"{hardsphere.read(sys.argv[1]).balls(probe=1.4).area:.6f}")'
     cp -r "$work/unpacked/." "$site"
     [ "$(cd / && "$work/environment/bin/python" -c "$shot")" = 18.849556 ]
   fi
-  echo "$(basename "$wheel"): $(stat -c %s "$wheel") bytes"
+  echo "$(basename "$wheel"): $(stat -c %s "$wheel") bytes, $(stat -c %s "$packed") with --lzma"
   exit 0
 fi
 export HARDSPHERE_PROGRAM=$program

@@ -1,9 +1,12 @@
-// The program hardsphere as a function: arguments and standard input in, standard output out. It needs of WASI, the system
-// interface, only arguments and the three standard streams; there are no files, and no access to anything outside.
+// The program hardsphere as a function: arguments and files in, standard output out. It needs of WASI, the system
+// interface, arguments, three standard streams, and one folder of files in memory that are only read; there is nothing
+// outside.
 
 // Numbers of WASI, preview 1.
-const SUCCESS = 0, BAD_DESCRIPTOR = 8, NO_SYSTEM_CALL = 52, NO_SEEK = 70;
-const CHARACTER_DEVICE = 2;
+const SUCCESS = 0, BAD_DESCRIPTOR = 8, NO_FILE = 44, NO_SYSTEM_CALL = 52, READ_ONLY = 69, NO_SEEK = 70;
+const CHARACTER_DEVICE = 2, DIRECTORY = 3, REGULAR_FILE = 4;
+const FOLDER = 3; // the descriptor of the one folder, behind those of the streams
+const CREATE_OR_EMPTY = 1 | 8; // of the flags by which a file is opened
 
 class Exit {
   constructor(status) {
@@ -23,19 +26,24 @@ function joined(chunks) {
     all.set(chunk, at);
     at += chunk.length;
   }
-  return new TextDecoder().decode(all);
+  return all;
 }
 
-// Run a compiled module: run(module, ['draw', '-', ...], bytes) gives {status, output, errors}.
-export function run(module, words, input) {
+// Run a compiled module: run(module, ['draw', 'x.pdb', ...], {'x.pdb': bytes}) gives {status, output, errors}, where
+// output is bytes.
+export function run(module, words, files) {
   const arguments_ = encoded(['hardsphere', ...words]);
   const written = [[], [], []];
-  let read = 0;
+  const names = Object.keys(files);
+  const open = []; // {name, at} of the descriptors behind the folder's
   let memory;
   const view = () => new DataView(memory.buffer);
   const bytes = (at, length) => new Uint8Array(memory.buffer, at, length);
+  const opened = descriptor => open[descriptor - FOLDER - 1];
+  const name_at = (at, length) => new TextDecoder().decode(bytes(at, length)).replace(/^(\.?\/)+/, '');
 
-  // Calls body(address, length) for each of `count` pieces of memory, until it does not use one up; the sum of what it does.
+  // Calls body(address, length) for each of `count` pieces of memory, until it does not use one up; the sum of what it
+  // does.
   const over_pieces = (pieces, count, body) => {
     let sum = 0;
     for (let k = 0; k < count; ++k) {
@@ -46,6 +54,15 @@ export function run(module, words, input) {
     }
     return sum;
   };
+  const put_status = (at, kind, name) => {
+    bytes(at, 64).fill(0);
+    view().setBigUint64(at + 8, BigInt(names.indexOf(name) + 1), true); // what tells files apart
+    view().setUint8(at + 16, kind);
+    if (kind === REGULAR_FILE) view().setBigUint64(at + 32, BigInt(files[name].length), true);
+    return SUCCESS;
+  };
+  const kind_of = descriptor =>
+    descriptor < FOLDER ? CHARACTER_DEVICE : descriptor === FOLDER ? DIRECTORY : opened(descriptor) && REGULAR_FILE;
 
   const system = {
     args_sizes_get(count, size) {
@@ -68,28 +85,55 @@ export function run(module, words, input) {
       return SUCCESS;
     },
     environ_get: () => SUCCESS,
+    fd_prestat_get(descriptor, at) {
+      if (descriptor !== FOLDER) return BAD_DESCRIPTOR;
+      view().setUint32(at, 0, true);
+      view().setUint32(at + 4, 1, true); // the length of its name
+      return SUCCESS;
+    },
+    fd_prestat_dir_name(descriptor, at) {
+      bytes(at, 1)[0] = '.'.charCodeAt(0);
+      return SUCCESS;
+    },
     fd_fdstat_get(descriptor, at) {
-      if (descriptor > 2) return BAD_DESCRIPTOR;
+      const kind = kind_of(descriptor);
+      if (!kind) return BAD_DESCRIPTOR;
       bytes(at, 24).fill(0);
-      view().setUint8(at, CHARACTER_DEVICE);
-      view().setBigUint64(at + 8, ~0n, true); // all rights
+      view().setUint8(at, kind);
+      view().setBigUint64(at + 8, ~0n, true); // all rights, for files in a folder too
+      view().setBigUint64(at + 16, ~0n, true);
       return SUCCESS;
     },
     fd_filestat_get(descriptor, at) {
-      if (descriptor > 2) return BAD_DESCRIPTOR;
-      bytes(at, 64).fill(0);
-      view().setUint8(at + 16, CHARACTER_DEVICE);
+      const kind = kind_of(descriptor);
+      return kind ? put_status(at, kind, opened(descriptor)?.name) : BAD_DESCRIPTOR;
+    },
+    path_filestat_get(descriptor, flags, path, length, at) {
+      const name = name_at(path, length);
+      return names.includes(name) ? put_status(at, REGULAR_FILE, name) : NO_FILE;
+    },
+    path_open(descriptor, look, path, length, flags, rights, inherited, mode, at) {
+      const name = name_at(path, length);
+      if (flags & CREATE_OR_EMPTY) return READ_ONLY;
+      if (!names.includes(name)) return NO_FILE;
+      view().setUint32(at, FOLDER + open.push({name, at: 0}), true);
       return SUCCESS;
     },
-    fd_prestat_get: () => BAD_DESCRIPTOR, // no folder is open
-    fd_seek: () => NO_SEEK,
+    fd_seek(descriptor, offset, whence, at) {
+      const file = opened(descriptor);
+      if (!file) return NO_SEEK;
+      file.at = Number(offset) + [0, file.at, files[file.name].length][whence];
+      view().setBigUint64(at, BigInt(file.at), true);
+      return SUCCESS;
+    },
     fd_close: () => SUCCESS,
     fd_read(descriptor, pieces, count, got) {
-      if (descriptor !== 0) return BAD_DESCRIPTOR;
+      const file = opened(descriptor);
+      if (!file && descriptor !== 0) return BAD_DESCRIPTOR;
       view().setUint32(got, over_pieces(pieces, count, (at, length) => {
-        const some = input.subarray(read, read + length);
+        const some = file ? files[file.name].subarray(file.at, file.at + length) : [];
         bytes(at, some.length).set(some);
-        read += some.length;
+        if (file) file.at += some.length;
         return some.length;
       }), true);
       return SUCCESS;
@@ -119,5 +163,5 @@ export function run(module, words, input) {
     if (!(thrown instanceof Exit)) throw thrown;
     status = thrown.status;
   }
-  return {status, output: joined(written[1]), errors: joined(written[2])};
+  return {status, output: joined(written[1]), errors: new TextDecoder().decode(joined(written[2]))};
 }

@@ -88,7 +88,8 @@ const struct command_row command_table[COMMANDS] = {
              "--gradient <--gradient --weights w --window 1=balls> in the order of the file and as far as it names "
              "them, weight "
              "with --weights, derivatives with --gradient, those of weighted areas with both, of means with --window; "
-             "with --by <--by residue "
+             "with --box mass, density, total_area_m2_per_cm3, total_area_m2_per_g, total_volume_fraction and "
+             "total_volume_cm3_per_g, as pores --regions has them; with --by <--by residue "
              "--relative>, <--by chain> or <--by group>; with --of <--of water>, how many atoms, and no volume; with "
              "--trajectory first frame, time (in ps, or as .xyz says) and step, null where the file does not tell, and "
              "no input; with --mean n, <--mean..means>, and in lists area is the mean, with deviation behind it.",

@@ -199,11 +199,10 @@ static void add_row(struct many *many, const struct one *one, struct text_buffer
 }
 
 static void print_notes(struct many *many, const struct one *one) {
+  const struct notes *const notes = &one->notes;
+  if (notes_are_none(notes) || ++many->noted > MOST_NOTED) return;
   struct request own = *many->request;
   char name[160];
-  const struct notes *const notes = &one->notes;
-  if (notes_are_none(notes)) return;
-  if (++many->noted > MOST_NOTED) return;
   const char *const file = input_name(own.file);
   const size_t length = strlen(file), most = 120;
   snprintf(name, sizeof name, "%s, molecule %" PRIu64, length > most ? file + (length - most) : file, one->text.number);

@@ -37,6 +37,14 @@ static void look_for_contradictions(struct notes *notes, const struct molecule *
   }
 }
 
+static void look_for_parts(struct notes *notes, const struct molecule *molecule) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) count += molecule->label[i].partly ? 1 : 0;
+  if (count == 0) return;
+  text_buffer_add(&notes->lines, "%" PRIu32 " atom%s of an occupancy below 1 count%s whole, as if always there\n",
+                  count, count == 1 ? "" : "s", count == 1 ? "s" : "");
+}
+
 /* Three atoms are always in a plane. */
 enum { ENOUGH_FOR_SPACE = 4 };
 
@@ -95,6 +103,7 @@ void notes_look_among_all(struct notes *notes, const struct request *request, co
 }
 
 void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+  look_for_parts(notes, molecule);
   selection_list_unmatched(&request->drawing.highlight, molecule, &notes->unmatched);
   selection_list_unmatched(&request->measure.part, molecule, &notes->unmatched);
   selection_groups_list_unmatched(&request->measure.interface, molecule, &notes->unmatched);

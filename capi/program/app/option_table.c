@@ -62,7 +62,8 @@ const struct option *option_at(size_t i) {
        .what = "first, occupancy or a letter",
        .help = "which location counts of atoms that .pdb and .cif files have at several: of each atom that\n"
                "which comes first, the default; or of a residue that with the largest mean occupancy, or\n"
-               "with the letter, where it has it. Of disordered groups of crystals likewise"},
+               "with the letter, where it has it. Of disordered groups of crystals likewise. Such atoms\n"
+               "count whole, whatever the occupancy; a line on stderr says how many of a crystal do"},
       {"--chains", "auth|label", take_chains, EVERY, .target = IN(chains), .words = "auth|label", .first = 1,
        .help = "of .cif files: chains by auth_asym_id, the default, or by label_asym_id, in which ligands and\n"
                "water have chains of their own; each where the other one is missing"},
@@ -219,7 +220,8 @@ const struct option *option_at(size_t i) {
        .help = "list tunnels from a point to the outside, the widest first, with the radius along each.\n"
                "With --box to another copy of the point, which lies so many vectors away: for ever.\n"
                "maximum:N is one of those that are listed, atom:N the widest at the atom N of the file,\n"
-               "counted from 0. X Y Z lie among the atoms as FILE has them"},
+               "counted from 0. X Y Z lie among the atoms as FILE has them. Of a --trajectory they are\n"
+               "those of each frame, the first one the widest in it: unlike pockets, not followed"},
       {"--tunnels-to", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(pores.tunnels_to),
        .help = "instead to this point, or with --box to that copy of it which is best"},
       {"--cheapest", NULL, take_flag, OF(PORES), .target = IN(pores.cheapest),

@@ -1,8 +1,10 @@
 /* hardsphere measure: area and volume of the union, and what single balls, residues and chains have of it. */
+#include <math.h>
 #include <string.h>
 
 #include "commands/ball_table.h"
 #include "commands/commands.h"
+#include "commands/framework_units.h"
 #include "commands/group_table.h"
 #include "commands/input_report.h"
 #include "commands/interface.h"
@@ -23,7 +25,11 @@ struct findings {
 
 /* The surface and the box, behind the totals of the union. */
 static void record_subject(struct record *record, const struct request *request, const struct measurement *of) {
-  if (of->box.periodic != NULL) periodic_result_record(record, &of->box);
+  if (of->box.periodic != NULL) {
+    periodic_result_record(record, &of->box);
+    framework_record_union(record, of->box.box, of->part == NULL ? of->totals.area : (double)NAN,
+                           of->box.totals.free_volume);
+  }
   if (request->excluded_surface && record->form == AS_JSON) {
     record_text(record, "surface", NULL, "ses", "");
     if (request->measure.outer) record_whether(record, "outer", NULL, true, "");

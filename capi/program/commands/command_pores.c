@@ -317,6 +317,13 @@ static void print_box(struct record *record, const struct pores_found *found) {
   text_buffer_add_text(record->out, "]");
 }
 
+static void record_as_framework(struct record *record, const struct pores_found *found) {
+  const hsp_pore_access *const access = &found->access;
+  const struct framework framework = framework_of(record->molecule, found->box.box);
+  framework_record(record, &framework, (struct pore_sizes){access->accessible_area, access->accessible_volume},
+                   (struct pore_sizes){access->blocked_area, access->blocked_volume});
+}
+
 static void print_regions(struct record *record, const struct pores_found *found) {
   const hsp_pore_access *const access = &found->access;
   const struct table table = table_of_regions(record->molecule, found);
@@ -330,10 +337,7 @@ static void print_regions(struct record *record, const struct pores_found *found
   record_count(record, "accessible_regions", "reached regions", access->accessible,
                is_boxed(found->request) ? "that go on for ever" : "the outside");
   record_count(record, "blocked_regions", "blocked regions", access->blocked, "that end on all sides");
-  if (is_boxed(found->request)) {
-    const struct framework framework = framework_of(record->molecule, found->box.box);
-    framework_record(record, &framework, access);
-  }
+  if (is_boxed(found->request)) record_as_framework(record, found);
   if (record->form != FOR_PERSONS) record_table(record, "region_list", &table);
   print_table(record, &table, "  a region: its widest probe; area in @^2, volume in @^3");
 }
@@ -346,8 +350,7 @@ static void print_short(struct record *record, const struct pores_found *found) 
   set_diameters(through, found->wide.through, found->wide.gate);
   if (is_boxed(found->request)) record_number(record, "pore limit", NULL, through[0], 0, "");
   if (found->request->pores.regions && is_boxed(found->request)) {
-    const struct framework framework = framework_of(record->molecule, found->box.box);
-    framework_record(record, &framework, &found->access);
+    record_as_framework(record, found);
   } else {
     record_count(record, "maxima", NULL, counts->maxima, "");
     record_count(record, "cavities", NULL, counts->cavities, "");

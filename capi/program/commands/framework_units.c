@@ -20,6 +20,8 @@ struct framework framework_of(const struct molecule *molecule, const double box[
   return framework;
 }
 
+enum { DECIMALS = 4 };
+
 /* Whether lengths are angstroms, and not in anybody's own unit. */
 static bool has_unit(const struct record *record) {
   return record->molecule->format->sign[0] != '\0';
@@ -86,14 +88,33 @@ static void print_for_persons(struct record *record, const struct table_of_units
       "  no ball covers, the geometric pore volume, whose part of the cell is the void fraction");
 }
 
-void framework_record(struct record *record, const struct framework *framework, const hsp_pore_access *access) {
+/* For persons, and what stands behind the numbers; NULL: a number is not for them. */
+struct titles {
+  const char *by_volume, *by_mass, *behind_volume, *behind_mass;
+};
+
+/* By volume, of the cell or of a cm^3, and by mass. */
+static void record_in_units(struct record *record, const struct framework *framework, const struct quoted *quoted,
+                            struct titles titles) {
+  const bool unit = has_unit(record), area = quoted->area;
+  char key[64];
+  snprintf(key, sizeof key, "%s%s", quoted->key, area ? "_m2_per_cm3" : "_fraction");
+  record_number(record, key, titles.by_volume, unit || !area ? by_volume(framework, quoted) : (double)NAN, DECIMALS,
+                titles.behind_volume);
+  snprintf(key, sizeof key, "%s%s", quoted->key, area ? "_m2_per_g" : "_cm3_per_g");
+  record_number(record, key, titles.by_mass, unit ? by_mass(framework, quoted) : (double)NAN, DECIMALS,
+                titles.behind_mass);
+}
+
+void framework_record(struct record *record, const struct framework *framework, struct pore_sizes reached,
+                      struct pore_sizes blocked) {
   const struct quoted all[] = {
-      {"accessible_area", "reached", access->accessible_area, true},
-      {"blocked_area", "blocked", access->blocked_area, true},
-      {"total_area", "total", access->accessible_area + access->blocked_area, true},
-      {"accessible_volume", "reached", access->accessible_volume, false},
-      {"blocked_volume", "blocked", access->blocked_volume, false},
-      {"total_volume", "total", access->accessible_volume + access->blocked_volume, false},
+      {"accessible_area", "reached", reached.area, true},
+      {"blocked_area", "blocked", blocked.area, true},
+      {"total_area", "total", reached.area + blocked.area, true},
+      {"accessible_volume", "reached", reached.volume, false},
+      {"blocked_volume", "blocked", blocked.volume, false},
+      {"total_volume", "total", reached.volume + blocked.volume, false},
   };
   enum { COUNT = sizeof all / sizeof all[0], TOTAL_AREA = 2, TOTAL_VOLUME = 5 };
   const struct table_of_units of = {framework, all};
@@ -116,12 +137,25 @@ void framework_record(struct record *record, const struct framework *framework, 
   record_number(record, "total_volume", NULL, all[TOTAL_VOLUME].value, 0, "");
   record_number(record, "mass", NULL, framework->mass, 0, "");
   record_number(record, "density", NULL, density, 0, "");
-  for (int k = 0; k < COUNT; ++k) {
-    char key[64];
-    const double values[2] = {by_volume(framework, &all[k]), by_mass(framework, &all[k])};
-    snprintf(key, sizeof key, "%s%s", all[k].key, all[k].area ? "_m2_per_cm3" : "_fraction");
-    record_number(record, key, NULL, unit || !all[k].area ? values[0] : (double)NAN, 0, "");
-    snprintf(key, sizeof key, "%s%s", all[k].key, all[k].area ? "_m2_per_g" : "_cm3_per_g");
-    record_number(record, key, NULL, unit ? values[1] : (double)NAN, 0, "");
+  for (int k = 0; k < COUNT; ++k) record_in_units(record, framework, &all[k], (struct titles){NULL, NULL, "", ""});
+}
+
+void framework_record_union(struct record *record, const double box[9], double area, double free_volume) {
+  const struct framework framework = framework_of(record->molecule, box);
+  const struct quoted quoted[2] = {{"total_area", NULL, area, true}, {"total_volume", NULL, free_volume, false}};
+  const bool unit = has_unit(record), weighed = unit && !isnan(framework.mass), of_all = unit && !isnan(area);
+  const double density = unit ? framework_density(&framework) : (double)NAN;
+  if (!record->aligned) record_number(record, "mass", NULL, framework.mass, 0, "");
+  record_number(record, "density", weighed ? "density" : NULL, density, DECIMALS,
+                "g/cm^3, of all atoms of the cell, whatever their occupancy");
+  if (!record->aligned) {
+    record_in_units(record, &framework, &quoted[0],
+                    (struct titles){of_all ? "area by volume" : NULL, of_all && weighed ? "area by mass" : NULL,
+                                    "m^2/cm^3, ASA and NASA of Zeo++ together: pores --regions tells them apart",
+                                    "m^2/g, likewise"});
   }
+  record_in_units(record, &framework, &quoted[1],
+                  (struct titles){"void fraction", weighed ? "void by mass" : NULL,
+                                  "of the cell, AV and NAV together; with --probe 0 the geometric one",
+                                  "cm^3/g, with --probe 0 the geometric pore volume"});
 }

@@ -15,5 +15,14 @@ struct framework framework_of(const struct molecule *molecule, const double box[
 /* In g/cm^3. */
 double framework_density(const struct framework *framework);
 
+/* Of the space that a probe gets to, or where it fits and does not get to. */
+struct pore_sizes {
+  double area, volume;
+};
+
 /* Total, by cm^3 and by gram; in a row for persons the main ones alone. */
-void framework_record(struct record *record, const struct framework *framework, const hsp_pore_access *access);
+void framework_record(struct record *record, const struct framework *framework, struct pore_sizes reached,
+                      struct pore_sizes blocked);
+
+/* Of what is in a box: the density, and area and free volume, reached or not. area: NaN where it is not that of all. */
+void framework_record_union(struct record *record, const double box[9], double area, double free_volume);

@@ -39,6 +39,7 @@ static struct among count_among(const struct molecule *molecule) {
 }
 
 uint64_t input_report_waters(const struct molecule *molecule) {
+  if (!file_format_has(molecule->format, FILE_RESIDUES)) return 0;
   const struct among among = count_among(molecule);
   return among.water_atoms < molecule->atoms ? among.waters : 0;
 }

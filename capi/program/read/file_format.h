@@ -39,6 +39,7 @@ struct molecule_lines {
   bool open;      /* the last of them has not ended */
   bool behind;    /* the line belongs to a molecule that comes, if one comes */
   bool first;     /* likewise: but to all of them where it stands before the first one */
+  char mark;      /* lines up to one that begins with it are only counted, in `line`; 0: each is to be looked at */
   uint64_t line;  /* of the molecule, or how many are to come */
 };
 

@@ -108,7 +108,6 @@ enum { BEHIND_BLOCK = LINE_READER_ROOM };
 /* More bytes behind those from `next` on, which move to the front of the block; it grows if they fill it. LINE_END: the
  * file has ended. */
 static enum line_status refill(struct line_reader *reader, struct failure *failure) {
-  if (reader->borrowed) return LINE_END;
   const size_t kept = reader->filled - reader->next;
   if (kept > 0 && reader->next > 0) memmove(reader->block, reader->block + reader->next, kept);
   reader->next = 0;
@@ -143,7 +142,7 @@ static enum line_status refill(struct line_reader *reader, struct failure *failu
 /* The first byte that ends or breaks a line, any control character but a tab; there is one. */
 static char *end_of_line(char *at) {
   for (;; at += 16) {
-    const uint32_t found = (below_in_16(at, ' ') & ~equal_in_16(at, '\t')) | equal_in_16(at, 0x7F);
+    const uint32_t found = control_in_16(at);
     if (found != 0) return at + lowest_bit(found);
   }
 }
@@ -160,12 +159,54 @@ static enum line_status find_end(struct line_reader *reader, size_t *length, str
   }
 }
 
+/* Of a text that another reader has looked through: every line ends with '\n'. */
+static enum line_status next_of_text(struct line_reader *reader) {
+  char *const begin = reader->block + reader->next, *end = begin;
+  uint32_t found;
+  if (reader->next == reader->filled) return LINE_END;
+  while ((found = equal_in_16(end, '\n')) == 0) end += 16;
+  end += lowest_bit(found);
+  *end = '\0';
+  ++reader->number;
+  reader->text = begin;
+  reader->length = (size_t)(end - begin);
+  reader->next += reader->length + 1;
+  return LINE_READ;
+}
+
+uint64_t line_reader_pass(struct line_reader *reader, char mark, const char **text, size_t *bytes) {
+  const char *const begin = *text = reader->block + reader->next;
+  const size_t most = reader->filled - reader->next;
+  uint64_t lines = 0;
+  *bytes = 0;
+  if (most == 0 || *begin == mark) return 0;
+  for (size_t at = 0; at < most; at += 16) {
+    const char *const here = begin + at;
+    const uint32_t breaks = control_in_16(here);
+    if (breaks == 0) continue;
+    uint32_t ends = equal_in_16(here, '\n');
+    /* Before what stops: a line that begins with the mark, another end, what is no text. */
+    const uint32_t stops = (ends & equal_in_16(here + 1, mark)) << 1 | (breaks ^ ends);
+    if (stops != 0) ends &= (stops & (0 - stops)) - 1;
+    for (; ends != 0; ends &= ends - 1) {
+      if (at + lowest_bit(ends) >= most) break;
+      *bytes = at + lowest_bit(ends) + 1;
+      ++lines;
+    }
+    if (stops != 0) break;
+  }
+  reader->next += *bytes;
+  reader->number += lines;
+  return lines;
+}
+
 enum line_status line_reader_next(struct line_reader *reader, struct failure *failure) {
   size_t length = 0;
   reader->text = NULL;
   reader->length = 0;
   reader->ending = "";
   reader->marked = false;
+  if (reader->borrowed) return next_of_text(reader);
   if (reader->next == reader->filled) {
     const enum line_status status = refill(reader, failure);
     if (status != LINE_READ) return status;

@@ -44,7 +44,8 @@ FILE *input_open(const char *path, struct failure *failure);
 /* The same as a reader of lines. */
 bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure);
 
-/* The same of a text in memory, with so many bytes of room behind it that are written. */
+/* The same of lines in memory that another reader has had, each with '\n' behind it; so many bytes behind all of them
+ * are written. */
 enum { LINE_READER_ROOM = 64 };
 void line_reader_open_text(struct line_reader *reader, char *text, size_t length);
 
@@ -57,6 +58,11 @@ enum line_status { LINE_READ, LINE_END, LINE_FAILED };
 /* Step to the next line. LINE_END: there is none. LINE_FAILED: a read error, short memory, or bytes that no text file
  * has (NUL and other control characters). A byte-order mark at the start of the file is dropped. */
 enum line_status line_reader_next(struct line_reader *reader, struct failure *failure);
+
+/* Step over lines that are in the block as a whole, end with LF and do not begin with `mark`, no end of a line itself:
+ * *bytes of them with their ends, valid until the next call. How many; 0: the next line is another one, or was not
+ * read yet. */
+uint64_t line_reader_pass(struct line_reader *reader, char mark, const char **text, size_t *bytes);
 
 /* The line that shows the progress is taken away. */
 void line_reader_close(struct line_reader *reader);

@@ -292,7 +292,7 @@ void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from) {
 /* The radius of an atom; false if it has none. */
 static bool find_radius(struct atom_label *label, const struct radii *radii, const struct radii_table *table,
                         double *radius) {
-  if (!radii_is_given(radii, label->element)) {
+  if (table->count > 0 && !radii_is_given(radii, label->element)) {
     label->by_name = radii_table_find(table, label->residue->name, label->name, radius);
   }
   if (label->by_name) return true;

@@ -75,16 +75,17 @@ struct atom_label {
   bool bead : 1;
   /* No atom, but a position beside one; becomes a ball only if the user gives its symbol a radius. */
   bool virtual_site : 1;
+  bool partly : 1;           /* of a crystal: its occupancy is below 1 */
   bool polar : 1;            /* polarity.h */
   bool apolar : 1;           /* likewise */
   unsigned char decimals[3]; /* digits behind the points of its coordinates if they are fractions of a cell; else 0 */
 };
 
-#define ATOM_LABEL_NONE                                                                           \
-  {                                                                                               \
-    &residue_nameless, "", {""}, false, false, false, false, false, false, false, false, false, { \
-      0                                                                                           \
-    }                                                                                             \
+#define ATOM_LABEL_NONE                                                                                  \
+  {                                                                                                      \
+    &residue_nameless, "", {""}, false, false, false, false, false, false, false, false, false, false, { \
+      0                                                                                                  \
+    }                                                                                                    \
   }
 
 /* Further data of an atom in a file, which only pictures show. */

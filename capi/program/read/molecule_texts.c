@@ -74,7 +74,13 @@ enum line_status molecule_texts_next(struct molecule_texts *texts, struct molecu
   bool any = texts->held;
   if (texts->held) add_line(&text->text, reader);
   texts->held = false;
-  while ((status = line_reader_next(reader, failure)) == LINE_READ) {
+  for (;;) {
+    const char *passed;
+    size_t bytes = 0;
+    if (any && lines->mark != '\0') lines->line += line_reader_pass(reader, lines->mark, &passed, &bytes);
+    if (bytes > 0) text_buffer_append(&text->text, passed, bytes);
+    status = line_reader_next(reader, failure);
+    if (status != LINE_READ) break;
     const bool before = lines->count == 0;
     const bool begins = texts->format->begins(lines, reader);
     if (begins && before && lines->first) keep_common(texts, text);

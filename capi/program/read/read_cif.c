@@ -194,6 +194,11 @@ static bool note_location(struct cif_reading *reading, bool goes_on) {
                                                   group, occupancy, reading->failure);
 }
 
+static bool is_in_part(struct field occupancy) {
+  double value;
+  return number_parse(occupancy.text, occupancy.length, &value) == NUMBER_OK && value < 1.0;
+}
+
 /* before: the residue of the row before, if this row goes on with it. */
 static bool take_atom(struct cif_reading *reading, const struct residue_label *before) {
   const struct cif_row *row = &reading->row;
@@ -208,6 +213,7 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
   const struct field name = name_of(row);
   take_name(row, name, &label);
   memcpy(label.decimals, reading->decimals, sizeof label.decimals);
+  label.partly = reading->fractional && is_in_part(cif_without_uncertainty(cif_row_get(row, CIF_OCCUPANCY)));
   char letter = ' ';
   if (before != NULL) {
     label.residue = before;
@@ -449,7 +455,7 @@ static bool read_loop(struct cif_reading *reading) {
       return failure_in_input(reading->failure, tokens->line, "_atom_site has more than %d items", (int)MOST_ITEMS);
     }
     if (of_atoms && !note_item(reading, tokens->text, item)) return false;
-    const bool unused = item == CIF_OCCUPANCY && reading->molecule->choice.location == LOCATION_FIRST;
+    const bool unused = item == CIF_OCCUPANCY && mmcif && reading->molecule->choice.location == LOCATION_FIRST;
     if (count < MOST_ITEMS) items[count] = unused ? CIF_OTHER_ITEM : item;
     ++count;
   }

@@ -183,6 +183,7 @@ static bool is_head_of_molecule(const char *line) {
 static bool begins_mol2(struct molecule_lines *lines, const struct line_reader *reader) {
   const bool begins = is_head_of_molecule(reader->text);
   lines->count += begins ? 1 : 0;
+  lines->mark = '@';
   return begins;
 }
 

@@ -76,7 +76,7 @@ static bool add_bond(struct field kind, const struct field atom[2], struct molec
 
 /* Most coordinates, eight columns at a time. */
 static bool plain_numbers(const struct line_reader *reader, double xyz[3]) {
-  if (reader->length < 30) return false;
+  if (reader->length < 34) return false;
   for (size_t axis = 0; axis < 3; ++axis) {
     const char *const text = reader->text + 10 * axis;
     if (text[0] != ' ' || text[1] != ' ' || !word_number(word_at(text + 2), &xyz[axis])) return false;
@@ -89,6 +89,10 @@ static bool read_columns(struct line_reader *reader, uint64_t atoms, uint64_t bo
   const uint64_t counts_line = reader->number;
   const bool bonded = (molecule->keeps & KEEP_EXTRAS) != 0;
   for (uint64_t i = 0; i < atoms + bonds; ++i) {
+    const char *passed;
+    size_t bytes;
+    if (i >= atoms && !bonded) i += line_reader_pass(reader, '$', &passed, &bytes);
+    if (i >= atoms + bonds) break;
     const enum line_status status = line_reader_next(reader, failure);
     if (status == LINE_FAILED) return false;
     if (status == LINE_END || is_end_of_record(reader)) {
@@ -109,10 +113,12 @@ static bool read_columns(struct line_reader *reader, uint64_t atoms, uint64_t bo
       if (!add_bond(part[2], part, molecule, failure)) return false;
       continue;
     }
-    char index[24] = "";
-    if (bonded) snprintf(index, sizeof index, "%" PRIu64, i + 1);
-    const struct field symbol = field_in_columns(reader->text, reader->length, 32, 34);
-    const struct field name = {index, strlen(index)};
+    char index[24];
+    struct field name = {index, 0};
+    if (bonded) name.length = (size_t)snprintf(index, sizeof index, "%" PRIu64, i + 1);
+    const struct field symbol = plain && reader->text[31] != ' ' && memcmp(reader->text + 32, "  ", 2) == 0
+                                    ? (struct field){reader->text + 31, 1}
+                                    : field_in_columns(reader->text, reader->length, 32, 34);
     if (!add_atom(reader, symbol, plain ? NULL : part, xyz, name, molecule, failure)) return false;
   }
   return true;
@@ -294,6 +300,7 @@ static bool begins_sdf(struct molecule_lines *lines, const struct line_reader *r
     lines->line = 0;
   }
   lines->open = !(++lines->line > HEADER_LINES && is_end_of_record(reader));
+  lines->mark = lines->open ? '$' : '\0';
   return begins;
 }
 

@@ -82,27 +82,25 @@ static inline uint32_t word_digits(uint64_t word) {
  * value is that of number_parse, digits over a power of ten, rounded once. False: anything else, right or wrong. */
 static inline bool word_number(uint64_t word, double *value) {
   static const double powers[8] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
-  const uint64_t filled = word ^ WORD_OF(' ');
-  if (FLT_EVAL_METHOD != 0 || filled == 0) return false;
-  unsigned head = lowest_bit(filled) & 56; /* bits in front of the digits */
-  const bool negative = (char)(word >> head) == '-';
-  if (negative) head += 8;
   const uint64_t point = word_find(word, '.');
-  unsigned decimals = 0;
-  if (point != 0) {
+  unsigned decimals = 0, most = 56; /* bits before the first digit */
+  if (point != 0) {                 /* what stands before it moves up to what stands behind it */
     const unsigned at = lowest_bit(point) & 56;
-    decimals = (56 - at) / 8;
-    /* The digits before it move up to those behind it. */
-    const uint64_t before = (UINT64_C(1) << at) - 1;
-    word = (word & before) << 8 | (word & ~before & ~(UINT64_C(0xFF) << at));
-    head += 8;
+    const uint64_t behind = ~UINT64_C(0xFF) << at;
+    word = (word & behind) | ((word << 8 | ' ') & ~behind);
+    decimals = 7 - at / 8;
+    most = at + 8;
   }
-  if (head >= 64) return false;
-  const uint64_t blank = (UINT64_C(1) << head) - 1;
+  const uint64_t digits = word & WORD_OF(0x10); /* a bit of each digit that blanks, signs and points lack */
+  if (FLT_EVAL_METHOD != 0 || digits == 0) return false;
+  const unsigned head = lowest_bit(digits) & 56;
+  if (head > most) return false;
+  const uint64_t blank = (UINT64_C(1) << head) - 1, sign = (word ^ WORD_OF(' ')) & blank;
+  if (sign != 0 && sign != (uint64_t)(' ' ^ '-') << (head - 8)) return false;
   word = (word & ~blank) | (WORD_OF('0') & blank);
   if (!word_is_digits(word)) return false;
   const double magnitude = (double)word_digits(word) / powers[decimals];
-  *value = negative ? -magnitude : magnitude;
+  *value = sign != 0 ? -magnitude : magnitude;
   return true;
 }
 
@@ -170,8 +168,15 @@ static inline uint32_t word_hash(const void *key, size_t bytes) {
 }
 
 /* A bit for each of sixteen characters: those below `limit`, 1 to 128, those that equal `byte`, those that equal one of
- * two, and those that differ from other ones. */
+ * two, those that differ from other ones, and all control characters but a tab. */
 #ifdef __SSE2__
+static inline uint32_t control_in_16(const char *text) {
+  const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text);
+  const __m128i low = _mm_cmpeq_epi8(_mm_min_epu8(bytes, _mm_set1_epi8(' ' - 1)), bytes);
+  const __m128i tab = _mm_cmpeq_epi8(bytes, _mm_set1_epi8('\t')), last = _mm_cmpeq_epi8(bytes, _mm_set1_epi8(0x7F));
+  return (uint32_t)_mm_movemask_epi8(_mm_or_si128(_mm_andnot_si128(tab, low), last));
+}
+
 static inline uint32_t below_in_16(const char *text, char limit) {
   const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text), most = _mm_set1_epi8((char)(limit - 1));
   return (uint32_t)_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(bytes, most), bytes));
@@ -211,6 +216,10 @@ static inline uint32_t equal_in_16(const char *text, char byte) {
 
 static inline uint32_t either_in_16(const char *text, char one, char other) {
   return equal_in_16(text, one) | equal_in_16(text, other);
+}
+
+static inline uint32_t control_in_16(const char *text) {
+  return (below_in_16(text, ' ') & ~equal_in_16(text, '\t')) | equal_in_16(text, 0x7F);
 }
 
 static inline uint32_t differ_in_16(const char *text, const char *other) {

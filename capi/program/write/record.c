@@ -43,8 +43,12 @@ static bool begin(struct record *record, const char *key) {
   return record->form != AS_CSV_TITLES;
 }
 
+static bool has_row(const struct record *record, const char *title) {
+  return title != NULL && record->form == FOR_PERSONS;
+}
+
 static void print_row(struct record *record, const char *title, const char *value, const char *remark) {
-  if (title == NULL || record->form != FOR_PERSONS) return;
+  if (!has_row(record, title)) return;
   const bool bare = remark[0] == '\0';
   text_buffer_add(record->out, "  %-16s %-*s%s", title, bare ? 0 : record->width, value,
                   bare || remark[0] == ',' ? "" : " ");
@@ -67,7 +71,7 @@ void record_number(struct record *record, const char *key, const char *title, do
   if (begin(record, key) && !add_aligned(record, key, quantity_text(value, number, DECIMALS_OF_COLUMN))) {
     (record->form == AS_JSON ? json_number : csv_number)(record->out, number);
   }
-  print_row(record, title, quantity_text(value, number, decimals), remark);
+  if (has_row(record, title)) print_row(record, title, quantity_text(value, number, decimals), remark);
 }
 
 void record_count(struct record *record, const char *key, const char *title, int64_t count, const char *remark) {

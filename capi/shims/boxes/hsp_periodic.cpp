@@ -7,15 +7,7 @@
 #include "periodic/periodic_measures.hpp"
 #include "periodic_shifts.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_request;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
-using hsp::capi::put_shift;
-using hsp::capi::shift_comes_before;
-using hsp::capi::versions_first;
+using namespace hsp::capi;
 
 namespace {
 
@@ -47,23 +39,13 @@ hsp_periodic_contact to_c(const hsp::PeriodicUnion &periodic, const hsp::Periodi
 hsp_winding to_winding(const hsp::Windings &windings, uint32_t component) {
   hsp_winding result{};
   result.first = windings.first_ball(component);
-  hsp::capi::put_lattice(windings.lattice(component), result);
+  put_lattice(windings.lattice(component), result);
   return result;
 }
 
 }  // namespace
 
-int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp_periodic>(limits, struct_size, balls);
-}
-
-int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_periodic>(limits, bytes);
-}
-
-int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits, hsp_periodic **periodic) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, periodic);
-}
+HSP_HANDLE_BY_BALLS(hsp_periodic);
 
 int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
                              const double *box, const hsp_model_options *options, hsp_periodic_limits *limits,
@@ -85,19 +67,18 @@ int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const doub
   bad = HSP_NONE;
   hsp::BallInput input;
   hsp_periodic_request asked;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t status = first_failure(hsp::capi::read_request(request, asked), check_struct(limits));
-      status != HSP_OK)
+  Executor executor(arithmetic);
+  if (const int32_t status = first_failure(read_request(request, asked), check_struct(limits)); status != HSP_OK)
     return status;
   if (const int32_t status =
-          versions_first(executor.read(asked.executor), hsp::capi::get_input(n, xyz, radius, asked.options, input));
+          versions_first(executor.read(asked.executor), get_input(n, xyz, radius, asked.options, input));
       status != HSP_OK)
     return status;
   if (box == nullptr || asked.areas_alone > 1) return HSP_E_ARGUMENT;
   if (n > HSP_MAX_BALLS) return HSP_E_RANGE;
   const hsp::Status status = periodic->builder.build(input, box, executor, asked.areas_alone != 0, bad);
   if (status == hsp::Status::ok) periodic->digest = hsp::digest_of(periodic->builder);
-  return hsp::capi::finish(*periodic, status, limits);
+  return finish(*periodic, status, limits);
 }
 
 int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_counts *counts) {
@@ -119,7 +100,7 @@ int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *
   if (const int32_t status = check_handle(periodic); status != HSP_OK) return status;
   if (!periodic->has_areas() || (share_volume != nullptr && !periodic->has_results())) return HSP_E_STATE;
   const bool wanted = area != nullptr || share_volume != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
+  if (!fits(wanted, capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
   const hsp::PeriodicTotals found =
       hsp::measure_periodic(periodic->builder, [&](uint32_t i, const hsp::BallMeasure &own) {
         if (area != nullptr) area[i] = own.area;
@@ -159,7 +140,7 @@ int32_t hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *grou
       status != HSP_OK)
     return status;
   hsp::PeriodicUnion &structure = periodic->builder;
-  return hsp::capi::put_groups(structure.group_contacts(group), structure.images().lattice(), out, capacity, needed);
+  return put_groups(structure.group_contacts(group), structure.images().lattice(), out, capacity, needed);
 }
 
 int32_t hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity, uint32_t *needed) {
@@ -184,12 +165,11 @@ int32_t hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *comp
 int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
                                   hsp_periodic_gradient_outputs *outputs) {
   LibraryArithmetic arithmetic;
-  hsp::capi::GradientRequest asked(arithmetic);
+  GradientRequest asked(arithmetic);
   hsp_periodic_gradient_outputs out;
-  if (const int32_t status = hsp::capi::read_parts(periodic, request, asked, outputs, out); status != HSP_OK)
-    return status;
+  if (const int32_t status = read_parts(periodic, request, asked, outputs, out); status != HSP_OK) return status;
   if (!periodic->has_areas() || (asked.given.pressure != 0.0 && !periodic->has_results())) return HSP_E_STATE;
-  const hsp::capi::GradientArrays arrays{out.d_centre, out.d_radius, out.flags, out.area};
+  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags, out.area};
   if (const int32_t status = asked.check(periodic->balls(), arrays.any(), *outputs); status != HSP_OK) return status;
 
   const hsp::PeriodicUnion &structure = periodic->builder;
@@ -202,9 +182,9 @@ int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradie
                                  }))
     return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_GRADIENT_ONE_SIDED, out.flags);
-  if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
+  if (out.energy != nullptr) *out.energy = to_c(found);
   if (out.d_strain == nullptr && out.d_box == nullptr) return HSP_OK;
-  hsp::capi::put_box_gradient(hsp::differentiate_by_box(structure, terms), out.d_strain, out.d_box);
+  put_box_gradient(hsp::differentiate_by_box(structure, terms), out.d_strain, out.d_box);
   return HSP_OK;
 }
 
@@ -212,5 +192,5 @@ int32_t hsp_periodic_check(hsp_periodic *periodic, uint32_t *invariant, uint32_t
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(periodic, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
-  return hsp::capi::report(hsp::check_periodic(periodic->builder), invariant, id);
+  return report(hsp::check_periodic(periodic->builder), invariant, id);
 }

@@ -3,10 +3,7 @@
 #include "periodic/periodic_records.hpp"
 #include "periodic_shifts.hpp"
 
-using hsp::capi::check_request;
-using hsp::capi::for_each_half_edge;
-using hsp::capi::LibraryArithmetic;
-using hsp::capi::list_records;
+using namespace hsp::capi;
 
 namespace {
 
@@ -40,7 +37,7 @@ struct Listing {
     const uint32_t k = balls.caller[grid_ball];
     hsp_image result{};
     result.ball = images.ball_of(k);
-    hsp::capi::put_shift(images.box().in_given_vectors(images.shift_from_caller(k)), result.shift);
+    put_shift(images.box().in_given_vectors(images.shift_from_caller(k)), result.shift);
     return result;
   }
   template <class Record>
@@ -50,7 +47,7 @@ struct Listing {
   hsp_periodic_id moved(const hsp::MovedRecord &record) const {
     hsp_periodic_id result{};
     result.id = record.id;
-    hsp::capi::put_shift(periodic.images().box().in_given_vectors(record.shift), result.shift);
+    put_shift(periodic.images().box().in_given_vectors(record.shift), result.shift);
     return result;
   }
   hsp_periodic_id vertex(uint32_t id) const { return moved(hsp::listed_vertex(periodic, id)); }
@@ -66,7 +63,7 @@ struct Listing {
     periodic.images().box().frame().turn_back(xyz);
   }
   void put_direction(const hsp::Vec3 &direction, double (&xyz)[3]) const {
-    hsp::capi::to_array(periodic.images().box().frame().turned_back(direction), xyz);
+    to_array(periodic.images().box().frame().turned_back(direction), xyz);
   }
   double length(double steps) const { return periodic.images().lattice().length(steps); }
 
@@ -81,21 +78,20 @@ int32_t hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_ver
                                   uint32_t *needed) {
   LibraryArithmetic arithmetic;
   return list_records(periodic, out, capacity, needed, &Listing::vertices,
-                      [out](const Listing &l) { hsp::capi::put_vertices(l, out); });
+                      [out](const Listing &l) { put_vertices(l, out); });
 }
 
 int32_t hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity,
                               uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  return list_records(periodic, out, capacity, needed, &Listing::arcs,
-                      [out](const Listing &l) { hsp::capi::put_arcs(l, out); });
+  return list_records(periodic, out, capacity, needed, &Listing::arcs, [out](const Listing &l) { put_arcs(l, out); });
 }
 
 int32_t hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity,
                                  uint32_t *needed) {
   LibraryArithmetic arithmetic;
   return list_records(periodic, out, capacity, needed, &Listing::circles,
-                      [out](const Listing &l) { hsp::capi::put_circles(l, out); });
+                      [out](const Listing &l) { put_circles(l, out); });
 }
 
 int32_t hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity,
@@ -113,8 +109,7 @@ int32_t hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *
 
 int32_t hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity,
                                uint32_t *needed) {
-  return list_records(periodic, out, capacity, needed, &Listing::loops,
-                      [out](const Listing &l) { hsp::capi::put_loops(l, out); });
+  return list_records(periodic, out, capacity, needed, &Listing::loops, [out](const Listing &l) { put_loops(l, out); });
 }
 
 int32_t hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity,

@@ -2,15 +2,14 @@
 #include "hsp_periodic.hpp"
 #include "periodic/periodic_morphometry.hpp"
 
-using hsp::capi::check_results;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
                                int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(periodic); status != HSP_OK) return status;
-  const hsp::capi::CurvatureArrays arrays{totals, mean, gauss_thirds};
-  if (!hsp::capi::fits(arrays.any(), capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
+  const CurvatureArrays arrays{totals, mean, gauss_thirds};
+  if (!fits(arrays.any(), capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
   const hsp::PeriodicUnion &structure = periodic->builder;
   // The set has its lengths in steps.
   arrays.put(structure.grid(), structure.boundary(), structure.images().lattice());
@@ -20,11 +19,10 @@ int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *tot
 int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request,
                                      hsp_periodic_morphometry_outputs *outputs) {
   LibraryArithmetic arithmetic;
-  hsp::capi::MorphometryRequest asked(arithmetic);
+  MorphometryRequest asked(arithmetic);
   hsp_periodic_morphometry_outputs out;
-  if (const int32_t status = hsp::capi::read_question(periodic, request, asked, outputs, out); status != HSP_OK)
-    return status;
-  const hsp::capi::GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
+  if (const int32_t status = read_question(periodic, request, asked, outputs, out); status != HSP_OK) return status;
+  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
   if (const int32_t status = asked.check(periodic->balls(), arrays.any(), *outputs); status != HSP_OK) return status;
 
   const hsp::PeriodicUnion &structure = periodic->builder;
@@ -36,8 +34,8 @@ int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_mor
           [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); }))
     return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_CURVATURE_ONE_SIDED, out.flags);
-  if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
+  if (out.energy != nullptr) *out.energy = to_c(found);
   if (out.d_strain == nullptr && out.d_box == nullptr) return HSP_OK;
-  hsp::capi::put_box_gradient(hsp::box_gradient_of_morphometry(structure, weights, factors), out.d_strain, out.d_box);
+  put_box_gradient(hsp::box_gradient_of_morphometry(structure, weights, factors), out.d_strain, out.d_box);
   return HSP_OK;
 }

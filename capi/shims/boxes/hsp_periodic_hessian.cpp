@@ -2,7 +2,7 @@
 #include "hsp_periodic.hpp"
 #include "periodic/periodic_hessian.hpp"
 
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 static_assert(hsp::singular_flag == HSP_HESSIAN_SINGULAR);
 
@@ -10,8 +10,8 @@ int32_t hsp_periodic_get_hessian_rows(const hsp_periodic *periodic, const hsp_gr
                                       uint32_t *first, uint32_t *ball, double *block, uint32_t *flags,
                                       uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  hsp::capi::GradientRequest asked(arithmetic);
-  if (const int32_t status = hsp::capi::check_handle(periodic); status != HSP_OK) return status;
+  GradientRequest asked(arithmetic);
+  if (const int32_t status = check_handle(periodic); status != HSP_OK) return status;
   if (const int32_t status = asked.read(request); status != HSP_OK) return status;
   if (first == nullptr || (capacity > 0 && (ball == nullptr || block == nullptr))) return HSP_E_ARGUMENT;
   if (!periodic->has_areas()) return HSP_E_STATE;

@@ -4,25 +4,24 @@
 #include "periodic/periodic_queries.hpp"
 #include "periodic_shifts.hpp"
 
-using hsp::capi::check_results;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
 // Most rows are in order already.
 void sort_images(hsp_image *out, uint32_t count) {
   uint32_t at = 1;
-  while (at < count && hsp::capi::image_comes_before(out[at - 1], out[at])) ++at;
+  while (at < count && image_comes_before(out[at - 1], out[at])) ++at;
   if (at >= count) return;
   // A lambda, not the function: sorting would call it through a pointer.
   hsp::sort_in_place(hsp::Span<hsp_image>(out, count),
-                     [](const hsp_image &p, const hsp_image &q) { return hsp::capi::image_comes_before(p, q); });
+                     [](const hsp_image &p, const hsp_image &q) { return image_comes_before(p, q); });
 }
 
 void put_image(const hsp::PeriodicImages &images, const hsp::BoxShift &from, uint32_t ball, const hsp::BoxShift &shift,
                hsp_image &image) {
   image.ball = ball;
-  hsp::capi::put_shift(images.box().in_given_vectors(shift - images.home(ball) + from), image.shift);
+  put_shift(images.box().in_given_vectors(shift - images.home(ball) + from), image.shift);
 }
 
 // Hits that have all been kept and are wanted(k), in their order; returns how many. from: how far the place that they
@@ -40,7 +39,7 @@ uint32_t put_hits(const hsp::PeriodicUnion &periodic, const hsp::QueryHits &hits
     hsp_image image;
     put_image(images, from, images.ball_of(k), images.shift_of(k), image);
     uint32_t place = written++;
-    for (; place > 0 && hsp::capi::image_comes_before(image, out[place - 1]); --place) out[place] = out[place - 1];
+    for (; place > 0 && image_comes_before(image, out[place - 1]); --place) out[place] = out[place - 1];
     out[place] = image;
   }
   return written;
@@ -55,7 +54,7 @@ int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from,
   visit([&](uint32_t, const hsp::BoxShift &) { ++count; });
   if (count > UINT32_MAX) return HSP_E_RANGE;
   const uint32_t found = static_cast<uint32_t>(count);
-  if (const int32_t status = hsp::capi::check_output(out, capacity, found, needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(out, capacity, found, needed); status != HSP_OK) return status;
   uint32_t written = 0;
   visit([&](uint32_t ball, const hsp::BoxShift &shift) { put_image(images, from, ball, shift, out[written++]); });
   sort_images(out, found);
@@ -71,7 +70,7 @@ int32_t put_meeting(const hsp::PeriodicUnion &periodic, const hsp::exact::Vector
     hsp::QueryHits hits;
     hsp::find_in_block(grid, grid.block_around(grid.cube_at(centre)), centre, radius, excluded, hits);
     if (hits.count <= hsp::QueryHits::room) {
-      const int32_t status = hsp::capi::check_output(out, capacity, hits.count, needed);
+      const int32_t status = check_output(out, capacity, hits.count, needed);
       if (status == HSP_OK) put_hits(periodic, hits, from, out, [](uint32_t) { return true; });
       return status;
     }
@@ -91,7 +90,7 @@ struct QueryInBox {
 };
 
 int32_t round_query(const hsp::PeriodicImages &images, const double *xyz, double radius, QueryInBox &query) {
-  const int32_t rounded = hsp::capi::round_point(images, xyz, query.centre);
+  const int32_t rounded = round_point(images, xyz, query.centre);
   if (rounded == HSP_E_NOT_FINITE || !hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
   if (radius < 0.0) return HSP_E_NEGATIVE;
   const double steps = images.lattice().steps(radius);
@@ -167,7 +166,7 @@ int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, u
       },
       [&](uint32_t i, uint32_t) { ++begins[i]; });
   if (!hsp::sum_up(begins)) return HSP_E_RANGE;
-  if (const int32_t status = hsp::capi::check_output(out, capacity, begins[n], needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(out, capacity, begins[n], needed); status != HSP_OK) return status;
   visit(
       [&](uint32_t i, const hsp::QueryHits &hits) {
         begins[i] +=

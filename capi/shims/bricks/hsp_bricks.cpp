@@ -5,7 +5,7 @@
 #include "core/sorting.hpp"
 #include "hsp_boundary.hpp"
 
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
@@ -30,7 +30,7 @@ int32_t hand_back_bytes(hsp::Status status, uint64_t count, size_t *bytes) {
   if (status == hsp::Status::ok || status == hsp::Status::capacity) {
     *bytes = count < SIZE_MAX ? static_cast<size_t>(count) : SIZE_MAX;
   }
-  return hsp::capi::to_c(status);
+  return to_c(status);
 }
 
 int32_t to_c(hsp::SummaryFault fault) {
@@ -70,12 +70,11 @@ bool is_before(const hsp_brick_shell &a, const hsp_brick_shell &b) {
 int32_t hsp_brick_summarise(const hsp_boundary *boundary, const hsp_brick_request *request, void *summary,
                             size_t *bytes, uint32_t *first_bad) {
   LibraryArithmetic arithmetic;
-  hsp::capi::Executor executor(arithmetic);
+  Executor executor(arithmetic);
   hsp_brick_request asked{};
-  if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK)
-    return hsp::capi::name_none(status, first_bad);
-  hsp::capi::name_none(HSP_OK, first_bad);
-  int32_t status = request == nullptr ? HSP_E_ARGUMENT : hsp::capi::read_struct(request, {}, asked);
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return name_none(status, first_bad);
+  name_none(HSP_OK, first_bad);
+  int32_t status = request == nullptr ? HSP_E_ARGUMENT : read_struct(request, {}, asked);
   if (status == HSP_OK) status = executor.read(asked.executor);
   if (status != HSP_OK) return status;
   const uint32_t n = boundary->has_results() ? boundary->balls().n : 0;
@@ -96,12 +95,12 @@ int32_t hsp_brick_summarise(const hsp_boundary *boundary, const hsp_brick_reques
 int32_t hsp_brick_merge(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes,
                         const hsp_executor *executor, void *summary, size_t *bytes, uint32_t *brick) {
   LibraryArithmetic arithmetic;
-  hsp::capi::Executor asked(arithmetic);
+  Executor asked(arithmetic);
   name(HSP_NONE, brick);
   if (const int32_t status = asked.read(executor); status != HSP_OK) return status;
   if (a == nullptr || b == nullptr || is_missing(summary, bytes)) return HSP_E_ARGUMENT;
   hsp::SummaryBlock first, second;
-  const int32_t status = hsp::capi::versions_first(to_c(first.read(a, a_bytes)), to_c(second.read(b, b_bytes)));
+  const int32_t status = versions_first(to_c(first.read(a, a_bytes)), to_c(second.read(b, b_bytes)));
   if (status != HSP_OK) return status;
   const hsp::MergeResult result =
       hsp::merge_summaries(first, second, hsp::Patience(&asked), static_cast<uint8_t *>(summary), *bytes);
@@ -132,8 +131,7 @@ int32_t hsp_brick_get_shells(const uint8_t *summary, size_t bytes, hsp_brick_she
   if (const int32_t status = to_c(block.read(summary, bytes)); status != HSP_OK) return status;
   const hsp::WholeSet whole(block);
   if (const int32_t status = check_whole(block, whole, true, brick); status != HSP_OK) return status;
-  if (const int32_t status = hsp::capi::check_output(out, capacity, whole.shells(), needed); status != HSP_OK)
-    return status;
+  if (const int32_t status = check_output(out, capacity, whole.shells(), needed); status != HSP_OK) return status;
   for (uint32_t k = 0; k < whole.shells(); ++k) out[k] = to_c(whole.shell(k));
   hsp::sort_in_place(hsp::Span<hsp_brick_shell>(out, whole.shells()),
                      [](const hsp_brick_shell &a, const hsp_brick_shell &b) { return is_before(a, b); });

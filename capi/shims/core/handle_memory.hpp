@@ -78,6 +78,21 @@ int32_t init_by_limits(void *memory, size_t bytes, const typename Handle::Limits
   return status == HSP_OK ? init(memory, bytes, wanted, handle) : status;
 }
 
+// hsp_X_bytes and hsp_X_init as the header declares them, of the handle X; with hsp_X_limits_init by a number of balls.
+#define HSP_HANDLE_MEMORY(X)                                                           \
+  int32_t X##_bytes(const X##_limits *limits, size_t *bytes) {                         \
+    return hsp::capi::get_bytes_by_limits<X>(limits, bytes);                           \
+  }                                                                                    \
+  int32_t X##_init(void *memory, size_t bytes, const X##_limits *limits, X **handle) { \
+    return hsp::capi::init_by_limits(memory, bytes, limits, handle);                   \
+  }                                                                                    \
+  struct X
+#define HSP_HANDLE_BY_BALLS(X)                                                        \
+  int32_t X##_limits_init(X##_limits *limits, uint32_t struct_size, uint32_t balls) { \
+    return hsp::capi::init_limits<X>(limits, struct_size, balls);                     \
+  }                                                                                   \
+  HSP_HANDLE_MEMORY(X)
+
 // `limits` may be null. It becomes what was needed, or after a lack of capacity what to retry with: no limit is smaller
 // than the handle's, and one at least is larger. Returns the status as the caller gets it.
 template <class Handle>

@@ -11,17 +11,9 @@
 #include "compute_from.hpp"
 #include "measure/boundary_metric_check.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
-
-using hsp::capi::check_request;
-using hsp::capi::for_each_half_edge;
-using hsp::capi::list_records;
 
 constexpr uint32_t number_of(hsp::BoundaryInvariant invariant) {
   return static_cast<uint32_t>(invariant);
@@ -90,7 +82,7 @@ struct Listing {
   void put_position(const hsp::Position &position, double (&xyz)[3]) const {
     hsp::to_coordinates(balls, position, xyz);
   }
-  static void put_direction(const hsp::Vec3 &direction, double (&xyz)[3]) { hsp::capi::to_array(direction, xyz); }
+  static void put_direction(const hsp::Vec3 &direction, double (&xyz)[3]) { to_array(direction, xyz); }
   double length(double steps) const { return balls.lattice.length(steps); }
 
   const hsp::Boundary &boundary;
@@ -99,17 +91,7 @@ struct Listing {
 
 }  // namespace
 
-int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp_boundary>(limits, struct_size, balls);
-}
-
-int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_boundary>(limits, bytes);
-}
-
-int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary **boundary) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, boundary);
-}
+HSP_HANDLE_BY_BALLS(hsp_boundary);
 
 int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits) {
   return hsp_boundary_compute_with(boundary, model, nullptr, limits);
@@ -117,12 +99,12 @@ int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp
 
 int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request *request,
                                   hsp_boundary_limits *limits) {
-  const auto build = [&](const hsp_boundary_request &asked, hsp::capi::Executor &executor) {
+  const auto build = [&](const hsp_boundary_request &asked, Executor &executor) {
     boundary->model.set(model);
     boundary->of_some = asked.selected != nullptr;
     return boundary->builder.build(model->grid, executor, asked.selected);
   };
-  return hsp::capi::compute_from(boundary, model, request, limits, build);
+  return compute_from(boundary, model, request, limits, build);
 }
 
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {
@@ -151,19 +133,18 @@ int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_count
 int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
   return list_records(boundary, out, capacity, needed, &Listing::vertices,
-                      [out](const Listing &l) { hsp::capi::put_vertices(l, out); });
+                      [out](const Listing &l) { put_vertices(l, out); });
 }
 
 int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  return list_records(boundary, out, capacity, needed, &Listing::arcs,
-                      [out](const Listing &l) { hsp::capi::put_arcs(l, out); });
+  return list_records(boundary, out, capacity, needed, &Listing::arcs, [out](const Listing &l) { put_arcs(l, out); });
 }
 
 int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
   return list_records(boundary, out, capacity, needed, &Listing::circles,
-                      [out](const Listing &l) { hsp::capi::put_circles(l, out); });
+                      [out](const Listing &l) { put_circles(l, out); });
 }
 
 int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed) {
@@ -180,8 +161,7 @@ int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint
 }
 
 int32_t hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity, uint32_t *needed) {
-  return list_records(boundary, out, capacity, needed, &Listing::loops,
-                      [out](const Listing &l) { hsp::capi::put_loops(l, out); });
+  return list_records(boundary, out, capacity, needed, &Listing::loops, [out](const Listing &l) { put_loops(l, out); });
 }
 
 int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity,
@@ -235,5 +215,5 @@ int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t
   const hsp::Boundary &structure = boundary->structure();
   hsp::BoundaryViolation violation = hsp::check_boundary(balls, structure, boundary->builder.scratch());
   if (violation.invariant == BoundaryInvariant::none) violation = hsp::check_boundary_metric(balls, structure);
-  return hsp::capi::report(violation, invariant, id);
+  return report(violation, invariant, id);
 }

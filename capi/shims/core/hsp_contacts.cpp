@@ -13,13 +13,7 @@
 #include "core/summation.hpp"
 #include "group_rows.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_output;
-using hsp::capi::check_request;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
@@ -71,16 +65,10 @@ int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_si
   hsp::ContactLimits defaults;
   const hsp::Status status = hsp::default_limits(boundary->balls().n, boundary->builder.needed().neighbours, defaults);
   if (status == hsp::Status::ok) hsp_contacts::Limits::write(defaults, limits, struct_size);
-  return hsp::capi::to_c(status);
+  return to_c(status);
 }
 
-int32_t hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_contacts>(limits, bytes);
-}
-
-int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits, hsp_contacts **contacts) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, contacts);
-}
+HSP_HANDLE_MEMORY(hsp_contacts);
 
 int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits) {
   return hsp_contacts_compute_with(contacts, boundary, nullptr, limits);
@@ -88,7 +76,7 @@ int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundar
 
 int32_t hsp_contacts_compute_with(hsp_contacts *contacts, const hsp_boundary *boundary,
                                   const hsp_contacts_request *request, hsp_contacts_limits *limits) {
-  return hsp::capi::compute_from_boundary(contacts, boundary, request, limits);
+  return compute_from_boundary(contacts, boundary, request, limits);
 }
 
 int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed) {
@@ -127,7 +115,7 @@ int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, d
   if (const int32_t status = check_results(contacts); status != HSP_OK) return status;
   const hsp::BallSet &balls = contacts->balls();
   const bool wanted = share_volume != nullptr || contact_area != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, balls.n, needed)) return HSP_E_CAPACITY;
+  if (!fits(wanted, capacity, balls.n, needed)) return HSP_E_CAPACITY;
   const hsp::Contacts &structure = contacts->structure();
   hsp::TreeSum area, volume;
   for (uint32_t i = 0; i < balls.n; ++i) {
@@ -152,7 +140,7 @@ int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_gr
   const hsp::Contacts &structure = contacts->structure();
   const hsp::ContactGroups groups(contacts->balls(), structure, structure.contact_count(), {group, nullptr},
                                   contacts->builder.scratch());
-  return hsp::capi::put_groups(groups, contacts->balls().lattice, out, capacity, needed);
+  return put_groups(groups, contacts->balls().lattice, out, capacity, needed);
 }
 
 int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *counts) {
@@ -202,5 +190,5 @@ int32_t hsp_contacts_check(hsp_contacts *contacts, uint32_t *invariant, uint32_t
     return status;
   const hsp::ContactViolation violation =
       hsp::check_contacts(contacts->balls(), contacts->boundary->structure(), contacts->structure());
-  return hsp::capi::report(violation, invariant, id);
+  return report(violation, invariant, id);
 }

@@ -3,7 +3,7 @@
 #include "hardsphere.h"
 #include "library_arithmetic.hpp"
 
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 static_assert(static_cast<uint32_t>(hsp::RadiiSet::bondi) == HSP_RADII_BONDI &&
               static_cast<uint32_t>(hsp::RadiiSet::chem3d) == HSP_RADII_CHEM3D &&

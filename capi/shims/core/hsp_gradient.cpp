@@ -3,12 +3,7 @@
 #include "measure/energy.hpp"
 #include "measure/tangency.hpp"
 
-using hsp::capi::GradientArrays;
-using hsp::capi::is_tangency;
-using hsp::capi::LibraryArithmetic;
-using hsp::capi::put_vector;
-using hsp::capi::read_parts;
-using hsp::capi::to_touching_balls;
+using namespace hsp::capi;
 
 namespace {
 
@@ -42,13 +37,13 @@ struct ArraysOfRow {
 }  // namespace
 
 int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct_size) {
-  return hsp::capi::write_struct(hsp_gradient_request{}, request, struct_size);
+  return write_struct(hsp_gradient_request{}, request, struct_size);
 }
 
 int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
                                   hsp_gradient_outputs *outputs) {
   LibraryArithmetic arithmetic;
-  hsp::capi::GradientRequest asked(arithmetic);
+  GradientRequest asked(arithmetic);
   hsp_gradient_outputs out;
   if (const int32_t status = read_parts(boundary, request, asked, outputs, out); status != HSP_OK) return status;
   if (!boundary->has_areas() || (boundary->of_some && asked.given.pressure != 0.0)) return HSP_E_STATE;
@@ -65,17 +60,17 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
   if (!hsp::differentiate_energy(asked.executor, grid, structure, terms, found, put)) return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (boundary->of_some) {
-    found.volume = hsp::capi::not_known;
+    found.volume = not_known;
     boundary->clear_flags_of_left_out(out.flags);
   }
-  if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
+  if (out.energy != nullptr) *out.energy = to_c(found);
   return HSP_OK;
 }
 
 int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request,
                                      hsp_derivatives_outputs *outputs) {
   LibraryArithmetic arithmetic;
-  hsp::capi::DerivativesRequest asked(arithmetic);
+  DerivativesRequest asked(arithmetic);
   hsp_derivatives_outputs out;
   if (const int32_t status = read_parts(boundary, request, asked, outputs, out); status != HSP_OK) return status;
   const bool of_volume = out.volume_centre != nullptr || out.volume_radius != nullptr;
@@ -83,7 +78,7 @@ int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_der
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
   const bool wanted = out.area_centre != nullptr || out.area_radius != nullptr || of_volume || out.flags != nullptr;
-  if (const int32_t status = hsp::capi::check_outputs(n, asked.given.sigma, true, wanted, *outputs); status != HSP_OK)
+  if (const int32_t status = check_outputs(n, asked.given.sigma, true, wanted, *outputs); status != HSP_OK)
     return status;
   const hsp::Boundary &structure = boundary->structure();
   const hsp::AreaWeights weights{asked.given.sigma, to_touching_balls(asked.given.tangency)};
@@ -105,7 +100,7 @@ int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_der
 int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
                                   hsp_area_derivative *out, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK) return status;
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   if ((out == nullptr && capacity > 0) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
   if (!boundary->has_areas()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
@@ -114,7 +109,7 @@ int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, u
   const hsp::Boundary &structure = boundary->structure();
   const uint32_t place = grid.grid_index(ball);
   const uint32_t length = hsp::area_row_length(structure, place);
-  if (const int32_t status = hsp::capi::check_output(out, capacity, length, needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(out, capacity, length, needed); status != HSP_OK) return status;
   hsp::gather_area_row(balls, structure, place, to_touching_balls(tangency),
                        hsp::Span<hsp_area_derivative>(out, length));
   return HSP_OK;
@@ -124,15 +119,15 @@ int32_t hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_deriv
                                    uint32_t *first, uint32_t *ball, double *d_centre, double *d_radius,
                                    uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  hsp::capi::DerivativesRequest asked(arithmetic);
-  if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK) return status;
+  DerivativesRequest asked(arithmetic);
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   if (const int32_t status = asked.read(request); status != HSP_OK) return status;
   if (first == nullptr || (capacity > 0 && (ball == nullptr || d_centre == nullptr))) return HSP_E_ARGUMENT;
   if (!boundary->has_areas()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
   uint32_t bad = HSP_NONE;
-  if (const int32_t status = hsp::capi::check_weights(asked.given.sigma, {0, n}, &bad); status != HSP_OK) return status;
+  if (const int32_t status = check_weights(asked.given.sigma, {0, n}, &bad); status != HSP_OK) return status;
   const hsp::Boundary &structure = boundary->structure();
   hsp::find_area_row_starts(grid, structure, first);
   if (needed != nullptr) *needed = first[n];

@@ -1,9 +1,7 @@
 #include "hsp_model.hpp"
 #include "model_options.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
@@ -22,21 +20,21 @@ uint32_t hsp_model_max_balls(void) {
 int32_t hsp_model_bytes(uint32_t balls, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
-  return hsp::capi::get_bytes<hsp_model>(balls, bytes);
+  return get_bytes<hsp_model>(balls, bytes);
 }
 
 int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **model) {
   LibraryArithmetic arithmetic;
   if (memory == nullptr || model == nullptr) return HSP_E_ARGUMENT;
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
-  const int32_t status = hsp::capi::init(memory, bytes, balls, model);
+  const int32_t status = init(memory, bytes, balls, model);
   if (status != HSP_OK) return status;
   clear(**model);
   return HSP_OK;
 }
 
 int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(hsp::capi::default_model_options(), options, struct_size);
+  return write_struct(default_model_options(), options, struct_size);
 }
 
 int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
@@ -52,13 +50,12 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
     bad = HSP_NONE;
     return status;
   };
-  if (const int32_t status = hsp::capi::get_input(n, xyz, radius, options, input); status != HSP_OK)
-    return refuse(status);
+  if (const int32_t status = get_input(n, xyz, radius, options, input); status != HSP_OK) return refuse(status);
   if (n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
   const hsp::Status status = model->grid.build(input, bad);
   model->take_digest();
   model->complete = status == hsp::Status::ok;
-  return hsp::capi::to_c(status);
+  return to_c(status);
 }
 
 int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
@@ -84,11 +81,11 @@ int32_t hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius,
   if (const int32_t status = check_results(model); status != HSP_OK) return status;
   const hsp::BallSet &balls = model->balls();
   const bool wanted = xyz != nullptr || radius != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, balls.n, needed)) return HSP_E_CAPACITY;
+  if (!fits(wanted, capacity, balls.n, needed)) return HSP_E_CAPACITY;
   for (uint32_t i = 0; wanted && i < balls.n; ++i) {
     const hsp::exact::Lattice &lattice = balls.lattice;
     const double centre[3] = {lattice.length(balls.x[i]), lattice.length(balls.y[i]), lattice.length(balls.z[i])};
-    hsp::capi::put_vector(centre, xyz, balls.caller[i]);
+    put_vector(centre, xyz, balls.caller[i]);
     if (radius != nullptr) radius[balls.caller[i]] = lattice.length(balls.r[i]);
   }
   return HSP_OK;

@@ -2,8 +2,7 @@
 #include "hsp_model.hpp"
 #include "model/packing_statistics.hpp"
 
-using hsp::capi::check_results;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures) {
   LibraryArithmetic arithmetic;

@@ -1,8 +1,7 @@
 #include "hsp_model.hpp"
 #include "model/queries.hpp"
 
-using hsp::capi::check_results;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
@@ -13,8 +12,8 @@ int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *
     return status;
   hsp::QueryResult result{ids, capacity, 0};
   const hsp::Status status = hsp::find_balls(model->grid, xyz, radius, result);
-  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
-  return hsp::capi::check_output(ids, capacity, result.hits, needed);
+  if (status != hsp::Status::ok) return to_c(status);
+  return check_output(ids, capacity, result.hits, needed);
 }
 
 }  // namespace
@@ -35,7 +34,7 @@ int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius
   if (const int32_t status = check_results(model, xyz == nullptr || meets == nullptr); status != HSP_OK) return status;
   hsp::LatticeQuery query;
   const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
-  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
+  if (status != hsp::Status::ok) return to_c(status);
   *meets = hsp::any_ball_meets(model->grid, query) ? 1 : 0;
   return HSP_OK;
 }

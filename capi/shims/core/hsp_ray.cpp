@@ -2,8 +2,7 @@
 #include "hsp_model.hpp"
 #include "model/ray_query.hpp"
 
-using hsp::capi::check_results;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit) {
   LibraryArithmetic arithmetic;
@@ -13,7 +12,7 @@ int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double
   const hsp::BallSet &balls = model->balls();
   hsp::exact::LatticeRay ray;
   if (const hsp::Status status = hsp::round_ray(balls, origin, direction, ray); status != hsp::Status::ok) {
-    return hsp::capi::to_c(status);
+    return to_c(status);
   }
   const hsp::RayHit found = hsp::first_ball_on_ray(model->grid, ray);
   const hsp::exact::Lattice &lattice = balls.lattice;

@@ -5,16 +5,9 @@
 #include "topology/positions.hpp"
 #include "topology/shell_volumes.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
-
-using hsp::capi::check_output;
-using hsp::capi::check_request;
 
 // The checks of every list of one region, before it counts.
 int32_t check_list(const hsp_topology *topology, uint32_t region, const uint32_t *out, uint32_t capacity) {
@@ -33,13 +26,7 @@ int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_si
                                      struct_size);
 }
 
-int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_topology>(limits, bytes);
-}
-
-int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology **topology) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, topology);
-}
+HSP_HANDLE_MEMORY(hsp_topology);
 
 int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits) {
   return hsp_topology_compute_with(topology, boundary, nullptr, limits);
@@ -47,7 +34,7 @@ int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundar
 
 int32_t hsp_topology_compute_with(hsp_topology *topology, const hsp_boundary *boundary,
                                   const hsp_topology_request *request, hsp_topology_limits *limits) {
-  return hsp::capi::compute_from_boundary(topology, boundary, request, limits);
+  return compute_from_boundary(topology, boundary, request, limits);
 }
 
 int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {
@@ -158,7 +145,7 @@ int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uin
   // As a query of radius 0, which is there: on microcontrollers round_point would be code of its own.
   hsp::LatticeQuery point;
   const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);
-  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
+  if (status != hsp::Status::ok) return to_c(status);
   *region = hsp::any_ball_meets(grid, point)
                 ? HSP_NONE
                 : hsp::region_of_point(grid, topology->boundary->structure(), topology->structure(), point.centre);

@@ -1,13 +1,9 @@
 #include "hsp_topology.hpp"
 #include "topology/shell_volumes.hpp"
 
-using hsp::capi::check_results;
-using hsp::capi::is_live;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
-
-using hsp::capi::check_range;
 
 constexpr uint32_t number_of(hsp::TopologyInvariant invariant) {
   return static_cast<uint32_t>(invariant);
@@ -71,5 +67,5 @@ int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t
   if (violation.invariant == TopologyInvariant::none) {
     violation = hsp::check_enclosed_volumes(topology->balls(), boundary, structure);
   }
-  return hsp::capi::report(violation, invariant, id);
+  return report(violation, invariant, id);
 }

@@ -3,9 +3,7 @@
 
 namespace {
 
-using hsp::capi::check_range;
-using hsp::capi::check_results;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 // Records of a topology with results.
 struct TopologyResults {
@@ -48,7 +46,7 @@ hsp_topology_edge topology_edge(const TopologyResults &results, uint32_t id) {
   hsp_topology_edge record{};
   const hsp::EdgeGeometry geometry = hsp::geometry_of_edge(results.balls, results.boundary, results.topology, id);
   hsp::to_coordinates(results.balls, geometry.centre, record.centre);
-  hsp::capi::to_array(geometry.axis, record.axis);
+  to_array(geometry.axis, record.axis);
   record.radius = results.balls.lattice.length(geometry.radius);
   record.angle = geometry.angle;
   const uint32_t q = hsp::quarter_edge(id);
@@ -119,7 +117,7 @@ int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell,
   const hsp::Topology &structure = topology->structure();
   if (shell >= structure.shell_count) return HSP_E_ID;
   const hsp::ShellRecord &record = structure.shells[shell];
-  if (hsp::capi::check_output(faces, capacity, record.simple_faces, needed) != HSP_OK) return HSP_E_CAPACITY;
+  if (check_output(faces, capacity, record.simple_faces, needed) != HSP_OK) return HSP_E_CAPACITY;
   for (uint32_t k = 0; k < record.simple_faces; ++k) faces[k] = structure.traversal[record.first_traversed + k];
   return HSP_OK;
 }

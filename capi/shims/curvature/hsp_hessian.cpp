@@ -2,7 +2,7 @@
 #include "gradient_arrays.hpp"
 #include "hsp_boundary.hpp"
 
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 static_assert(hsp::singular_flag == HSP_HESSIAN_SINGULAR);
 
@@ -10,8 +10,8 @@ int32_t hsp_boundary_get_hessian_rows(const hsp_boundary *boundary, const hsp_gr
                                       uint32_t *first, uint32_t *ball, double *block, uint32_t *flags,
                                       uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  hsp::capi::GradientRequest asked(arithmetic);
-  if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK) return status;
+  GradientRequest asked(arithmetic);
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   if (const int32_t status = asked.read(request); status != HSP_OK) return status;
   if (first == nullptr || (capacity > 0 && (ball == nullptr || block == nullptr))) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
@@ -31,16 +31,16 @@ int32_t hsp_boundary_get_hessian_product(const hsp_boundary *boundary, const hsp
                                          const double *direction, double *product, uint32_t *flags, uint32_t capacity,
                                          uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  hsp::capi::GradientRequest asked(arithmetic);
-  if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK) return status;
+  GradientRequest asked(arithmetic);
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   if (const int32_t status = asked.read(request); status != HSP_OK) return status;
   if (direction == nullptr || (product == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (!boundary->has_areas()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
   if (!asked.are_finite(n)) return HSP_E_NOT_FINITE;
-  if (const int32_t status = hsp::capi::check_weights(direction, {0, 3 * n}, nullptr); status != HSP_OK) return status;
-  if (!hsp::capi::fits(true, capacity, n, needed)) return HSP_E_CAPACITY;
+  if (const int32_t status = check_weights(direction, {0, 3 * n}, nullptr); status != HSP_OK) return status;
+  if (!fits(true, capacity, n, needed)) return HSP_E_CAPACITY;
   if (!hsp::multiply_by_hessian(asked.executor, grid, boundary->structure(), asked.terms(), direction, product, flags))
     return asked.executor.status();
   boundary->clear_flags_of_left_out(flags);

@@ -2,21 +2,17 @@
 #include "hsp_model.hpp"
 #include "poses/pose_queries.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
-using hsp::capi::name_none;
+using namespace hsp::capi;
 
 namespace {
 
 int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const hsp_pose &numbers, hsp::Pose &pose) {
-  return hsp::capi::to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
+  return to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
 }
 
 int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose &numbers,
                   hsp::RationalPose &pose) {
-  return hsp::capi::to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
+  return to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
 }
 
 // The poses that numbers make.
@@ -97,7 +93,7 @@ int32_t list_pairs(const hsp_body *fixed, const hsp_body *posed, const Numbers *
   // Two walks, as nothing is written to `pair` unless all fit.
   const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, posed->tree, at, {}));
   if (count == hsp::no_id) return HSP_E_RANGE;
-  const int32_t status = hsp::capi::check_output(pair, capacity, count, needed);
+  const int32_t status = check_output(pair, capacity, count, needed);
   if (status != HSP_OK) return status;
   hsp::list_meeting_pairs(fixed->tree, posed->tree, at, {reinterpret_cast<hsp::MeetingPair *>(pair), count});
   return HSP_OK;
@@ -108,13 +104,13 @@ int32_t list_pairs(const hsp_body *fixed, const hsp_body *posed, const Numbers *
 int32_t hsp_body_bytes(uint32_t balls, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
-  return hsp::capi::get_bytes<hsp_body>(balls, bytes);
+  return get_bytes<hsp_body>(balls, bytes);
 }
 
 int32_t hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **body) {
   if (memory == nullptr || body == nullptr) return HSP_E_ARGUMENT;
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
-  return hsp::capi::init(memory, bytes, balls, body);
+  return init(memory, bytes, balls, body);
 }
 
 int32_t hsp_body_set(hsp_body *body, const hsp_model *model) {
@@ -125,7 +121,7 @@ int32_t hsp_body_set(hsp_body *body, const hsp_model *model) {
   if (const int32_t status = check_results(model); status != HSP_OK) return status;
   const hsp::Status status = body->tree.build(model->balls());
   body->complete = status == hsp::Status::ok;
-  return hsp::capi::to_c(status);
+  return to_c(status);
 }
 
 int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hsp_pose *pose) {
@@ -133,7 +129,7 @@ int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hs
   if (matrix == nullptr || translation == nullptr || pose == nullptr) return HSP_E_ARGUMENT;
   hsp_pose found;
   const hsp::Status status = hsp::quaternion_of_rotation(matrix, found.quaternion);
-  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
+  if (status != hsp::Status::ok) return to_c(status);
   for (int k = 0; k < 3; ++k) {
     if (!hsp::is_finite(translation[k])) return HSP_E_NOT_FINITE;
     found.translation[k] = translation[k];

@@ -5,15 +5,11 @@
 #include "gradient_arrays.hpp"
 #include "hsp_model.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
-hsp_moving_ball to_c(const hsp::MovingBalls &balls, uint32_t i) {
+hsp_moving_ball to_record(const hsp::MovingBalls &balls, uint32_t i) {
   const hsp::MovingBall &record = balls.record(i);
   const hsp::exact::LatticeBall placed = balls.placed(i);
   const hsp::exact::Lattice &lattice = balls.lattice();
@@ -42,47 +38,36 @@ hsp_moving_ball to_c(const hsp::MovingBalls &balls, uint32_t i) {
   if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   moving->complete = false;
   const int32_t refused = first_failure(check_handle(model), check_struct(limits), asked);
-  if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
+  if (name_none(refused, first_bad) != HSP_OK) return refused;
   if (!model->has_results()) return HSP_E_STATE;
   const hsp::IdRange all{0, model->balls().n};
-  if (const int32_t status = hsp::capi::check_weights(given.sigma, all, first_bad); status != HSP_OK) return status;
+  if (const int32_t status = check_weights(given.sigma, all, first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(given.tension) || !hsp::is_finite(given.pressure)) return HSP_E_NOT_FINITE;
-  const hsp::EnergyTerms terms{
-      {given.sigma, hsp::capi::to_touching_balls(given.tangency)}, given.tension, given.pressure};
-  return hsp::capi::finish(*moving, moving->builder.set(model->grid, terms, patience), limits);
+  const hsp::EnergyTerms terms{{given.sigma, to_touching_balls(given.tangency)}, given.tension, given.pressure};
+  return finish(*moving, moving->builder.set(model->grid, terms, patience), limits);
 }
 
 [[gnu::always_inline]] inline int32_t move(hsp_moving *moving, int32_t asked, const hsp::BallMoves &moves,
                                            hsp::Patience patience, hsp_moving_limits *limits, uint32_t *first_bad) {
   const int32_t refused = first_failure(first_failure(check_handle(moving), check_struct(limits)), asked,
                                         moves.ball == nullptr && moves.count > 0 ? HSP_E_ARGUMENT : HSP_OK);
-  if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
+  if (name_none(refused, first_bad) != HSP_OK) return refused;
   if (!moving->has_results()) return HSP_E_STATE;
   uint32_t bad = HSP_NONE;
   const hsp::Status status = moving->builder.move(moves, bad, patience);
   if (first_bad != nullptr) *first_bad = bad;
-  hsp::capi::hand_back_limits(*moving, status, limits);
-  return hsp::capi::to_c(status);
+  hand_back_limits(*moving, status, limits);
+  return to_c(status);
 }
 
 }  // namespace
 
-int32_t hsp_moving_limits_init(hsp_moving_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp_moving>(limits, struct_size, balls);
-}
-
-int32_t hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_moving>(limits, bytes);
-}
-
-int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *limits, hsp_moving **moving) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, moving);
-}
+HSP_HANDLE_BY_BALLS(hsp_moving);
 
 int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure,
                        uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad) {
   LibraryArithmetic arithmetic(tension, pressure);
-  const int32_t asked = hsp::capi::is_tangency(tangency) ? HSP_OK : HSP_E_ARGUMENT;
+  const int32_t asked = is_tangency(tangency) ? HSP_OK : HSP_E_ARGUMENT;
   const hsp_gradient_request given{sizeof given, tangency, tension, pressure, sigma, nullptr};
   return set(moving, model, asked, given, hsp::Patience(), limits, first_bad);
 }
@@ -90,7 +75,7 @@ int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double 
 int32_t hsp_moving_set_with(hsp_moving *moving, const hsp_model *model, const hsp_gradient_request *request,
                             hsp_moving_limits *limits, uint32_t *first_bad) {
   LibraryArithmetic arithmetic;
-  hsp::capi::GradientRequest asked(arithmetic);
+  GradientRequest asked(arithmetic);
   const int32_t status = asked.read(request);
   return set(moving, model, status, asked.given, hsp::Patience(&asked.executor), limits, first_bad);
 }
@@ -106,15 +91,15 @@ int32_t hsp_moving_move_with(hsp_moving *moving, uint32_t count, const uint32_t 
                              uint32_t *first_bad) {
   LibraryArithmetic arithmetic;
   hsp_moving_request asked;
-  hsp::capi::Executor executor(arithmetic);
-  const int32_t status = hsp::capi::read_request(request, asked, executor);
+  Executor executor(arithmetic);
+  const int32_t status = read_request(request, asked, executor);
   return move(moving, status, {count, ball, xyz, radius}, hsp::Patience(&executor), limits, first_bad);
 }
 
 int32_t hsp_moving_undo(hsp_moving *moving) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
-  return moving->has_results() ? hsp::capi::to_c(moving->builder.undo()) : HSP_E_STATE;
+  return moving->has_results() ? to_c(moving->builder.undo()) : HSP_E_STATE;
 }
 
 int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info) {
@@ -146,7 +131,7 @@ int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double 
   if (const int32_t status = check_results(moving); status != HSP_OK) return status;
   const hsp::MovingBalls &balls = moving->builder;
   const bool wanted = area != nullptr || volume_term != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
+  if (!fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
   for (uint32_t i = 0; wanted && i < balls.size(); ++i) {
     const hsp::BallMeasure own = balls.measure(i);
     if (area != nullptr) area[i] = own.area;
@@ -164,10 +149,10 @@ int32_t hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(moving); status != HSP_OK) return status;
   const hsp::MovingBalls &balls = moving->builder;
-  const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};
-  if (!hsp::capi::fits(arrays.any(), capacity, balls.size(), needed)) return HSP_E_CAPACITY;
+  const GradientArrays arrays{d_centre, d_radius, flags};
+  if (!fits(arrays.any(), capacity, balls.size(), needed)) return HSP_E_CAPACITY;
   for (uint32_t i = 0; arrays.any() && i < balls.size(); ++i) arrays.put(i, balls.gradient(i));
-  if (energy != nullptr) *energy = hsp::capi::to_c(balls.energy());
+  if (energy != nullptr) *energy = to_c(balls.energy());
   return HSP_OK;
 }
 
@@ -179,13 +164,13 @@ int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uin
   for (uint32_t k = 0; k < count; ++k) {
     if (ball[k] >= balls.size()) return HSP_E_ID;
   }
-  for (uint32_t k = 0; k < count; ++k) out[k] = to_c(balls, ball[k]);
+  for (uint32_t k = 0; k < count; ++k) out[k] = to_record(balls, ball[k]);
   return HSP_OK;
 }
 
 int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *balls, uint32_t capacity, uint32_t *needed) {
-  const int32_t status = hsp::capi::check_request(
-      moving, balls, capacity, needed, [](const hsp_moving &handle) { return handle.builder.changed_count(); });
+  const int32_t status = check_request(moving, balls, capacity, needed,
+                                       [](const hsp_moving &handle) { return handle.builder.changed_count(); });
   if (status != HSP_OK) return status;
   uint32_t written = 0;
   moving->builder.visit_changed([&](uint32_t ball) { balls[written++] = ball; });
@@ -200,5 +185,5 @@ int32_t hsp_moving_get_model(const hsp_moving *moving, hsp_model *model) {
   if (!moving->has_results()) return HSP_E_STATE;
   const hsp::Status status = moving->builder.write(model->grid);
   if (status == hsp::Status::ok) model->take_digest();
-  return hsp::capi::to_c(status);
+  return to_c(status);
 }

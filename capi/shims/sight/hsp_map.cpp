@@ -1,52 +1,37 @@
 #include "hsp_map.hpp"
 
-#include "map_records.hpp"
 #include "maps/map_check.hpp"
+#include "maps/map_queries.hpp"
 #include "view_options.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::is_live;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
 // The map in which h is a directed edge; null if there is none.
 const hsp::VisibilityMap *map_with(const hsp_map *map, uint32_t h) {
   if (!is_live(map) || !map->has_results()) return nullptr;
-  return h < map->structure().half_edges.size() ? &map->structure() : nullptr;
+  return h < map->map().half_edges.size() ? &map->map() : nullptr;
 }
 
 }  // namespace
 
-int32_t hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp_map>(limits, struct_size, balls);
-}
-
-int32_t hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_map>(limits, bytes);
-}
-
-int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, hsp_map **map) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, map);
-}
+HSP_HANDLE_BY_BALLS(hsp_map);
 
 int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits *limits) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(map); status != HSP_OK) return status;
   map->complete = false;
   hsp_view_options wanted;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t status = first_failure(check_handle(model), check_struct(limits),
-                                           hsp::capi::read_view_options(options, wanted, executor));
+  Executor executor(arithmetic);
+  if (const int32_t status =
+          first_failure(check_handle(model), check_struct(limits), read_view_options(options, wanted, executor));
       status != HSP_OK)
     return status;
   if (!model->has_results()) return HSP_E_STATE;
-  const hsp::Status status = map->builder.build(model->grid, hsp::capi::direction_of(wanted), hsp::Patience(&executor));
+  const hsp::Status status = map->builder.build(model->grid, direction_of(wanted), hsp::Patience(&executor));
   map->model.set(model);
-  return hsp::capi::finish(*map, status, limits);
+  return finish(*map, status, limits);
 }
 
 uint32_t hsp_map_next(const hsp_map *map, uint32_t h) {
@@ -74,28 +59,8 @@ uint32_t hsp_map_left(const hsp_map *map, uint32_t h) {
   return of == nullptr ? HSP_NONE : of->face_of(h);
 }
 
-int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight) {
-  LibraryArithmetic arithmetic(x, y);
-  if (const int32_t status = check_results(map, sight == nullptr); status != HSP_OK) return status;
-  if (!hsp::is_finite(x) || !hsp::is_finite(y)) return HSP_E_NOT_FINITE;
-  hsp::capi::put_sight(*map, map->structure(), map->builder.discs(), x, y, *sight);
-  return HSP_OK;
-}
-
-int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point) {
-  LibraryArithmetic arithmetic(t);
-  if (const int32_t status = check_results(map, point == nullptr); status != HSP_OK) return status;
-  return hsp::capi::get_point(*map, map->structure(), edge, t, *point);
-}
-
-int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_results(map, pole == nullptr); status != HSP_OK) return status;
-  return hsp::capi::get_pole(*map, map->structure(), face, *pole);
-}
-
 int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(map, invariant == nullptr || id == nullptr); status != HSP_OK) return status;
-  return hsp::capi::report(hsp::check_map(map->structure(), map->builder.scratch()), invariant, id);
+  return report(hsp::check_map(map->map(), map->builder.scratch()), invariant, id);
 }

@@ -20,8 +20,14 @@ struct hsp_map {
   bool has_results() const { return complete && model.is_unchanged(); }
   const hsp::VisibilityMap &structure() const { return builder.structure(); }
   const hsp::BallSet &balls() const { return model->balls(); }
+  // As of sticks (map_records.hpp).
+  bool has_map() const { return has_results(); }
+  const hsp::VisibilityMap &map() const { return structure(); }
+  const auto &sight() const { return builder.discs(); }
+  uint32_t bodies() const { return balls().n; }
+  uint32_t first_face_of(uint32_t ball) const { return map().first_face[model->grid.grid_index(ball)]; }
   // The caller's number of a ball of the map.
   uint32_t caller(uint32_t ball) const {
-    return ball == hsp::no_id ? HSP_NONE : balls().caller[structure().scene.balls[ball].ball];
+    return ball == hsp::no_id ? HSP_NONE : balls().caller[map().scene.balls[ball].ball];
   }
 };

@@ -1,59 +1,43 @@
 #include "hsp_map.hpp"
 #include "map_records.hpp"
 
-using hsp::capi::check_results;
-using hsp::capi::LibraryArithmetic;
-
-namespace {
-
-using hsp::capi::check_range;
-using hsp::capi::check_request;
-
-}  // namespace
+using namespace hsp::capi;
 
 int32_t hsp_map_get_info(const hsp_map *map, hsp_map_info *info) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_results(map, info == nullptr); status != HSP_OK) return status;
-  hsp::capi::put_map_info(*map, map->structure(), *info);
-  info->balls = map->structure().owners;
-  return HSP_OK;
+  const int32_t status = get_map_info(map, info);
+  if (status == HSP_OK) info->balls = map->map().owners;
+  return status;
 }
 
 int32_t hsp_map_get_vertices(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_vertex *out) {
-  LibraryArithmetic arithmetic;
-  const int32_t status =
-      check_range(map, first, count, out, [](const hsp_map &m) { return m.structure().vertices.size(); });
-  if (status == HSP_OK) hsp::capi::put_vertices(*map, map->structure(), first, count, out);
-  return status;
+  return get_vertices(map, first, count, out);
 }
 
 int32_t hsp_map_get_edges(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_edge *out) {
-  LibraryArithmetic arithmetic;
-  const int32_t status =
-      check_range(map, first, count, out, [](const hsp_map &m) { return m.structure().edges.size(); });
-  if (status == HSP_OK) hsp::capi::put_edges(*map, map->structure(), first, count, out);
-  return status;
+  return get_edges(map, first, count, out);
 }
 
 int32_t hsp_map_get_faces(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_face *out) {
-  LibraryArithmetic arithmetic;
-  const int32_t status =
-      check_range(map, first, count, out, [](const hsp_map &m) { return m.structure().faces.size(); });
-  if (status == HSP_OK) hsp::capi::put_faces(*map, map->structure(), first, count, out);
-  return status;
+  return get_faces(map, first, count, out);
 }
 
 int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, uint32_t *needed) {
-  LibraryArithmetic arithmetic;
-  const int32_t status = check_request(map, area, capacity, needed, [](const hsp_map &m) { return m.balls().n; });
-  if (status != HSP_OK) return status;
-  hsp::capi::put_areas(*map, map->structure(), {area, map->balls().n});
-  return HSP_OK;
+  return get_areas(map, area, capacity, needed);
 }
 
 int32_t hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status = check_results(map, h == nullptr && capacity > 0); status != HSP_OK) return status;
-  if (ball >= map->balls().n) return HSP_E_ID;
-  const uint32_t first = map->structure().first_face[map->model->grid.grid_index(ball)];
-  return hsp::capi::get_outline(map->structure(), first, h, capacity, needed);
+  return get_outline(map, ball, h, capacity, needed);
+}
+
+int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight) {
+  return pick(map, x, y, sight);
+}
+
+int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point) {
+  return get_point(map, edge, t, point);
+}
+
+int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole) {
+  return get_pole(map, face, pole);
 }

@@ -6,8 +6,7 @@
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
@@ -72,7 +71,7 @@ bool is_valid(const hsp_picture_options &options) {
 int32_t read_options(const hsp_picture_options *given, hsp_picture_options &complete) {
   complete = defaults();
   if (given == nullptr) return HSP_OK;
-  if (const int32_t status = hsp::capi::read_struct(given, defaults(), complete); status != HSP_OK) return status;
+  if (const int32_t status = read_struct(given, defaults(), complete); status != HSP_OK) return status;
   if (complete.reserved != 0 || complete.reserved_for_ink != 0 || complete.reserved_for_sticks != 0) {
     return HSP_E_VERSION;
   }
@@ -137,7 +136,7 @@ struct Call {
   // A sink, whose context is the call: the caller's, in the caller's floating-point environment.
   static int32_t hand_on(void *call, const char *bytes, size_t count) {
     const Call &of = *static_cast<const Call *>(call);
-    const hsp::capi::CallersArithmetic callers(of.arithmetic);
+    const CallersArithmetic callers(of.arithmetic);
     return of.sink(of.context, bytes, count);
   }
 };
@@ -219,7 +218,7 @@ inline constexpr uint32_t earlier_bytes<hsp_picture_options> = 72;
 }  // namespace hsp::capi
 
 int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(defaults(), options, struct_size);
+  return write_struct(defaults(), options, struct_size);
 }
 
 int32_t hsp_picture_ink_width(double full_width, double gap, double *width) {

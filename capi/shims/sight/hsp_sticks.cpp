@@ -4,11 +4,7 @@
 
 #include "view_options.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
@@ -66,9 +62,9 @@ int32_t compute(LibraryArithmetic &arithmetic, hsp_sticks *sticks, const hsp_mod
   if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
   sticks->complete = false;
   hsp_view_options wanted;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t status = first_failure(check_handle(model), check_struct(limits),
-                                           hsp::capi::read_view_options(options, wanted, executor));
+  Executor executor(arithmetic);
+  if (const int32_t status =
+          first_failure(check_handle(model), check_struct(limits), read_view_options(options, wanted, executor));
       status != HSP_OK)
     return status;
   if (!are_valid(given.stick, given.count)) return HSP_E_ARGUMENT;
@@ -77,8 +73,7 @@ int32_t compute(LibraryArithmetic &arithmetic, hsp_sticks *sticks, const hsp_mod
   if (given.radius < 0.0) return HSP_E_NEGATIVE;
   if (given.radius == 0.0) return HSP_E_RANGE;
   const hsp::Status status = sticks->builder.build(
-      model->balls(), hsp::capi::direction_of(wanted), given.count, model->balls().lattice.steps(given.radius),
-      given.as_map,
+      model->balls(), direction_of(wanted), given.count, model->balls().lattice.steps(given.radius), given.as_map,
       [&given](uint32_t k) {
         const hsp_stick &stick = given.stick[k];
         return hsp::StickEnds{stick.ball[0], stick.ball[1], (stick.flags & HSP_STICK_WHOLE) != 0,
@@ -90,22 +85,12 @@ int32_t compute(LibraryArithmetic &arithmetic, hsp_sticks *sticks, const hsp_mod
     const hsp::StickViolation &violation = sticks->builder.violation();
     *conflict = {static_cast<uint32_t>(violation.conflict), violation.first, violation.second, 0};
   }
-  return hsp::capi::finish(*sticks, status, limits);
+  return finish(*sticks, status, limits);
 }
 
 }  // namespace
 
-int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp_sticks>(limits, struct_size, balls);
-}
-
-int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_sticks>(limits, bytes);
-}
-
-int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limits *limits, hsp_sticks **sticks) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, sticks);
-}
+HSP_HANDLE_BY_BALLS(hsp_sticks);
 
 int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                            const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
@@ -125,9 +110,9 @@ int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(sticks, info == nullptr); status != HSP_OK) return status;
   const hsp::StickView &of = sticks->structure();
-  const hsp::capi::ViewLengths length{sticks->balls().lattice};
+  const ViewLengths length{sticks->balls().lattice};
   *info = {};
-  hsp::capi::put_frame(length, of.frame, *info);
+  put_frame(length, of.frame, *info);
   const hsp::PaintedPaths paths = sticks->builder.paths();
   for (uint32_t p = 0; p < paths.size(); ++p) {
     paths.visit(sticks->balls(), p, hsp::PathPart::outline,

@@ -19,7 +19,9 @@ struct hsp_sticks {
   // Whether results may be read: computed, and the model unchanged since.
   bool has_results() const { return complete && model.is_unchanged(); }
   const hsp::StickView &structure() const { return builder.structure(); }
+  bool has_map() const { return has_results() && map().exist; }
   const hsp::StickMap &map() const { return builder.map(); }
+  auto sight() const { return builder.sight(); }
   const hsp::BallSet &balls() const { return model->balls(); }
   // Balls, and two halves of each stick.
   uint32_t bodies() const { return balls().n + 2 * structure().sticks.size(); }
@@ -31,6 +33,7 @@ struct hsp_sticks {
     const hsp::Stick &stick = structure().sticks[(body - n) / 2];
     return n + 2 * stick.caller + stick.half_of((body - n) % 2);
   }
+  uint32_t first_face_of(uint32_t number) const { return map().first_face_of(body(number)); }
   // Whether another handle has the same sticks, which may be moved a little.
   bool has_same_sticks(const hsp_sticks &other) const {
     const hsp::Span<const hsp::Stick> mine = structure().sticks.items(), others = other.structure().sticks.items();

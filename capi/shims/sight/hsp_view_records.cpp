@@ -4,13 +4,9 @@
 #include "view/projected_arcs.hpp"
 #include "view_options.hpp"
 
-using hsp::capi::check_results;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
-
-using hsp::capi::check_request;
-using hsp::capi::ViewLengths;
 
 double length_of(const double v[2]) {
   return std::sqrt(v[0] * v[0] + v[1] * v[1]);
@@ -41,7 +37,7 @@ int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
   const hsp::View &structure = view->structure();
   const ViewLengths length{balls.lattice};
   *info = {};
-  hsp::capi::put_frame(length, structure.frame, *info);
+  put_frame(length, structure.frame, *info);
   const hsp::ViewBox box = hsp::box_of(balls, hsp::paths_of(structure));
   length.point(box.low, info->low);
   length.point(box.high, info->high);

@@ -1,5 +1,5 @@
-// How the records of maps come to the caller, of balls alone or with sticks: handle.caller(id) is the caller's number
-// of whatever is seen.
+// Answers from maps, of balls alone or with sticks: handle.map() is the map if handle.has_map(), caller(id) the number
+// that the caller has for a body, of which there are bodies().
 #pragma once
 
 #include "maps/edge_geometry.hpp"
@@ -9,81 +9,111 @@
 
 namespace hsp::capi {
 
-// All but how many balls are seen.
-template <class Handle, class Map>
-void put_map_info(const Handle &handle, const Map &map, hsp_map_info &info) {
-  const ViewLengths length{handle.balls().lattice};
-  info = {};
-  put_frame(length, map.frame, info);
-  info.area = handle.balls().lattice.area(covered_area(map));
-  info.perturbation = length(map.perturbation);
-  info.vertices = map.vertices.size();
-  info.edges = map.edges.size();
-  info.faces = map.faces.size();
-  info.components = map.components;
+// bad: whether an argument is.
+template <class Handle>
+int32_t check_map_of(const Handle *handle, bool bad) {
+  const int32_t status = check_handle(handle, bad);
+  return status == HSP_OK && !handle->has_map() ? HSP_E_STATE : status;
 }
 
-template <class Handle, class Map>
-void put_vertices(const Handle &handle, const Map &map, uint32_t first, uint32_t count, hsp_map_vertex *out) {
-  const ViewLengths length{handle.balls().lattice};
-  for (uint32_t k = 0; k < count; ++k) {
-    const MapVertex &vertex = map.vertices[first + k];
-    out[k] = {{length(vertex.x), length(vertex.y), length(vertex.z)},
+// Calls put(*handle, id, record) for some records of a list of the map.
+template <class Handle, class List, class Record, class Put>
+int32_t get_map_records(const Handle *handle, uint32_t first, uint32_t count, Record *out, List list, Put put) {
+  LibraryArithmetic arithmetic;
+  if (const int32_t status = check_map_of(handle, out == nullptr && count > 0); status != HSP_OK) return status;
+  const uint32_t there = (handle->map().*list).size();
+  if (first > there || count > there - first) return HSP_E_ID;
+  for (uint32_t k = 0; k < count; ++k) put(*handle, first + k, out[k]);
+  return HSP_OK;
+}
+
+// All but how many balls are seen.
+template <class Handle>
+int32_t get_map_info(const Handle *handle, hsp_map_info *info) {
+  if (const int32_t status = check_map_of(handle, info == nullptr); status != HSP_OK) return status;
+  const auto &map = handle->map();
+  const ViewLengths length{handle->balls().lattice};
+  *info = {};
+  put_frame(length, map.frame, *info);
+  info->area = handle->balls().lattice.area(covered_area(map));
+  info->perturbation = length(map.perturbation);
+  info->vertices = map.vertices.size();
+  info->edges = map.edges.size();
+  info->faces = map.faces.size();
+  info->components = map.components;
+  return HSP_OK;
+}
+
+template <class Handle>
+int32_t get_vertices(const Handle *handle, uint32_t first, uint32_t count, hsp_map_vertex *out) {
+  const auto put = [](const Handle &of, uint32_t id, hsp_map_vertex &record) {
+    const ViewLengths length{of.balls().lattice};
+    const MapVertex &vertex = of.map().vertices[id];
+    record = {{length(vertex.x), length(vertex.y), length(vertex.z)},
               static_cast<uint32_t>(vertex.kind),
               vertex.leaving,
-              {handle.caller(vertex.body[0]), handle.caller(vertex.body[1]), handle.caller(vertex.body[2])},
+              {of.caller(vertex.body[0]), of.caller(vertex.body[1]), of.caller(vertex.body[2])},
               0};
-  }
+  };
+  return get_map_records(handle, first, count, out, &MapRecords::vertices, put);
 }
 
-template <class Handle, class Map>
-void put_edges(const Handle &handle, const Map &map, uint32_t first, uint32_t count, hsp_map_edge *out) {
-  const ViewLengths length{handle.balls().lattice};
-  for (uint32_t k = 0; k < count; ++k) {
-    const uint32_t e = first + k;
-    const MapEdge &edge = map.edges[e];
-    const EdgeCurve curve = curve_of(map, e);
-    hsp_map_edge record{};
+template <class Handle>
+int32_t get_edges(const Handle *handle, uint32_t first, uint32_t count, hsp_map_edge *out) {
+  const auto put = [](const Handle &of, uint32_t id, hsp_map_edge &record) {
+    const ViewLengths length{of.balls().lattice};
+    const MapEdge &edge = of.map().edges[id];
+    const EdgeCurve curve = curve_of(of.map(), id);
+    record = {};
     length.point(curve.ellipse.centre, record.centre);
     length.point(curve.ellipse.first, record.first);
     length.point(curve.ellipse.second, record.second);
     record.from = curve.from;
     record.to = curve.to;
-    record.ball[0] = handle.caller(edge.is_silhouette() ? edge.body : edge.nearer);
-    record.ball[1] = handle.caller(edge.is_silhouette() ? no_id : edge.body);
+    record.ball[0] = of.caller(edge.is_silhouette() ? edge.body : edge.nearer);
+    record.ball[1] = of.caller(edge.is_silhouette() ? no_id : edge.body);
     for (uint32_t side = 0; side < 2; ++side) {
-      record.face[side] = map.face_of(2 * e + side);
+      record.face[side] = of.map().face_of(2 * id + side);
       record.vertex[side] = edge.vertex[side];
-      record.next[side] = map.half_edges[2 * e + side].next;
+      record.next[side] = of.map().half_edges[2 * id + side].next;
     }
-    out[k] = record;
-  }
+  };
+  return get_map_records(handle, first, count, out, &MapRecords::edges, put);
 }
 
-template <class Handle, class Map>
-void put_faces(const Handle &handle, const Map &map, uint32_t first, uint32_t count, hsp_map_face *out) {
-  for (uint32_t k = 0; k < count; ++k) {
-    const MapFace &face = map.faces[first + k];
-    uint32_t loops = 0;
-    map.visit_loops(first + k, [&loops](uint32_t) { ++loops; });
-    const uint32_t h = face.first_loop == no_id ? HSP_NONE : map.loops[face.first_loop].first_half_edge;
-    out[k] = {handle.balls().lattice.area(face.area), handle.caller(face.owner), h, loops, 0};
-  }
-}
-
-// area: of all that is seen, by the caller's numbers.
 template <class Handle>
-void put_areas(const Handle &handle, const MapRecords &map, Span<double> area) {
-  sum_visible_areas(
-      map, [&](uint32_t body) { return handle.caller(body); }, area);
-  for (double &each : area) each = handle.balls().lattice.area(each);
+int32_t get_faces(const Handle *handle, uint32_t first, uint32_t count, hsp_map_face *out) {
+  const auto put = [](const Handle &of, uint32_t id, hsp_map_face &record) {
+    const MapFace &face = of.map().faces[id];
+    uint32_t loops = 0;
+    of.map().visit_loops(id, [&loops](uint32_t) { ++loops; });
+    const uint32_t h = face.first_loop == no_id ? HSP_NONE : of.map().loops[face.first_loop].first_half_edge;
+    record = {of.balls().lattice.area(face.area), of.caller(face.owner), h, loops, 0};
+  };
+  return get_map_records(handle, first, count, out, &MapRecords::faces, put);
 }
 
-// A directed edge of every loop around the faces from one on that are of the same ball or half of a stick.
-template <class Map>
-int32_t get_outline(const Map &map, uint32_t first_face, uint32_t *h, uint32_t capacity, uint32_t *needed) {
+// The part of each body that is seen.
+template <class Handle>
+int32_t get_areas(const Handle *handle, double *area, uint32_t capacity, uint32_t *needed) {
+  LibraryArithmetic arithmetic;
+  if (const int32_t status = check_map_of(handle, area == nullptr && capacity > 0); status != HSP_OK) return status;
+  const uint32_t bodies = handle->bodies();
+  if (const int32_t status = check_output(area, capacity, bodies, needed); status != HSP_OK) return status;
+  const MapRecords &map = handle->map();
+  sum_visible_areas(map, [&](uint32_t body) { return handle->caller(body); }, {area, bodies});
+  for (uint32_t i = 0; i < bodies; ++i) area[i] = handle->balls().lattice.area(area[i]);
+  return HSP_OK;
+}
+
+// A directed edge of every loop around the faces of a ball or half of a stick.
+template <class Handle>
+int32_t get_outline(const Handle *handle, uint32_t body, uint32_t *h, uint32_t capacity, uint32_t *needed) {
+  if (const int32_t status = check_map_of(handle, h == nullptr && capacity > 0); status != HSP_OK) return status;
+  if (body >= handle->bodies()) return HSP_E_ID;
+  const auto &map = handle->map();
   const auto visit = [&](auto take) {
-    for (uint32_t f = first_face; f != no_id; f = map.next_face_of(f)) {
+    for (uint32_t f = handle->first_face_of(body); f != no_id; f = map.next_face_of(f)) {
       map.visit_loops(f, [&](uint32_t l) { take(map.loops[l].first_half_edge); });
     }
   };
@@ -94,34 +124,43 @@ int32_t get_outline(const Map &map, uint32_t first_face, uint32_t *h, uint32_t c
   return status;
 }
 
-template <class Handle, class Map>
-int32_t get_point(const Handle &handle, const Map &map, uint32_t edge, double t, hsp_map_point &point) {
+template <class Handle>
+int32_t get_point(const Handle *handle, uint32_t edge, double t, hsp_map_point *point) {
+  LibraryArithmetic arithmetic(t);
+  if (const int32_t status = check_map_of(handle, point == nullptr); status != HSP_OK) return status;
+  const auto &map = handle->map();
   if (edge >= map.edges.size()) return HSP_E_ID;
   if (!is_finite(t)) return HSP_E_NOT_FINITE;
   const EdgeCurve curve = curve_of(map, edge);
   if (t < curve.from || t > curve.to) return HSP_E_RANGE;
-  const ViewLengths length{handle.balls().lattice};
+  const ViewLengths length{handle->balls().lattice};
   const EdgePoint found = edge_point(map, edge, t);
-  point = {{length(found.x), length(found.y), length(found.z)}, {length(found.gap_left), length(found.gap_right)}};
+  *point = {{length(found.x), length(found.y), length(found.z)}, {length(found.gap_left), length(found.gap_right)}};
   return HSP_OK;
 }
 
-template <class Handle, class Map>
-int32_t get_pole(const Handle &handle, const Map &map, uint32_t face, hsp_map_pole &pole) {
-  if (face == 0 || face >= map.faces.size()) return HSP_E_ID;
-  const ViewLengths length{handle.balls().lattice};
-  const FacePole found = find_pole(map, face);
-  pole = {{length(found.x), length(found.y)}, length(found.radius), length(found.bound)};
+template <class Handle>
+int32_t get_pole(const Handle *handle, uint32_t face, hsp_map_pole *pole) {
+  LibraryArithmetic arithmetic;
+  if (const int32_t status = check_map_of(handle, pole == nullptr); status != HSP_OK) return status;
+  if (face == 0 || face >= handle->map().faces.size()) return HSP_E_ID;
+  const ViewLengths length{handle->balls().lattice};
+  const FacePole found = find_pole(handle->map(), face);
+  *pole = {{length(found.x), length(found.y)}, length(found.radius), length(found.bound)};
   return HSP_OK;
 }
 
-// The body seen at a point, in lengths of the caller.
-template <class Handle, class Map, class Sight>
-void put_sight(const Handle &handle, const Map &map, const Sight &sight, double x, double y, hsp_map_sight &out) {
-  const exact::Lattice &lattice = handle.balls().lattice;
+// The body seen at a point.
+template <class Handle>
+int32_t pick(const Handle *handle, double x, double y, hsp_map_sight *sight) {
+  LibraryArithmetic arithmetic(x, y);
+  if (const int32_t status = check_map_of(handle, sight == nullptr); status != HSP_OK) return status;
+  if (!is_finite(x) || !is_finite(y)) return HSP_E_NOT_FINITE;
+  const exact::Lattice &lattice = handle->balls().lattice;
   const double at[2] = {lattice.steps(x), lattice.steps(y)};
-  const MapSight seen = sight_at(map, sight, at[0], at[1]);
-  out = {lattice.length(seen.depth), handle.caller(seen.ball), face_at(map, seen.ball, at[0], at[1])};
+  const MapSight seen = sight_at(handle->map(), handle->sight(), at[0], at[1]);
+  *sight = {lattice.length(seen.depth), handle->caller(seen.ball), face_at(handle->map(), seen.ball, at[0], at[1])};
+  return HSP_OK;
 }
 
 }  // namespace hsp::capi

@@ -2,11 +2,7 @@
 
 #include "caller_executor.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
@@ -46,9 +42,9 @@ int32_t compute(hsp_mesh *mesh, const Source *source, double edge_length, const 
   if (const int32_t status = check_handle(mesh); status != HSP_OK) return status;
   mesh->complete = false;
   hsp_mesh_request asked;
-  hsp::capi::Executor executor(arithmetic);
+  Executor executor(arithmetic);
   if (const int32_t status =
-          first_failure(check_handle(source), check_struct(limits), hsp::capi::read_request(request, asked, executor));
+          first_failure(check_handle(source), check_struct(limits), read_request(request, asked, executor));
       status != HSP_OK)
     return status;
   const int32_t edge_status = check_edge(edge_length);
@@ -56,7 +52,7 @@ int32_t compute(hsp_mesh *mesh, const Source *source, double edge_length, const 
   if (!source->has_results()) return HSP_E_STATE;
   if (edge_status != HSP_OK) return edge_status;
   const hsp::Status status = build(balls_of(*source).lattice.steps(edge_length), hsp::Patience(&executor));
-  return hsp::capi::finish(*mesh, status, limits);
+  return finish(*mesh, status, limits);
 }
 
 hsp::Vec3 corner_of(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle, uint32_t k) {
@@ -121,13 +117,7 @@ int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_si
   });
 }
 
-int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_mesh>(limits, bytes);
-}
-
-int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits, hsp_mesh **mesh) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, mesh);
-}
+HSP_HANDLE_MEMORY(hsp_mesh);
 
 int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits *limits) {
   return hsp_mesh_compute_with(mesh, boundary, edge_length, nullptr, limits);
@@ -168,7 +158,7 @@ int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals
   if (const int32_t status = check_results(mesh); status != HSP_OK) return status;
   const hsp::Mesh &found = mesh->builder.mesh();
   const bool wanted = xyz != nullptr || normals != nullptr || areas != nullptr || balls != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, found.vertex_count(), needed)) return HSP_E_CAPACITY;
+  if (!fits(wanted, capacity, found.vertex_count(), needed)) return HSP_E_CAPACITY;
   const hsp::Span<const uint32_t> caller = mesh->boundary->balls().caller;
   for (uint32_t v = 0; wanted && v < found.vertex_count(); ++v) {
     const hsp::MeshVertex &vertex = found.vertex(v);
@@ -192,7 +182,7 @@ int32_t hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t 
   for (uint32_t p = 0; p < patches; ++p) {
     if (!hsp::is_finite(area[p])) return HSP_E_NOT_FINITE;
   }
-  const int32_t status = hsp::capi::check_output(weights, capacity, found.vertex_count(), needed);
+  const int32_t status = check_output(weights, capacity, found.vertex_count(), needed);
   if (status == HSP_OK) share_areas_of_patches(found, area, weights);
   return status;
 }
@@ -202,7 +192,7 @@ int32_t hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t
   if (const int32_t status = check_results(mesh); status != HSP_OK) return status;
   const hsp::Mesh &found = mesh->builder.mesh();
   const bool wanted = corners != nullptr || kinds != nullptr || patches != nullptr || balls != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, found.triangle_count(), needed)) return HSP_E_CAPACITY;
+  if (!fits(wanted, capacity, found.triangle_count(), needed)) return HSP_E_CAPACITY;
   const hsp::Span<const uint32_t> caller = mesh->boundary->balls().caller;
   for (uint32_t t = 0; wanted && t < found.triangle_count(); ++t) {
     const hsp::MeshTriangle &triangle = found.triangle(t);

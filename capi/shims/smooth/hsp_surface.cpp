@@ -4,11 +4,7 @@
 #include "surface/degenerate_balls.hpp"
 #include "surface/surface_gradients.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
@@ -38,9 +34,8 @@ int32_t compute(hsp_surface *surface, const hsp_boundary *boundary, const hsp_su
   if (const int32_t status = check_handle(surface); status != HSP_OK) return status;
   surface->complete = false;
   hsp_surface_request asked;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t status =
-          first_failure(check_handle(boundary), check_struct(limits), hsp::capi::read_request(request, asked));
+  Executor executor(arithmetic);
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits), read_request(request, asked));
       status != HSP_OK)
     return status;
   if (const int32_t status = executor.read(asked.executor); status != HSP_OK) return status;
@@ -55,7 +50,7 @@ int32_t compute(hsp_surface *surface, const hsp_boundary *boundary, const hsp_su
                                  ? builder.build(boundary->balls(), boundary->structure(), patience)
                                  : builder.build(boundary->balls(), boundary->structure(), chosen, patience);
   surface->boundary.set(boundary);
-  return hsp::capi::finish(*surface, status, limits);
+  return finish(*surface, status, limits);
 }
 
 }  // namespace
@@ -70,13 +65,7 @@ int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size
   return hsp_surface::Limits::write(enough, limits, struct_size);
 }
 
-int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_surface>(limits, bytes);
-}
-
-int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits, hsp_surface **surface) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, surface);
-}
+HSP_HANDLE_MEMORY(hsp_surface);
 
 int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits) {
   return compute(surface, boundary, nullptr, limits);
@@ -116,7 +105,7 @@ int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *tota
   if (const int32_t status = check_results(surface); status != HSP_OK) return status;
   const hsp_boundary &boundary = *surface->boundary;
   const hsp::CubeGrid &grid = boundary.model->grid;
-  if (!hsp::capi::fits(balls != nullptr, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
+  if (!fits(balls != nullptr, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
   const hsp::SurfaceMeasure total = hsp::measure_surface(grid, boundary.structure(), surface->builder.surface(),
                                                          [balls](uint32_t i, const hsp::SurfaceMeasure &measure) {
                                                            if (balls != nullptr) balls[i] = to_c(measure);
@@ -128,10 +117,9 @@ int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *tota
 int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
                                  hsp_gradient_outputs *outputs) {
   LibraryArithmetic arithmetic;
-  hsp::capi::GradientRequest asked(arithmetic);
+  GradientRequest asked(arithmetic);
   hsp_gradient_outputs out;
-  if (const int32_t status = hsp::capi::read_question(surface, request, asked, outputs, out); status != HSP_OK)
-    return status;
+  if (const int32_t status = read_question(surface, request, asked, outputs, out); status != HSP_OK) return status;
   if (asked.given.tangency != HSP_TANGENT_OVERLAP) return HSP_E_ARGUMENT;
   const hsp::CubeGrid &grid = surface->boundary->model->grid;
   const uint32_t n = grid.balls().n;
@@ -142,7 +130,7 @@ int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_
   const hsp::Surface &smooth = surface->builder.surface();
   const hsp::EnergyTerms terms = asked.terms();
   const auto put = [&](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) {
-    hsp::capi::put_vector(gradient.centre, out.d_centre, i);
+    put_vector(gradient.centre, out.d_centre, i);
     if (out.d_radius != nullptr) out.d_radius[i] = gradient.radius;
     if (out.flags != nullptr) out.flags[i] = gradient.degenerate ? HSP_SURFACE_DEGENERATE : 0;
     if (out.area != nullptr) out.area[i] = grid.balls().lattice.area(gradient.area);
@@ -155,6 +143,6 @@ int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_
     for (uint32_t i = 0; i < n; ++i) any_degenerate = any_degenerate || out.flags[i] != 0;
     flag_degenerate_balls(grid, boundary, smooth, terms.weights, any_degenerate, out.flags);
   }
-  if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
+  if (out.energy != nullptr) *out.energy = to_c(found);
   return HSP_OK;
 }

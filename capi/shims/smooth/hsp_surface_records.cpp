@@ -3,9 +3,7 @@
 #include "surface/surface_patches.hpp"
 #include "surface/surface_positions.hpp"
 
-using hsp::capi::check_results;
-using hsp::capi::is_live;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
 
@@ -94,7 +92,7 @@ hsp_surface_edge edge_record(const SurfaceResults &results, uint32_t id) {
   const hsp::ArcPosition position = hsp::position_of_edge(results.balls, results.boundary, results.surface, id);
   hsp_surface_edge record{};
   hsp::to_coordinates(results.balls, position.centre, record.centre);
-  hsp::capi::to_array(position.axis, record.axis);
+  to_array(position.axis, record.axis);
   record.radius = results.balls.lattice.length(position.radius);
   record.angle = position.angle;
   for (uint32_t side = 0; side < 2; ++side) {
@@ -145,7 +143,7 @@ hsp_surface_corner corner_record(const SurfaceResults &results, uint32_t id) {
 template <class Record, class Number, class Make>
 int32_t get_range(const hsp_surface *surface, uint32_t first, uint32_t count, Record *out, Number number, Make make) {
   const auto all = [](const hsp_surface &) { return HSP_NONE; };
-  const int32_t status = hsp::capi::check_range(surface, first, count, out, all);
+  const int32_t status = check_range(surface, first, count, out, all);
   if (status != HSP_OK && status != HSP_E_ID) return status;
   const SurfaceResults results(*surface);
   const uint32_t there = number(results.map);
@@ -225,7 +223,7 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(surface, out == nullptr && capacity > 0); status != HSP_OK) return status;
   const uint32_t shells = surface->structure().shells().count();
-  if (const int32_t status = hsp::capi::check_output(out, capacity, shells, needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(out, capacity, shells, needed); status != HSP_OK) return status;
   const SurfaceResults results(*surface);
   for (uint32_t s = 0; s < shells; ++s) out[s] = {};
   for (uint32_t id = 0; id < results.map.patch_count(); ++id) {
@@ -252,5 +250,5 @@ int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *i
   if (const int32_t status = check_results(surface, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   const SurfaceResults results(*surface);
-  return hsp::capi::report(hsp::check_surface(results.balls, results.boundary, results.surface), invariant, id);
+  return report(hsp::check_surface(results.balls, results.boundary, results.surface), invariant, id);
 }

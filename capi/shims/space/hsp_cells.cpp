@@ -10,17 +10,9 @@
 #include "hsp_topology.hpp"
 #include "rounded_point.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::is_live;
-using hsp::capi::LibraryArithmetic;
+using namespace hsp::capi;
 
 namespace {
-
-using hsp::capi::check_output;
-using hsp::capi::check_range;
 
 static_assert(static_cast<uint32_t>(hsp::CellKind::run) == HSP_CELL_RUN &&
               static_cast<uint32_t>(hsp::CellKind::at_ball) == HSP_CELL_AT_BALL &&
@@ -46,23 +38,13 @@ double corner(const hsp_cells &cells, int64_t cube) {
 
 void put_box(const hsp_cells &cells, const hsp::CubeCoordinates &low, const hsp::CubeCoordinates &high,
              hsp_free_cell &record) {
-  hsp::capi::to_array({corner(cells, low.x), corner(cells, low.y), corner(cells, low.z)}, record.low);
-  hsp::capi::to_array({corner(cells, high.x), corner(cells, high.y), corner(cells, high.z)}, record.high);
+  to_array({corner(cells, low.x), corner(cells, low.y), corner(cells, low.z)}, record.low);
+  to_array({corner(cells, high.x), corner(cells, high.y), corner(cells, high.z)}, record.high);
 }
 
 }  // namespace
 
-int32_t hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp_cells>(limits, struct_size, balls);
-}
-
-int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_cells>(limits, bytes);
-}
-
-int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, cells);
-}
+HSP_HANDLE_BY_BALLS(hsp_cells);
 
 int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits) {
   return hsp_cells_compute_with(cells, model, nullptr, limits);
@@ -70,7 +52,7 @@ int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_li
 
 int32_t hsp_cells_compute_with(hsp_cells *cells, const hsp_model *model, const hsp_cells_request *request,
                                hsp_cells_limits *limits) {
-  return hsp::capi::compute_from_model(cells, model, request, limits);
+  return compute_from_model(cells, model, request, limits);
 }
 
 int32_t hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts) {
@@ -138,8 +120,7 @@ int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *ce
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(cells, xyz == nullptr || cell == nullptr); status != HSP_OK) return status;
   hsp::exact::Vector point;
-  if (const int32_t status = hsp::capi::round_point(cells->balls().lattice, xyz, point); status != HSP_OK)
-    return status;
+  if (const int32_t status = round_point(cells->balls().lattice, xyz, point); status != HSP_OK) return status;
   *cell = hsp::cell_at(cells->balls(), cells->structure(), point);
   return HSP_OK;
 }
@@ -157,7 +138,7 @@ int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t
       space.region_count() != topology->structure().region_count) {
     violation.invariant = FreeSpaceInvariant::complement;
   }
-  return hsp::capi::report(violation, invariant, id);
+  return report(violation, invariant, id);
 }
 
 int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,

@@ -4,12 +4,7 @@
 #include "handle_memory.hpp"
 #include "rounded_point.hpp"
 
-using hsp::capi::check_handle;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::LibraryArithmetic;
-using hsp::capi::round_point;
+using namespace hsp::capi;
 
 namespace {
 
@@ -21,10 +16,10 @@ int32_t find_path(hsp_paths *paths, const double *from, const double *to, const 
                   hsp_path *path, hsp_paths_limits *limits) {
   LibraryArithmetic arithmetic;
   hsp_paths_request asked;
-  hsp::capi::Executor executor(arithmetic);
+  Executor executor(arithmetic);
   if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
   paths->builder.forget_path();
-  if (const int32_t refused = first_failure(check_struct(limits), hsp::capi::read_request(request, asked, executor));
+  if (const int32_t refused = first_failure(check_struct(limits), read_request(request, asked, executor));
       refused != HSP_OK)
     return refused;
   if (from == nullptr || to == nullptr || path == nullptr) return HSP_E_ARGUMENT;
@@ -36,8 +31,8 @@ int32_t find_path(hsp_paths *paths, const double *from, const double *to, const 
   if (status != HSP_OK) return status;
   hsp::PathSummary found;
   const hsp::Status searched = paths->builder.find(balls, start, end, found, hsp::Patience(&executor));
-  hsp::capi::hand_back_limits(*paths, searched, limits);
-  if (searched != hsp::Status::ok) return hsp::capi::to_c(searched);
+  hand_back_limits(*paths, searched, limits);
+  if (searched != hsp::Status::ok) return to_c(searched);
   *path = {balls.lattice.length(found.length), balls.lattice.length(found.clearance), static_cast<uint32_t>(found.ends),
            found.certified ? 1U : 0U,          paths->builder.points().size(),        0};
   return HSP_OK;
@@ -45,17 +40,7 @@ int32_t find_path(hsp_paths *paths, const double *from, const double *to, const 
 
 }  // namespace
 
-int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp_paths>(limits, struct_size, balls);
-}
-
-int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_paths>(limits, bytes);
-}
-
-int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, paths);
-}
+HSP_HANDLE_BY_BALLS(hsp_paths);
 
 int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits) {
   return hsp_paths_compute_with(paths, model, nullptr, limits);
@@ -63,7 +48,7 @@ int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_li
 
 int32_t hsp_paths_compute_with(hsp_paths *paths, const hsp_model *model, const hsp_paths_request *request,
                                hsp_paths_limits *limits) {
-  return hsp::capi::compute_from_model(paths, model, request, limits);
+  return compute_from_model(paths, model, request, limits);
 }
 
 int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
@@ -78,8 +63,8 @@ int32_t hsp_paths_find_with(hsp_paths *paths, const double *from, const double *
 
 int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  const int32_t status = hsp::capi::check_request(
-      paths, points, capacity, needed, [](const hsp_paths &handle) { return handle.builder.points().size(); });
+  const int32_t status = check_request(paths, points, capacity, needed,
+                                       [](const hsp_paths &handle) { return handle.builder.points().size(); });
   if (status != HSP_OK) return status;
   const hsp::Span<const hsp::exact::Vector> list = paths->builder.points();
   const hsp::exact::Lattice &lattice = paths->model->balls().lattice;
@@ -87,7 +72,7 @@ int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t ca
     const double point[3] = {lattice.length(static_cast<double>(list[k].x)),
                              lattice.length(static_cast<double>(list[k].y)),
                              lattice.length(static_cast<double>(list[k].z))};
-    hsp::capi::put_vector(point, points, k);
+    put_vector(point, points, k);
   }
   return HSP_OK;
 }

@@ -2,21 +2,7 @@
 #include "core/sorting.hpp"
 #include "pore_records.hpp"
 
-using hsp::capi::as_it_is;
-using hsp::capi::check_handle;
-using hsp::capi::check_range;
-using hsp::capi::check_results;
-using hsp::capi::check_struct;
-using hsp::capi::first_failure;
-using hsp::capi::floor_of;
-using hsp::capi::get_list;
-using hsp::capi::highest_level;
-using hsp::capi::is_level;
-using hsp::capi::LibraryArithmetic;
-using hsp::capi::put_position;
-using hsp::capi::put_shift;
-using hsp::capi::round_point;
-using hsp::capi::winding_of;
+using namespace hsp::capi;
 
 namespace {
 
@@ -26,10 +12,10 @@ hsp_pores_options default_options() {
   return {sizeof(hsp_pores_options), 0, 0.0, nullptr, nullptr};
 }
 
-int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete, hsp::capi::Executor &executor) {
+int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete, Executor &executor) {
   complete = default_options();
   if (given == nullptr) return HSP_OK;
-  if (const int32_t status = hsp::capi::read_struct(given, default_options(), complete); status != HSP_OK) {
+  if (const int32_t status = read_struct(given, default_options(), complete); status != HSP_OK) {
     return status;
   }
   if (complete.reserved != 0) return HSP_E_VERSION;
@@ -65,7 +51,7 @@ struct TiedImages {
   uint32_t size() const { return pores.builder.pores().tied(point).size(); }
   hsp_image operator[](uint32_t k) const {
     hsp_image image{pores.builder.pores().tied(point)[k], {}};
-    hsp::capi::put_shift(pores.image_shift(image.ball, pores.builder.pores().tied_shifts(point)[k]), image.shift);
+    put_shift(pores.image_shift(image.ball, pores.builder.pores().tied_shifts(point)[k]), image.shift);
     return image;
   }
 };
@@ -104,7 +90,7 @@ int32_t get_images(const hsp_pores *pores, uint32_t record, hsp_image *images, u
       [](const hsp_image &image) { return image; });
   if (status == HSP_OK) {
     hsp::sort_in_place(hsp::Span<hsp_image>(images, count),
-                       [](const hsp_image &p, const hsp_image &q) { return hsp::capi::image_comes_before(p, q); });
+                       [](const hsp_image &p, const hsp_image &q) { return image_comes_before(p, q); });
   }
   return status;
 }
@@ -118,14 +104,14 @@ int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_opt
   pores->complete = false;
   pores->narrow_steps = 0;
   hsp_pores_options asked;
-  hsp::capi::Executor executor(arithmetic);
+  Executor executor(arithmetic);
   const int32_t refused =
       first_failure(check_handle(source), check_struct(limits), read_options(options, asked, executor));
   if (refused != HSP_OK) return refused;
   if (const int32_t status = check_before(*pores, asked.before); status != HSP_OK) return status;
   if (!source->has_results()) return HSP_E_STATE;
   if (!hsp::is_finite(asked.floor)) return HSP_E_NOT_FINITE;
-  return hsp::capi::finish(*pores, compute(asked, hsp::Patience(&executor)), limits);
+  return finish(*pores, compute(asked, hsp::Patience(&executor)), limits);
 }
 
 hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined, uint32_t component) {
@@ -146,7 +132,7 @@ hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined,
 int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PoreLocation &place) {
   hsp::exact::Vector point;
   if (const int32_t status = round_point(pores, xyz, point); status != HSP_OK) return status;
-  return hsp::capi::to_c(hsp::locate(pores.builder.pores(), pores.balls_around(), point, pores.builder.floor(), place));
+  return to_c(hsp::locate(pores.builder.pores(), pores.balls_around(), point, pores.builder.floor(), place));
 }
 
 // The best tunnel, by width or by cost.
@@ -156,9 +142,8 @@ int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, cons
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->builder.forget_tunnel();
   hsp_tunnel_request asked;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t refused = first_failure(check_struct(limits), hsp::capi::read_request(request, asked));
-      refused != HSP_OK)
+  Executor executor(arithmetic);
+  if (const int32_t refused = first_failure(check_struct(limits), read_request(request, asked)); refused != HSP_OK)
     return refused;
   if (const int32_t refused = executor.read(asked.executor); refused != HSP_OK) return refused;
   if (asked.cheapest > 1) return HSP_E_ARGUMENT;
@@ -175,8 +160,8 @@ int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, cons
       start, to != nullptr ? &end : nullptr, {avoided, count}, pores->builder.floor(), asked.cheapest != 0};
   hsp::TunnelSummary found;
   const hsp::Status searched = pores->builder.find_tunnel(pores->balls_around(), ends, found, hsp::Patience(&executor));
-  hsp::capi::hand_back_limits(*pores, searched, limits);
-  if (searched != hsp::Status::ok) return hsp::capi::to_c(searched);
+  hand_back_limits(*pores, searched, limits);
+  if (searched != hsp::Status::ok) return to_c(searched);
   const hsp::exact::Lattice &lattice = pores->lattice();
   *tunnel = {lattice.length(found.level),
              lattice.length(found.length),
@@ -191,20 +176,10 @@ int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, cons
 
 }  // namespace
 
-int32_t hsp_pores_limits_init(hsp_pores_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp_pores>(limits, struct_size, balls);
-}
-
-int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes) {
-  return hsp::capi::get_bytes_by_limits<hsp_pores>(limits, bytes);
-}
-
-int32_t hsp_pores_init(void *memory, size_t bytes, const hsp_pores_limits *limits, hsp_pores **pores) {
-  return hsp::capi::init_by_limits(memory, bytes, limits, pores);
-}
+HSP_HANDLE_BY_BALLS(hsp_pores);
 
 int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(default_options(), options, struct_size);
+  return write_struct(default_options(), options, struct_size);
 }
 
 int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
@@ -337,7 +312,7 @@ int32_t hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel
   if (!is_level(*pores, level)) return HSP_E_RANGE;
   const uint32_t parts = pores->builder.join_above(highest_level(*pores, level, radius)) - 1;
   uint32_t count = 0;
-  const int32_t fits = hsp::capi::check_output(out, capacity, parts, needed != nullptr ? needed : &count);
+  const int32_t fits = check_output(out, capacity, parts, needed != nullptr ? needed : &count);
   if (fits != HSP_OK) return fits;
   const hsp::Windings &joined = pores->builder.pores().joined();
   for (uint32_t k = 0; k < parts; ++k) out[k] = to_channel(*pores, joined, k + 1);
@@ -393,8 +368,8 @@ int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const doubl
   if (status == HSP_OK && to != nullptr) status = round_point(*pores, to, end);
   if (status != HSP_OK) return status;
   hsp::PorePassage found;
-  status = hsp::capi::to_c(hsp::find_passage(pores->builder.pores(), pores->balls_around(), start,
-                                             to == nullptr ? nullptr : &end, pores->builder.floor(), found));
+  status = to_c(hsp::find_passage(pores->builder.pores(), pores->balls_around(), start, to == nullptr ? nullptr : &end,
+                                  pores->builder.floor(), found));
   if (status != HSP_OK) return status;
   *passage = {pores->lattice().length(found.level),
               found.passes ? 1U : 0U,

@@ -4,19 +4,7 @@
 #include "hsp_boundary.hpp"
 #include "plugged_balls.hpp"
 
-using hsp::capi::as_it_is;
-using hsp::capi::check_handle;
-using hsp::capi::check_range;
-using hsp::capi::check_results;
-using hsp::capi::first_failure;
-using hsp::capi::floor_of;
-using hsp::capi::get_list;
-using hsp::capi::highest_level;
-using hsp::capi::is_level;
-using hsp::capi::lengths_of;
-using hsp::capi::LibraryArithmetic;
-using hsp::capi::PluggedBalls;
-using hsp::capi::winding_of;
+using namespace hsp::capi;
 
 namespace {
 
@@ -93,15 +81,14 @@ int32_t find_all_regions(hsp_pores *pores, const hsp_boundary *boundary, const h
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->builder.forget_regions();
   hsp_pores_request asked;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t refused =
-          first_failure(check_boundary(*pores, boundary), hsp::capi::read_request(request, asked, executor));
+  Executor executor(arithmetic);
+  if (const int32_t refused = first_failure(check_boundary(*pores, boundary), read_request(request, asked, executor));
       refused != HSP_OK)
     return refused;
   if (!pores->has_results()) return HSP_E_STATE;
   if (const int32_t refused = check_surface(*pores, boundary); refused != HSP_OK) return refused;
   const hsp::Status found = find_regions(*pores, boundary, hsp::no_id, hsp::Patience(&executor));
-  if (found != hsp::Status::ok) return hsp::capi::to_c(found);
+  if (found != hsp::Status::ok) return to_c(found);
   const hsp::Span<const hsp::PoreRegion> there = pores->builder.regions().regions();
   if (regions != nullptr) *regions = there.size();
   if (access == nullptr) return HSP_OK;
@@ -121,9 +108,8 @@ int32_t measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary
   LibraryArithmetic arithmetic;
   if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged)); status != HSP_OK) return status;
   hsp_pores_request asked;
-  hsp::capi::Executor executor(arithmetic);
-  if (const int32_t refused =
-          first_failure(check_boundary(*plugged, boundary), hsp::capi::read_request(request, asked, executor));
+  Executor executor(arithmetic);
+  if (const int32_t refused = first_failure(check_boundary(*plugged, boundary), read_request(request, asked, executor));
       refused != HSP_OK)
     return refused;
   if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
@@ -133,7 +119,7 @@ int32_t measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary
   if (const int32_t refused = check_surface(*plugged, boundary); refused != HSP_OK) return refused;
   const hsp::PocketFinder &finder = pores->builder.pockets();
   const uint32_t count = finder.pockets().size();
-  if (!hsp::capi::fits(true, capacity, count, needed)) return HSP_E_CAPACITY;
+  if (!fits(true, capacity, count, needed)) return HSP_E_CAPACITY;
   plugged->builder.forget_regions();
   if (plugged != pores) forget_pockets(*plugged);
   hsp::Status status = find_regions(*plugged, boundary, balls.given(), hsp::Patience(&executor));
@@ -142,14 +128,14 @@ int32_t measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary
         plugged->builder, plugged->balls_around(),
         [&](uint32_t maximum, hsp::exact::Vector &point) {
           double place[3];
-          hsp::capi::to_array(lengths_of(*pores, pores->maxima()[maximum].point.position), place);
+          to_array(lengths_of(*pores, pores->maxima()[maximum].point.position), place);
           return plugged->lattice().round(place, point) ? hsp::Status::ok : hsp::Status::range;
         },
         hsp::Patience(&executor));
   }
   if (status != hsp::Status::ok) {
     plugged->builder.forget_regions();
-    return hsp::capi::to_c(status);
+    return to_c(status);
   }
   for (uint32_t k = 0; k < count; ++k) out[k] = {0.0, 0.0, 0.0, 0, 1};
   const hsp::exact::Lattice &lattice = plugged->lattice();
@@ -230,11 +216,11 @@ int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double 
   if (const int32_t status = check_results(pores, false); status != HSP_OK) return status;
   const PluggedBalls balls(*pores);
   const bool wanted = xyz != nullptr || radius != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
+  if (!fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
   for (uint32_t k = 0; wanted && k < balls.size(); ++k) {
     double place[3], length = 0.0;
     balls.put(k, place, length);
-    hsp::capi::put_vector(place, xyz, k);
+    put_vector(place, xyz, k);
     if (radius != nullptr) radius[k] = length;
   }
   return HSP_OK;

@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t most_waiting = 2 * SphereTree::largest_height + 2;
 
 // Before they are squared differences and sums are rounded, too: that is no more than as much again.
-constexpr double doubt = 2 * meeting_doubt;
+constexpr double error = 2 * meeting_doubt;
 
 // Whether the walk goes on from the children of the node at rest: of the larger sphere, so that both shrink alike.
 bool opens_fixed(const TreeNode &fixed, const TreeNode &moving) {
@@ -55,8 +55,8 @@ class RationalBalls {
   bool meet(const Vec3 &c, const Vec3 &p, const Vec3 &between, double sum) const {
     const double square = dot(between, between);
     const double least = sum - slack_, most = sum + slack_;
-    if (square > most * most * (1 + doubt)) return false;
-    if (least > 0 && square < least * least * (1 - doubt)) return true;
+    if (square > most * most * (1 + error)) return false;
+    if (least > 0 && square < least * least * (1 - error)) return true;
     return pose_->meet_exactly(c, p, sum);
   }
   double distance(const Vec3 &c, const Vec3 &p, const Vec3 &) const { return pose_->distance(c, p); }
@@ -174,7 +174,7 @@ bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &ba
         const Vec3 between = balls.place(balls.image(p)) - c;
         const double sum = fixed.radius(i) + moving.radius(j), square = dot(between, between);
         const double enough = sum + (gap + slack);
-        if (square > enough * enough * (1 + doubt)) continue;
+        if (square > enough * enough * (1 + error)) continue;
         if (balls.meet(c, p, between, sum)) {
           known.witness = {i, j};
           return true;
@@ -261,7 +261,7 @@ PairGap find_least_gap(const SphereTree &fixed, const SphereTree &moving, const 
         const Vec3 image = balls.image(moving.centre(j));
         const Vec3 from_node = image - a.centre;
         const double enough = best.gap + (a.radius + moving.radius(j)) + slack;
-        if (enough < 0 || dot(from_node, from_node) > enough * enough * (1 + doubt)) continue;
+        if (enough < 0 || dot(from_node, from_node) > enough * enough * (1 + error)) continue;
         const Vec3 position = balls.place(image);
         for (uint32_t i = a.first; i < a.last; ++i) compare(i, j, position - fixed.centre(i));
       }

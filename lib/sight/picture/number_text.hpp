@@ -5,8 +5,6 @@
 
 namespace hsp {
 
-inline constexpr int most_decimals = 12;
-
 // value times 10^decimals as the nearest integer, halves away from zero, after one rounding of the product. The product
 // must stay below 2^62.
 int64_t scaled(double value, int decimals);

@@ -59,7 +59,7 @@ uint32_t cell_at(const BallSet &balls, const FreeSpace &space, const exact::Vect
   const Span<const uint32_t> members = space.cover.balls(cube);
   const Vec3 x = exact::to_double(point);
   const double side = static_cast<double>(space.side);
-  const double doubt = 64 * unit_roundoff * side * side;
+  const double error = 64 * unit_roundoff * side * side;
   // The least and the second least, without a branch: in the one form in which compilers see a minimum and a maximum,
   // and by a mask where g++ 12 makes a jump of a choice.
   uint32_t best = 0;
@@ -71,15 +71,15 @@ uint32_t cell_at(const BallSet &balls, const FreeSpace &space, const exact::Vect
     best ^= (best ^ k) & (0U - static_cast<uint32_t>(candidate < least));
     least = candidate < least ? candidate : least;
   }
-  if (second <= least + doubt) {
-    const double limit = least + doubt;
+  if (second <= least + error) {
+    const double limit = least + error;
     for (uint32_t k = 0; k < members.size(); ++k) {
       if (k == best || power(balls, members[k], x) > limit) continue;
       if (has_less_power(balls, members[k], members[best], point)) best = k;
     }
     least = power(balls, members[best], x);
   }
-  if (!(least > doubt) && (least < -doubt || exact_power(balls.ball(members[best]), point).sign() <= 0)) return no_id;
+  if (!(least > error) && (least < -error || exact_power(balls.ball(members[best]), point).sign() <= 0)) return no_id;
   const IdRange parts = space.parts_of(space.cover.first_entry(cube) + best);
   if (parts.size() == 1) return parts.first;
   return part_at(balls, space, parts, CubeFrame(at, space.side), point);

@@ -53,7 +53,7 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
       const uint32_t number = static_cast<uint32_t>(c);
       const AdjacentCells &known = contacts[number];
       if (known.cell[0] != pair.cell[0] || known.cell[1] != pair.cell[1]) continue;
-      if (contacts.has_portals() && at.doubt < no_certainty) contacts.widen(number, cell.frame(), at.y, centre);
+      if (contacts.has_portals() && at.error < no_certainty) contacts.widen(number, cell.frame(), at.y, centre);
       return;
     }
     if (!is_known) contacts.push(pair, cell.frame(), at.y);

@@ -6,7 +6,7 @@
 // c_near).(sum of both centres) less a difference of squared radii, factored; it is off by less than 100 u s + 8 u |h|,
 // where a plane that meets the cube has |h| < 4 s. So v.y - h is off by less than 512 u s at a point that is known
 // exactly. A point of three planes is y = H / B, where B is off by less than 32 u and each part of H by less than 1024
-// u s: y by less than 4096 u s / |B|, its doubt.
+// u s: y by less than 4096 u s / |B|, its error.
 #pragma once
 
 #include "core/decimal.hpp"
@@ -44,7 +44,7 @@ struct UnitPlane {
 // A position and a bound for its error, which is huge where the planes are too close to each other.
 struct BoundedPoint {
   Vec3 y;
-  double doubt;
+  double error;
 };
 inline constexpr double no_certainty = 1e300;
 
@@ -67,7 +67,7 @@ class CubeFrame {
     return {along(low_.x, y.x), along(low_.y, y.y), along(low_.z, y.z)};
   }
   // How far v.y - h of a plane may be off.
-  double plane_doubt() const { return 512 * unit_roundoff * side_; }
+  double plane_error() const { return 512 * unit_roundoff * side_; }
 
   // From the centre of the cube to that of a ball.
   Vec3 offset_of(const BallSet &balls, uint32_t ball) const {
@@ -109,30 +109,30 @@ class CubeFrame {
   // On which side of a plane a point lies: +1 the near one, -1 the far one, 0 is not certain.
   int side_of(const BoundedPoint &point, const UnitPlane &S) const {
     const double beyond = dot(S.v, point.y) - S.h;
-    const double doubt = point.doubt + plane_doubt();
-    return beyond < -doubt ? 1 : beyond > doubt ? -1 : 0;
+    const double error = point.error + plane_error();
+    return beyond < -error ? 1 : beyond > error ? -1 : 0;
   }
   // Whether points at a squared distance from a centre are outside its sphere, of squared diameter W: +1 outside, -1
   // inside, 0 is not certain. The points lie in this cube or on its sides.
-  int outside(double squared_distance, double doubt, double W) const {
+  int outside(double squared_distance, double error, double W) const {
     const double excess = squared_distance - W;
-    const double margin = sphere_doubt(doubt);
+    const double margin = sphere_error(error);
     return excess > margin ? 1 : excess < -margin ? -1 : 0;
   }
   // How far the square of a distance may be off.
-  double sphere_doubt(double doubt) const { return side_ * (16 * doubt + 1024 * unit_roundoff * side_); }
+  double sphere_error(double error) const { return side_ * (16 * error + 1024 * unit_roundoff * side_); }
   // The same for the segment between two points outside, at these squared distances: it is off by no more than its ends
   // are. The square of its distance is `from` less the square of what leads from there to the middle of the line.
   int segment_outside(const BoundedPoint &from, double from_squared, const BoundedPoint &to, double to_squared,
                       const Vec3 &centre, double W) const {
-    const double doubt = from.doubt > to.doubt ? from.doubt : to.doubt;
+    const double error = from.error > to.error ? from.error : to.error;
     const Vec3 edge = to.y - from.y;
     const double length = dot(edge, edge);
     const double along = dot(centre - from.y, edge);
-    if (along <= 0.0) return outside(from_squared, doubt, W);
-    if (along >= length) return outside(to_squared, doubt, W);
+    if (along <= 0.0) return outside(from_squared, error, W);
+    if (along >= length) return outside(to_squared, error, W);
     const double excess = (from_squared - W) * length - along * along;
-    const double margin = sphere_doubt(doubt) * length;
+    const double margin = sphere_error(error) * length;
     return excess > margin ? 1 : excess < -margin ? -1 : 0;
   }
 

@@ -36,11 +36,11 @@ struct PlaneOrder {
 HSP_KERNEL(void, find_planes, (const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes),
            (members, own, limit, planes))
 HSP_KERNEL(bool, is_before_all,
-           (const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt, const double *distance),
-           (members, own, point, doubt, distance))
+           (const MemberArrays &members, uint32_t own, const Vec3 &point, double error, const double *distance),
+           (members, own, point, error, distance))
 HSP_KERNEL(uint64_t, find_dominance,
-           (const MemberArrays &members, uint32_t a, uint32_t first, double side, double doubt),
-           (members, a, first, side, doubt))
+           (const MemberArrays &members, uint32_t a, uint32_t first, double side, double error),
+           (members, a, first, side, error))
 
 namespace {
 
@@ -99,14 +99,14 @@ inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, doub
 }
 
 // Whether a point, twice as far from the centre of the cube, has less power to a ball than to all others whose planes
-// are not done with, by more than a doubt. The value of a plane is as in PowerCell::drop_dominated().
+// are not done with, by more than a error. The value of a plane is as in PowerCell::drop_dominated().
 template <uint32_t n>
-inline bool is_before_all_in_lanes(const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt,
+inline bool is_before_all_in_lanes(const MemberArrays &members, uint32_t own, const Vec3 &point, double error,
                                    const double *distance) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real x = L::all(members.x[own]), y = L::all(members.y[own]), z = L::all(members.z[own]);
-  const Real power = L::all(members.power[own]), least = L::all(doubt);
+  const Real power = L::all(members.power[own]), least = L::all(error);
   const Real never = L::all(done_with);
   const Real at_x = L::all(point.x), at_y = L::all(point.y), at_z = L::all(point.z);
   for (uint32_t first = 0; first < members.count; first += n) {
@@ -122,11 +122,11 @@ inline bool is_before_all_in_lanes(const MemberArrays &members, uint32_t own, co
 // other all over the cube of this side, or both have one centre.
 template <uint32_t n>
 inline uint64_t find_dominance_in_lanes(const MemberArrays &members, uint32_t a, uint32_t first, double side,
-                                        double doubt) {
+                                        double error) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real x = L::all(members.x[a]), y = L::all(members.y[a]), z = L::all(members.z[a]);
-  const Real power = L::all(members.power[a]), sides = L::all(side), doubts = L::all(doubt), zero = L::all(0.0);
+  const Real power = L::all(members.power[a]), sides = L::all(side), errors = L::all(error), zero = L::all(0.0);
   const uint32_t left = members.count - first, count = left < 64 ? left : 64;
   uint64_t found = 0;
   for (uint32_t k = 0; k < count; k += n) {
@@ -134,7 +134,7 @@ inline uint64_t find_dominance_in_lanes(const MemberArrays &members, uint32_t a,
     const Real mean = L::absolute(L::load(members.power + b) - power);
     const Real spread = sides * (L::absolute(L::load(members.x + b) - x) + L::absolute(L::load(members.y + b) - y) +
                                  L::absolute(L::load(members.z + b) - z));
-    found |= (L::set_lanes(mean > spread + doubts) | L::set_lanes(spread == zero)) << k;
+    found |= (L::set_lanes(mean > spread + errors) | L::set_lanes(spread == zero)) << k;
   }
   return found & (~UINT64_C(0) >> (64 - count));
 }

@@ -19,11 +19,11 @@ inline constexpr uint32_t crossings_behind = 3;
 // With the centre that squares of distances are measured from.
 struct CrossingBounds {
   Vec3 centre;
-  double least_rise, most_doubt, rounding, plane_doubt;
+  double least_rise, most_error, rounding, plane_error;
 };
 inline CrossingBounds crossing_bounds(const CubeFrame &frame, const Vec3 &centre) {
   return {centre, 0x1p-12 * frame.side(), 0x1p-27 * frame.side(), 64 * unit_roundoff * frame.side(),
-          frame.plane_doubt()};
+          frame.plane_error()};
 }
 
 HSP_KERNEL(void, cross_edges,
@@ -38,7 +38,7 @@ namespace {
 // u s. The point at t of the true edge differs from y by d, and f there is at most e. Along that edge f grows by
 // f(q) - f(p) - 2 e or more over at most |q - p| + 2 d. So y is off by less than d + 1.01 e |q - p| / (f(q) - f(p)) +
 // 64 u s, the last term for the roundings, as d < 2^-27 s and f(q) - f(p) > 2^-12 s. Doubts add up from cut to cut;
-// where they are larger, three planes have to be solved: `doubt` is no_certainty there.
+// where they are larger, three planes have to be solved: `error` is no_certainty there.
 //
 // Edge k makes vertex to[k], which is no end of any later edge.
 template <uint32_t n>
@@ -46,8 +46,8 @@ inline void cross_edges_in_lanes(const VertexArrays &of, const CrossedEdge *edge
                                  const CrossingBounds &bounds) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
-  const Real least_rise = L::all(bounds.least_rise), most_doubt = L::all(bounds.most_doubt), one = L::all(1.0);
-  const Real rounding = L::all(bounds.rounding), plane_doubt = L::all(bounds.plane_doubt), more = L::all(1.01);
+  const Real least_rise = L::all(bounds.least_rise), most_error = L::all(bounds.most_error), one = L::all(1.0);
+  const Real rounding = L::all(bounds.rounding), plane_error = L::all(bounds.plane_error), more = L::all(1.01);
   const Real never = L::all(no_certainty);
   const VectorOf<Real> centre{L::all(bounds.centre.x), L::all(bounds.centre.y), L::all(bounds.centre.z)};
   for (const CrossedEdge *const end = edges + count; edges < end; edges += n, to += n) {
@@ -63,18 +63,18 @@ inline void cross_edges_in_lanes(const VertexArrays &of, const CrossedEdge *edge
     const VectorOf<Real> edge =
         VectorOf<Real>{L::gather(of.x, gone), L::gather(of.y, gone), L::gather(of.z, gone)} - from;
     const Real length = L::absolute(edge.x) + L::absolute(edge.y) + L::absolute(edge.z);
-    const Real doubt = L::larger(L::gather(of.doubt, near), L::gather(of.doubt, gone));
+    const Real error = L::larger(L::gather(of.error, near), L::gather(of.error, gone));
     const VectorOf<Real> at = from + (-near_value * scale) * edge;
     const VectorOf<Real> from_centre = at - centre;
     const Real squared = dot(from_centre, from_centre);
-    const Real sum = doubt + rounding + (more * (doubt + plane_doubt)) * (length * scale);
-    const Real known = L::select(L::both(rise > least_rise, sum < most_doubt), sum, never);
+    const Real sum = error + rounding + (more * (error + plane_error)) * (length * scale);
+    const Real known = L::select(L::both(rise > least_rise, sum < most_error), sum, never);
     for (uint32_t k = 0; k < n; ++k) {
       const uint32_t v = to[k];
       of.x[v] = at.x[k];
       of.y[v] = at.y[k];
       of.z[v] = at.z[k];
-      of.doubt[v] = known[k];
+      of.error[v] = known[k];
       of.squared[v] = squared[k];
     }
   }

@@ -59,7 +59,7 @@ bool FacetOverlay::have_one_cell_each() const {
 // How the corners of one facet lie to the edges of the other. Both see the same positions along the side.
 FacetSides FacetOverlay::compare(const Polygon &corners, const Polygon &lines) const {
   const SideFacet &of = *corners.facet, &around = *lines.facet;
-  const double margin = of.doubt + 0x1p-21 * frame_.side();
+  const double margin = of.error + 0x1p-21 * frame_.side();
   const double *const u = corners.facets->u(of), *const w = corners.facets->w(of);
   const FlatLine *const edges = lines.facets->lines(around);
   return compare_facets(target_, u, w, of.corners, edges, around.corners, margin);
@@ -208,7 +208,7 @@ void FacetOverlay::find_outside() {
     }
     if (outside == 0) {
       const Vec3 y = corner.at.y - centre;
-      outside = frame_.outside(dot(y, y), corner.at.doubt, 4 * r * r);
+      outside = frame_.outside(dot(y, y), corner.at.error, 4 * r * r);
     }
     if (outside == 0) {
       const PowerPredicates exact(*balls_, ball, frame_);
@@ -272,7 +272,7 @@ Vec3 FacetOverlay::portal_of(uint32_t first, uint32_t count) const {
   double farthest = 0.0, known = 0.0;
   for (uint32_t n = 0, k = first; n < count; ++n, k = next(k)) {
     const BoundedPoint &at = corners_[k].at;
-    if (at.doubt >= no_certainty) continue;
+    if (at.error >= no_certainty) continue;
     sum = sum + at.y;
     known += 1.0;
     const double distance = dot(at.y - centre, at.y - centre);

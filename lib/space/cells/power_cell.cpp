@@ -52,19 +52,19 @@ void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const u
 }
 
 // As find_dominance() has it.
-uint64_t PowerCell::dominance(uint32_t a, uint32_t first, double doubt) const {
-  return hsp::find_dominance(target_, numbers(), a, first, frame_.side(), doubt);
+uint64_t PowerCell::dominance(uint32_t a, uint32_t first, double error) const {
+  return hsp::find_dominance(target_, numbers(), a, first, frame_.side(), error);
 }
 
 // The power to ball j less that to ball i is, but for a factor, g_j - g_i - (c_j - c_i).y with g = |c|^2 - r^2 and
 // centres from that of the cube. Its mean over the cube is that at y = 0, and nowhere in the cube does it differ from
 // that by more than the side times the sum of the parts of c_j - c_i.
 void PowerCell::drop_dominated() {
-  const double doubt = 64 * unit_roundoff * frame_.side() * frame_.side();
+  const double error = 64 * unit_roundoff * frame_.side() * frame_.side();
   const uint32_t members = members_.size();
   for (uint32_t a = 0; a < members; ++a) {
     for (uint32_t first = a + 1; first < members; first += 64) {
-      for (uint64_t left = dominance(a, first, doubt); left != 0; left &= left - 1) {
+      for (uint64_t left = dominance(a, first, error); left != 0; left &= left - 1) {
         const uint32_t b = first + static_cast<uint32_t>(std::countr_zero(left));
         bool first_wins = power_[b] > power_[a];
         if (x_[a] == x_[b] && y_[a] == y_[b] && z_[a] == z_[b]) {
@@ -81,7 +81,7 @@ void PowerCell::drop_dominated() {
 void PowerCell::find_member_planes() {
   const double side = frame_.side();
   const Vec3 corner{side + std::fabs(centre_.x), side + std::fabs(centre_.y), side + std::fabs(centre_.z)};
-  const double reach = std::sqrt(dot(corner, corner)) + 2 * frame_.plane_doubt();
+  const double reach = std::sqrt(dot(corner, corner)) + 2 * frame_.plane_error();
   find_planes(target_, numbers(), member_, reach * reach, of_planes_);
 }
 
@@ -94,8 +94,8 @@ uint32_t PowerCell::find_next_cut(const CutMargins &margins) {
 // two centres is below 4 sides.
 bool PowerCell::has_certain_point() const {
   const double side = frame_.side();
-  const double doubt = (8 * polytope_.most_doubt() + 512 * unit_roundoff * side) * side;
-  return is_before_all(target_, numbers(), member_, polytope_.middle(), doubt, of_planes_.distance);
+  const double error = (8 * polytope_.most_error() + 512 * unit_roundoff * side) * side;
+  return is_before_all(target_, numbers(), member_, polytope_.middle(), error, of_planes_.distance);
 }
 
 // The planes that cut most come first, and none follows that is farther than all that is left.
@@ -106,13 +106,13 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
   centre_ = 2.0 * offset(k);
   polytope_.start(frame_, centre_);
   find_member_planes();
-  const double plane_doubt = frame_.plane_doubt(), six_sides = 6 * frame_.side();
+  const double plane_error = frame_.plane_error(), six_sides = 6 * frame_.side();
   double covered = -1.0;
   for (;;) {
-    const double doubt = polytope_.most_doubt();
-    const double reach_doubt = doubt + 2 * plane_doubt;
+    const double error = polytope_.most_error();
+    const double reach_error = error + 2 * plane_error;
     // No distance in the cube is larger than 6 sides.
-    const uint32_t m = find_next_cut({doubt + plane_doubt, (2 * six_sides + reach_doubt) * reach_doubt, covered});
+    const uint32_t m = find_next_cut({error + plane_error, (2 * six_sides + reach_error) * reach_error, covered});
     if (m == none_cuts) return;
     if (m == is_covered) {
       if (has_certain_point()) return;
@@ -140,7 +140,7 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
 bool PowerCell::is_outside(uint32_t v) const {
   const PolytopeVertex &vertex = polytope_[v];
   const double r = balls_->r[ball()];
-  const int outside = frame_.outside(polytope_.squared(v), polytope_.at(v).doubt, 4 * r * r);
+  const int outside = frame_.outside(polytope_.squared(v), polytope_.at(v).error, 4 * r * r);
   if (outside != 0) return outside > 0;
   return PowerPredicates(*balls_, ball(), frame_)
       .is_outside(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]));
@@ -165,7 +165,7 @@ SquareSides PowerCell::compare_with_ball(uint32_t first, double limit, double ma
 }
 
 // Which vertices are outside the ball. Returns how many.
-uint32_t PowerCell::find_free_vertices(double limit, double doubt) {
+uint32_t PowerCell::find_free_vertices(double limit, double error) {
   const uint32_t size = polytope_.size();
   const PolytopeVertex *const vertices = &polytope_[0];
   uint8_t *const free_edges = free_edges_.data();
@@ -179,7 +179,7 @@ uint32_t PowerCell::find_free_vertices(double limit, double doubt) {
   uint32_t count = 0;
   // From the last ones on, so that the first one on a plane is what remains there.
   for (uint32_t word = (size + 63) / 64; word-- > 0;) {
-    const SquareSides sides = compare_with_ball(64 * word, limit, doubt);
+    const SquareSides sides = compare_with_ball(64 * word, limit, error);
     uint64_t outside = sides.above;
     for (uint64_t left = sides.unsure; left != 0; left &= left - 1) {
       if (is_outside(64 * word + static_cast<uint32_t>(std::countr_zero(left)))) outside |= left & (~left + 1);
@@ -217,18 +217,18 @@ uint32_t PowerCell::list_edges() {
 }
 
 // As compare_edges() has it.
-EdgeSides PowerCell::compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double doubt) const {
-  return compare_edges(target_, polytope_.arrays(), edges, count, limit, doubt);
+EdgeSides PowerCell::compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double error) const {
+  return compare_edges(target_, polytope_.arrays(), edges, count, limit, error);
 }
 
 // Calls visit(edge) for each edge that is outside the ball as a whole, and notes these.
 template <class Visit>
-void PowerCell::for_each_free_edge(double limit, double doubt, Visit visit) {
+void PowerCell::for_each_free_edge(double limit, double error, Visit visit) {
   uint8_t *const free_edges = free_edges_.data();
   const uint32_t count = list_edges();
   for (uint32_t first = 0; first < count; first += 64) {
     const EdgeEnds *const edges = edges_.data() + first;
-    const EdgeSides sides = compare_with_ball(edges, count - first < 64 ? count - first : 64, limit, doubt);
+    const EdgeSides sides = compare_with_ball(edges, count - first < 64 ? count - first : 64, limit, error);
     uint64_t outside = sides.outside;
     for (uint64_t left = sides.unsure; left != 0; left &= left - 1) {
       const uint32_t from = edges[std::countr_zero(left)].from;
@@ -245,25 +245,25 @@ void PowerCell::for_each_free_edge(double limit, double doubt, Visit visit) {
 
 void PowerCell::find_free_parts() {
   const double r = balls_->r[ball()];
-  const double limit = 4 * r * r, doubt = frame_.sphere_doubt(polytope_.most_doubt());
+  const double limit = 4 * r * r, error = frame_.sphere_error(polytope_.most_error());
   parts_ = 0;
-  const uint32_t free_vertices = find_free_vertices(limit, doubt);
+  const uint32_t free_vertices = find_free_vertices(limit, error);
   if (free_vertices == 0) return;
   if (polytope_.size() <= 64) {
-    gather_few(limit, doubt);
+    gather_few(limit, error);
   } else {
-    for_each_free_edge(limit, doubt, [](const EdgeEnds &) {});
+    for_each_free_edge(limit, error, [](const EdgeEnds &) {});
     gather_many(free_vertices);
   }
 }
 
 // Free parts of up to 64 vertices: what free edges lead to from the first vertex without a part, as bits.
-void PowerCell::gather_few(double limit, double doubt) {
+void PowerCell::gather_few(double limit, double error) {
   uint32_t *const part = part_.data();
   const uint64_t outside = outside_[0];
   uint64_t joined[64];
   for (uint64_t left = outside; left != 0; left &= left - 1) joined[std::countr_zero(left)] = 0;
-  for_each_free_edge(limit, doubt, [&](const EdgeEnds &edge) {
+  for_each_free_edge(limit, error, [&](const EdgeEnds &edge) {
     joined[edge.from / 4] |= UINT64_C(1) << edge.to / 4;
     joined[edge.to / 4] |= UINT64_C(1) << edge.from / 4;
   });
@@ -304,17 +304,17 @@ void PowerCell::gather_many(uint32_t free_vertices) {
 }
 
 // Whether the part of a plane in the ball lies in a facet whose border is outside the ball. The middle of that disc is
-// sought by its distance from the centre of the ball, which is off by less than 8 plane doubts, as in
+// sought by its distance from the centre of the ball, which is off by less than 8 plane errors, as in
 // has_centre_before(). If the plane meets the ball, that is no more than about a side, so that v adds less than 16 u s,
-// and the roundings less than 64 u s: the middle is off by less than 16 plane doubts.
+// and the roundings less than 64 u s: the middle is off by less than 16 plane errors.
 bool PowerCell::contains_disc(uint32_t number) const {
   const PowerPredicates exact(*balls_, ball(), frame_);
   const double r = balls_->r[ball()];
   const UnitPlane &disc = planes_[number];
   const double distance = disc.h - dot(disc.v, centre_);
-  const int outside = frame_.outside(distance * distance, 8 * frame_.plane_doubt(), 4 * r * r);
+  const int outside = frame_.outside(distance * distance, 8 * frame_.plane_error(), 4 * r * r);
   if (outside > 0 || (outside == 0 && !exact.meets_plane(plane(number)))) return false;
-  const BoundedPoint middle{centre_ + distance * disc.v, 16 * frame_.plane_doubt()};
+  const BoundedPoint middle{centre_ + distance * disc.v, 16 * frame_.plane_error()};
   for (uint32_t v = 0; v < polytope_.size(); ++v) {
     const PolytopeVertex &vertex = polytope_[v];
     if (!vertex.has(number)) continue;
@@ -330,7 +330,7 @@ bool PowerCell::contains_disc(uint32_t number) const {
 // Whether the centre of the ball is on the near side of a plane.
 bool PowerCell::has_centre_before(uint32_t number) const {
   const double distance = planes_[number].h - dot(planes_[number].v, centre_);
-  if (std::fabs(distance) > 8 * frame_.plane_doubt()) return distance > 0.0;
+  if (std::fabs(distance) > 8 * frame_.plane_error()) return distance > 0.0;
   return PowerPredicates(*balls_, ball(), frame_).side_of_centre(plane(number)) >= 0;
 }
 

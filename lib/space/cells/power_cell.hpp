@@ -66,18 +66,18 @@ class PowerCell {
   }
   bool is_in_game(uint32_t m) const { return in_game_[m] > 0.0; }
   void take_out_of_game(uint32_t m) { in_game_[m] = 0.0; }
-  uint64_t dominance(uint32_t a, uint32_t first, double doubt) const;
+  uint64_t dominance(uint32_t a, uint32_t first, double error) const;
   void cut_out(uint32_t k, bool unless_covered);
   void find_member_planes();
   uint32_t find_next_cut(const CutMargins &margins);
   bool has_certain_point() const;
   SquareSides compare_with_ball(uint32_t first, double limit, double margin) const;
-  uint32_t find_free_vertices(double limit, double doubt);
+  uint32_t find_free_vertices(double limit, double error);
   uint32_t list_edges();
-  EdgeSides compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double doubt) const;
+  EdgeSides compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double error) const;
   template <class Visit>
-  void for_each_free_edge(double limit, double doubt, Visit visit);
-  void gather_few(double limit, double doubt);
+  void for_each_free_edge(double limit, double error, Visit visit);
+  void gather_few(double limit, double error);
   void gather_many(uint32_t free_vertices);
   bool is_outside(uint32_t v) const;
   bool edge_is_free(uint32_t v, uint32_t k) const;

@@ -15,8 +15,8 @@ SquareSides compare_squares(const double *squared, uint32_t count, double limit,
   return compare_squares_in_lanes<register_lanes>(squared, count, limit, margin);
 }
 
-EdgeSides compare_edges(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit, double doubt) {
-  return compare_edges_in_lanes<register_lanes>(of, edges, count, limit, doubt);
+EdgeSides compare_edges(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit, double error) {
+  return compare_edges_in_lanes<register_lanes>(of, edges, count, limit, error);
 }
 
 FacetSides compare_facets(const double *u, const double *w, uint32_t count, const FlatLine *lines, uint32_t line_count,
@@ -33,12 +33,12 @@ void find_planes(const MemberArrays &members, uint32_t own, double limit, const 
   find_planes_in_lanes<register_lanes>(members, own, limit, planes);
 }
 
-bool is_before_all(const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt, const double *distance) {
-  return is_before_all_in_lanes<register_lanes>(members, own, point, doubt, distance);
+bool is_before_all(const MemberArrays &members, uint32_t own, const Vec3 &point, double error, const double *distance) {
+  return is_before_all_in_lanes<register_lanes>(members, own, point, error, distance);
 }
 
-uint64_t find_dominance(const MemberArrays &members, uint32_t a, uint32_t first, double side, double doubt) {
-  return find_dominance_in_lanes<register_lanes>(members, a, first, side, doubt);
+uint64_t find_dominance(const MemberArrays &members, uint32_t a, uint32_t first, double side, double error) {
+  return find_dominance_in_lanes<register_lanes>(members, a, first, side, error);
 }
 
 }  // namespace hsp::HSP_TARGET

@@ -22,7 +22,7 @@ void PowerPolytope::carve(Workspace &workspace, uint32_t balls) {
   const uint64_t most = 2 * most_vertices(balls);
   vertices_ = workspace.take<PolytopeVertex>(most);
   for (double **numbers :
-       {&to_cut_.at.x, &to_cut_.at.y, &to_cut_.at.z, &to_cut_.at.doubt, &to_cut_.at.squared, &to_cut_.at.value}) {
+       {&to_cut_.at.x, &to_cut_.at.y, &to_cut_.at.z, &to_cut_.at.error, &to_cut_.at.squared, &to_cut_.at.value}) {
     const Span<double> taken = workspace.take<double>(most + 7);
     for (double &number : taken) number = 0.0;  // eight are read at once, and some may not be vertices
     *numbers = taken.data();
@@ -44,7 +44,7 @@ void PowerPolytope::start(const CubeFrame &frame, const Vec3 &centre) {
   const double side = frame.side();
   count_ = 8;
   bounds_ = crossing_bounds(frame, centre);
-  most_doubt_ = 0.0;
+  most_error_ = 0.0;
   const auto squares = [&](double along, double square[2]) {
     square[0] = (-side - along) * (-side - along);
     square[1] = (side - along) * (side - along);
@@ -63,7 +63,7 @@ void PowerPolytope::start(const CubeFrame &frame, const Vec3 &centre) {
     L::store(to_cut_.at.x + v, both_x);
     L::store(to_cut_.at.y + v, L::all(y == 0 ? -side : side));
     L::store(to_cut_.at.z + v, L::all(z == 0 ? -side : side));
-    L::store(to_cut_.at.doubt + v, L::all(0.0));
+    L::store(to_cut_.at.error + v, L::all(0.0));
     L::store(to_cut_.at.squared + v, in_x_both + L::all(in_y[y]) + L::all(in_z[z]));
   }
 }
@@ -135,16 +135,16 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
   }
   for (uint32_t k = 0; k < crossings_behind; ++k) made[count + k] = end;
   cross(count);
-  const double *const doubts = to_cut_.at.doubt;
-  double most_doubt = most_doubt_;
+  const double *const errors = to_cut_.at.error;
+  double most_error = most_error_;
   for (uint32_t c = 0; c < count; ++c) {
     const uint32_t to = made[c];
-    most_doubt = doubts[to] > most_doubt ? doubts[to] : most_doubt;
+    most_error = errors[to] > most_error ? errors[to] : most_error;
     vertices[to].link[0] = ends[crossings[c].b] ^ 4 * to;
     vertices[to].link[1] = ends[crossings[c].a] ^ (4 * to + 1);
   }
-  if (most_doubt < no_certainty) {
-    most_doubt_ = most_doubt;
+  if (most_error < no_certainty) {
+    most_error_ = most_error;
   } else {
     solve_uncertain(count, planes, frame);
   }
@@ -162,17 +162,17 @@ void PowerPolytope::cross(uint32_t count) const {
 // New vertices in too much doubt are where their three planes meet.
 void PowerPolytope::solve_uncertain(uint32_t count, const UnitPlane *planes, const CubeFrame &frame) {
   for (const uint32_t v : made_.part(0, count)) {
-    if (to_cut_.at.doubt[v] >= no_certainty) {
+    if (to_cut_.at.error[v] >= no_certainty) {
       const uint32_t *const plane = vertices_[v].plane;
       const BoundedPoint at = frame.common_point(planes[plane[0]], planes[plane[1]], planes[plane[2]]);
       const Vec3 from_centre = at.y - bounds_.centre;
       to_cut_.at.x[v] = at.y.x;
       to_cut_.at.y[v] = at.y.y;
       to_cut_.at.z[v] = at.y.z;
-      to_cut_.at.doubt[v] = at.doubt;
+      to_cut_.at.error[v] = at.error;
       to_cut_.at.squared[v] = dot(from_centre, from_centre);
     }
-    if (to_cut_.at.doubt[v] > most_doubt_) most_doubt_ = to_cut_.at.doubt[v];
+    if (to_cut_.at.error[v] > most_error_) most_error_ = to_cut_.at.error[v];
   }
 }
 
@@ -187,7 +187,7 @@ void PowerPolytope::move(uint32_t from, uint32_t to) {
   if (from == to) return;
   const PolytopeVertex vertex = vertices_[from];
   vertices_[to] = vertex;
-  for (double *const numbers : {to_cut_.at.x, to_cut_.at.y, to_cut_.at.z, to_cut_.at.doubt, to_cut_.at.squared}) {
+  for (double *const numbers : {to_cut_.at.x, to_cut_.at.y, to_cut_.at.z, to_cut_.at.error, to_cut_.at.squared}) {
     numbers[to] = numbers[from];
   }
   for (uint32_t k = 0; k < 3; ++k) vertices_[vertex.neighbour(k)].link[vertex.back(k)] = 4 * to + k;

@@ -62,14 +62,14 @@ class PowerPolytope {
   uint32_t size() const { return count_; }
   const PolytopeVertex &operator[](uint32_t v) const { return vertices_[v]; }
   Vec3 position(uint32_t v) const { return {to_cut_.at.x[v], to_cut_.at.y[v], to_cut_.at.z[v]}; }
-  BoundedPoint at(uint32_t v) const { return {position(v), to_cut_.at.doubt[v]}; }
+  BoundedPoint at(uint32_t v) const { return {position(v), to_cut_.at.error[v]}; }
   // Of the distance of a vertex from the centre of the ball.
   double squared(uint32_t v) const { return to_cut_.at.squared[v]; }
   const VertexArrays &arrays() const { return to_cut_.at; }
   // The mean of its vertices, which is in it: off by no more than they are, but for roundings.
   Vec3 middle() const;
   // No vertex is more in doubt.
-  double most_doubt() const { return most_doubt_; }
+  double most_error() const { return most_error_; }
 
  private:
   template <class IsNear>
@@ -90,7 +90,7 @@ class PowerPolytope {
   Span<uint32_t> ends_;  // [planes] of the edge on it and the new plane: the exclusive or of both ends, as links
   uint32_t count_ = 0, hole_count_ = 0;
   CrossingBounds bounds_{};
-  double most_doubt_ = 0.0;  // of all vertices that there have been
+  double most_error_ = 0.0;  // of all vertices that there have been
   Target target_ = Target::baseline;
 };
 

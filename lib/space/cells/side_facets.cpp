@@ -27,7 +27,7 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
   FlatLine *const lines = lines_.data() + at;
   double *const us = u_.data() + at, *const ws = w_.data() + at;
   double low_u = all_u[first], high_u = low_u, low_w = all_w[first], high_w = low_w;
-  double most_doubt = 0.0;
+  double most_error = 0.0;
   // The lowest cell of a corner, and the highest one and 1. As no_id is the largest number, both pass over it.
   uint32_t lowest = no_id, above_highest = 0;
   uint32_t count = 0, covered = 0;
@@ -36,7 +36,7 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
   do {
     const PolytopeVertex &vertex = vertices[v];
     const uint32_t line = vertex.plane[back], opposite = previous_of_three(back);
-    const double u = all_u[v], w = all_w[v], doubt = arrays.doubt[v];
+    const double u = all_u[v], w = all_w[v], error = arrays.error[v];
     const uint32_t part = cell.part_of(v), in_ball = part == no_id ? 1 : 0;
     const uint32_t in_cell = (first_cell + part) | (0 - in_ball);  // no_id has all bits
     if (count < room) {
@@ -46,7 +46,7 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
       lines[count] = {static_cast<float>(plane.v.*axes.u), static_cast<float>(plane.v.*axes.w),
                       static_cast<float>(plane.h - plane.v.*axes.across * there)};
       // Rounded up.
-      const float rounded = doubt < 1e29 ? static_cast<float>(doubt * (1.0 + 0x1p-20)) : huge_doubt;
+      const float rounded = error < 1e29 ? static_cast<float>(error * (1.0 + 0x1p-20)) : huge_error;
       corners[count] = {rounded, in_cell, cell.code_of(line), cell.is_free_edge(v, opposite) ? 1U : 0U};
     }
     ++count;
@@ -57,15 +57,15 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
     high_u = u > high_u ? u : high_u;
     low_w = w < low_w ? w : low_w;
     high_w = w > high_w ? w : high_w;
-    most_doubt = doubt > most_doubt ? doubt : most_doubt;
+    most_error = error > most_error ? error : most_error;
     v = vertex.link[opposite] / 4;
     back = vertex.link[opposite] % 4;
   } while (v != first && count < most);
   corners_.set_count(first_corner + count);
   // As floats are off by less than 2^-23 of the side.
-  const double spread = (most_doubt < 1e29 ? most_doubt : 1e29) + 0x1p-22 * cell.frame().side();
+  const double spread = (most_error < 1e29 ? most_error : 1e29) + 0x1p-22 * cell.frame().side();
   facets_.push({cell.ball(), side, clamped_count(first_corner), count, lowest + 1 == above_highest ? lowest : no_id,
-                meets_both ? 1U : 0U, most_doubt, covered, static_cast<float>(low_u - spread),
+                meets_both ? 1U : 0U, most_error, covered, static_cast<float>(low_u - spread),
                 static_cast<float>(high_u + spread), static_cast<float>(low_w - spread),
                 static_cast<float>(high_w + spread)});
 }

@@ -26,12 +26,12 @@ constexpr SideAxes axes_along(uint32_t axis) {
 
 // A corner of a facet, and the edge from it to the next one.
 struct FacetCorner {
-  float doubt;         // huge_doubt or more if the position is not known
+  float error;         // huge_error or more if the position is not known
   uint32_t cell;       // no_id for a corner inside the ball
   uint32_t line;       // the code of the other plane of the edge
   uint32_t edge_free;  // whether the edge is outside the ball as a whole
 };
-inline constexpr float huge_doubt = 1e30F;
+inline constexpr float huge_error = 1e30F;
 
 struct SideFacet {
   uint32_t ball;
@@ -39,7 +39,7 @@ struct SideFacet {
   uint32_t first_corner, corners;
   uint32_t cell;                       // the cell of all corners outside the ball; no_id if there are several
   uint32_t meets_both;                 // whether its ball meets the cube on the other side too, 1 or 0
-  double doubt;                        // the largest of its corners
+  double error;                        // the largest of its corners
   uint32_t has_covered_corner;         // whether one is in the ball, 1 or 0
   float low_u, high_u, low_w, high_w;  // a box around the facet
 };
@@ -75,7 +75,7 @@ class SideFacets {
     at.y.*axes.u = u_[corner];
     at.y.*axes.w = w_[corner];
     at.y.*axes.across = there;
-    at.doubt = corners_[corner].doubt < huge_doubt ? static_cast<double>(corners_[corner].doubt) : no_certainty;
+    at.error = corners_[corner].error < huge_error ? static_cast<double>(corners_[corner].error) : no_certainty;
     return at;
   }
   // Of the corners of a facet, with room for three more behind the last one, and of its edges.

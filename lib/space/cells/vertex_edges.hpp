@@ -21,8 +21,8 @@ struct EdgeSides {
 inline constexpr uint32_t edges_behind = 3;
 
 HSP_KERNEL(EdgeSides, compare_edges,
-           (const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit, double doubt),
-           (of, edges, count, limit, doubt))
+           (const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit, double error),
+           (of, edges, count, limit, error))
 
 namespace {
 
@@ -37,13 +37,13 @@ inline VectorOf<typename Wide<double, n>::Real> positions(const VertexArrays &of
 // t = (A - B + L) / 2 of L, and at t of L the squared distance is A - t (2 (A - B + L) / 2 - t) / L. Positions and
 // centre are below 3 s from each other along each axis, so that A, B and L are below 27 s^2 and off by less than
 // 135 u s^2 for their roundings, t by less than 230 u s^2, and L times the excess, as t <= L, by less than 800 u s^2 L,
-// besides the doubt of positions: CubeFrame::sphere_doubt() has 1024.
+// besides the error of positions: CubeFrame::sphere_error() has 1024.
 template <uint32_t n>
 inline EdgeSides compare_edges_in_lanes(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit,
-                                        double doubt) {
+                                        double error) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
-  const Real bound = L::all(limit), most = L::all(doubt), zero = L::all(0.0), half = L::all(0.5), two = L::all(2.0);
+  const Real bound = L::all(limit), most = L::all(error), zero = L::all(0.0), half = L::all(0.5), two = L::all(2.0);
   uint64_t outside = 0, inside = 0;
   for (uint32_t first = 0; first < count; first += n) {
     uint32_t from[n], to[n];

@@ -14,7 +14,7 @@ namespace hsp {
 // centre of the ball, and what v.y - h of the plane is found to be that they were held against last. Behind the last
 // one there is room for a multiple of eight; squares there are 0.
 struct VertexArrays {
-  double *x, *y, *z, *doubt, *squared, *value;
+  double *x, *y, *z, *error, *squared, *value;
 };
 // How many there are, at least four; and of that plane a bit for each, the first one lowest: whether it is beyond by
 // more than a margin, and whether it is within the margin.

@@ -85,21 +85,21 @@ bool is_outside_ball(const BallSet &balls, uint32_t ball, const Vector &a, const
   const Vec3 d = to_double(b - a), p = to_double(centre_of(balls, ball) - a);
   const double length = dot(d, d), squared = dot(p, p), along = dot(d, p);
   const double r = balls.r[ball], w = r * r;
-  double excess = 0.0, doubt = 0.0;
+  double excess = 0.0, error = 0.0;
   if (along <= 0.0) {
     excess = squared - w;
-    doubt = 16 * unit_roundoff * (squared + w);
+    error = 16 * unit_roundoff * (squared + w);
   } else if (along >= length) {
     const Vec3 q = p - d;
     excess = dot(q, q) - w;
-    doubt = 16 * unit_roundoff * (squared + length + w);
+    error = 16 * unit_roundoff * (squared + length + w);
   } else {
     const Vec3 n = cross(p, d);
     excess = dot(n, n) - w * length;
-    doubt = 64 * unit_roundoff * (squared + w) * length;
+    error = 64 * unit_roundoff * (squared + w) * length;
   }
-  if (excess > doubt) return true;
-  if (excess < -doubt) return false;
+  if (excess > error) return true;
+  if (excess < -error) return false;
   return is_outside_exactly(balls.ball(ball), a, b);
 }
 

@@ -29,14 +29,14 @@ double squared_reach(const Disc &one, const Disc &other) {
   // Of the common chord, where it crosses the line; and half its length, which is uncertain where discs hardly meet.
   const double r = one.radius;
   const double foot = 0.5 * (distance + (r - other.radius) * (r + other.radius) / distance);
-  const double half = r * r - foot * foot, doubt = 0x1p-48 * (r * r + distance * distance);
+  const double half = r * r - foot * foot, error = 0x1p-48 * (r * r + distance * distance);
   const double from = dot(one.centre, along) + foot;
   const double height = std::sqrt(squared_length(one.centre - dot(one.centre, along) * along));
   const auto reach = [&](double squared) {
     const double beyond = height - std::sqrt(squared > 0.0 ? squared : 0.0);
     return from * from + beyond * beyond;
   };
-  return larger_of(reach(half - doubt), reach(half + doubt));
+  return larger_of(reach(half - error), reach(half + error));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ double reach_of(int64_t half) {
   return static_cast<double>(half + 2) * root_of_three * (1.0 + 0x1p-50);
 }
 // Bound of what is wrong with a computed distance: its differences are integers, its relative error below 3 2^-53.
-double doubt_of(double distance) {
+double error_of(double distance) {
   return 0x1p-50 * distance;
 }
 // The first one lowest; written so that compilers find one load in it.
@@ -228,7 +228,7 @@ void CriticalPoints::halve(Cube &cube) {
                       std::fabs(balls.y[ball] - parts.y[part]) + parts.edge,
                       std::fabs(balls.z[ball] - parts.z[part]) + parts.edge};
     const double farthest = std::sqrt(dot(corner, corner)), radius = balls.r[ball];
-    parts.most_level[part] = cube.most_level[part] = farthest + doubt_of(farthest + radius) - radius;
+    parts.most_level[part] = cube.most_level[part] = farthest + error_of(farthest + radius) - radius;
   }
   find_near(target_, near, parts, &in_parts_[cube.first]);
 }

@@ -88,9 +88,9 @@ uint32_t CriticalPoints::enter(const FineCube &cube, const FineCube &whole, cons
     const uint32_t ball = candidates_[whole.first + k];
     const Vec3 y = at - centre_of(*balls_, ball);
     const double length = std::sqrt(dot(y, y)), gap = length - balls_->r[ball];
-    const double doubt = 0x1p-49 * (length + balls_->r[ball]);
-    inverse_[k] = gap - doubt;
-    least = smaller_of(least, gap + doubt);
+    const double error = 0x1p-49 * (length + balls_->r[ball]);
+    inverse_[k] = gap - error;
+    least = smaller_of(least, gap + error);
   }
   if (least + reach < static_cast<double>(floor_)) return last;
   uint32_t count = 0;

@@ -33,7 +33,7 @@ void CriticalPoints::add(TangentPoint &point, const uint32_t *ids, PointKind kin
   CriticalPoint record{};
   record.tied = tied.size();
   Vec3 off{};
-  record.doubt = point.refine_from_base(off, record.level);
+  record.error = point.refine_from_base(off, record.level);
   const BoxShift home = all_->shift_of(set[0]);
   for (uint32_t k = 0; k < all_->translations(); ++k) add_moved(record, off, name, kind, tied, home, k);
 }

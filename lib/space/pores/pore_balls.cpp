@@ -57,16 +57,11 @@ Status PoreBalls::take(const PeriodicImages &images, Patience &patience) {
   return status;
 }
 
-// Memory of images is free without a box: ball_of_ has of each ball its number among the others, shift_of_ of each ball
-// of the caller its own number.
+// Memory of images is free without a box: ball_of_ has of each ball its number among the others.
 bool PoreBalls::compare(const CubeGrid &grid, const PoreBalls &others, int64_t &grown) {
   const uint32_t given = grid.balls().n;
   if (box_ != nullptr || others.box_ != nullptr) return false;
-  for (uint32_t k = 0; k < given; ++k) shift_of_[k].bits = no_id;
-  for (uint32_t k = 0; k < own_; ++k) {
-    shift_of_[callers_[k]].bits = k;
-    ball_of_[k] = no_id;
-  }
+  for (uint32_t k = 0; k < own_; ++k) ball_of_[k] = no_id;
   grown = 0;
   for (uint32_t k = 0; k < others.own_; ++k) {
     const uint32_t callers = others.callers_[k];
@@ -192,8 +187,11 @@ Status PoreBalls::keep_outer(Patience &patience) {
     sort_in_place(callers_.part(0, count),
                   [&](uint32_t a, uint32_t b) { return patience.allows(50) && set_.ranks_before(a, b); });
   }
+  given_ = set_.n;
+  for (uint32_t i = 0; i < given_; ++i) own_slot(i).bits = no_id;
   // The grid has all balls, too.
   for (uint32_t k = 0; k < count; ++k) {
+    own_slot(callers_[k]).bits = k;
     exact::LatticeBall ball = grid_.balls().ball(grid_.grid_index(callers_[k]));
     ball.index = k;
     set_.store(k, ball);
@@ -205,10 +203,11 @@ Status PoreBalls::keep_outer(Patience &patience) {
 
 Status PoreBalls::surround(int64_t reach) {
   uint64_t count = own_;
+  const uint32_t hidden = given_ - own_;
   for (uint32_t i = 0; i < own_; ++i) {
     const exact::LatticeBall ball = set_.ball(i);
     box_->visit_images(ball.centre, reach, [&](const BoxShift &shift) {
-      if (count < callers_.size()) {
+      if (count + hidden < callers_.size()) {
         const auto k = static_cast<uint32_t>(count);
         ball_of_[k - own_] = i;
         shift_of_[k - own_] = SmallShift::of(shift);
@@ -219,8 +218,8 @@ Status PoreBalls::surround(int64_t reach) {
       ++count;
     });
   }
-  needed_balls_ = larger_count(needed_balls_, clamped_count(count));
-  set_.n = count > callers_.size() ? own_ : static_cast<uint32_t>(count);
+  needed_balls_ = larger_count(needed_balls_, clamped_count(count + hidden));
+  set_.n = count + hidden > callers_.size() ? own_ : static_cast<uint32_t>(count);
   return set_.n == count ? Status::ok : Status::capacity;
 }
 

@@ -23,12 +23,12 @@ class PoreBalls {
   Status surround(int64_t reach);
 
   // After take() without a box: compares with balls that others have, as they took them. False unless all of these are
-  // in the grid as well, and have grown by one length since; then is_new() and own_ball() are known.
+  // in the grid as well, and have grown by one length since; then is_new() is known.
   bool compare(const CubeGrid &grid, const PoreBalls &others, int64_t &grown);
   // Whether a ball is none of the others.
   bool is_new(uint32_t own_ball) const { return ball_of_[own_ball] == no_id; }
   // That of the caller; no_id if it is inside another one.
-  uint32_t own_ball(uint32_t callers) const { return shift_of_[callers].bits; }
+  uint32_t own_ball(uint32_t callers) const { return own_slot(callers).bits; }
 
   // Without images.
   uint32_t own() const { return own_; }
@@ -86,6 +86,8 @@ class PoreBalls {
     for (uint32_t k = 0; k < result.hits; ++k) sink(near_[k], shift);
     return true;
   }
+  // Own numbers of the caller's balls, at the end of the memory for images.
+  SmallShift &own_slot(uint32_t callers) const { return shift_of_[shift_of_.size() - given_ + callers]; }
   Status keep_outer(Patience &patience);
   uint32_t ball_at(const exact::Vector &position) const;
   void find_translations();
@@ -103,7 +105,7 @@ class PoreBalls {
   exact::Vector translation_[most_translations];
   exact::Vector brick_{};
   uint32_t translation_count_ = 1;
-  uint32_t own_ = 0, needed_near_ = 0, needed_balls_ = 0;
+  uint32_t own_ = 0, given_ = 0, needed_near_ = 0, needed_balls_ = 0;
 };
 
 // Some balls and images, gathered around one way.

@@ -61,7 +61,7 @@ struct SmallShift {
 struct CriticalPoint {
   Vec3 position;
   double level;         // rounded to a power of two, the same for all steps of symmetry
-  double doubt;         // how far the level may be off
+  double error;         // how far the level may be off
   uint32_t ball[4];     // in the order of positions; no_id behind the last one
   SmallShift shift[4];  // of images in a box; none of the first
   uint32_t tied;        // how many balls are nearest

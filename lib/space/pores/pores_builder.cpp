@@ -128,7 +128,7 @@ void sort_by_level(Span<Record> records, Span<uint32_t> scratch, Higher higher) 
 // In doubles, where they are certain; by integers, and by names.
 bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
   const double difference = a.level - b.level;
-  if (std::fabs(difference) > a.doubt + b.doubt) return difference > 0.0;
+  if (std::fabs(difference) > a.error + b.error) return difference > 0.0;
   const bool in_box = balls_.box() != nullptr;
   compared_.begin();
   uint32_t ball[2][4];
@@ -294,17 +294,12 @@ void PoresBuilder::name_callers_balls() {
 }
 
 Status PoresBuilder::trace(uint32_t gate, uint32_t end, FixedVector<WayPoint> &points) {
-  const auto own = [&](uint32_t callers) {
-    uint32_t ball = 0;
-    while (balls_.callers(ball) != callers) ++ball;
-    return ball;
-  };
   const auto first = points.size();
   const bool listed = gates_[gate].point.tied > 3;
   CriticalPoint point = gates_[gate].point;
-  for (uint32_t k = 0; k < 3; ++k) point.ball[k] = own(point.ball[k]);
+  for (uint32_t k = 0; k < 3; ++k) point.ball[k] = balls_.own_ball(point.ball[k]);
   const Span<uint32_t> list = listed ? tied_.part(point.first_tied, point.first_tied + point.tied) : Span<uint32_t>();
-  for (uint32_t &ball : list) ball = own(ball);
+  for (uint32_t &ball : list) ball = balls_.own_ball(ball);
   const Span<const uint32_t> nearest = listed ? Span<const uint32_t>(list) : Span<const uint32_t>(point.ball, 3);
   WayUp::End ended;
   ways_.trace_into(&points);

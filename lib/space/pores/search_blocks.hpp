@@ -18,8 +18,8 @@ inline double distance(const BallSet &balls, uint32_t ball, const exact::Vector 
 // +1 and -1 if it is certain whether a point is in a cube, its sides included.
 inline int may_be_in(const TangentPoint &point, const CriticalPoints::Block &block) {
   const Vec3 off = point.position_estimate() - to_double(block.centre) - block.off;
-  const double most = longest_part(off), doubt = point.position_error();
-  return most > block.half + doubt ? -1 : most < block.half - doubt ? 1 : 0;
+  const double most = longest_part(off), error = point.position_error();
+  return most > block.half + error ? -1 : most < block.half - error ? 1 : 0;
 }
 inline bool is_in(const TangentPoint &point, const CriticalPoints::Block &block) {
   const int certain = may_be_in(point, block);

@@ -43,8 +43,8 @@ class PlainSides {
   int side(const Vec3 &normal, double length, uint32_t centre) const {
     const Vec3 off = at_ - Vec3{balls_.x[centre], balls_.y[centre], balls_.z[centre]};
     const double height = dot(normal, off), most = scale_ * length;
-    const double doubt = most * (24.0 * error_ + 0x1p-44 * (longest_part(off) + error_));
-    return height > doubt ? 1 : height < -doubt ? -1 : 0;
+    const double error = most * (24.0 * error_ + 0x1p-44 * (longest_part(off) + error_));
+    return height > error ? 1 : height < -error ? -1 : 0;
   }
 
  private:

@@ -276,9 +276,9 @@ bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &e
     TangentPoint::find_both(*balls_, way.curve, ball, at, there);
     for (const uint32_t root : {0U, 1U}) {
       const double difference = at[root].level_estimate() - point_.level_estimate();
-      const double doubt = at[root].level_error() + point_.level_error();
-      certain[root] = !there[root] || std::fabs(difference) > doubt;
-      above[root] = there[root] && difference > doubt;
+      const double error = at[root].level_error() + point_.level_error();
+      certain[root] = !there[root] || std::fabs(difference) > error;
+      above[root] = there[root] && difference > error;
     }
     // Of a ball that is tied at the point one of the two is the point.
     const bool known = is_tied(ball) && (certain[0] || certain[1]);
@@ -328,9 +328,9 @@ Status WayUp::follow(const Way &way, bool &outside) {
   if (way.side < 0) shape.e = -shape.e;
   const double radius = balls.r[way.curve.base];
   Vec3 position{};
-  double start = point_.level_estimate(), doubt = point_.level_error();
-  if (trace_ != nullptr || !(doubt < 4.0)) doubt = point_.refine(position, start);
-  const double from = 2.0 * (radius + start - doubt);
+  double start = point_.level_estimate(), error = point_.level_error();
+  if (trace_ != nullptr || !(error < 4.0)) error = point_.refine(position, start);
+  const double from = 2.0 * (radius + start - error);
   double window = larger_of(0.12 * (radius + start), 16.0);
   for (int turn = 0; turn < most_windows; ++turn, window *= 1.7) {
     const double reached = start + window;

@@ -329,20 +329,20 @@ double TangentPoint::position_error() const {
 }
 
 double TangentPoint::estimate_closely(Vec3 &off, double &level) {
-  double tolerable = 0.0, doubt = 0.0;
+  double tolerable = 0.0, error = 0.0;
   const auto is_good = [&] {
     off = {0.5 * y_.x.value, 0.5 * y_.y.value, 0.5 * y_.z.value};
     level = level_estimate();
     tolerable = 0x1p-42 * (std::fabs(z_.value) + std::fabs(level));
-    doubt = level_error();
-    return position_error() <= tolerable + 0x1p-20 && doubt <= tolerable;
+    error = level_error();
+    return position_error() <= tolerable + 0x1p-20 && error <= tolerable;
   };
-  if (is_good()) return doubt;
+  if (is_good()) return error;
   const CurveRows<Bounded> rows(*balls_, curve_);
   estimate(SteepLine<Bounded>(rows, last_row(*balls_, curve_, rows, last_)));
-  if (is_good()) return doubt;
+  if (is_good()) return error;
   const Line &line = exact_line();
-  if (!line.there) return doubt;
+  if (!line.there) return error;
   const auto number_of = [](const Integer &a) {
     int exponent = 0;
     const double mantissa = a.leading(exponent);
@@ -396,13 +396,13 @@ int TangentPoint::level_against_half(double halves, double unit) const {
 // How many units integers may move a level by: twice what it may be off.
 constexpr int most_units = 64;
 
-double TangentPoint::rounded_level(double level, double doubt, double unit) const {
+double TangentPoint::rounded_level(double level, double error, double unit) const {
   double multiple = 0.0;
-  const auto is_certain = [&](double estimate, double error) {
+  const auto is_certain = [&](double estimate, double within) {
     multiple = static_cast<double>(nearest(estimate / unit));
-    return std::fabs(estimate / unit - multiple) + error / unit < 0.499;
+    return std::fabs(estimate / unit - multiple) + within / unit < 0.499;
   };
-  if (is_certain(level, doubt)) return multiple * unit;
+  if (is_certain(level, error)) return multiple * unit;
   // By sharper bounds.
   const CurveRows<Bounded> rows(*balls_, curve_);
   const SteepLine<Bounded> line(rows, last_row(*balls_, curve_, rows, last_));
@@ -411,33 +411,33 @@ double TangentPoint::rounded_level(double level, double doubt, double unit) cons
     const Bounded sharper = Bounded(0.5) * z - Bounded(balls_->r[curve_.base]);
     if (sharper.error < unit && is_certain(sharper.value, sharper.error)) return multiple * unit;
   }
-  static_cast<void>(is_certain(level, doubt));
+  static_cast<void>(is_certain(level, error));
   for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple + 1.0, unit) >= 0; ++turn) multiple += 1.0;
   for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple - 1.0, unit) < 0; ++turn) multiple -= 1.0;
   return multiple * unit;
 }
 
 double TangentPoint::refine_from_base(Vec3 &off, double &level) {
-  const double doubt = estimate_closely(off, level);
+  const double error = estimate_closely(off, level);
   // 2^-40 of the largest radius, or 2^-20 of a step.
   double unit = 0x1p-20;
   while (unit < 0x1p-41 * static_cast<double>(balls_->largest_radius)) unit *= 2.0;
-  if (doubt <= 0.5 * most_units * unit && std::fabs(level) < 0x1p50 * unit) {
-    level = rounded_level(level, doubt, unit);
-  } else if (std::fabs(level) > doubt) {
-    return doubt;
+  if (error <= 0.5 * most_units * unit && std::fabs(level) < 0x1p50 * unit) {
+    level = rounded_level(level, error, unit);
+  } else if (std::fabs(level) > error) {
+    return error;
   }
-  if (std::fabs(level) <= doubt + unit) {
+  if (std::fabs(level) <= error + unit) {
     const int sign = level_against(0);
     if (sign == 0 || sign * level < unit) level = sign * unit;
   }
-  return doubt + unit;
+  return error + unit;
 }
 
 double TangentPoint::refine(Vec3 &position, double &level) {
-  const double doubt = refine_from_base(position, level);
+  const double error = refine_from_base(position, level);
   position = Vec3{balls_->x[curve_.base], balls_->y[curve_.base], balls_->z[curve_.base]} + position;
-  return doubt;
+  return error;
 }
 
 bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k) {

@@ -146,7 +146,7 @@ class TangentPoint {
  private:
   using Line = TangentLines::Line;
   double estimate_closely(Vec3 &off, double &level);
-  double rounded_level(double level, double doubt, double unit) const;
+  double rounded_level(double level, double error, double unit) const;
   int level_against_half(double halves, double unit) const;
   void begin(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising);
   bool is_there(int known);

@@ -173,7 +173,7 @@ void check(const Balls &balls, Seen &seen, int64_t least_radius = 0) {
         std::array<PowerPlane, 3> plane{};
         for (uint32_t l = 0; l < 3; ++l) plane[l] = cell.plane(vertex.plane[l]);
         ASSERT_EQ(cell.part_of(v) != no_id, exact.is_outside(plane[0], plane[1], plane[2]));
-        seen.doubtful += cell.polytope().at(v).doubt == hsp::no_certainty ? 1U : 0U;
+        seen.doubtful += cell.polytope().at(v).error == hsp::no_certainty ? 1U : 0U;
         for (uint32_t l = 0; l < 3; ++l) {
           const uint32_t w = vertex.neighbour(l);
           if (cell.part_of(v) == no_id || cell.part_of(w) == no_id) {

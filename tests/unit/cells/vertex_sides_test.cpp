@@ -209,7 +209,7 @@ TEST(WideCells, CompareEdges) {
     }
     const uint32_t count = static_cast<uint32_t>(edges.size());
     edges.resize(count + hsp::edges_behind, {0, 0});
-    const double limit = static_cast<double>(random.in(0, 25)), doubt = static_cast<double>(random.in(0, 8)) / 8;
+    const double limit = static_cast<double>(random.in(0, 25)), error = static_cast<double>(random.in(0, 8)) / 8;
     // The nearest point of the segment to a centre at these distances from its ends, times its length.
     EdgeSides expected{0, 0};
     for (uint32_t k = 0; k < count; ++k) {
@@ -219,18 +219,18 @@ TEST(WideCells, CompareEdges) {
       double excess = (from - limit) * length;
       if (middle > 0.0 && middle < length) excess -= middle * middle;
       if (middle > 0.0 && middle >= length) excess = (vertices.squared(w) - limit) * length;
-      if (excess > doubt * length) expected.outside |= bit(k);
-      if (std::fabs(excess) <= doubt * length) expected.unsure |= bit(k);
+      if (excess > error * length) expected.outside |= bit(k);
+      if (std::fabs(excess) <= error * length) expected.unsure |= bit(k);
     }
     const auto check = [&](const EdgeSides &found) {
       ASSERT_EQ(found.outside, expected.outside);
       ASSERT_EQ(found.unsure, expected.unsure);
     };
     const VertexArrays arrays = vertices.arrays();
-    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges_in_lanes<1>(arrays, edges.data(), count, limit, doubt)));
-    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges_in_lanes<2>(arrays, edges.data(), count, limit, doubt)));
+    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges_in_lanes<1>(arrays, edges.data(), count, limit, error)));
+    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges_in_lanes<2>(arrays, edges.data(), count, limit, error)));
     for (const hsp::Target target : runnable_targets()) {
-      ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges(target, arrays, edges.data(), count, limit, doubt)));
+      ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges(target, arrays, edges.data(), count, limit, error)));
     }
     outside += expected.outside != 0 ? 1U : 0U;
     unsure += expected.unsure != 0 ? 1U : 0U;
@@ -243,8 +243,8 @@ TEST(WideCells, CompareEdges) {
 
 // Numbers of all vertices, with room for new ones and for what is read behind the last edge.
 struct Corners {
-  std::vector<double> x, y, z, doubt, squared, value;
-  VertexArrays arrays() { return {x.data(), y.data(), z.data(), doubt.data(), squared.data(), value.data()}; }
+  std::vector<double> x, y, z, error, squared, value;
+  VertexArrays arrays() { return {x.data(), y.data(), z.data(), error.data(), squared.data(), value.data()}; }
   bool operator==(const Corners &) const = default;
 };
 
@@ -255,14 +255,14 @@ void cross_one_by_one(Corners &corners, const std::vector<CrossedEdge> &edges, c
   const auto position = [&](uint32_t v) { return Vec3{before.x[v], before.y[v], before.z[v]}; };
   for (uint32_t k = 0; k < count; ++k) {
     const uint32_t v = edges[k].near / 4, w = edges[k].gone, made = to[k];
-    const double rise = before.value[w] - before.value[v], doubt = std::max(before.doubt[v], before.doubt[w]);
+    const double rise = before.value[w] - before.value[v], error = std::max(before.error[v], before.error[w]);
     const Vec3 edge = position(w) - position(v), at = position(v) + (-before.value[v] * (1.0 / rise)) * edge;
     const double length = std::fabs(edge.x) + std::fabs(edge.y) + std::fabs(edge.z);
-    const double sum = doubt + bounds.rounding + (1.01 * (doubt + bounds.plane_doubt)) * (length * (1.0 / rise));
+    const double sum = error + bounds.rounding + (1.01 * (error + bounds.plane_error)) * (length * (1.0 / rise));
     corners.x[made] = at.x;
     corners.y[made] = at.y;
     corners.z[made] = at.z;
-    corners.doubt[made] = rise > bounds.least_rise && sum < bounds.most_doubt ? sum : hsp::no_certainty;
+    corners.error[made] = rise > bounds.least_rise && sum < bounds.most_error ? sum : hsp::no_certainty;
     corners.squared[made] = dot(at - bounds.centre, at - bounds.centre);
   }
 }
@@ -277,7 +277,7 @@ TEST(WideCells, CrossEdges) {
     for (std::vector<double> *numbers : {&corners.x, &corners.y, &corners.z, &corners.squared, &corners.value}) {
       for (uint32_t v = 0; v < vertices + count + 1; ++v) numbers->push_back(number(80));
     }
-    for (uint32_t v = 0; v < vertices + count + 1; ++v) corners.doubt.push_back(std::fabs(number(4)));
+    for (uint32_t v = 0; v < vertices + count + 1; ++v) corners.error.push_back(std::fabs(number(4)));
     const CrossingBounds bounds{{number(9), number(9), number(9)}, 0.5, 4.0, 0.125, 0.25};
     std::vector<CrossedEdge> edges;
     std::vector<uint32_t> to;
@@ -300,7 +300,7 @@ TEST(WideCells, CrossEdges) {
       Corners found = corners;
       cross(found.arrays(), edges.data(), to.data(), count, bounds);
       for (std::vector<double> Corners::*of :
-           {&Corners::x, &Corners::y, &Corners::z, &Corners::doubt, &Corners::squared, &Corners::value}) {
+           {&Corners::x, &Corners::y, &Corners::z, &Corners::error, &Corners::squared, &Corners::value}) {
         (found.*of).back() = (expected.*of).back();  // may be written
       }
       ASSERT_EQ(found, expected);
@@ -312,9 +312,9 @@ TEST(WideCells, CrossEdges) {
     }
     for (uint32_t k = 0; k < count; ++k) {
       const double rise = corners.value[edges[k].gone] - corners.value[edges[k].near / 4];
-      known += expected.doubt[to[k]] < 4.0 ? 1U : 0U;
+      known += expected.error[to[k]] < 4.0 ? 1U : 0U;
       steep += rise <= 0.5 ? 1U : 0U;
-      doubtful += rise > 0.5 && expected.doubt[to[k]] >= 4.0 ? 1U : 0U;
+      doubtful += rise > 0.5 && expected.error[to[k]] >= 4.0 ? 1U : 0U;
     }
   }
   EXPECT_GT(known, 500U);
@@ -432,21 +432,21 @@ TEST(WideCells, FindPlanesAndDominance) {
     EXPECT_EQ(hsp::is_before_all_in_lanes<2>(members, own, point, least, pd.data()), is_before);
 
     const uint32_t first = static_cast<uint32_t>(random.in(0, count - 1));
-    const double side = static_cast<double>(random.in(1, 8)), doubt = static_cast<double>(random.in(0, 2)) / 8;
+    const double side = static_cast<double>(random.in(1, 8)), error = static_cast<double>(random.in(0, 2)) / 8;
     uint64_t dominance = 0;
     for (uint32_t k = first; k < count && k < first + 64; ++k) {
       const double spread = side * (std::fabs(x[k] - x[own]) + std::fabs(y[k] - y[own]) + std::fabs(z[k] - z[own]));
-      if (std::fabs(power[k] - power[own]) > spread + doubt || spread == 0) dominance |= bit(k - first);
+      if (std::fabs(power[k] - power[own]) > spread + error || spread == 0) dominance |= bit(k - first);
       concentric += spread == 0 && k != own ? 1U : 0U;
     }
     dominant += dominance != 0 ? 1U : 0U;
-    EXPECT_EQ(hsp::find_dominance_in_lanes<1>(members, own, first, side, doubt), dominance);
-    EXPECT_EQ(hsp::find_dominance_in_lanes<2>(members, own, first, side, doubt), dominance);
+    EXPECT_EQ(hsp::find_dominance_in_lanes<1>(members, own, first, side, error), dominance);
+    EXPECT_EQ(hsp::find_dominance_in_lanes<2>(members, own, first, side, error), dominance);
     for (const hsp::Target target : runnable_targets()) {
       hsp::find_planes(target, members, own, limit, planes);
       ASSERT_NO_FATAL_FAILURE(check());
       EXPECT_EQ(hsp::is_before_all(target, members, own, point, least, pd.data()), is_before);
-      EXPECT_EQ(hsp::find_dominance(target, members, own, first, side, doubt), dominance);
+      EXPECT_EQ(hsp::find_dominance(target, members, own, first, side, error), dominance);
     }
   }
   EXPECT_GT(near, 1000U);

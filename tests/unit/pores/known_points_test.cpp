@@ -16,7 +16,7 @@ void expect_same(const hsp::PoresBuilder &a, const hsp::PoresBuilder &b) {
   ASSERT_EQ(a.gates().size(), b.gates().size());
   const auto same = [&](const hsp::CriticalPoint &p, const hsp::CriticalPoint &q) {
     ASSERT_EQ(p.level, q.level);
-    ASSERT_EQ(p.doubt, q.doubt);
+    ASSERT_EQ(p.error, q.error);
     ASSERT_EQ(p.position.x, q.position.x);
     ASSERT_EQ(p.position.y, q.position.y);
     ASSERT_EQ(p.position.z, q.position.z);
