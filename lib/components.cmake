@@ -10,7 +10,8 @@
 #   APART         those that are units of their own: programs that need none of them link less, whatever their linker
 #   SHIMS         its sources of the interface in capi/shims/<name>, the core's in capi/shims/core: they are one unit
 #   SHIMS_APART   those that are units of their own, too
-#   LEVELS        rooms and shims that take less optimization than -O3: no frame waits for them, and they compile sooner
+#   LEVELS        rooms, units and shims that take less optimization than -O3: no frame waits for them, they compile
+#                 sooner and are smaller. Kernels of such rooms take -O3, as a unit of their own
 # All of it is kept in the cache, so that projects that carry this one as a subdirectory can make units, too.
 function(hsp_part name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "STANDS_ON;HEADERS;SOURCES;APART;SHIMS;SHIMS_APART;LEVELS")

@@ -59,8 +59,6 @@ hsp_part(union
     boundary/boundary_worker.cpp
     boundary/components.cpp
     boundary/faces.cpp
-    boundary/half_edge_links.cpp
-    boundary/point_location.cpp
     boundary/shells.cpp
     measure/arc_batches.cpp
     measure/arc_sums.kernel.cpp
@@ -87,5 +85,9 @@ hsp_part(union
     contacts/contact_measures.kernel.cpp
     contacts/contacts_builder.cpp
     contacts/contacts_check.cpp
+  APART
+    boundary/half_edge_links.cpp
+    boundary/point_location.cpp
+  LEVELS sphere -O2 boundary -O2 boundary_half_edge_links -O3 boundary_point_location -O3
   SHIMS hsp_boundary hsp_measure hsp_areas
   SHIMS_APART caller_executor hsp_gradient hsp_contacts hsp_regions hsp_topology hsp_topology_records)

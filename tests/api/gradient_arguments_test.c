@@ -165,6 +165,12 @@ static void too_small(void) {
     CHECK_EQUAL(hsp_boundary_measure(boundary, selected, &totals, area, NULL, capacity, NULL), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, &totals, NULL, volume, capacity, NULL), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_measure(boundary, selected, NULL, area, volume, capacity, NULL), HSP_E_CAPACITY);
+    CHECK_EQUAL(
+        hsp_boundary_get_measures(boundary, NULL, SIZED(hsp_measure_outputs, .area = area, .capacity = capacity)),
+        HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_get_measures(boundary, NULL,
+                                          SIZED(hsp_measure_outputs, .volume_term = volume, .capacity = capacity)),
+                HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, capacity, NULL), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, face_volume, capacity, NULL), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, capacity, NULL), HSP_E_CAPACITY);

@@ -64,6 +64,10 @@ static void bytes_and_init(void) {
   CHECK_UNTOUCHED(made);
   FILL(memory);
   CHECK_UNTOUCHED(memory);
+  CHECK_EQUAL(hsp_model_init(NULL, sizeof memory, BALLS, &made), HSP_E_ARGUMENT);
+  CHECK_UNTOUCHED(made);
+  CHECK_EQUAL(hsp_model_init(memory, sizeof memory, BALLS, NULL), HSP_E_ARGUMENT);
+  CHECK_UNTOUCHED(memory);
   CHECK_EQUAL(hsp_model_init(small, 0, 0, &made), HSP_E_MEMORY);
   CHECK_EQUAL(hsp_model_init(small, sizeof small, BALLS, &made), HSP_E_MEMORY);
   CHECK_UNTOUCHED(made);

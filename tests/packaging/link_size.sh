@@ -27,6 +27,6 @@ sed '0,/^```c$/d' "$here/../../README.md" | sed '/^```/Q' >"$work/areas.c"
 query=$here/consumers/one_query.c
 link query-pkg-config "$query" 55000 "${package[@]}"
 link query-by-hand "$query" 98500 "${by_hand[@]}"
-link areas-pkg-config "$work/areas.c" 274000 "${package[@]}"
-link areas-by-hand "$work/areas.c" 405000 "${by_hand[@]}"
+link areas-pkg-config "$work/areas.c" 248000 "${package[@]}"
+link areas-by-hand "$work/areas.c" 379000 "${by_hand[@]}"
 exit $failed

@@ -13,9 +13,9 @@ constexpr PairsOfFew list_pairs() {
         pairs.k[things][p] = b;
         pairs.first[things][a] |= UINT32_C(1) << p;
         pairs.second[things][b] |= UINT32_C(1) << p;
-        for (uint32_t bits = 0; bits < 16; ++bits) {
+        for (uint32_t bits = 0; things == PairsOfFew::most && bits < 16; ++bits) {
           if ((bits >> p % 4 & 1U) == 0) continue;
-          pairs.matrix[things][p / 4][bits] |= UINT64_C(1) << (8 * a + b) | UINT64_C(1) << (8 * b + a);
+          pairs.matrix[p / 4][bits] |= UINT64_C(1) << (8 * a + b) | UINT64_C(1) << (8 * b + a);
         }
       }
     }

@@ -13,11 +13,12 @@ struct PairsOfFew {
   // Bits of pairs: those whose first thing, and whose second thing, is a thing.
   alignas(32) uint32_t first[most + 1][most];
   alignas(32) uint32_t second[most + 1][most];
-  // The 8 x 8 bits of a symmetric matrix, a byte for each row, of four pairs each.
+  // The 8 x 8 bits of a symmetric matrix, a byte for each row, of four pairs of eight things each. Pairs of fewer ones
+  // are the last of these, in the same order: those of the last things.
   static constexpr uint32_t fours = 7;
-  uint64_t matrix[most + 1][fours][16];
+  uint64_t matrix[fours][16];
 };
-// One table for the kernels of all targets, as it is large.
+// One table for the kernels of all targets.
 extern const PairsOfFew pairs_of_few;
 
 namespace {
@@ -26,12 +27,13 @@ constexpr uint32_t count_of_pairs(uint32_t things) {
   return things * (things - 1) / 2;
 }
 
-// Of the pairs of so many things that are set.
+// Of the pairs of so many things that are set, with these as the last ones.
 inline uint64_t matrix_of(uint32_t things, uint32_t pairs) {
   uint64_t all = 0;
+  pairs <<= 4 * PairsOfFew::fours - count_of_pairs(things);
 #pragma GCC unroll 7
   for (uint32_t four = 0; four < PairsOfFew::fours; ++four) {
-    all |= pairs_of_few.matrix[things][four][pairs >> 4 * four & 15U];
+    all |= pairs_of_few.matrix[four][pairs >> 4 * four & 15U];
   }
   return all;
 }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "core/id_range.hpp"
+
 namespace {
 
 using hsp::Executor;
@@ -62,6 +66,23 @@ TEST(Patience, OnceStoppedNobodyIsAskedAgain) {
   EXPECT_TRUE(executor.is_stopped());
   EXPECT_EQ(executor.failure(), hsp::Status::stopped);
   EXPECT_FALSE(executor.for_each(1, [](uint32_t) {}));
+}
+
+// Records that cost a million instructions each: three between two questions.
+TEST(Patience, PartsOfARangeAreTheWholeRangeUntilItIsStopped) {
+  for (int most = 0; most <= 5; ++most) {
+    Asked asked;
+    asked.most = most;
+    const Executor executor(1, nullptr, &asked, goes_on);
+    Patience patience(&executor);
+    std::vector<uint32_t> visited, expected;
+    hsp::in_parts(patience, hsp::IdRange{4, 15}, 1000000, [&](hsp::IdRange part) {
+      EXPECT_LE(part.size(), 3U);
+      for (const uint32_t k : part) visited.push_back(k);
+    });
+    for (uint32_t k = 4; k < 15 && k < 4 + 3 * static_cast<uint32_t>(most + 1); ++k) expected.push_back(k);
+    EXPECT_EQ(visited, expected) << most;
+  }
 }
 
 }  // namespace

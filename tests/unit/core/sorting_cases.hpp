@@ -93,9 +93,39 @@ inline uint32_t three_sorted() {
   });
 }
 
+// A heap of items that know their places, in which keys go up and down: each item is where it was put last, and the
+// first one has the largest key.
+inline uint32_t places_in_a_heap() {
+  constexpr uint32_t items = 40, changes = 2000;
+  uint32_t key[items], place[items], heap[items];
+  const auto less = [&](uint32_t a, uint32_t b) { return key[a] < key[b]; };
+  const auto placed = [&](uint32_t item, uint32_t slot) { place[item] = slot; };
+  Random random(7);
+  for (uint32_t k = 0; k < items; ++k) {
+    key[k] = random.below(30);
+    heap[k] = k;
+    hsp::sift_up(hsp::Span<uint32_t>(heap, k + 1), k, less, placed);
+  }
+  for (uint32_t change = 0; change < changes; ++change) {
+    const uint32_t item = random.below(items), before = key[item];
+    key[item] = random.below(30);
+    const hsp::Span<uint32_t> all(heap, items);
+    if (key[item] > before) {
+      hsp::sift_up(all, place[item], less, placed);
+    } else {
+      hsp::sift_down(all, place[item], less, placed);
+    }
+    for (uint32_t k = 0; k < items; ++k) {
+      if (heap[place[k]] != k || key[k] > key[heap[0]]) return change;
+    }
+  }
+  return all_hold;
+}
+
 inline constexpr Check core_sorting[] = {{"sorted_in_place", sorted_in_place},
                                          {"sorted_by_slot", sorted_by_slot},
                                          {"sorted_by_the_given_order", sorted_by_the_given_order},
-                                         {"three_sorted", three_sorted}};
+                                         {"three_sorted", three_sorted},
+                                         {"places_in_a_heap", places_in_a_heap}};
 
 }  // namespace cases

@@ -55,4 +55,20 @@ TEST(SumsInParts, ALoopThatDoesNothingIsRefused) {
   EXPECT_FALSE(hsp::sum_in_parts<OneSum>(hsp::Executor(2, none, nullptr), 1000, visit, sum));
 }
 
+// Parts follow each other, none is longer than another, and together they are the range.
+TEST(SumsInParts, WhereTheCallerMayStopPartsAreTheRange) {
+  const hsp::Executor executor(1, nullptr, nullptr, [](void *) { return true; });
+  for (const uint32_t size : {0U, 1U, 31U, 32U, 33U, 64U, 100U}) {
+    uint32_t next = 5, calls = 0;
+    hsp::visit_patiently(executor, hsp::IdRange{5, 5 + size}, [&](hsp::IdRange part) {
+      EXPECT_EQ(part.first, next);
+      ASSERT_GT(part.last, part.first);
+      ASSERT_LT(++calls, 100U);
+      next = part.last;
+    });
+    EXPECT_EQ(next, 5 + size);
+    EXPECT_EQ(calls, (size + 31) / 32);
+  }
+}
+
 }  // namespace

@@ -125,4 +125,17 @@ TEST(CubeSlots, NumbersOfCubesThatAreThereAreLeftOut) {
   }
 }
 
+// The order in which the grid has its cubes: all of a layer, row by row.
+TEST(CubeSlots, CubesComeByZThenYThenX) {
+  std::vector<hsp::CubeCoordinates> cubes;
+  for (const int64_t z : {-5, 0, 7}) {
+    for (const int64_t y : {-9, -1, 3}) {
+      for (const int64_t x : {-2, 4, 6}) cubes.push_back({x, y, z});
+    }
+  }
+  for (size_t a = 0; a < cubes.size(); ++a) {
+    for (size_t b = 0; b < cubes.size(); ++b) EXPECT_EQ(hsp::comes_before(cubes[a], cubes[b]), a < b) << a << ' ' << b;
+  }
+}
+
 }  // namespace

@@ -13,6 +13,7 @@
 #include "model/neighbour_lists.hpp"
 #include "model/queries.hpp"
 #include "random_balls.hpp"
+#include "set_arrangements.hpp"
 
 namespace {
 
@@ -25,7 +26,7 @@ oracle::Balls small_and_large(oracle::RandomSource &random, size_t small, size_t
 }
 
 // Few large ones; more than are looked at by everybody; points; radii of every size; copies and nested balls; tiny ones
-// close together.
+// close together; the same far from the origin.
 std::vector<oracle::Balls> unequal_sets() {
   oracle::RandomSource random(51);
   std::vector<oracle::Balls> sets = {small_and_large(random, 1500, 1, 1500), small_and_large(random, 1500, 40, 1200),
@@ -44,6 +45,7 @@ std::vector<oracle::Balls> unequal_sets() {
   oracle::Balls close = oracle::balls_in_box(random, 1400, 2000, 10, 90);
   close.push_back({15000, 0, 0, 15000});
   sets.push_back(close);
+  sets.push_back(oracle::moved(close, {100000000, -300000000, 200000000}));
   return sets;
 }
 

@@ -72,13 +72,32 @@ inline uint32_t caps_are_found_dropped_and_added() {
   for (uint32_t k = 0; k < 4; ++k) {
     if (set.x[caps.ball[k]] != 0.0 || caps.ux[k] != 0.0 || caps.plane(k).v.x != 0) return 5;
   }
-  caps.add_half_sphere({0, 0, 3});
+  caps.add_half_sphere({0, 0, 3000});
   const bool half = caps.count == 5 && caps.ball[4] == hsp::no_id && caps.uz[4] == 1.0 && caps.b[4] == 0.0 &&
-                    caps.plane(4).h == 0 && caps.plane(4).perturbed == 0;
+                    caps.plane(4).h == 0 && caps.plane(4).perturbed == 0 && caps.length_squared >= 9000000.0;
   return half ? all_hold : 6;
 }
 
+// Balls that touch others from inside lie in them, also where doubles round the squares apart; a step farther out they
+// do not.
+inline uint32_t balls_that_touch_from_inside() {
+  constexpr int quadruples[][4] = {{1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {4, 4, 7, 9}};
+  for (uint32_t k = 0; k < 200; ++k) {
+    const auto [x, y, z, d] = quadruples[k % 4];
+    const int scale = 90000001 + 98765 * static_cast<int>(k / 4);
+    for (const int step : {0, 1}) {
+      const SmallBall balls[] = {{0, 0, 0, 1000000000},
+                                 {x * scale + step, y * scale, z * scale, 1000000000 - d * scale}};
+      if (!small_union().build(balls, 2)) return k;
+      const hsp::CubeGrid &grid = small_union().grid();
+      if (hsp::lies_inside(grid.balls(), grid.grid_index(1), grid.grid_index(0)) != (step == 0)) return k;
+    }
+  }
+  return all_hold;
+}
+
 inline constexpr Check sphere_caps[] = {{"caps_of_one_ball", caps_of_one_ball},
+                                        {"balls_that_touch_from_inside", balls_that_touch_from_inside},
                                         {"caps_are_found_dropped_and_added", caps_are_found_dropped_and_added}};
 
 }  // namespace cases
