@@ -22,7 +22,7 @@ optional_packages_for_all_tests=(openmpi-bin libopenmpi-dev qemu-system-arm pyth
 packages_for_long_tests=(g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-s390x-linux-gnu g++-riscv64-linux-gnu
   g++-powerpc64le-linux-gnu g++-mips64el-linux-gnuabi64 g++-i686-linux-gnu googletest wasi-libc libclang-rt-14-dev-wasm32
   libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 nodejs chromium wine64 debootstrap dpkg-dev debhelper dh-python lintian
-  cairosvg inkscape mupdf-tools)
+  cairosvg inkscape mupdf-tools clang-19 llvm-19 libclang-rt-19-dev)
 # Programs that `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads
 # files with.
 packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev tao-pegtl-dev libfcl-dev

@@ -65,7 +65,7 @@ list(REMOVE_ITEM HSP_LEFT_OUT ${HSP_PARTS})
 set(HSP_COMPONENT_DEFINITIONS "")
 set(HSP_FOLDERS_LEFT_OUT "")
 # The tests that take the whole are those of the program and of packages, too.
-set(HSP_FOLDERS_BEYOND_CORE whole laws pictures interface packaging program python bindings clients portability mutation)
+set(HSP_FOLDERS_BEYOND_CORE whole pictures interface packaging program python bindings clients portability mutation)
 foreach(component ${HSP_ALL_COMPONENTS})
   file(GLOB rooms RELATIVE ${PROJECT_SOURCE_DIR}/lib/${component} ${PROJECT_SOURCE_DIR}/lib/${component}/*)
   list(APPEND HSP_FOLDERS_BEYOND_CORE ${component} ${rooms})
@@ -77,12 +77,13 @@ foreach(component ${HSP_ALL_COMPONENTS})
 endforeach()
 set(HSP_COMPONENT_DEFINITIONS ${HSP_COMPONENT_DEFINITIONS} CACHE INTERNAL "Of the components that are left out")
 
-# The sources of the Fortran modules: as they stand here, or of what is there, which takes Python and its pycparser.
+# The sources of the Fortran modules and the table of functions that the laws go over: as they stand here, or of what is
+# there, which takes Python and its pycparser.
 set(HSP_FORTRAN_FOLDER ${PROJECT_SOURCE_DIR}/capi/fortran)
 if(HSP_LEFT_OUT)
   set(HSP_FORTRAN_FOLDER ${PROJECT_BINARY_DIR}/fortran)
   execute_process(RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said
-    COMMAND python3 ${PROJECT_SOURCE_DIR}/capi/interface/generate.py --fortran ${HSP_FORTRAN_FOLDER} ${HSP_PARTS})
+    COMMAND python3 ${PROJECT_SOURCE_DIR}/capi/interface/generate.py --of-parts ${HSP_FORTRAN_FOLDER} ${HSP_PARTS})
   if(HSP_FORTRAN AND NOT status EQUAL 0)
     message(STATUS "no Fortran modules of these components: ${said}")
     set(HSP_FORTRAN OFF)

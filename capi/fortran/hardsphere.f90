@@ -972,7 +972,7 @@ module hardsphere
     integer(c_int32_t) :: concave_patches  ! vertices of the boundary
     integer(c_int32_t) :: cusped_patches   ! of the saddle patches, those that their axis cuts
     integer(c_int32_t) :: cut_patches      ! of the concave patches, those that other probes cut
-    integer(c_int32_t) :: hidden_patches   ! of these, those of which nothing is left
+    integer(c_int32_t) :: hidden_patches   ! 0: something is left of every patch, its corners at least
     integer(c_int32_t) :: rounded_patches  ! of the concave patches, those cut by decisions that doubles do not make
     integer(c_int32_t) :: open_joints      ! 0: every surface is closed
   end type

@@ -3,8 +3,9 @@
 
   generate.py           writes
   generate.py --check   compares; fails if a file is not what would be written
-  generate.py --fortran FOLDER PART...
-                        writes the Fortran modules of a library that has these parts alone (lib/components.cmake)
+  generate.py --of-parts FOLDER PART...
+                        writes Fortran modules and table of functions of a library that has these parts alone
+                        (lib/components.cmake)
 
 Both fail on any open question: on what the comments leave open. Exit status 77: there is no python3-pycparser."""
 import difflib
@@ -57,20 +58,21 @@ GENERATED = {
 }
 
 
-FORTRAN = ("capi/fortran/hardsphere.f90", "capi/fortran/hardsphere_workspace.f90")
+# Files of their own for builds that leave out components.
+OF_PARTS = ("capi/fortran/hardsphere.f90", "capi/fortran/hardsphere_workspace.f90", "tests/laws/support/registry.c")
 
 
-def write_fortran(interface, folder, parts):
+def write_of_parts(interface, folder, parts):
     Path(folder).mkdir(parents=True, exist_ok=True)
-    for name in FORTRAN:
+    for name in OF_PARTS:
         (Path(folder) / Path(name).name).write_text(GENERATED[name](restricted(interface, parts)))
     return 0
 
 
 def main(options):
     interface = read_interface(ROOT / "include")
-    if options[:1] == ["--fortran"]:
-        return write_fortran(interface, options[1], options[2:])
+    if options[:1] == ["--of-parts"]:
+        return write_of_parts(interface, options[1], options[2:])
     questions = interface.open_questions() + padded_structs(interface)
     for question in questions:
         print(f"open: {question}")

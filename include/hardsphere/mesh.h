@@ -124,7 +124,7 @@ HSP_API int32_t HSP_CALL hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *bo
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
  *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed
  *  @retval HSP_E_DEGENERATE    borders touch or lie on each other, as for a boundary, around a patch that has an area:
- *                              of 28 families of sets full of ties at most 4 of 100, of most of them none */
+ *                              of 37 families of sets full of ties at most 1 of 100, of most of them none */
 HSP_API int32_t HSP_CALL hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
                                                   hsp_mesh_limits *limits);
 

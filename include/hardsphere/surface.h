@@ -184,7 +184,7 @@ typedef struct hsp_surface_counts {
   uint32_t concave_patches; /**< vertices of the boundary */
   uint32_t cusped_patches;  /**< of the saddle patches, those that their axis cuts */
   uint32_t cut_patches;     /**< of the concave patches, those that other probes cut */
-  uint32_t hidden_patches;  /**< of these, those of which nothing is left */
+  uint32_t hidden_patches;  /**< 0: something is left of every patch, its corners at least */
   uint32_t rounded_patches; /**< of the concave patches, those cut by decisions that doubles do not make */
   uint32_t open_joints;     /**< 0: every surface is closed */
 } hsp_surface_counts;
@@ -415,10 +415,11 @@ HSP_API int32_t HSP_CALL hsp_surface_get_shells(const hsp_surface *surface, hsp_
 /** Check the invariants of a computed surface. If all hold, *invariant becomes 0 and *id HSP_NONE. Else *invariant
  *  becomes the number of the first that is violated, and *id that of the directed edge, patch, vertex or shell
  *  concerned:
- *  1. of earlier versions: no joint is open
+ *  1. the edges around each corner are one ring, in a cusp one for each part of the boundary: four at a corner of the
+ *     boundary, three where creases meet; in a cusp a crease lies between the sides at the ends of each covered gap
  *  2. next and previous are inverse, keep to one patch and go from corner to corner
  *  3. the loops of all patches together are every directed edge once
- *  4. a crease has the same length in both of its patches, up to what is known of its ends
+ *  4. a crease has the same length in both of its patches, and those of the same two patches do not overlap
  *  5. every corner lies on the circles of its edges
  *  6. the Euler characteristic of each shell is even and at most 2
  *  7. no area is negative, and the pieces of a concave patch sum to what is left of it, up to rounding

@@ -4,9 +4,9 @@ hsp_part(smooth
   HEADERS surface mesh
   SOURCES
     surface/actual_balls.cpp
+    surface/arc_figures.cpp
     surface/concave_patches.cpp
     surface/covered_gaps.cpp
-    surface/crease_lengths.cpp
     surface/creased_patches.cpp
     surface/creases.cpp
     surface/cusped_circles.cpp
@@ -19,7 +19,6 @@ hsp_part(smooth
     surface/probe_caps.cpp
     surface/probe_grid.cpp
     surface/probe_positions.cpp
-    surface/region_pieces.cpp
     surface/saddle.cpp
     surface/saddle_sums.kernel.cpp
     surface/surface_areas.cpp

@@ -226,6 +226,10 @@ static void refused_requests(const computed *c, uint32_t n) {
   hsp_measure_request measuring = {.struct_size = sizeof measuring};
   hsp_measure_outputs outputs = outputs_into(&m, n, 0);
   hsp_boundary_limits bad_size = c->needed;
+  size_t bytes;
+  uint8_t selected[BALL_SET_MOST] = {1};
+  const hsp_boundary_request of_some = {.struct_size = sizeof of_some, .selected = selected};
+  hsp_derivatives_outputs derivatives = {.struct_size = sizeof derivatives, .capacity = n};
   hsp_boundary_counts counts;
   check_scene("requests that are refused");
   memcpy(&untouched, &m, sizeof m);
@@ -254,6 +258,9 @@ static void refused_requests(const computed *c, uint32_t n) {
   CHECK_EQUAL(hsp_boundary_compute(boundary, c->model, NULL), HSP_OK);
   outputs.reserved = 1;
   CHECK_EQUAL(hsp_boundary_get_measures(boundary, &measuring, &outputs), HSP_E_VERSION);
+  executor.run = NULL;
+  CHECK_EQUAL(hsp_boundary_get_measures(boundary, &measuring, &outputs), HSP_E_VERSION);
+  executor = executor_of(&own, 2);
   outputs.reserved = 0;
   outputs.struct_size = 0;
   CHECK_EQUAL(hsp_boundary_get_measures(boundary, &measuring, &outputs), HSP_E_VERSION);
@@ -266,11 +273,22 @@ static void refused_requests(const computed *c, uint32_t n) {
   /* Totals alone need no room. */
   outputs = outputs_into(&m, 0, 2 | 4);
   CHECK_EQUAL(hsp_boundary_get_measures(boundary, &measuring, &outputs), HSP_OK);
+  bad_size.workers = HSP_MAX_WORKERS + 1;
+  CHECK_EQUAL(hsp_boundary_bytes(&bad_size, &bytes), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_boundary_bytes(&c->needed, NULL), HSP_E_ARGUMENT);
   bad_size.struct_size = 3;
+  CHECK_EQUAL(hsp_boundary_bytes(&bad_size, NULL), HSP_E_VERSION);
   CHECK_EQUAL(hsp_boundary_compute_with(NULL, c->model, &request, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_compute_with(boundary, NULL, &request, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_measures(boundary, &measuring, &outputs), HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute_with(boundary, c->model, &request, &bad_size), HSP_E_VERSION);
+  /* Of some balls there are areas and their derivatives alone. */
+  CHECK_EQUAL(hsp_boundary_compute_with(boundary, c->model, &of_some, NULL), HSP_OK);
+  derivatives.volume_radius = m.area;
+  CHECK_EQUAL(hsp_boundary_get_derivatives(boundary, NULL, &derivatives), HSP_E_STATE);
+  derivatives.volume_radius = NULL;
+  derivatives.area_radius = m.area;
+  CHECK_EQUAL(hsp_boundary_get_derivatives(boundary, NULL, &derivatives), HSP_OK);
   /* One worker needs no loop. */
   executor.workers = 1;
   executor.run = NULL;

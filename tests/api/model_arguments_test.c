@@ -161,6 +161,21 @@ static void bad_options(void) {
       CHECK_EQUAL(hsp_model_set(model, BALLS, good_xyz, good_radius, &options, &bad), radii[i].expected);
       CHECK_EQUAL(bad, radii[i].bad);
     }
+  }
+  {
+    /* More than is expected, also of steps so small that one of the two has no number of them. */
+    static const struct {
+      double step, largest, radius;
+      int32_t expected;
+    } alone[] = {{0, 2, -0.5, HSP_E_NEGATIVE}, {1e-9, 2, 3, HSP_E_RANGE}, {1e-9, 0.5, 1.5, HSP_E_RANGE}};
+    for (i = 0; i < sizeof alone / sizeof alone[0]; ++i) {
+      uint32_t bad = 12345;
+      options.step = alone[i].step;
+      options.largest_radius = alone[i].largest;
+      CHECK_EQUAL(hsp_model_set(model, 1, good_xyz, &alone[i].radius, &options, &bad), alone[i].expected);
+      CHECK_EQUAL(bad, 0);
+    }
+    options.step = 0;
     options.largest_radius = 0;
   }
   check_scene("zeros with a minus sign are zeros");

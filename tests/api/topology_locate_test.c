@@ -247,7 +247,7 @@ static void box_of_places(const topology_result *t) {
       high = fmax(high, c->xyz[3 * p + (uint32_t)axis] + c->radius[p]);
     }
     /* the outermost layer lies outside; steps that are no simple fraction of anything */
-    spacing[axis] = (high - low[axis] + 1e-3) / (SIDE - 2.1);
+    spacing[axis] = (high - low[axis] + 1e-3) / ((double)SIDE - 2.1);
     low[axis] -= 0.53 * spacing[axis];
     largest = fmax(largest, spacing[axis]);
     for (i = 0; i < SIDE; ++i) {

@@ -49,7 +49,7 @@ static void handles(const function *f, uint32_t capacity) {
     call_prepare(&c, f, capacity);
     refused(&c, i, zeros, "zeros for");
     for (other = NOUN_none + 1; other < NOUNS; ++other) {
-      if (other == f->arguments[i].noun) continue;
+      if (other == f->arguments[i].noun || given.handle[other] == NULL) continue;
       call_prepare(&c, f, capacity);
       refused(&c, i, given.handle[other], "a handle of another kind for");
     }

@@ -18,7 +18,7 @@ static int is_id(const argument *a) {
 
 static void ids(const function *f, uint32_t capacity) {
   /* Maps of sticks number their halves behind the balls. */
-  const uint32_t halves = strcmp(f->noun, "sticks") == 0 && given.balls > fixture_stick.ball[1] ? 2 : 0;
+  const uint32_t halves = strcmp(f->noun, "sticks") == 0 && given.balls > FIXTURE_STICK_END ? 2 : 0;
   const uint32_t balls = given.balls + halves;
   const uint32_t bad[] = {0xFFFFFFFF, 0x7FFFFFFF, 0x80000000, 100000, balls};
   int i;

@@ -54,7 +54,7 @@ int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from,
   visit([&](uint32_t, const hsp::BoxShift &) { ++count; });
   if (count > UINT32_MAX) return HSP_E_RANGE;
   const uint32_t found = static_cast<uint32_t>(count);
-  if (const int32_t status = check_output(out, capacity, found, needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(capacity, found, needed); status != HSP_OK) return status;
   uint32_t written = 0;
   visit([&](uint32_t ball, const hsp::BoxShift &shift) { put_image(images, from, ball, shift, out[written++]); });
   sort_images(out, found);
@@ -70,7 +70,7 @@ int32_t put_meeting(const hsp::PeriodicUnion &periodic, const hsp::exact::Vector
     hsp::QueryHits hits;
     hsp::find_in_block(grid, grid.block_around(grid.cube_at(centre)), centre, radius, excluded, hits);
     if (hits.count <= hsp::QueryHits::room) {
-      const int32_t status = check_output(out, capacity, hits.count, needed);
+      const int32_t status = check_output(capacity, hits.count, needed);
       if (status == HSP_OK) put_hits(periodic, hits, from, out, [](uint32_t) { return true; });
       return status;
     }
@@ -166,7 +166,7 @@ int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, u
       },
       [&](uint32_t i, uint32_t) { ++begins[i]; });
   if (!hsp::sum_up(begins)) return HSP_E_RANGE;
-  if (const int32_t status = check_output(out, capacity, begins[n], needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(capacity, begins[n], needed); status != HSP_OK) return status;
   visit(
       [&](uint32_t i, const hsp::QueryHits &hits) {
         begins[i] +=

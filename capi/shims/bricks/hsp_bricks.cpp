@@ -131,7 +131,7 @@ int32_t hsp_brick_get_shells(const uint8_t *summary, size_t bytes, hsp_brick_she
   if (const int32_t status = to_c(block.read(summary, bytes)); status != HSP_OK) return status;
   const hsp::WholeSet whole(block);
   if (const int32_t status = check_whole(block, whole, true, brick); status != HSP_OK) return status;
-  if (const int32_t status = check_output(out, capacity, whole.shells(), needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(capacity, whole.shells(), needed); status != HSP_OK) return status;
   for (uint32_t k = 0; k < whole.shells(); ++k) out[k] = to_c(whole.shell(k));
   hsp::sort_in_place(hsp::Span<hsp_brick_shell>(out, whole.shells()),
                      [](const hsp_brick_shell &a, const hsp_brick_shell &b) { return is_before(a, b); });

@@ -72,11 +72,10 @@ inline void put_vector(const double vector[3], double *array, uint32_t i) {
 }
 
 // The part every (out, capacity, needed) function shares: HSP_OK means that exactly `count` records are to be written.
-// `needed` may be null.
-inline int32_t check_output(const void *out, uint32_t capacity, uint32_t count, uint32_t *needed) {
+// `needed` may be null. That there is an array for a capacity has been checked.
+inline int32_t check_output(uint32_t capacity, uint32_t count, uint32_t *needed) {
   if (needed != nullptr) *needed = count;
-  if (count > capacity) return HSP_E_CAPACITY;
-  return out == nullptr && count > 0 ? HSP_E_ARGUMENT : HSP_OK;
+  return count > capacity ? HSP_E_CAPACITY : HSP_OK;
 }
 
 // The same for functions of several arrays, all of which may be left out, and with them the capacity.
@@ -108,7 +107,7 @@ template <class Handle, class Count>
 int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, uint32_t *needed, Count count) {
   const int32_t status = check_results(handle, out == nullptr && capacity > 0);
   if (status != HSP_OK) return status;
-  return check_output(out, capacity, count(*handle), needed);
+  return check_output(capacity, count(*handle), needed);
 }
 
 // The same for functions that write the records `first` to `first + count - 1` of number(*handle). `out` is null if

@@ -11,7 +11,7 @@ inline int32_t put_groups(const ContactGroups &groups, const exact::Lattice &lat
                           uint32_t capacity, uint32_t *needed) {
   uint32_t count = 0;
   groups.visit([&count](const GroupContact &) { ++count; });
-  if (const int32_t status = check_output(out, capacity, count, needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(capacity, count, needed); status != HSP_OK) return status;
   groups.visit([&](const GroupContact &sum) {
     *out++ = {lattice.area(sum.area), lattice.length(sum.rim), {sum.group[0], sum.group[1]}, sum.contacts, 0};
   });

@@ -103,7 +103,7 @@ int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_co
   if (const int32_t status = check_results(contacts, out == nullptr && capacity > 0); status != HSP_OK) return status;
   if (ball >= contacts->balls().n) return HSP_E_ID;
   const hsp::Span<const uint32_t> row = contacts->structure().row(contacts->grid().grid_index(ball));
-  const int32_t status = check_output(out, capacity, row.size(), needed);
+  const int32_t status = check_output(capacity, row.size(), needed);
   if (status != HSP_OK) return status;
   for (uint32_t k = 0; k < row.size(); ++k) out[k] = to_c(contacts->balls(), contacts->structure().contact(row[k]));
   return HSP_OK;
@@ -170,7 +170,7 @@ int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimens
   const hsp::Contacts &structure = contacts->structure();
   const uint32_t kept = dimension == 2 ? structure.triangles().size() : structure.tetrahedra().size();
   if (kept < structure.simplices().dimension(dimension)) return HSP_E_STATE;
-  const int32_t status = check_output(out, capacity, kept, needed);
+  const int32_t status = check_output(capacity, kept, needed);
   if (status != HSP_OK) return status;
   const hsp::BallSet &balls = contacts->balls();
   for (uint32_t k = 0; k < kept; ++k) {

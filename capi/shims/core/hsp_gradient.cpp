@@ -109,7 +109,7 @@ int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, u
   const hsp::Boundary &structure = boundary->structure();
   const uint32_t place = grid.grid_index(ball);
   const uint32_t length = hsp::area_row_length(structure, place);
-  if (const int32_t status = check_output(out, capacity, length, needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(capacity, length, needed); status != HSP_OK) return status;
   hsp::gather_area_row(balls, structure, place, to_touching_balls(tangency),
                        hsp::Span<hsp_area_derivative>(out, length));
   return HSP_OK;

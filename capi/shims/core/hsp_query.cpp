@@ -13,7 +13,7 @@ int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *
   hsp::QueryResult result{ids, capacity, 0};
   const hsp::Status status = hsp::find_balls(model->grid, xyz, radius, result);
   if (status != hsp::Status::ok) return to_c(status);
-  return check_output(ids, capacity, result.hits, needed);
+  return check_output(capacity, result.hits, needed);
 }
 
 }  // namespace

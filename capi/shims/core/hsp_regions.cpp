@@ -117,7 +117,7 @@ int32_t hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t re
   const hsp::Topology &structure = topology->structure();
   uint32_t count = 0;
   for (uint32_t s = 0; s < structure.shell_count; ++s) count += structure.shells[s].region == region ? 1U : 0U;
-  if (check_output(shells, capacity, count, needed) != HSP_OK) return HSP_E_CAPACITY;
+  if (check_output(capacity, count, needed) != HSP_OK) return HSP_E_CAPACITY;
   uint32_t written = 0;
   for (uint32_t s = 0; s < structure.shell_count; ++s) {
     if (structure.shells[s].region == region) shells[written++] = s;
@@ -132,7 +132,7 @@ int32_t hsp_topology_get_region_balls(const hsp_topology *topology, uint32_t reg
   const hsp::Topology &structure = topology->structure();
   const hsp::Boundary &boundary = topology->boundary->structure();
   const uint32_t count = hsp::count_balls_of_region(boundary, structure, region);
-  if (check_output(balls, capacity, count, needed) != HSP_OK) return HSP_E_CAPACITY;
+  if (check_output(capacity, count, needed) != HSP_OK) return HSP_E_CAPACITY;
   hsp::list_balls_of_region(topology->balls(), boundary, structure, region, hsp::Span<uint32_t>(balls, count));
   return HSP_OK;
 }

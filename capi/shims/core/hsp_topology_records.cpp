@@ -117,7 +117,7 @@ int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell,
   const hsp::Topology &structure = topology->structure();
   if (shell >= structure.shell_count) return HSP_E_ID;
   const hsp::ShellRecord &record = structure.shells[shell];
-  if (check_output(faces, capacity, record.simple_faces, needed) != HSP_OK) return HSP_E_CAPACITY;
+  if (check_output(capacity, record.simple_faces, needed) != HSP_OK) return HSP_E_CAPACITY;
   for (uint32_t k = 0; k < record.simple_faces; ++k) faces[k] = structure.traversal[record.first_traversed + k];
   return HSP_OK;
 }

@@ -93,7 +93,7 @@ int32_t list_pairs(const hsp_body *fixed, const hsp_body *posed, const Numbers *
   // Two walks, as nothing is written to `pair` unless all fit.
   const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, posed->tree, at, {}));
   if (count == hsp::no_id) return HSP_E_RANGE;
-  const int32_t status = check_output(pair, capacity, count, needed);
+  const int32_t status = check_output(capacity, count, needed);
   if (status != HSP_OK) return status;
   hsp::list_meeting_pairs(fixed->tree, posed->tree, at, {reinterpret_cast<hsp::MeetingPair *>(pair), count});
   return HSP_OK;

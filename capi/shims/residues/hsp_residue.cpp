@@ -17,7 +17,7 @@ int32_t hsp_residue_radius(uint32_t set, const char *residue, const char *atom, 
 int32_t hsp_residue_get_atoms(uint32_t set, hsp_residue_atom *out, uint32_t capacity, uint32_t *needed) {
   if (!is_set(set) || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   const auto own = static_cast<hsp::ResidueSet>(set);
-  const int32_t status = hsp::capi::check_output(out, capacity, hsp::list_residue_radii(own, nullptr), needed);
+  const int32_t status = hsp::capi::check_output(capacity, hsp::list_residue_radii(own, nullptr), needed);
   if (status == HSP_OK) hsp::list_residue_radii(own, out);
   return status;
 }

@@ -99,7 +99,7 @@ int32_t get_areas(const Handle *handle, double *area, uint32_t capacity, uint32_
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_map_of(handle, area == nullptr && capacity > 0); status != HSP_OK) return status;
   const uint32_t bodies = handle->bodies();
-  if (const int32_t status = check_output(area, capacity, bodies, needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(capacity, bodies, needed); status != HSP_OK) return status;
   const MapRecords &map = handle->map();
   sum_visible_areas(map, [&](uint32_t body) { return handle->caller(body); }, {area, bodies});
   for (uint32_t i = 0; i < bodies; ++i) area[i] = handle->balls().lattice.area(area[i]);
@@ -119,7 +119,7 @@ int32_t get_outline(const Handle *handle, uint32_t body, uint32_t *h, uint32_t c
   };
   uint32_t count = 0;
   visit([&](uint32_t) { ++count; });
-  const int32_t status = check_output(h, capacity, count, needed);
+  const int32_t status = check_output(capacity, count, needed);
   if (status == HSP_OK) visit([&](uint32_t half_edge) { *h++ = half_edge; });
   return status;
 }

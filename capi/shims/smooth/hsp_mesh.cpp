@@ -182,7 +182,7 @@ int32_t hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t 
   for (uint32_t p = 0; p < patches; ++p) {
     if (!hsp::is_finite(area[p])) return HSP_E_NOT_FINITE;
   }
-  const int32_t status = check_output(weights, capacity, found.vertex_count(), needed);
+  const int32_t status = check_output(capacity, found.vertex_count(), needed);
   if (status == HSP_OK) share_areas_of_patches(found, area, weights);
   return status;
 }

@@ -94,7 +94,7 @@ int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *c
   const hsp::SurfaceCounts &found = surface->builder.surface().counts();
   *counts = {boundary.face_count(),   boundary.arc_count() + boundary.circle_count(),
              boundary.vertex_count(), found.cusped_arcs,
-             found.cut_patches,       found.hidden_patches,
+             found.cut_patches,       0,
              found.rounded_patches,   0};
   return HSP_OK;
 }

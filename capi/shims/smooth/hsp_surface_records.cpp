@@ -223,7 +223,7 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(surface, out == nullptr && capacity > 0); status != HSP_OK) return status;
   const uint32_t shells = surface->structure().shells().count();
-  if (const int32_t status = check_output(out, capacity, shells, needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(capacity, shells, needed); status != HSP_OK) return status;
   const SurfaceResults results(*surface);
   for (uint32_t s = 0; s < shells; ++s) out[s] = {};
   for (uint32_t id = 0; id < results.map.patch_count(); ++id) {

@@ -99,7 +99,7 @@ int32_t hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t
   const hsp::FreeSpace &space = cells->structure();
   if (cell >= space.cell_count()) return HSP_E_ID;
   const hsp::Span<const uint32_t> list = space.neighbours(cell);
-  if (const int32_t status = check_output(neighbours, capacity, list.size(), needed); status != HSP_OK) return status;
+  if (const int32_t status = check_output(capacity, list.size(), needed); status != HSP_OK) return status;
   for (uint32_t k = 0; k < list.size(); ++k) neighbours[k] = list[k];
   return HSP_OK;
 }

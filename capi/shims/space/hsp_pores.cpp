@@ -312,7 +312,7 @@ int32_t hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel
   if (!is_level(*pores, level)) return HSP_E_RANGE;
   const uint32_t parts = pores->builder.join_above(highest_level(*pores, level, radius)) - 1;
   uint32_t count = 0;
-  const int32_t fits = check_output(out, capacity, parts, needed != nullptr ? needed : &count);
+  const int32_t fits = check_output(capacity, parts, needed != nullptr ? needed : &count);
   if (fits != HSP_OK) return fits;
   const hsp::Windings &joined = pores->builder.pores().joined();
   for (uint32_t k = 0; k < parts; ++k) out[k] = to_channel(*pores, joined, k + 1);

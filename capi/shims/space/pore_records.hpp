@@ -57,7 +57,7 @@ int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capac
   if (record >= number(*pores)) return HSP_E_ID;
   const auto there = list(*pores);
   uint32_t count = 0;
-  const int32_t fits = check_output(out, capacity, there.size(), needed != nullptr ? needed : &count);
+  const int32_t fits = check_output(capacity, there.size(), needed != nullptr ? needed : &count);
   if (fits != HSP_OK) return fits;
   for (uint32_t k = 0; k < there.size(); ++k) out[k] = put(there[k]);
   return HSP_OK;

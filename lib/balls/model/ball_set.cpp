@@ -48,7 +48,8 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   double largest = 0.0, smallest = std::numeric_limits<double>::infinity();
   for (uint32_t i = 0; i < input.n; ++i) {
     const double radius = input.radius[i];
-    if (!(0.0 <= radius && radius <= most) && !(expected && is_expected(radius))) {
+    const bool fits = 0.0 <= radius && radius <= most;
+    if (!fits && (!expected || !is_expected(radius))) {
       first_bad = i;
       if (!is_finite(radius)) return Status::not_finite;
       return radius < 0.0 ? Status::negative : Status::range;

@@ -17,7 +17,7 @@ constexpr int rounds_before_pinching = 4;
 constexpr uint64_t most_growth = 8;
 constexpr uint64_t growth_of_small_meshes = 20000;
 // Patches with less area, on the unit sphere, are made from their loops alone: at once, or where all else has failed.
-constexpr double no_area = 2e-7, small_area = 1e-3;
+constexpr double no_area = 2e-7, small_area = 1e-2;
 
 }  // namespace
 

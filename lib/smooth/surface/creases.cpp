@@ -114,7 +114,7 @@ bool Creases::add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w) {
     const uint32_t k = ball < circle ? cusped_->of_arc(ball, circle) : cusped_->of_arc(circle, ball);
     if (k == no_id) continue;
     share = true;
-    if (gap_behind(actual_->balls(), boundary, chosen, ball, e).vertex != w) continue;
+    if (vertex_across_gap(actual_->balls(), boundary, chosen, ball, e) != w) continue;
     for (uint32_t side = 0; side < 2; ++side) {
       const uint32_t number = first_cusp_ + 2 * k + side;
       ends_.push({number, actual_->starts_at_cusp(point(number), v, w) > 0, false});

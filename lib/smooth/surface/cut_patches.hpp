@@ -14,9 +14,11 @@
 // with V vertices and K cusped circles.
 #pragma once
 
+#include "core/fixed_vector.hpp"
 #include "core/id_range.hpp"
 #include "core/ranked_bits.hpp"
-#include "surface/region_pieces.hpp"
+#include "core/vec3.hpp"
+#include "core/workspace.hpp"
 
 namespace hsp {
 
@@ -60,14 +62,10 @@ class CutPatches {
  public:
   void carve(Workspace &workspace, uint32_t vertices, uint32_t pieces, uint32_t arcs);
 
-  // All vertices are added in the order of their ids; a hidden patch as one piece without arcs.
+  // All vertices are added in the order of their ids.
   void clear();
   void begin_vertex(uint32_t vertex) { first_piece_[vertex] = pieces_.size(); }
-  // The sum of its pieces, before any of them.
-  void begin_patch(const ConcavePatch &patch) {
-    if (pieces_.required() < patch_.size()) patch_[pieces_.size()] = patch;
-  }
-  // The same, after all of them.
+  // The sum of its pieces, after all of them.
   void set_patch(uint32_t vertex, const ConcavePatch &patch) {
     if (first_piece_[vertex] < patch_.size()) patch_[first_piece_[vertex]] = patch;
   }

@@ -1,16 +1,26 @@
-// The part of a unit sphere outside all of its caps, for any source of decisions: its area up to multiples of 2 pi, and
-// its vector area.
+// The part of a unit sphere outside all of its caps, in doubles: its area up to multiples of 2 pi, its vector area, its
+// border and pieces. All that is answered is certain, given a bound on the errors of the caps; else there is no result.
 //
 // Every pair of circles is asked for its crossing points once, every point whether any cap contains it. The rest
 // are the corners of the region. Along a circle they are, counter-clockwise, where another cap ends and where the next
-// one begins, by turns; between such two the circle bounds the region. An answer may be "unknown"; then there is no
-// result, unless some other cap contains the point for certain.
+// one begins, by turns; between such two the circle bounds the region.
+//
+// For circles u.x = a and v.x = b put n = u x v, q = a v - b u and D = n.n - q.q (exact/circle_crossing.hpp). Unlike
+// 1 - g^2 - a^2 - b^2 + 2 g a b this keeps its precision where two circles are almost the same, as those of two close
+// vertices. Errors in units of e = 2^-53, those of u at most 3.5 A and of a at most 7 A (A the amplification),
+// with L^2 = n.n + q.q <= 5:
+//   n   2 * 3.5 A + 4 <= 11 A      q   2 * (7 + 3.5) A + 4 <= 25 A
+//   D   2 (11 A |n| + 25 A |q|) + 8 L^2 <= 80 A L
+// and for the points (q x n +- sqrt(D) n) / n.n, where D > 0, so |q| <= |n| and L <= 1.42 |n|:
+//   q x n          (25 + 11 + 2 * 11) A / |n|
+//   sqrt(D) n      80 A L / (2 sqrt(D) |n|) + 3 * 11 A / |n|
+//   together, as sqrt(D) <= |n|, at most 148 A / sqrt(D); a third cap's u.p - a adds 3.5 A + 7 A, all roundings 20.
 #pragma once
 
 #include "core/fixed_vector.hpp"
 #include "core/small_code.hpp"
-#include "core/vec3.hpp"
-#include "lanes/floating_point.hpp"
+#include "sphere/arc_geometry.hpp"
+#include "sphere/caps.hpp"
 
 namespace hsp {
 
@@ -21,15 +31,14 @@ enum class Answer : uint8_t { no, yes, unknown };
 struct RegionCorner {
   uint32_t first, second;
   int32_t sign;
-  double root;  // of the discriminant, in the units of the source
+  double root;  // of the discriminant
   Vec3 point;
-  double error;          // of the point
+  double error;          // of axis.point - height for any cap
   bool taken;            // as the end of an arc
   double turn = 0.0;     // exterior angle
   uint32_t arc = no_id;  // that starts here
 
   bool on(uint32_t circle) const { return first == circle || second == circle; }
-  uint32_t other(uint32_t circle) const { return first == circle ? second : first; }
   // Whether `circle` leaves the other cap here.
   bool is_exit_of(uint32_t circle) const { return (sign > 0) == (first == circle); }
 };
@@ -42,7 +51,7 @@ struct RegionArc {
   double angle;
   double curvature;       // height * angle, minus the exterior angle where it starts
   Vec3 vector_area;       // its term
-  uint32_t loop = no_id;  // the first arc of its loop, and of the loop around its piece (region_pieces.hpp)
+  uint32_t loop = no_id;  // the first arc of its loop, and of the loop around its piece (find_pieces)
   uint32_t piece = no_id;
 };
 
@@ -60,21 +69,12 @@ struct FreeRegion {
   }
 };
 
-// Circles has
-//   uint32_t count() const, Vec3 axis(k), double height(k)             plane of circle k: axis.x = height
-//   Answer crossing(j, k, Crossing &) const                            whether circles j < k cross, and where
-//   Answer contains(const Crossing &, int sign, r) const               whether cap r contains p+ or p-
-//   RegionCorner corner(const Crossing &, int sign) const
-//   Answer lies_inside(k, r) const                                     circle k, which crosses none, is in cap r
-//   bool ends_sooner(k, exit, a, b) const                              from corner `exit` on, entry a comes before b
-//   double arc_angle(k, exit, entry) const                             negative if it may be 0 or 2 pi
-//   double exterior_angle(corner) const
-template <class Circles>
 class FreeRegionFinder {
  public:
-  FreeRegionFinder(const Circles &circles, FixedVector<RegionCorner> &corners, FixedVector<RegionArc> &arcs,
-                   uint32_t sides)
-      : circles_(circles), corners_(corners), arcs_(arcs), sides_(sides) {}
+  // amplification >= 1.
+  FreeRegionFinder(const Caps &caps, double amplification, FixedVector<RegionCorner> &corners,
+                   FixedVector<RegionArc> &arcs, uint32_t sides)
+      : caps_(caps), error_(amplification * unit_roundoff), corners_(corners), arcs_(arcs), sides_(sides) {}
 
   // False if an answer that matters is unknown, or the answers contradict each other.
   bool find(FreeRegion &region) {
@@ -82,18 +82,18 @@ class FreeRegionFinder {
     crossed_ = 0;
     corners_.clear();
     arcs_.clear();
-    for (uint32_t k = 1; k < circles_.count(); ++k) {
+    for (uint32_t k = 1; k < caps_.count; ++k) {
       for (uint32_t j = 0; j < k; ++j) {
         if (!add_corners(j, k)) return false;
       }
     }
     if (corners_.overflowed()) return false;
     for (RegionCorner &corner : corners_.items()) {
-      corner.turn = circles_.exterior_angle(corner);
+      corner.turn = exterior_angle(corner);
       region_.curvature -= corner.turn;
     }
     list_corners();
-    for (uint32_t k = 0; k < circles_.count(); ++k) {
+    for (uint32_t k = 0; k < caps_.count; ++k) {
       if (!add_arcs(k)) return false;
     }
     if (arcs_.overflowed()) return false;
@@ -105,20 +105,69 @@ class FreeRegionFinder {
   }
 
  private:
+  struct Crossing {
+    double root;
+    Vec3 point[2];  // p-, p+
+    double error;   // as of corners
+  };
+
+  // Whether two circles j < k cross, and where if they certainly do.
+  Answer find_crossing(uint32_t j, uint32_t k, Crossing &crossing) const {
+    const CircleCrossing<Vec3, double> pair(caps_.axis(j), caps_.b[j], caps_.axis(k), caps_.b[k]);
+    const double D = pair.discriminant(1.0);
+    const double scale = error_ * std::sqrt(pair.nn + dot(pair.q, pair.q));
+    if (D < -256 * scale) return Answer::no;
+    // So far above its error that the first order decides.
+    if (!(D > 4096 * scale)) return Answer::unknown;
+    const double root = std::sqrt(D);
+    crossing = {root, {pair.point(-root), pair.point(root)}, 256 * error_ / root};
+    return Answer::yes;
+  }
+  // Whether cap r contains p+ or p-.
+  Answer contains(const Crossing &crossing, int sign, uint32_t r) const {
+    const double above = dot(caps_.axis(r), crossing.point[sign > 0 ? 1 : 0]) - caps_.b[r];
+    return above > crossing.error ? Answer::yes : above < -crossing.error ? Answer::no : Answer::unknown;
+  }
+  // Of a circle that crosses none, by its centre a u: error of a g - b at most 7 A + (2 * 3.5 A + 3) + 7 A + 2.
+  Answer lies_inside(uint32_t k, uint32_t r) const {
+    const double above = caps_.b[k] * dot(caps_.axis(k), caps_.axis(r)) - caps_.b[r];
+    const double certain = 32 * error_;
+    return above > certain ? Answer::yes : above < -certain ? Answer::no : Answer::unknown;
+  }
+  double turn(uint32_t k, const RegionCorner &from, const RegionCorner &to) const {
+    const Vec3 centre = caps_.b[k] * caps_.axis(k);
+    return turn_about(caps_.axis(k), from.point - centre, to.point - centre);
+  }
+  // Seen from the circle's centre each end is uncertain by its error over the circle's radius. Negative if the angle
+  // may be 0 or 2 pi.
+  double arc_angle(uint32_t k, const RegionCorner &exit, const RegionCorner &entry) const {
+    const double angle = turn(k, exit, entry);
+    const double radius_squared = (1.0 - caps_.b[k]) * (1.0 + caps_.b[k]);
+    const double error = 2 * (exit.error + entry.error);
+    const double margin = angle < pi ? angle : 2 * pi - angle;
+    return margin > 0.0 && margin * margin * radius_squared > error * error ? angle : -1.0;
+  }
+  double exterior_angle(const RegionCorner &corner) const {
+    const double g = dot(caps_.axis(corner.first), caps_.axis(corner.second));
+    return arc_tangent(corner.root, g - caps_.b[corner.first] * caps_.b[corner.second]);
+  }
+
   bool add_corners(uint32_t j, uint32_t k) {
-    typename Circles::Crossing crossing;
-    const Answer answer = circles_.crossing(j, k, crossing);
+    Crossing crossing;
+    const Answer answer = find_crossing(j, k, crossing);
     if (answer != Answer::yes) return answer == Answer::no;
     crossed_ |= bit(j) | bit(k);
     for (int sign = -1; sign <= 1; sign += 2) {
       Answer covered = Answer::no;
-      for (uint32_t r = 0; r < circles_.count() && covered != Answer::yes; ++r) {
+      for (uint32_t r = 0; r < caps_.count && covered != Answer::yes; ++r) {
         if (r == j || r == k) continue;
-        const Answer inside = circles_.contains(crossing, sign, r);
+        const Answer inside = contains(crossing, sign, r);
         if (inside != Answer::no) covered = inside;
       }
       if (covered == Answer::unknown) return false;
-      if (covered == Answer::no) corners_.push(circles_.corner(crossing, sign));
+      if (covered == Answer::no) {
+        corners_.push({j, k, sign, crossing.root, crossing.point[sign > 0 ? 1 : 0], crossing.error, false});
+      };
     }
     return true;
   }
@@ -133,12 +182,12 @@ class FreeRegionFinder {
       if (!good) return;
       RegionCorner *end = nullptr;
       for_each_corner(k, false, [&](RegionCorner &entry) {
-        if (end == nullptr || circles_.ends_sooner(k, exit, entry, *end)) end = &entry;
+        if (end == nullptr || turn(k, exit, entry) < turn(k, exit, *end)) end = &entry;
       });
       good = end != nullptr && !end->taken;
       if (!good) return;
       end->taken = true;
-      const double angle = circles_.arc_angle(k, exit, *end);
+      const double angle = arc_angle(k, exit, *end);
       good = !(angle < 0.0);
       if (!good) return;
       exit.arc = clamped_count(arcs_.required());
@@ -150,9 +199,9 @@ class FreeRegionFinder {
 
   // Every corner is an exit of one circle and an entry of another. As bits, if there are few of both.
   void list_corners() {
-    are_listed_ = !small_code && circles_.count() <= few && corners_.size() <= few;
+    are_listed_ = !small_code && caps_.count <= few && corners_.size() <= few;
     if (!are_listed_) return;
-    for (uint32_t k = 0; k < circles_.count(); ++k) exits_[k] = entries_[k] = 0;
+    for (uint32_t k = 0; k < caps_.count; ++k) exits_[k] = entries_[k] = 0;
     for (uint32_t c = 0; c < corners_.size(); ++c) {
       const RegionCorner &corner = corners_[c];
       const bool forward = corner.sign > 0;
@@ -179,11 +228,11 @@ class FreeRegionFinder {
     // Where circles cross and leave no corner, the rest is in other caps.
     if ((crossed_ & bit(k)) != 0) return true;
     Answer covered = Answer::no;
-    for (uint32_t r = 0; r < circles_.count() && covered != Answer::yes; ++r) {
+    for (uint32_t r = 0; r < caps_.count && covered != Answer::yes; ++r) {
       if (r == k) continue;
-      typename Circles::Crossing crossing;
-      const bool crosses = circles_.crossing(r < k ? r : k, r < k ? k : r, crossing) == Answer::yes;
-      const Answer inside = crosses ? Answer::yes : circles_.lies_inside(k, r);
+      Crossing crossing;
+      const bool crosses = find_crossing(r < k ? r : k, r < k ? k : r, crossing) == Answer::yes;
+      const Answer inside = crosses ? Answer::yes : lies_inside(k, r);
       if (inside != Answer::no) covered = inside;
     }
     if (covered == Answer::no) {
@@ -194,8 +243,8 @@ class FreeRegionFinder {
   }
 
   void add_arc(uint32_t k, double angle, const Vec3 &chord) {
-    const double c = circles_.height(k);
-    const Vec3 u = circles_.axis(k);
+    const double c = caps_.b[k];
+    const Vec3 u = caps_.axis(k);
     region_.curvature += c * angle;
     const Vec3 along = combine(c, cross(u, chord), (1.0 - c) * (1.0 + c) * angle, u);
     region_.vector_area = combine(1.0, region_.vector_area, -0.5, along);
@@ -217,7 +266,8 @@ class FreeRegionFinder {
 
   static constexpr uint32_t few = 64;
 
-  const Circles &circles_;
+  const Caps &caps_;
+  const double error_;
   FixedVector<RegionCorner> &corners_;
   FixedVector<RegionArc> &arcs_;
   const uint32_t sides_;
@@ -226,5 +276,30 @@ class FreeRegionFinder {
   bool are_listed_ = false;             // the next two hold something:
   uint64_t exits_[few], entries_[few];  // corners of each circle
 };
+
+// The loops of the region, if it lies inside a spherical triangle, and the pieces that they bound: sets `loop` and
+// `piece` of all arcs. False if there are several pieces, and a hole in one of them.
+//
+// A loop is the border of a piece or of a hole in one. Put K for the sum of its arcs' heights * angles, minus its
+// exterior angles: by Gauss and Bonnet what the loop leaves on its region's side has the area 2 pi + K. A piece is
+// smaller than the triangle, so K < 0; the outside of a hole is larger than a half sphere, so K > 0.
+inline bool find_pieces(Span<RegionArc> arcs) {
+  uint32_t pieces = 0, holes = 0, last_piece = no_id;
+  for (uint32_t first = 0; first < arcs.size(); ++first) {
+    if (arcs[first].loop != no_id) continue;
+    double K = 0.0;
+    uint32_t a = first;
+    do {
+      K += arcs[a].curvature;
+      arcs[a].loop = arcs[a].piece = first;
+      a = arcs[a].next;
+    } while (a != first);
+    ++(K < 0.0 ? pieces : holes);
+    if (K < 0.0) last_piece = first;
+  }
+  if (holes == 0) return true;
+  for (RegionArc &arc : arcs) arc.piece = last_piece;
+  return pieces == 1;
+}
 
 }  // namespace hsp

@@ -1,7 +1,5 @@
 #include "surface/patch_corners.hpp"
 
-#include "surface/crease_lengths.hpp"
-
 namespace hsp {
 namespace {
 
@@ -15,25 +13,23 @@ class Joiner {
         first_cusp_(3 * boundary.vertex_count()),
         first_crease_corner_(first_cusp_ + 2 * cusped.count()) {}
 
-  PatchJoints join() {
+  uint32_t join() {
     // A cusp is known by the corner at the other end of its side, so those come first; then the corners of three
     // patches at the first of these, before the other two.
     for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_own_corner(v, before, after); });
     for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_cusp(v, before, after); });
     for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { find_owner(v, before, after); });
     patches_.crease_corners().count();
-    joints_.crease_corners = patches_.crease_corners().size();
-    for (uint32_t k = 0; k < joints_.crease_corners; ++k) {
+    const uint32_t corners = patches_.crease_corners().size();
+    for (uint32_t k = 0; k < corners; ++k) {
       patches_.arc(patches_.crease_corners().member(k)).corner = first_crease_corner_ + k;
     }
     for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { find_crease_corner(v, before, after); });
     // Every arc of a cusped circle has two ends, with both cusps at each.
-    const uint32_t expected = 4 * cusped_.arcs();
-    joints_.open += difference(cusps_, expected) + difference(met_, 2 * joints_.crease_corners);
+    open_ += difference(cusps_, 4 * cusped_.arcs()) + difference(met_, 2 * corners);
     for_each_arc([this](uint32_t v, uint32_t a) { find_twin(v, a); });
     patches_.creases().count();
-    joints_.creases = patches_.creases().size();
-    return joints_;
+    return open_;
   }
 
  private:
@@ -73,7 +69,7 @@ class Joiner {
     const uint32_t b = side.slot() == 2 ? 1 : 2;
     const uint32_t circle = cusped_.of_arc(vertex.ball[a], vertex.ball[b]);
     if (circle == no_id || corner >= first_cusp_) {
-      ++joints_.open;
+      ++open_;
       return;
     }
     arc.corner = first_cusp_ + 2 * circle + (corner == 3 * v + a ? 0 : 1);
@@ -108,7 +104,7 @@ class Joiner {
         return;
       }
     }
-    ++joints_.open;
+    ++open_;
   }
 
   // A crease runs the other way in the patch across it.
@@ -123,10 +119,11 @@ class Joiner {
       arc.twin = b;
       other.twin = a;
       patches_.creases().set(a);
-      if (CreaseLengths::may_differ(arc, other)) ++joints_.uneven;
+      const double off = arc.angle - other.angle;
+      if (!(off <= crease_tolerance && -off <= crease_tolerance)) ++open_;
       return;
     }
-    ++joints_.open;
+    ++open_;
   }
 
   const Boundary &boundary_;
@@ -136,13 +133,12 @@ class Joiner {
   const uint32_t first_cusp_, first_crease_corner_;
   uint32_t cusps_ = 0;
   uint32_t met_ = 0;
-  PatchJoints joints_;
+  uint32_t open_ = 0;
 };
 
 }  // namespace
 
-PatchJoints join_patches(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience,
-                         CutPatches &patches) {
+uint32_t join_patches(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience, CutPatches &patches) {
   return Joiner(boundary, cusped, patience, patches).join();
 }
 

@@ -7,15 +7,12 @@
 
 namespace hsp {
 
-struct PatchJoints {
-  uint32_t crease_corners = 0;  // where three creases meet
-  uint32_t creases = 0;         // each counted once
-  uint32_t open = 0;            // ends and creases that another patch lacks: 0 if the surface is closed
-  uint32_t uneven = 0;          // creases that may differ in their two patches (crease_lengths.hpp)
-};
+// A crease is measured in both of its patches, which have found its ends each on its own. They agree to this angle
+// where doubles know them well enough.
+inline constexpr double crease_tolerance = 1e-6;
 
-// Not all of them if that is stopped.
-PatchJoints join_patches(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience,
-                         CutPatches &patches);
+// How many ends and creases another patch lacks, or has otherwise: 0 if the surface is closed. Not all of them if that
+// is stopped.
+uint32_t join_patches(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience, CutPatches &patches);
 
 }  // namespace hsp

@@ -1,42 +1,9 @@
 #include "surface/patch_loops.hpp"
 
-#include "core/elementary.hpp"
-#include "surface/actual_decisions.hpp"
-#include "surface/cut_patches.hpp"
+#include "surface/arc_places.hpp"
 
 namespace hsp {
 namespace {
-
-// An arc as seen from its vertex: it runs about `axis`, in the plane through `middle`; its ends are as seen from there.
-template <class Number>
-struct ArcPlace {
-  NumberVector<Number> axis, middle, start, end;
-};
-
-template <class Number>
-void find_axis(const ActualPoints<Number> &actual, uint32_t vertex, uint32_t across, NumberVector<Number> &axis) {
-  if ((across & PatchArc::side_bit) == 0) return actual.find_arm_to_vertex(vertex, across, axis);
-  const VertexRecord &record = actual.boundary.vertex(vertex);
-  const SideOfPatch side = side_of_patch(record, across & ~PatchArc::side_bit);
-  actual.find_inward(vertex, record.ball[side.second], record.ball[side.first], axis);
-}
-// Apart, so that its numbers are not on the stack below ends.
-template <class Number>
-[[gnu::noinline]] void find_middle(const ActualPoints<Number> &actual, const BorderArc &arc, ArcPlace<Number> &place) {
-  place.middle = place.axis;
-  place.middle *= (arc.across & PatchArc::side_bit) != 0 ? actual.number(0) : actual.number(1).scaled(-1);
-}
-template <class Number>
-[[gnu::noinline]] void find_place(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,
-                                  ArcPlace<Number> &place) {
-  find_axis(actual, vertex, arc.across, place.axis);
-  find_middle(actual, arc, place);
-  if (arc.is_whole()) return;
-  actual.find_arm(vertex, arc.from, place.start);
-  actual.find_arm(vertex, arc.to, place.end);
-  place.start -= place.middle;
-  place.end -= place.middle;
-}
 
 // Signs, and whether all of them so far are certain.
 class CertainSigns {
@@ -148,73 +115,6 @@ class Crossings {
   const NumberVector<Number> &from_, &to_;
   CertainSigns &signs_;
 };
-
-// The angle whose sine and cosine are these, times a positive number; only if it cannot be a whole turn off.
-constexpr double least_error = 0x1p-36;
-bool has_angle(const BoundedDouble &sine, const BoundedDouble &cosine, double &angle) {
-  const double s = std::fabs(sine.value), c = std::fabs(cosine.value), larger = s > c ? s : c;
-  if (sine.sign() == 0 || !(sine.error <= least_error * larger) || !(cosine.error <= least_error * larger))
-    return false;
-  angle = arc_tangent(sine.value, cosine.value);
-  return true;
-}
-bool has_angle(const WideFloat &sine, const WideFloat &cosine, double &angle) {
-  int32_t exponent_of_sine = 0, exponent_of_cosine = 0;
-  const double s = sine.leading(exponent_of_sine), c = cosine.leading(exponent_of_cosine);
-  const int32_t larger = exponent_of_sine > exponent_of_cosine ? exponent_of_sine : exponent_of_cosine;
-  if (sine.sign() == 0 || sine.error_exponent() > larger - 50 || cosine.error_exponent() > larger - 50) return false;
-  // Below the range of doubles the sign alone matters.
-  const auto scaled = [larger](double mantissa, int32_t exponent) {
-    if (exponent - larger < -1000) return mantissa * std::numeric_limits<double>::min();
-    return mantissa * std::bit_cast<double>(static_cast<uint64_t>(exponent - larger + 1023) << 52);
-  };
-  angle = arc_tangent(scaled(s, exponent_of_sine), scaled(c, exponent_of_cosine));
-  return true;
-}
-bool has_length(const BoundedDouble &a) {
-  return a.value > 0.0 && a.error <= least_error * a.value;
-}
-bool has_length(const WideFloat &a) {
-  int32_t exponent = 0;
-  return a.leading(exponent) > 0.0 && a.error_exponent() <= exponent - 50;
-}
-
-template <class Number>
-[[gnu::noinline]] bool measure_exterior(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,
-                                        const BorderArc &next, double &angle) {
-  NumberVector<Number> at, before, after;
-  actual.find_arm(vertex, arc.to, at);
-  find_axis(actual, vertex, arc.across, before);
-  find_axis(actual, vertex, next.across, after);
-  before = cross(before, at);
-  after = cross(after, at);
-  const Number sine = -determinant(at, before, after);
-  return has_angle(sine, actual.probe() * dot(before, after), angle);
-}
-
-template <class Number>
-[[gnu::noinline]] bool measure_arc(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,
-                                   ArcFigures &figures) {
-  ArcPlace<Number> place;
-  find_place(actual, vertex, arc, place);
-  Number length = dot(place.axis, place.axis);
-  if (!has_length(length)) return false;
-  length = square_root(length);
-  figures.height = BoundedDouble(dot(place.axis, place.middle) / (length * actual.probe())).value;
-  figures.angle = 2 * pi;
-  figures.chord = {0.0, 0.0, 0.0};
-  if (!arc.is_whole()) {
-    const Number sine = determinant(place.axis, place.start, place.end);
-    if (!has_angle(sine, dot(place.start, place.end) * length, figures.angle)) return false;
-    if (figures.angle < 0.0) figures.angle += 2 * pi;
-    place.end -= place.start;
-    place.end *= actual.number(1) / actual.probe();
-    figures.chord = to_double(place.end);
-  }
-  place.axis *= actual.number(1) / length;
-  figures.axis = to_double(place.axis);
-  return true;
-}
 
 // Whether the way from x to y begins on the patch's side of an arc that x lies on.
 template <class Number>
@@ -340,17 +240,6 @@ bool PatchLoops::group(Span<const ArcFigures> figures) {
   for (uint32_t k = 0; k < arcs_.size(); ++k) loops += arcs_[k].loop == k ? 1U : 0U;
   if (loops < 2 || group_by_size(figures)) return true;
   return actual_.decide_at(vertex_, [&](const auto &actual) { return group_in(actual, vertex_, arcs_) ? 1 : 0; }) != 0;
-}
-
-bool PatchLoops::measure(uint32_t k, ArcFigures &figures) const {
-  const BorderArc &arc = arcs_[k];
-  figures.exterior = 0.0;
-  return actual_.measure_at(vertex_, [&](const auto &actual) {
-    return measure_arc(actual, vertex_, arc, figures) &&
-                   (arc.is_whole() || measure_exterior(actual, vertex_, arc, arcs_[arc.next], figures.exterior))
-               ? 1
-               : 0;
-  }) != 0;
 }
 
 }  // namespace hsp

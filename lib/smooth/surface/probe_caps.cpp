@@ -2,6 +2,7 @@
 
 #include "core/elementary.hpp"
 #include "core/sorting.hpp"
+#include "measure/boundary_positions.hpp"
 #include "surface/covered_gaps.hpp"
 
 namespace hsp {
@@ -18,21 +19,20 @@ void ProbeCaps::carve(Workspace &workspace, uint32_t neighbours) {
   others_ = FixedVector(workspace.take<Other>(neighbours));
 }
 
-ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen,
-                             const ProbeGrid &grid, uint32_t vertex) {
+bool ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
+                       uint32_t vertex) {
   vertex_ = vertex;
   chosen_ = &chosen;
   others_.clear();
   for (bool &known : gap_known_) known = false;
   touches_ = false;
-  doubtful_ = boundary.root_discriminant(vertex) == 0.0;
   found_ = 0;
   const double error = vertex_error * static_cast<double>(balls.largest_radius);
   merge_distance_ = 4 * error;
   measure_sides(balls, boundary, grid);
-  if (whole_steradians_ == 0.0) return ProbeState::hidden;
+  doubtful_ = boundary.root_discriminant(vertex) == 0.0 || whole_steradians_ == 0.0;
+  if (whole_steradians_ == 0.0) return false;
 
-  hidden_ = false;
   ProbeSearch search;
   grid.start_search(balls, vertex, search);
   aim(triangles_, lane_, search);
@@ -44,9 +44,8 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
       if (found[k] != vertex) take(balls, boundary, grid, found[k]);
     }
   }
-  if (hidden_) return ProbeState::hidden;
-  if (others_.required() == 0) return ProbeState::whole;
-  if (others_.overflowed()) return ProbeState::crossed;
+  if (doubtful_ || others_.required() == 0) return false;
+  if (others_.overflowed()) return true;
 
   sort_and_merge();
   store_caps();
@@ -57,7 +56,7 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
     if (own > largest) largest = own;
   }
   amplification_ = 1.0 + largest / (3 * unit_roundoff);
-  return ProbeState::crossed;
+  return true;
 }
 
 // The findings of a search are decided here, whatever it made sure of.
@@ -71,12 +70,11 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   if (overlap <= rounding) {
     touches_ = touches_ || (overlap >= -rounding && may_cut(boundary, other) &&
                             touches(balls, boundary, other, (1.0 / std::sqrt(square)) * to));
-    if (overlap <= 0.0) return;
+    return;
   }
   if (!may_cut(boundary, other)) return;
   if (square < coincident * coincident) {
-    doubtful_ = doubtful_ || square > merge_distance_ * merge_distance_;
-    if (same_circle_rule(balls, boundary, other, true) == Rule::hide) hidden_ = true;
+    doubtful_ = doubtful_ || square > merge_distance_ * merge_distance_ || may_be_pinched(balls, boundary, other);
     return;
   }
   const double distance = std::sqrt(square);
@@ -84,7 +82,7 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   const double height = distance / diameter;
   const double error = 2 * vertex_error * static_cast<double>(balls.largest_radius) / distance;
   if (misses(axis, height, error + side_error_ + 0x1p-30)) return;
-  if (same_circle_rule(balls, boundary, other, false) == Rule::drop) return;
+  if (!counts_on_circle(balls, boundary, other)) return;
   others_.push({axis, height, distance, other});
 }
 
@@ -94,9 +92,10 @@ bool ProbeCaps::may_cut(const Boundary &boundary, uint32_t other) const {
          (chosen_->all() || chosen_->together(face_at_vertex(boundary, other), face_at_vertex(boundary, vertex_)));
 }
 
-// Of probes whose centres are a diameter apart, up to rounding. A vertex of three spheres with the radii R is at the
-// distance p from the plane of their centres iff its projection is a common point of those with the squares R^2 - p^2:
-// then two circles on one of these touch.
+// Of probes whose centres are a diameter apart, up to rounding: they do not cut each other, as if the radius of the
+// probe were less by as much. A vertex of three spheres with the radii R is at the distance p from the plane of their
+// centres iff its projection is a common point of those with the squares R^2 - p^2: then two circles on one of these
+// touch. If not, doubles do not know.
 bool ProbeCaps::touches(const BallSet &balls, const Boundary &boundary, uint32_t other, const Vec3 &axis) {
   const double error =
       vertex_error * static_cast<double>(balls.largest_radius) / static_cast<double>(balls.probe_steps);
@@ -104,13 +103,15 @@ bool ProbeCaps::touches(const BallSet &balls, const Boundary &boundary, uint32_t
   const VertexRecord &record = boundary.vertex(vertex_);
   const VertexRecord &mirrored = boundary.vertex(other);
   if (!mirrored.has(record.ball[0]) || !mirrored.has(record.ball[1]) || !mirrored.has(record.ball[2])) {
-    return same_circle_rule(balls, boundary, other, false) == Rule::keep;
+    return counts_on_circle(balls, boundary, other);
   }
   const exact::LatticeBall own = balls.ball(record.ball[0]);
   const exact::Sphere smaller{4 * (own.radius - balls.probe_steps) * (own.radius + balls.probe_steps), own.index};
-  return exact::Exact::crossing(smaller, exact::plane_of(own, balls.ball(record.ball[1])),
-                                exact::plane_of(own, balls.ball(record.ball[2])))
-      .tied;
+  const bool tied = exact::Exact::crossing(smaller, exact::plane_of(own, balls.ball(record.ball[1])),
+                                           exact::plane_of(own, balls.ball(record.ball[2])))
+                        .tied;
+  doubtful_ = doubtful_ || !tied;
+  return tied;
 }
 
 // Whether the cap leaves the triangle as it is, for certain (near_probes.hpp).
@@ -148,33 +149,33 @@ void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, co
 // All bisector planes between vertices of one circle contain its axis, and the circles in which they cut the probe's
 // sphere share the two cusps if the circle is smaller than the probe: of these caps only that of the vertex across the
 // covered gap next to this one matters, the others cover less of the patch (PROOFS.md, section 6).
-//
-// Coincident vertices are one corner of several spheres, or ends of an arc of length 0: their patches are the pieces of
-// one polygon and do not cut each other. But if the gap between them is closed the outside has an edge there and no
-// corner, and nothing is left of the patch (PROOFS.md, section 7).
-ProbeCaps::Rule ProbeCaps::same_circle_rule(const BallSet &balls, const Boundary &boundary, uint32_t other,
-                                            bool coincident) {
+bool ProbeCaps::counts_on_circle(const BallSet &balls, const Boundary &boundary, uint32_t other) {
   const VertexRecord &own = boundary.vertex(vertex_);
   const VertexRecord &record = boundary.vertex(other);
-  bool hides = false;
   for (uint32_t slot = 0; slot < 3; ++slot) {
     // Every half-edge that starts here lies on another one of the vertex's three circles.
     const uint32_t half_edge = boundary.half_edge_at(vertex_, slot);
     const uint32_t ball = own.ball[slot];
     if (!record.has(ball) || !record.has(boundary.half_edge(half_edge).circle)) continue;
-    if (!gap_known_[slot]) find_gap(balls, boundary, slot);
-    if (across_[slot] != other) return Rule::drop;
-    if (coincident && angle_of_gap(balls, boundary, ball, half_edge, {other, gap_edge_[slot]}) <= pi) hides = true;
+    if (!gap_known_[slot]) across_[slot] = vertex_across_gap(balls, boundary, *chosen_, ball, half_edge);
+    gap_known_[slot] = true;
+    if (across_[slot] != other) return false;
   }
-  return hides ? Rule::hide : Rule::keep;
+  return true;
 }
 
-void ProbeCaps::find_gap(const BallSet &balls, const Boundary &boundary, uint32_t slot) {
-  const CoveredGap gap =
-      gap_behind(balls, boundary, *chosen_, boundary.vertex(vertex_).ball[slot], boundary.half_edge_at(vertex_, slot));
-  across_[slot] = gap.vertex;
-  gap_edge_[slot] = gap.half_edge;
-  gap_known_[slot] = true;
+// Coincident vertices are one corner of several spheres, or ends of an arc of length 0: their patches are the pieces of
+// one polygon and do not cut each other. But if the gap between them is closed the outside has an edge there and no
+// corner (PROOFS.md, section 7): it surely is not if it is the rest of a circle with this arc alone.
+bool ProbeCaps::may_be_pinched(const BallSet &balls, const Boundary &boundary, uint32_t other) const {
+  const VertexRecord &own = boundary.vertex(vertex_);
+  const VertexRecord &record = boundary.vertex(other);
+  for (uint32_t slot = 0; slot < 3; ++slot) {
+    const uint32_t half_edge = boundary.half_edge_at(vertex_, slot);
+    if (!record.has(own.ball[slot]) || !record.has(boundary.half_edge(half_edge).circle)) continue;
+    if (boundary.end_vertex(half_edge) != other || angle_of_arc(balls, boundary, half_edge) >= pi) return true;
+  }
+  return false;
 }
 
 // By position, so that ids have no effect; of several vertices at one position the first stays, the others come last.

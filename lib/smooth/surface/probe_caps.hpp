@@ -15,17 +15,15 @@ inline constexpr double coincident_distance = 0x1p-25;
 // 100e L (sphere/arc_geometry.hpp), L <= 2 r_max.
 inline constexpr double vertex_error = 400 * unit_roundoff;
 
-enum class ProbeState : uint8_t { whole, crossed, hidden };
-
 class ProbeCaps {
  public:
   // For at most so many caps of other probes.
   void carve(Workspace &workspace, uint32_t neighbours);
 
-  // Finds the caps of the vertex; whole: nothing but the three sides; hidden: nothing is left of the patch. If there is
-  // no room, met() tells how much would have sufficed.
-  ProbeState gather(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
-                    uint32_t vertex);
+  // Finds the caps of the vertex. False if there are none but the three sides, or doubles know too little of the place.
+  // If there is no room, met() tells how much would have sufficed.
+  bool gather(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
+              uint32_t vertex);
 
   uint64_t met() const { return others_.required(); }
   // Whether another probe touches this one in a point of the patch: exactly, if it touches the same three balls from
@@ -34,8 +32,9 @@ class ProbeCaps {
   bool overflowed() const { return others_.overflowed(); }
   // Probes that may cut this one, before any closer look.
   uint32_t found() const { return found_; }
-  // Whether doubles know too little of the place: balls that touch in the vertex, or vertices so near to it that
-  // directions to them are noise, but not at the same position.
+  // Whether doubles know too little of the place: balls that touch in the vertex, a triangle without area, vertices so
+  // near to it that directions to them are noise, but not at the same position, an edge of the outside, or a probe that
+  // may touch this one.
   bool is_doubtful() const { return doubtful_; }
   const Caps &caps() const { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2
@@ -60,8 +59,6 @@ class ProbeCaps {
     double distance;
     uint32_t vertex;
   };
-  enum class Rule : uint8_t { keep, drop, hide };
-
   Vec3 in_lane(const double (&a)[3][ProbeTriangles::lanes]) const { return {a[0][lane_], a[1][lane_], a[2][lane_]}; }
   // The unit normal of the side opposite ball k, on its side.
   Vec3 inward(uint32_t k) const { return in_lane(triangles_.inward[k]); }
@@ -70,8 +67,8 @@ class ProbeCaps {
   bool may_cut(const Boundary &boundary, uint32_t other) const;
   bool touches(const BallSet &balls, const Boundary &boundary, uint32_t other, const Vec3 &axis);
   bool misses(const Vec3 &axis, double height, double error) const;
-  Rule same_circle_rule(const BallSet &balls, const Boundary &boundary, uint32_t other, bool coincident);
-  void find_gap(const BallSet &balls, const Boundary &boundary, uint32_t slot);
+  bool counts_on_circle(const BallSet &balls, const Boundary &boundary, uint32_t other);
+  bool may_be_pinched(const BallSet &balls, const Boundary &boundary, uint32_t other) const;
   void sort_and_merge();
   void store_caps();
 
@@ -87,13 +84,11 @@ class ProbeCaps {
   const ChosenFaces *chosen_ = nullptr;
   uint32_t lane_ = 0;  // of the triangles below
   double side_error_ = 0.0;
-  bool hidden_ = false;
   bool touches_ = false;
   bool doubtful_ = false;
   uint32_t found_ = 0;
   bool gap_known_[3];   // of the half-edge on ball k of the vertex's record
   uint32_t across_[3];  // the vertex at the other end of the gap behind it
-  uint32_t gap_edge_[3];
 
   // Of four vertices from `measured_` on, of this grid.
   ProbeTriangles triangles_;

@@ -34,7 +34,6 @@ constexpr SurfaceLimits default_surface_limits(uint32_t vertices, uint32_t faces
 
 struct SurfaceCounts {
   uint32_t cut_patches = 0;      // concave patches that other probes cut
-  uint32_t hidden_patches = 0;   // of these, those of which nothing is left
   uint32_t cusped_arcs = 0;      // arcs and circles whose saddle patch its axis cuts
   uint32_t rounded_patches = 0;  // cut patches of a surface that doubles do not decide
 };

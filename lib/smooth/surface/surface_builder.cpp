@@ -1,9 +1,7 @@
 #include "surface/surface_builder.hpp"
 
 #include "core/begin_array.hpp"
-#include "surface/circles_in_doubles.hpp"
 #include "surface/patch_corners.hpp"
-#include "surface/region_pieces.hpp"
 
 namespace hsp {
 namespace {
@@ -86,10 +84,8 @@ Status SurfaceBuilder::find_patches(const ActualBalls &actual, Patience &patienc
   needed_.cusped_circles = clamped_count(surface_.cusped_circles_.required());
   if (!cut_patches(actual.balls(), actual.boundary(), patience)) return Status::stopped;
   if (!fits()) return Status::capacity;
-  if (certain_) {
-    const PatchJoints joints =
-        join_patches(actual.boundary(), surface_.cusped_circles_, patience, surface_.cut_patches_);
-    if (joints.open == 0 && joints.uneven == 0) return Status::ok;
+  if (certain_ && join_patches(actual.boundary(), surface_.cusped_circles_, patience, surface_.cut_patches_) == 0) {
+    return Status::ok;
   }
   return cut_actual_patches(actual, patience);
 }
@@ -110,23 +106,13 @@ bool SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary,
     const uint64_t met = v > 0 ? probe_.met() : 0;
     if (!patience.allows(3000 + (500 + met) * met)) return false;
     cut.begin_vertex(v);
-    const ProbeState state = probe_.gather(balls, boundary, surface_.chosen_, grid_, v);
+    const bool is_crossed = probe_.gather(balls, boundary, surface_.chosen_, grid_, v);
     if (probe_.touches()) surface_.touching_.set(v);
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
     most_found = larger_count(most_found, probe_.found());
-    if (state == ProbeState::hidden || probe_.is_doubtful()) certain_ = false;
-    if (state != ProbeState::crossed || probe_.overflowed()) continue;
-    double steradians = 0.0;
-    Vec3 vector_area{0.0, 0.0, 0.0};
-    bool is_cut = false;
-    if (!measure_cut_patch(steradians, vector_area, is_cut)) {
-      certain_ = false;
-    } else if (is_cut) {
-      ++surface_.counts_.cut_patches;
-      const ConcaveScale scale(balls, boundary, grid_.position(v));
-      cut.begin_patch(scale.patch(steradians, vector_area));
-      store_pieces(boundary, v, scale, steradians);
-    }
+    if (probe_.is_doubtful()) certain_ = false;
+    if (!is_crossed || probe_.overflowed()) continue;
+    if (!cut_in_doubles(balls, boundary, v)) certain_ = false;
   }
   cut.finish(needed_.vertices);
   // The actual set asks for more, and then has other pieces.
@@ -191,15 +177,12 @@ void SurfaceBuilder::number_arcs(const Boundary &boundary) {
   first.count();
 }
 
-// Loops that bound one piece one after the other, that around the piece first. It may be uncertain which piece has a
-// hole, or the pieces may not be the whole patch.
-void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole) {
+// Loops that bound one piece one after the other, that around the piece first. False if doubles are not certain which
+// piece has a hole, or the pieces are not the whole patch.
+bool SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole) {
   CutPatches &cut = surface_.cut_patches_;
   const Span<RegionArc> arcs = arcs_.items();
-  if (!find_pieces(probe_.caps(), corners_.items(), arcs)) {
-    certain_ = false;
-    return;
-  }
+  if (!find_pieces(arcs)) return false;
   double left = whole;
   double terms = 2 * pi;
   for (uint32_t piece = 0; piece < arcs.size(); ++piece) {
@@ -236,7 +219,7 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, con
   // Sums of one set of terms in two orders: the arcs', each a sum of two, and a whole turn for each loop. Each of the
   // additions, with those that reduce the whole modulo 2 pi, rounds by no more than all terms together.
   const double rounding = (4 * arcs.size() + 8) * unit_roundoff * (terms + 2 * pi * arcs.size());
-  if (!(left <= rounding && -left <= rounding)) certain_ = false;
+  return left <= rounding && -left <= rounding;
 }
 
 void SurfaceBuilder::add_crease(const RegionArc &arc, CreaseSums &creases) const {
@@ -252,18 +235,20 @@ void SurfaceBuilder::add_crease(const RegionArc &arc, CreaseSums &creases) const
 }
 
 // False if doubles are not certain. The area is known modulo 2 pi, and it is between 0 and that of the whole triangle.
-bool SurfaceBuilder::measure_cut_patch(double &steradians, Vec3 &vector_area, bool &is_cut) {
+bool SurfaceBuilder::cut_in_doubles(const BallSet &balls, const Boundary &boundary, uint32_t vertex) {
   constexpr double tolerance = 1e-7;
   FreeRegion region;
-  const CirclesInDoubles circles(probe_.caps(), probe_.amplification());
-  if (!FreeRegionFinder(circles, corners_, arcs_, ProbeCaps::sides).find(region) || region.arcs == 0) return false;
-  double area = region.steradians();
-  if (area > probe_.whole_steradians() + tolerance && area > 2 * pi - tolerance) area = 0.0;
-  if (!(area <= probe_.whole_steradians() + tolerance)) return false;
-  steradians = area;
-  vector_area = region.vector_area;
-  is_cut = region.cutting_arcs > 0;
-  return true;
+  FreeRegionFinder finder(probe_.caps(), probe_.amplification(), corners_, arcs_, ProbeCaps::sides);
+  if (!finder.find(region) || region.arcs == 0) return false;
+  double steradians = region.steradians();
+  if (steradians > probe_.whole_steradians() + tolerance && steradians > 2 * pi - tolerance) steradians = 0.0;
+  if (!(steradians <= probe_.whole_steradians() + tolerance)) return false;
+  if (region.cutting_arcs == 0) return true;
+  ++surface_.counts_.cut_patches;
+  const ConcaveScale scale(balls, boundary, grid_.position(vertex));
+  const bool certain = store_pieces(boundary, vertex, scale, steradians);
+  surface_.cut_patches_.set_patch(vertex, scale.patch(steradians, region.vector_area));
+  return certain;
 }
 
 }  // namespace hsp

@@ -38,9 +38,9 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
   void use_for_doubles();
   bool fits() const;
   void need_arcs(uint64_t arcs) { needed_.arcs = larger_count(needed_.arcs, clamped_count(arcs)); }
-  bool measure_cut_patch(double &steradians, Vec3 &vector_area, bool &is_cut);
+  bool cut_in_doubles(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
   void number_arcs(const Boundary &boundary);
-  void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole);
+  bool store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole);
   void add_crease(const RegionArc &arc, CreaseSums &creases) const;
 
   Surface surface_;

@@ -1,7 +1,7 @@
 #include "surface/surface_check.hpp"
 
 #include "measure/areas.hpp"
-#include "surface/crease_lengths.hpp"
+#include "sphere/arc_geometry.hpp"
 #include "surface/probe_positions.hpp"
 #include "surface/surface_areas.hpp"
 #include "surface/surface_patches.hpp"
@@ -10,7 +10,8 @@
 namespace hsp {
 namespace {
 
-constexpr double tolerance = CreaseLengths::tolerance;
+// In units of the largest radius.
+constexpr double tolerance = 1e-6;
 
 class SurfaceChecker : FirstViolation<SurfaceInvariant> {
  public:
@@ -19,14 +20,14 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
         boundary_(boundary),
         surface_(surface),
         map_(balls, boundary, surface),
-        creases_(balls, boundary, surface.cut_patches()),
         length_(static_cast<double>(balls.largest_radius)) {}
 
   SurfaceViolation check() {
     for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) check_steps(h);
     for (uint32_t patch = 0; patch < map_.patch_count() && holds(); ++patch) count_loops(patch);
     if (holds() && visited_ != 2 * map_.edge_count()) fail(SurfaceInvariant::loops, visited_);
-    for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) check_crease(h);
+    if (holds()) check_rings();
+    for (uint32_t e = 0; e < map_.edge_count() && holds(); ++e) check_crease(e);
     for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) check_corner(h);
     if (holds()) check_shells();
     for (uint32_t v = 0; v < boundary_.vertex_count() && holds(); ++v) check_areas_at(v);
@@ -63,10 +64,65 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     } while (loop != first);
   }
 
-  void check_crease(uint32_t h) {
-    const SurfaceEdge edge = map_.edge(h / 2);
-    if (edge.kind != SurfaceEdgeKind::crease || h % 2 != 0) return;
-    if (!creases_.agree(edge.source)) fail(SurfaceInvariant::creases, h);
+  bool is_crease(uint32_t h) const { return map_.edge(h / 2).kind == SurfaceEdgeKind::crease; }
+
+  // Around each corner edges and patches follow each other in one ring; around a cusp in one for each part of the
+  // boundary. In a concave patch two sides meet at a corner of the boundary, two creases where three of them do, and a
+  // side and a crease in a cusp: so there is one crease for each covered gap, between the sides at its ends.
+  void check_rings() {
+    const CutPatches &cut = surface_.cut_patches();
+    const uint32_t cusps = map_.first_cusp(), creases = map_.first_crease_corner();
+    uint32_t expected = cusps + 2 * surface_.cusped_circles().first_whole() + map_.corner_count() - creases;
+    for (uint32_t corner = cusps; corner < creases; ++corner) {
+      expected += map_.other_shell_of_cusp(corner) != no_id ? 1U : 0U;
+    }
+    for (uint32_t k = 0; creases + k < map_.corner_count() && holds(); ++k) {
+      if (cut.arc(cut.crease_corners().member(k)).corner != creases + k) fail(SurfaceInvariant::rings, no_id);
+    }
+    uint32_t rings = 0;
+    for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) {
+      const uint32_t corner = map_.origin(h);
+      if (corner == no_id) continue;
+      const bool is_own = corner < cusps, is_cusp = !is_own && corner < creases;
+      const uint32_t before = map_.previous(h);
+      const bool fits =
+          map_.patch(map_.left(h)).kind != PatchKind::concave ||
+          (is_cusp ? is_crease(h) != is_crease(before) : is_crease(h) != is_own && is_crease(before) != is_own);
+      // A ring is counted at its first edge.
+      uint32_t length = 1;
+      uint32_t e = SurfaceMap::twin(before);
+      for (; e > h; e = SurfaceMap::twin(map_.previous(e))) ++length;
+      if (!fits || (e == h && !is_cusp && length != (is_own ? 4U : 3U))) fail(SurfaceInvariant::rings, h);
+      rings += e == h ? 1U : 0U;
+    }
+    if (holds() && rings != expected) fail(SurfaceInvariant::rings, no_id);
+  }
+
+  // A crease is one arc of two patches, measured in each. Those of the same two are apart on their circle: starts and
+  // ends take turns.
+  void check_crease(uint32_t id) {
+    if (!is_crease(2 * id)) return;
+    const CutPatches &cut = surface_.cut_patches();
+    const uint32_t a = map_.edge(id).source;
+    const PatchArc &arc = cut.arc(a);
+    const ArcPosition at = position_of_edge(balls_, boundary_, surface_, id);
+    const double off = arc.angle - cut.arc(arc.twin).angle, most = tolerance * length_ / at.radius;
+    bool good = off <= most && -off <= most;
+    const auto from_centre = [&](uint32_t corner) {
+      return from_origin(position_of_corner(balls_, boundary_, surface_, corner)) - from_origin(at.centre);
+    };
+    for (const uint32_t b : cut.arcs_of_vertex(cut.piece(cut.piece_of_arc(a)).vertex)) {
+      const PatchArc &other = cut.arc(b);
+      if (b == a || other.across != arc.across || !good) continue;
+      good = arc.corner != no_id && other.corner != no_id;
+      if (!good) continue;
+      const double turn = turn_about(at.axis, from_centre(arc.corner), from_centre(other.corner));
+      const auto is_apart = [&](double start) {
+        return start >= arc.angle - most && start + other.angle <= 2 * pi + most;
+      };
+      good = is_apart(turn) || is_apart(turn - 2 * pi);
+    }
+    if (!good) fail(SurfaceInvariant::creases, 2 * id);
   }
 
   Vec3 from_origin(const Position &position) const {
@@ -147,7 +203,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
                offset_from_origin(balls_, boundary_, i));
     }
     for (uint32_t id = 0; id < map_.patch_count(); ++id) {
-      if (map_.shell_of(id) == no_id || !map_.is_chosen(id)) continue;
+      if (!map_.is_chosen(id)) continue;
       const PatchMeasure measure = measure_patch(balls_, boundary_, surface_, id);
       area.add(-measure.area);
       volume.add(-measure.volume);
@@ -174,16 +230,11 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     }
     const Vec3 arm = from_origin(centre);
     Vec3 vector_area{0.0, 0.0, 0.0};
-    double uncertainty = 0.0;
     map_.for_each_loop(id, [&](uint32_t loop) {
-      map_.for_each_edge(loop, [&](uint32_t h) {
-        vector_area = vector_area + vector_area_along(h, arm);
-        const SurfaceEdge edge = map_.edge(h / 2);
-        if (edge.kind == SurfaceEdgeKind::crease) uncertainty += creases_.uncertainty(edge.source);
-      });
+      map_.for_each_edge(loop, [&](uint32_t h) { vector_area = vector_area + vector_area_along(h, arm); });
     });
     const double off = 3 * measure.volume - radius * measure.area - dot(arm, vector_area);
-    const double most = (tolerance * length_ * length_ + p * uncertainty) * (length_ + std::sqrt(dot(arm, arm)));
+    const double most = tolerance * length_ * length_ * (length_ + std::sqrt(dot(arm, arm)));
     if (!(off <= most && -off <= most)) fail(SurfaceInvariant::closure, id);
   }
 
@@ -204,7 +255,6 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
   const Boundary &boundary_;
   const Surface &surface_;
   const SurfaceMap map_;
-  const CreaseLengths creases_;
   const double length_;
   uint32_t visited_ = 0;
 };

@@ -9,7 +9,7 @@ namespace hsp {
 // Numbered as in hardsphere.h.
 enum class SurfaceInvariant : uint32_t {
   none = 0,
-  joints = 1,
+  rings = 1,
   steps = 2,
   loops = 3,
   creases = 4,
@@ -40,11 +40,9 @@ void count_euler(const BallSet &balls, const Boundary &boundary, const Surface &
     if (other != no_id) add(other, 1);
   }
   for (uint32_t patch = 0; patch < map.patch_count(); ++patch) {
-    const uint32_t shell = map.shell_of(patch);
-    if (shell == no_id) continue;
     int32_t loops = 0;
     map.for_each_loop(patch, [&loops](uint32_t) { ++loops; });
-    add(shell, 2 - loops);
+    add(map.shell_of(patch), 2 - loops);
   }
 }
 

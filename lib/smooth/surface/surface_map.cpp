@@ -305,8 +305,7 @@ uint32_t SurfaceMap::first_edge(uint32_t id) const {
     return twin(along_circle_rim(circle_side_of(first) == record.part ? first : ClosedHalfEdge(record.source, 1)));
   }
   if (record.part == no_id) return twin(side_of_saddle(boundary_.half_edge_at(record.source, 0), false));
-  const IdRange arcs = surface_.cut_patches().arcs(record.part);
-  return arcs.empty() ? no_id : edge_of_patch_arc(arcs.first);
+  return edge_of_patch_arc(surface_.cut_patches().arcs(record.part).first);
 }
 
 uint32_t SurfaceMap::next_loop(uint32_t h) const {

@@ -56,7 +56,7 @@ class SurfaceMap {
   uint32_t previous(uint32_t h) const;  // the same the other way
   uint32_t left(uint32_t h) const;
   uint32_t origin(uint32_t h) const;  // corner; no_id if the edge is a whole circle
-  // A directed edge with the patch on its left; no_id if it has none: a whole sphere, or nothing is left of it.
+  // A directed edge with the patch on its left; no_id if it has none: a whole sphere.
   uint32_t first_edge(uint32_t patch) const;
   // Of the next loop around the same patch, the first one after the last.
   uint32_t next_loop(uint32_t h) const;
@@ -64,7 +64,7 @@ class SurfaceMap {
   // The patch of a vertex; of a cut one that of a piece.
   uint32_t concave_patch(uint32_t vertex, uint32_t piece) const;
   uint32_t patch_of_piece(uint32_t piece) const;
-  // no_id for a hidden patch, and for a corner where no edge ends: the cusp of a whole circle.
+  // no_id for a corner where no edge ends: the cusp of a whole circle.
   uint32_t shell_of(uint32_t patch) const;
   uint32_t shell_of_corner(uint32_t corner) const;
   // A cusp is a corner of both parts if its circle has arcs of both: the shell of the other one, else no_id.

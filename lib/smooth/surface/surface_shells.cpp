@@ -15,8 +15,7 @@ void SurfaceShells::find(const Boundary &boundary, const CuspedCircles &cusped, 
   // No number has a larger representative: that has its shell already.
   count_ = 0;
   for (uint32_t k = 0; k < nodes; ++k) {
-    const bool hidden = k >= faces_ && cut.arcs(k - faces_).empty();
-    shell_[k] = hidden ? no_id : shell_[k] == k ? count_++ : shell_[shell_[k]];
+    shell_[k] = shell_[k] == k ? count_++ : shell_[shell_[k]];
   }
 }
 

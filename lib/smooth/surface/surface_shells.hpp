@@ -19,7 +19,6 @@ class SurfaceShells {
   void find(const Boundary &boundary, const CuspedCircles &cusped, const CutPatches &cut, Patience &patience);
 
   uint32_t count() const { return count_; }
-  // no_id for a hidden patch.
   uint32_t of_face(uint32_t face) const { return shell_[face]; }
   uint32_t of_piece(uint32_t piece) const { return shell_[faces_ + piece]; }
 

@@ -129,7 +129,6 @@ void ChordWalk::find(const Boundary &boundary, Caps &caps) {
   for (uint32_t k = caps.first_later; k < caps.count; ++k) cap_of_ball_[ball[k]] = k;
   chord_count_ = vertex_count_ = 0;
   if (lost_) return try_all_pairs(caps);
-  if (!has_start(boundary, caps.origin)) return;
   const uint32_t first = caps.first_later;
   const uint32_t later = caps.count - first;
   if (later <= MaskedChords::most_caps) {
@@ -154,12 +153,6 @@ bool ChordWalk::has_whole_chords(const Boundary &boundary, uint32_t ball, IdRang
   ends = {next_vertex_, v};
   next_vertex_ = v;
   return true;
-}
-
-// Whether any end of its chords is known, or one is to be searched for.
-bool ChordWalk::has_start(const Boundary &boundary, uint32_t ball) const {
-  return first_arrival_[ball] != no_id || !boundary.is_exposed(ball) ||
-         (next_vertex_ < boundary.vertex_count() && boundary.vertex(next_vertex_).ball[0] == ball);
 }
 
 template <class Chords>

@@ -68,7 +68,6 @@ class ChordWalk {
   class NearCuts;
 
   void try_all_pairs(const Caps &caps);
-  bool has_start(const Boundary &boundary, uint32_t ball) const;
   template <class Chords>
   void walk(const Boundary &boundary, Caps &caps, Chords &&chords);
   template <class Chords>

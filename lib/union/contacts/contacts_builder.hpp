@@ -83,12 +83,14 @@ class ContactsBuilder : public Limited<ContactLimits> {
         }
         start_ball(grid.balls(), boundary, *block, i, in_lanes);
         bool some_elsewhere = false;
-        for (uint32_t k = caps_.count; Images::there && k > caps_.first_later; --k) {
-          const uint32_t ball = caps_.ball[k - 1];
-          if (ball < own_balls_) break;
-          if (!images.comes_before_its_ball(ball)) continue;
-          contact_of_cap_[k - 1] = elsewhere;
-          some_elsewhere = true;
+        if constexpr (Images::there) {
+          for (uint32_t k = caps_.count; k > caps_.first_later; --k) {
+            const uint32_t ball = caps_.ball[k - 1];
+            if (ball < own_balls_) break;
+            if (!images.comes_before_its_ball(ball)) continue;
+            contact_of_cap_[k - 1] = elsewhere;
+            some_elsewhere = true;
+          }
         }
         find_chords(boundary);
         before = caps_.count;
@@ -170,7 +172,9 @@ class ContactsBuilder : public Limited<ContactLimits> {
     vertices_.ball[2][s] = second;
     vertices_.ball[3][s] = third;
     const auto contact_of = [&](uint32_t k, uint32_t one, uint32_t other) {
-      if (Images::there && vertices_.ends[3 + k][s] == 0) return no_room;
+      if constexpr (Images::there) {
+        if (vertices_.ends[3 + k][s] == 0) return no_room;
+      }
       const ContactPair pair = place_in_box({{one, other}}, images);
       return pair.ball[0] == no_id ? no_room : find_contact(pair.ball[0], pair.ball[1], vertex.new_chords[k]);
     };
@@ -206,8 +210,12 @@ class ContactsBuilder : public Limited<ContactLimits> {
   void count_whole_chords(const Boundary &boundary, IdRange ends, const Images &images) {
     for (uint32_t v = ends.first; v < ends.last; v += 2) {
       const auto [i, j, k] = boundary.vertex(v).ball;
-      const auto is_elsewhere = [&](uint32_t ball) { return ball >= own_balls_ && images.comes_before_its_ball(ball); };
-      if (Images::there && (is_elsewhere(j) || is_elsewhere(k))) continue;
+      if constexpr (Images::there) {
+        const auto is_elsewhere = [&](uint32_t ball) {
+          return ball >= own_balls_ && images.comes_before_its_ball(ball);
+        };
+        if (is_elsewhere(j) || is_elsewhere(k)) continue;
+      }
       count_triangles(2, 1);
       if (contacts_.a_.triangles.capacity() > 0) contacts_.a_.triangles.push({{i, j, k}, 2});
     }
@@ -239,7 +247,9 @@ class ContactsBuilder : public Limited<ContactLimits> {
       for (uint32_t s = 0; s < batch.count; ++s) {
         const uint32_t other = batch.other[s];
         if (other < i || !batch.has_piece(s)) continue;
-        if (Images::there && other >= own_balls_ && images.comes_before_its_ball(other)) continue;
+        if constexpr (Images::there) {
+          if (other >= own_balls_ && images.comes_before_its_ball(other)) continue;
+        }
         // That of an earlier ball is none.
         uint32_t id = contact_with[other];
         if (id == no_id || a.contacts[id].ball[0] != i) {
@@ -265,12 +275,14 @@ class ContactsBuilder : public Limited<ContactLimits> {
   ContactPair place_in_box(const ContactPair &pair, const Images &images) const {
     const auto [first, second] = pair.ball;
     if (first < own_balls_) return pair;
-    if constexpr (!Images::there) return {{no_id, no_id}};
-    const uint32_t ball = images.ball_of(first);
-    const uint32_t other = images.moved_back(second, first);
-    if (other < own_balls_) return {{ball < other ? ball : other, ball < other ? other : ball}};
-    if (other != no_id && !images.comes_before_its_ball(other)) return {{ball, other}};
-    return {{images.ball_of(second), images.moved_back(first, second)}};
+    if constexpr (Images::there) {
+      const uint32_t ball = images.ball_of(first);
+      const uint32_t other = images.moved_back(second, first);
+      if (other < own_balls_) return {{ball < other ? ball : other, ball < other ? other : ball}};
+      if (other != no_id && !images.comes_before_its_ball(other)) return {{ball, other}};
+      return {{images.ball_of(second), images.moved_back(first, second)}};
+    }
+    return {{no_id, no_id}};
   }
 
   // Contacts with images from the images' balls, and these balls' part of them. False if an image is missing.

@@ -134,7 +134,7 @@ void ArcBatches::put_circles() {
     }
     return;
   }
-  while (!loops_.empty() && boundary_.loop_start(loops_.first).is_circle() && batch_.count < ArcBatch::capacity) {
+  while (!loops_.empty() && batch_.count < ArcBatch::capacity) {
     put(boundary_.neighbour(boundary_.loop_start(loops_.first++)), 0.0);
   }
 }

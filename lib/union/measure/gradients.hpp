@@ -116,7 +116,7 @@ HSP_INLINE_UNLESS_SMALL inline double gather_gradient(const BallSet &balls, cons
     areas.put_weights(batch);
     arcs.evaluate();
     areas.add(batch, surface, on_arcs);
-    result.one_sided = result.one_sided || batch.any_touching;
+    if (batch.any_touching) result.one_sided = true;
   }
   const double R = balls.r[k];
   const double steradians = surface.steradians(boundary.faces(k).size(), boundary.loops(k).size());

@@ -14,17 +14,14 @@
 namespace hsp {
 namespace {
 
-// Which poles a free interval of a meridian passes.
+// Which poles a free interval of a meridian passes. The axis of the cap that the meridian is for is covered, and on the
+// way from there the south pole comes first: so it does on an interval that passes both.
 uint32_t poles_on(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian,
                   const FreeInterval &interval) {
   const bool north = contains_pole(caps, predicates, meridian, interval, +1);
   const bool south = contains_pole(caps, predicates, meridian, interval, -1);
-  uint32_t poles = (north ? CutArc::passes_north : 0U) | (south ? CutArc::passes_south : 0U);
-  if (north && south &&
-      exact::counter_clockwise_before(meridian.v, caps.direction(interval.exit_cap), {0, 0, -1}, {0, 0, 1})) {
-    poles |= CutArc::south_first;
-  }
-  return poles;
+  return (north ? CutArc::passes_north : 0U) | (south ? CutArc::passes_south : 0U) |
+         (north && south ? CutArc::south_first : 0U);
 }
 
 // All cut arcs of one face; those that pass a pole meet there.
@@ -102,8 +99,7 @@ void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBal
 // are joined with each other and with the poles that are in the face, as the first circle has found them.
 bool CutArcFinder::joins_nothing(const GatheredBall &gathered, uint32_t cap) const {
   const Caps &caps = gathered.caps;
-  return has_marks_ && !gathered.intervals.of_caps().empty() &&
-         !gathered.intervals.is_marked(meridian_through(caps.direction(caps.cap_of(cap))));
+  return has_marks_ && !gathered.intervals.is_marked(meridian_through(caps.direction(caps.cap_of(cap))));
 }
 
 void CutArcFinder::mark_caps_to_join(const Boundary &boundary, uint32_t face, const GatheredBall &gathered) {

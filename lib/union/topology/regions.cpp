@@ -22,7 +22,7 @@ uint32_t simple_face_of_top(const Boundary &boundary, const Topology &topology, 
   uint32_t k = first_index(0, arcs.size(), [&](uint32_t arc) { return arcs[arc].ball >= ball; });
   for (; k < arcs.size() && arcs[k].ball == ball; ++k) {
     const uint32_t poles = arcs[k].poles;
-    if ((poles & CutArc::passes_north) == 0 || arcs[k].face != face) continue;
+    if ((poles & CutArc::passes_north) == 0) continue;
     const bool behind_south = (poles & CutArc::south_first) != 0 && (poles & CutArc::vertex_at_south) != 0;
     return topology.quads.left(quarter_edge(topology.cut_first_edge[k] + (behind_south ? 1U : 0U)));
   }
@@ -41,7 +41,7 @@ void start_void_scans(const BallSet &balls, const Boundary &boundary, Topology &
     const uint32_t ball = topology.ball_of(boundary, f);
     if (shell.start_face != no_id) {
       const uint32_t start_ball = topology.ball_of(boundary, shell.start_face);
-      if (ball == start_ball || !exact::ranks_before(balls.ball(ball), balls.ball(start_ball))) continue;
+      if (!exact::ranks_before(balls.ball(ball), balls.ball(start_ball))) continue;
     }
     shell.start_face = f;
   }

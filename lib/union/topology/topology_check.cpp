@@ -41,10 +41,10 @@ class TopologyCheck : FirstViolation<TopologyInvariant> {
       if (q / 4 >= quads_.edges || q % 2 != 0 || quads_.origin(q) != v) return fail(TopologyInvariant::vertices, v);
       uint32_t length = 0;
       uint32_t at = q;
-      do {
+      do {  // which ends, as onext is a permutation
         at = quads_.onext(at);
         ++length;
-      } while (at != q && length <= marks_[v]);
+      } while (at != q);
       if (length != marks_[v]) return fail(TopologyInvariant::vertices, v);
     }
     return true;
@@ -68,7 +68,8 @@ class TopologyCheck : FirstViolation<TopologyInvariant> {
       if (at != face.q) return fail(TopologyInvariant::faces, f);
       sides += face.edges;
     }
-    return sides == 2 * static_cast<uint64_t>(quads_.edges) || fail(TopologyInvariant::faces, topology_.face_count);
+    if (sides != 2 * static_cast<uint64_t>(quads_.edges)) return fail(TopologyInvariant::faces, topology_.face_count);
+    return true;
   }
 
   // The faces beside an arc or circle lie on its balls, those beside a cut edge in one face of one ball.

@@ -43,12 +43,17 @@ static double number_of_array(const argument *a, size_t i, size_t count) {
 }
 
 static void fill_struct(const char *base, void *out, size_t size) {
+#if HSP_HAS_SIGHT
   static const hsp_pose pose = {{1, 0, 0, 0}, {0.5, 0, 0}};
   static const hsp_rational_pose rational = {{1, 0, 0, 0}, {0.5, 0, 0}};
-  memset(out, 0, size);
   if (strcmp(base, "hsp_pose") == 0) memcpy(out, &pose, size);
   if (strcmp(base, "hsp_rational_pose") == 0) memcpy(out, &rational, size);
   if (strcmp(base, "hsp_stick") == 0) memcpy(out, &fixture_stick, size);
+#else
+  (void)base;
+  (void)out;
+  (void)size;
+#endif
 }
 
 /* All tasks in the caller's thread, the last first. */
@@ -78,6 +83,7 @@ static void fill_sized(const argument *a, void *out) {
   }
   if (strcmp(a->base, "hsp_executor") == 0) memcpy(out, &executor, sizeof executor);
   if (strcmp(a->base, "hsp_model_options") == 0) hsp_model_options_init(out, sizeof(hsp_model_options));
+#if HSP_HAS_SIGHT
   if (strcmp(a->base, "hsp_view_options") == 0) hsp_view_options_init(out, sizeof(hsp_view_options));
   if (strcmp(a->base, "hsp_pores_options") == 0) hsp_pores_options_init(out, sizeof(hsp_pores_options));
   if (strcmp(a->base, "hsp_picture_options") == 0) {
@@ -86,6 +92,7 @@ static void fill_sized(const argument *a, void *out) {
     options.scale = 20;
     memcpy(out, &options, sizeof options);
   }
+#endif
 }
 
 /* Which summary of the fixture an argument is, or the number of its bytes. */
@@ -110,12 +117,14 @@ void fill_base(const argument *a, void *out, size_t count) {
       memcpy((unsigned char *)out + i * sizeof number, &number, sizeof number);
     }
   } else if (strncmp(a->base, "hsp_", 4) == 0) {
+    memset(out, 0, count * a->size);
     for (i = 0; i < count; ++i) fill_struct(a->base, (unsigned char *)out + i * a->size, a->size);
   } else {
     memset(out, 0, count * a->size);
   }
 }
 
+#if HSP_HAS_SIGHT
 /* A parameter of edge 0 of a map, if that has edges. */
 static double parameter_on_edge(const function *f) {
   hsp_map_edge edge;
@@ -130,12 +139,22 @@ static int is_of_pores(const function *f) {
   return f->count > 0 && f->arguments[0].noun == NOUN_pores && f->arguments[0].kind == KIND_handle;
 }
 
+static double number_for(const function *f, const argument *a) {
+  return strcmp(a->name, "t") == 0                         ? parameter_on_edge(f)
+         : strcmp(f->noun, "residue") == 0                 ? HSP_RADII_PROTOR
+         : is_of_pores(f) && strcmp(a->name, "first") == 0 ? 0
+                                                           : number_named(a);
+}
+#else
+static double number_for(const function *f, const argument *a) {
+  (void)f;
+  return number_named(a);
+}
+#endif
+
 value base_number(const function *f, int i) {
   const argument *const a = &f->arguments[i];
-  const double number = strcmp(a->name, "t") == 0                         ? parameter_on_edge(f)
-                        : strcmp(f->noun, "residue") == 0                 ? HSP_RADII_PROTOR
-                        : is_of_pores(f) && strcmp(a->name, "first") == 0 ? 0
-                                                                          : number_named(a);
+  const double number = number_for(f, a);
   value v;
   memset(&v, 0, sizeof v);
   if (strcmp(a->base, "double") == 0) {

@@ -15,7 +15,9 @@ const double fixture_radius[FIXTURE_BALLS] = {1.2, 1.2, 1.2, 1.2, 1.2, 1.2, 0.9,
 const double fixture_box[9] = {12, 0, 0, 0, 12, 0, 0, 0, 12};
 const double fixture_outside[3] = {9, 9, 9};
 const double fixture_probe = 0.2, fixture_edge = 0.7, fixture_stick_radius = 0.1, fixture_floor = -0.3;
-const hsp_stick fixture_stick = {{0, 6}, 0, 0};
+#if HSP_HAS_SIGHT
+const hsp_stick fixture_stick = {{0, FIXTURE_STICK_END}, 0, 0};
+#endif
 
 fixture given;
 
@@ -25,7 +27,7 @@ static void need(int32_t status, const char *what) {
   exit(2);
 }
 
-/* hsp_<noun><end>, where noun is the type of a handle. */
+/* hsp_<noun><end>, where noun is the type of a handle; NULL if the library has none. */
 static const function *function_of(int noun, const char *end) {
   size_t i;
   for (i = 0; i < registry_size; ++i) {
@@ -40,8 +42,7 @@ static const function *function_of(int noun, const char *end) {
       }
     }
   }
-  printf("there is no function *%s of kind %d\n", end, noun);
-  exit(2);
+  return NULL;
 }
 
 static value limits_of(int noun, void *limits) {
@@ -104,87 +105,65 @@ int depends_on(int noun, int base) {
   }
 }
 
+/* With parts for the executor of base arguments, and simplices to keep. */
+static int32_t start_limits(int noun, void *limits) {
+  static const struct {
+    const char *of, *name;
+    uint32_t number;
+  } raised[] = {{"hsp_boundary_limits", "workers", 2},
+                {"hsp_periodic_limits", "workers", 2},
+                {"hsp_contacts_limits", "triangles", 64},
+                {"hsp_contacts_limits", "tetrahedra", 64}};
+  const function *const f = function_of(noun, "_limits_init");
+  value v[4];
+  int32_t status;
+  size_t i, k;
+  if (f == NULL) { /* a model or a body */
+    memcpy(limits, &given.balls, sizeof given.balls);
+    return HSP_OK;
+  }
+  v[0].p = limits;
+  v[1].u = (uint32_t)f->arguments[0].size;
+  if (f->arguments[2].kind == KIND_handle) {
+    v[2].p = given.handle[f->arguments[2].noun];
+  } else {
+    v[2].u = given.balls;
+  }
+  v[3].d = fixture_edge;
+  status = (int32_t)f->call(v);
+  for (i = 0; i < sizeof raised / sizeof raised[0]; ++i) {
+    for (k = 0; k < registry_fields_size && strcmp(raised[i].of, f->arguments[0].base) == 0; ++k) {
+      const field *const it = &registry_fields[k];
+      if (strcmp(it->of, raised[i].of) == 0 && strcmp(it->name, raised[i].name) == 0)
+        memcpy((unsigned char *)limits + it->offset, &raised[i].number, sizeof raised[i].number);
+    }
+  }
+  return status;
+}
+
+/* The laws are there with all components or with none. */
+#if HSP_HAS_SIGHT
 static int32_t larger_status(int32_t a, int32_t b) {
   return a != HSP_OK ? a : b;
 }
 
-static int32_t start_limits(int noun, void *limits) {
-  const uint32_t n = given.balls;
-  void *const boundary = given.handle[NOUN_boundary];
-  switch (noun) {
-    case NOUN_boundary: { /* with parts for the executor of base arguments */
-      hsp_boundary_limits of_boundary;
-      const int32_t status = hsp_boundary_limits_init(&of_boundary, sizeof of_boundary, n);
-      of_boundary.workers = 2;
-      memcpy(limits, &of_boundary, sizeof of_boundary);
-      return status;
-    }
-    case NOUN_moving:
-      return hsp_moving_limits_init(limits, sizeof(hsp_moving_limits), n);
-    case NOUN_contacts: { /* with simplices to keep */
-      hsp_contacts_limits of_contacts;
-      const int32_t status = hsp_contacts_limits_init(&of_contacts, sizeof of_contacts, boundary);
-      of_contacts.triangles = of_contacts.tetrahedra = 64;
-      memcpy(limits, &of_contacts, sizeof of_contacts);
-      return status;
-    }
-    case NOUN_periodic: {
-      hsp_periodic_limits of_periodic;
-      const int32_t status = hsp_periodic_limits_init(&of_periodic, sizeof of_periodic, n);
-      of_periodic.workers = 2;
-      memcpy(limits, &of_periodic, sizeof of_periodic);
-      return status;
-    }
-    case NOUN_surface:
-      return hsp_surface_limits_init(limits, sizeof(hsp_surface_limits), boundary);
-    case NOUN_mesh:
-      return hsp_mesh_limits_init(limits, sizeof(hsp_mesh_limits), boundary, fixture_edge);
-    case NOUN_topology:
-      return hsp_topology_limits_init(limits, sizeof(hsp_topology_limits), boundary);
-    case NOUN_cells:
-      return hsp_cells_limits_init(limits, sizeof(hsp_cells_limits), n);
-    case NOUN_paths:
-      return hsp_paths_limits_init(limits, sizeof(hsp_paths_limits), n);
-    case NOUN_pores:
-      return hsp_pores_limits_init(limits, sizeof(hsp_pores_limits), n);
-    case NOUN_view:
-      return hsp_view_limits_init(limits, sizeof(hsp_view_limits), n);
-    case NOUN_map:
-      return hsp_map_limits_init(limits, sizeof(hsp_map_limits), n);
-    case NOUN_sticks:
-      return hsp_sticks_limits_init(limits, sizeof(hsp_sticks_limits), n);
-    default: /* a model or a body */
-      memcpy(limits, &n, sizeof n);
-      return HSP_OK;
-  }
-}
-
-static int32_t compute(int noun, void *handle, void *limits) {
+static int32_t compute_of_component(int noun, void *handle, void *limits) {
   static const double there[3] = {0, 0, 5.4};
   const hsp_model *const model = given.handle[NOUN_model];
   const hsp_boundary *const boundary = given.handle[NOUN_boundary];
-  const uint32_t n = given.balls, sticks = n > fixture_stick.ball[1], last = FIXTURE_BALLS - 1;
-  hsp_model_options options;
+  const uint32_t n = given.balls, sticks = n > FIXTURE_STICK_END, last = FIXTURE_BALLS - 1;
   hsp_path path;
   hsp_tunnel tunnel;
   hsp_pores_options below;
   uint32_t pockets;
   int32_t status;
   switch (noun) {
-    case NOUN_model:
-      need(hsp_model_options_init(&options, sizeof options), "options");
-      options.probe = fixture_probe;
-      return hsp_model_set(handle, n, fixture_xyz[0], fixture_radius, &options, NULL);
     case NOUN_body:
       return hsp_body_set(handle, model);
-    case NOUN_boundary:
-      return hsp_boundary_compute(handle, model, limits);
     case NOUN_moving:
       status = hsp_moving_set(handle, model, NULL, 1, 0, HSP_TANGENT_OVERLAP, limits, NULL);
       if (status != HSP_OK || n < FIXTURE_BALLS) return status;
       return hsp_moving_move(handle, 1, &last, there, NULL, limits, NULL); /* a move to be taken back */
-    case NOUN_contacts:
-      return hsp_contacts_compute(handle, boundary, limits);
     case NOUN_periodic:
       return hsp_periodic_compute(handle, n, fixture_xyz[0], fixture_radius, fixture_box, NULL, limits, NULL);
     case NOUN_surface:
@@ -192,8 +171,6 @@ static int32_t compute(int noun, void *handle, void *limits) {
     case NOUN_mesh: /* with room for either */
       status = hsp_mesh_compute_surface(handle, given.handle[NOUN_surface], fixture_edge, limits);
       return larger_status(status, hsp_mesh_compute(handle, boundary, fixture_edge, status == HSP_OK ? limits : NULL));
-    case NOUN_topology:
-      return hsp_topology_compute(handle, boundary, limits);
     case NOUN_cells:
       return hsp_cells_compute(handle, model, limits);
     case NOUN_paths:
@@ -217,6 +194,32 @@ static int32_t compute(int noun, void *handle, void *limits) {
       return hsp_sticks_compute_map(handle, model, NULL, &fixture_stick, sticks, fixture_stick_radius, NULL, limits);
   }
 }
+#else
+static int32_t compute_of_component(int noun, void *handle, void *limits) {
+  (void)noun;
+  (void)handle;
+  (void)limits;
+  return HSP_E_CHECK;
+}
+#endif
+
+static int32_t compute(int noun, void *handle, void *limits) {
+  hsp_model_options options;
+  switch (noun) {
+    case NOUN_model:
+      need(hsp_model_options_init(&options, sizeof options), "options");
+      options.probe = fixture_probe;
+      return hsp_model_set(handle, given.balls, fixture_xyz[0], fixture_radius, &options, NULL);
+    case NOUN_boundary:
+      return hsp_boundary_compute(handle, given.handle[NOUN_model], limits);
+    case NOUN_contacts:
+      return hsp_contacts_compute(handle, given.handle[NOUN_boundary], limits);
+    case NOUN_topology:
+      return hsp_topology_compute(handle, given.handle[NOUN_boundary], limits);
+    default:
+      return compute_of_component(noun, handle, limits);
+  }
+}
 
 static void *empty_handle(int noun, void **memory) {
   void *handle = NULL;
@@ -229,6 +232,7 @@ static void *empty_handle(int noun, void **memory) {
 static void make(int noun) {
   unsigned char next[LIMIT_BYTES];
   int32_t status;
+  if (function_of(noun, "_init") == NULL) return;
   need(start_limits(noun, given.limits[noun]), "limits_init");
   for (;;) {
     need(handle_bytes(noun, given.limits[noun], &given.bytes[noun]), "bytes");
@@ -255,6 +259,7 @@ static void release(void) {
   memset(&given, 0, sizeof given);
 }
 
+#if HSP_HAS_SIGHT
 /* Balls belong to the bricks by turns, and the model of each has all. */
 static void summarise(int which, uint32_t brick, uint32_t bricks, uint32_t flags) {
   uint64_t id[FIXTURE_BALLS];
@@ -280,21 +285,28 @@ static void summarise(int which, uint32_t brick, uint32_t bricks, uint32_t flags
   given.summary_bytes[which] = bytes;
 }
 
+static void make_of_components(void) {
+  summarise(0, 0, 1, HSP_BRICK_KEEP_SHELLS);
+  summarise(1, 0, 2, 0);
+  summarise(2, 1, 2, 0);
+  given.moving_body = empty_handle(NOUN_body, &given.spare_memory[1]);
+  need(compute(NOUN_body, given.moving_body, NULL), "the body that moves");
+  given.refused[NOUN_body] = empty_handle(NOUN_body, &given.refused_memory[NOUN_body]);
+  if (hsp_body_set(given.refused[NOUN_body], NULL) != HSP_E_ARGUMENT) need(HSP_E_CHECK, "what is refused");
+}
+#else
+static void make_of_components(void) {}
+#endif
+
 void fixture_make(uint32_t balls) {
   int noun;
   release();
   given.balls = balls;
   for (noun = NOUN_none + 1; noun < NOUNS; ++noun) make(noun);
-  summarise(0, 0, 1, HSP_BRICK_KEEP_SHELLS);
-  summarise(1, 0, 2, 0);
-  summarise(2, 1, 2, 0);
+  make_of_components();
   given.spare_model = empty_handle(NOUN_model, &given.spare_memory[0]);
-  given.moving_body = empty_handle(NOUN_body, &given.spare_memory[1]);
-  need(compute(NOUN_body, given.moving_body, NULL), "the body that moves");
   given.refused[NOUN_model] = empty_handle(NOUN_model, &given.refused_memory[NOUN_model]);
-  given.refused[NOUN_body] = empty_handle(NOUN_body, &given.refused_memory[NOUN_body]);
-  if (hsp_model_set(given.refused[NOUN_model], 1, NULL, NULL, NULL, NULL) != HSP_E_ARGUMENT ||
-      hsp_body_set(given.refused[NOUN_body], NULL) != HSP_E_ARGUMENT)
+  if (hsp_model_set(given.refused[NOUN_model], 1, NULL, NULL, NULL, NULL) != HSP_E_ARGUMENT)
     need(HSP_E_CHECK, "what is refused");
 }
 

@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-enum { FIXTURE_BALLS = 9, LIMIT_BYTES = 64 };
+enum { FIXTURE_BALLS = 9, FIXTURE_STICK_END = 6, LIMIT_BYTES = 64 };
 
 typedef struct fixture {
   uint32_t balls; /* the first so many */
@@ -18,7 +18,7 @@ typedef struct fixture {
   unsigned char limits[NOUNS][LIMIT_BYTES];
   void *fresh[NOUNS], *fresh_memory[NOUNS]; /* without results */
   /* For functions that take two handles of a kind. */
-  hsp_body *moving_body;
+  void *moving_body;
   hsp_model *spare_model;
   void *spare_memory[2];
   /* Summaries of bricks: one brick that is all, with its shells, and two that make all. */
@@ -31,7 +31,9 @@ extern fixture given;
 extern const double fixture_xyz[FIXTURE_BALLS][3], fixture_radius[FIXTURE_BALLS], fixture_box[9];
 extern const double fixture_outside[3]; /* a point that no ball is near to */
 extern const double fixture_probe, fixture_edge, fixture_stick_radius, fixture_floor;
+#if HSP_HAS_SIGHT
 extern const hsp_stick fixture_stick;
+#endif
 
 /* Makes `given` of the first balls instead of what it was. The program ends if a call fails. */
 void fixture_make(uint32_t balls);

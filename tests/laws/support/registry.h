@@ -63,7 +63,7 @@ typedef union value {
   int32_t i;
   double d;
   size_t z;
-  hsp_sink f;
+  int32_t(HSP_CALL *f)(void *context, const char *bytes, size_t count); /* an hsp_sink */
 } value;
 
 typedef struct argument {

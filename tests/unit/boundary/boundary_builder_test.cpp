@@ -4,6 +4,8 @@
 
 #include "boundary/boundary_builder.hpp"
 #include "built_boundary.hpp"
+#include "lattice_lengths.hpp"
+#include "stopped_at.hpp"
 
 namespace {
 
@@ -60,6 +62,17 @@ TEST(BoundaryMemory, ArraysAreAsLongAsTheirIndices) {
       }
     }
   }
+}
+
+TEST(BoundaryBuilder, StopsAtTheLastQuestions) {
+  const BuiltGrid built(oracle::in_lengths(long_row(6500), 1));
+  CarvedMemory memory;
+  hsp::BoundaryBuilder builder;
+  const uint32_t n = built.grid().balls().n;
+  ASSERT_EQ(memory.build(builder, BoundaryLimits{n, 8, 8, 8, 0}, built.grid()), hsp::Status::ok);
+  expect_stops_at_questions(10, 20,
+                            [&](const hsp::Executor &executor) { return builder.build(built.grid(), executor); });
+  EXPECT_EQ(builder.boundary().circle_count(), n - 1);
 }
 
 }  // namespace

@@ -101,6 +101,16 @@ const std::vector<Flaw> flaws = {
        b.arrays().first[0].loop = b.arrays().loop_count + 1;
        return b.arrays().loop_count + 1;
      }},
+    {"loops beyond the last one", BoundaryInvariant::loops,
+     [](BuiltBoundary &b) {
+       ++b.arrays().first[b.balls().n].loop;
+       return b.arrays().first[b.balls().n - 1].loop;
+     }},
+    {"a circle on a ball that is not there", BoundaryInvariant::loops,
+     [](BuiltBoundary &b) {
+       b.arrays().circles[0].ball[1] = b.balls().n;
+       return b.arrays().circles[0].loop[1];
+     }},
     {"a loop that does not start at its first half-edge", BoundaryInvariant::loops,
      [](BuiltBoundary &b) {
        const uint32_t loop = b.arrays().half_edges[0].loop;
@@ -166,6 +176,22 @@ const std::vector<Flaw> flaws = {
        b.arrays().first[0].face = b.arrays().face_count + 1;
        return b.arrays().face_count + 1;
      }},
+    {"faces beyond the last one", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       b.arrays().first[1].face = b.arrays().face_count + 1;
+       return b.arrays().first[0].face;
+     }},
+    {"loops of a face that end before they start", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       b.arrays().faces[2].first_loop = 0;
+       return 1U;
+     }},
+    {"a whole sphere with two faces", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       const uint32_t lonely = ball_with_faces(b, 6);
+       ++b.arrays().first[lonely + 1].face;
+       return b.arrays().first[lonely].face;
+     }},
     {"one face too many", BoundaryInvariant::faces, [](BuiltBoundary &b) { return ++b.arrays().face_count; }},
     {"shells out of order", BoundaryInvariant::shells,
      [](BuiltBoundary &b) {
@@ -219,6 +245,27 @@ TEST(BoundaryCheck, FindsACircleBetweenTwoShells) {
   ASSERT_EQ(arrays.face_count, 2U);
   arrays.faces[1].shell = arrays.shell_count++;
   EXPECT_EQ(checked(boundary).invariant, BoundaryInvariant::shells);
+}
+
+// The two loops of a belt that count as one leave an odd Euler characteristic. The belt's ball is the last, and so are
+// its loops.
+TEST(BoundaryCheck, FindsTwoLoopsThatCountAsOne) {
+  BuiltBoundary boundary(
+      {{0, 0, 0, 1000}, {-900, -300, -10, 700}, {-900, 300, -20, 700}, {900, -300, -30, 700}, {900, 300, -40, 700}});
+  BoundaryArrays &arrays = boundary.arrays();
+  ASSERT_EQ(checked(boundary).invariant, BoundaryInvariant::none);
+  const uint32_t n = boundary.balls().n;
+  const uint32_t last = --arrays.loop_count;
+  ASSERT_EQ(boundary.grid_index(0), n - 1);
+  ASSERT_EQ(arrays.first[n - 1].loop, last - 1);
+  ASSERT_EQ(arrays.first[n - 1].face, arrays.face_count - 1);
+  for (hsp::HalfEdge &half_edge : arrays.half_edges) {
+    if (half_edge.loop == last) half_edge.loop = last - 1;
+  }
+  arrays.first[n].loop = last;
+  const hsp::BoundaryViolation violation = checked(boundary);
+  EXPECT_EQ(violation.invariant, BoundaryInvariant::euler);
+  EXPECT_EQ(violation.id, 0U);
 }
 
 // Two spheres that count as one closed surface have the Euler characteristic 4.

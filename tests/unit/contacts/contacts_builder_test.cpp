@@ -16,6 +16,7 @@
 #include "power_cells.hpp"
 #include "random_balls.hpp"
 #include "set_arrangements.hpp"
+#include "stopped_at.hpp"
 
 namespace {
 
@@ -431,6 +432,40 @@ TEST(Contacts, FewLargeBallsChangeNothing) {
   built.grid().use_no_levels();
   EXPECT_EQ(by_levels, contacts_over(built.grid()));
   EXPECT_GT(by_levels.size(), balls.size() + 300);
+}
+
+// Behind the last ball of a block there is none, however many the levels find.
+TEST(Contacts, TheLastBallHasNoLaterNeighbours) {
+  oracle::RandomSource random(36);
+  oracle::Balls balls = oracle::balls_in_box(random, 1700, 26000, 300, 1800);
+  for (int k = 0; k < 3; ++k) balls.push_back(oracle::ball_in_box(random, 20000, 15000, 20000));
+  BuiltGrid built(oracle::in_lengths(balls, 1));
+  const hsp::BallSet &set = built.grid().balls();
+  ASSERT_NE(built.grid().levels(), nullptr);
+  CarvedMemory memory;
+  hsp::Caps caps;
+  memory.carve(caps, set.n);
+  // The last one that meets any.
+  uint32_t last = set.n;
+  hsp::CubeBlock block;
+  do {
+    --last;
+    block = built.grid().block_around(built.grid().cube_at(set.ball(last).centre));
+    caps.gather(set, block, last, nullptr);
+  } while (caps.met == 0);
+  block.range[0] = {last, set.n};
+  block.ranges = 1;
+  caps.gather(set, block, last, nullptr);
+  EXPECT_EQ(caps.met, 0U);
+}
+
+TEST(ContactsBuilder, StopsAtTheLastQuestions) {
+  BuiltContacts built(oracle::in_lengths(long_row(6500), 1));
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  expect_stops_at_questions(10, 20, [&](const hsp::Executor &executor) {
+    return built.builder().build(built.grid(), built.boundary(), built.neighbours(), hsp::Patience(&executor));
+  });
+  EXPECT_EQ(built.contacts().contact_count(), built.balls().n - 1);
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ struct HardUnion {
   SmallBall ball[4];
 };
 constexpr HardUnion hard_unions[] = {
+    {3, {{0, 0, 0, 1000000000}, {1000000000, 0, 0, 1000000000}, {500000000, 866025404, 0, 3}}},
     {3, {{0, 0, 0, 5}, {10, 0, 0, 5}, {5, 1, 0, 1}}},
     {3, {{0, 0, 0, 5}, {8, 0, 0, 5}, {4, 3, 0, 1}}},
     {4, {{0, 0, 0, 5}, {4, 0, 0, 5}, {4, 3, 0, 5}, {0, 3, 0, 5}}},
@@ -106,6 +107,17 @@ inline uint32_t faces_cut_in_two() {
   return first_false(conditions);
 }
 
+// A loop too many takes away the area of half a sphere: more than a small face has.
+inline uint32_t faces_with_a_loop_too_many() {
+  constexpr SmallBall balls[] = {{0, 0, 0, 500}, {400, 0, 0, 800}};
+  if (!small_union().build(balls, 2)) return 0;
+  const uint32_t small = small_union().grid().grid_index(0);
+  ++small_union().builder().arrays().first[small + 1].loop;
+  const hsp::BoundaryViolation found = metric_violation();
+  const bool conditions[] = {found.invariant == hsp::BoundaryInvariant::areas, found.id == small};
+  return first_false(conditions);
+}
+
 // One of the band's circles counted twice and the other not at all leaves its area, but the surface does not close.
 inline uint32_t surfaces_that_do_not_close() {
   if (!small_union().build(capsule, 3)) return 0;
@@ -121,6 +133,7 @@ inline constexpr Check measure_boundary_metric_check[] = {{"correct_boundaries_p
                                                           {"vertices_off_their_spheres", vertices_off_their_spheres},
                                                           {"vertices_off_small_spheres", vertices_off_small_spheres},
                                                           {"faces_cut_in_two", faces_cut_in_two},
+                                                          {"faces_with_a_loop_too_many", faces_with_a_loop_too_many},
                                                           {"surfaces_that_do_not_close", surfaces_that_do_not_close}};
 
 }  // namespace cases

@@ -166,6 +166,17 @@ TEST(RayQuery, BreaksTiesByTheLowestNumber) {
   EXPECT_EQ(seen.tied, 300);
 }
 
+// Two balls side by side, so far off that doubles do not tell which one is entered first.
+TEST(RayQuery, TellsEntriesThatDoublesDoNot) {
+  Seen seen;
+  for (const int64_t side : {-1, 1}) {
+    const Balls balls = {{30 * side, 0, int64_t{1} << 49, 1000}, {-33 * side, 0, int64_t{1} << 49, 1000}};
+    check(balls, BuiltGrid(oracle::in_lengths(balls, 1)), {0, 0, 0}, {0, 0, 1}, seen);
+  }
+  EXPECT_EQ(seen.something, 2);
+  EXPECT_EQ(seen.tied, 0);
+}
+
 // The ends of the lattice, where a ray crosses far more layers than there are cubes.
 TEST(RayQuery, AtTheEndsOfTheLattice) {
   constexpr int64_t far = int64_t{1} << 50;

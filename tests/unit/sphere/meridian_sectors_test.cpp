@@ -54,6 +54,7 @@ TEST(MeridianSectors, ListAllThatMeet) {
     for (const uint32_t n : {260U, 1500U}) {
       const Bumps bumpy(bumps(random, n, least, most));
       const hsp::Caps &caps = bumpy.caps;
+      ASSERT_EQ(bumpy.visited(-1.0, 0.0), bumpy.visited(1.0, 0.0));
       for (int turn = 0; turn < 300; ++turn) {
         // Along the axes of caps, beside them, through their rims, and anywhere.
         const uint32_t own = static_cast<uint32_t>(random.below(caps.count));

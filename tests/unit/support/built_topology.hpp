@@ -17,6 +17,10 @@ class BuiltTopology {
   hsp::Topology &structure() { return structure_; }
   const hsp::TopologyBuilder &builder() const { return builder_; }
   hsp::Span<uint32_t> marks() const { return builder_.marks(); }
+  // In the same memory, as far as it is allowed.
+  hsp::Status build_again(hsp::Patience patience) {
+    return builder_.build(grid(), boundary(), boundary_.neighbours(), patience);
+  }
   // Not ok if the boundary or the topology failed.
   hsp::Status status() const { return status_; }
 

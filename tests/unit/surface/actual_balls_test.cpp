@@ -203,7 +203,7 @@ TEST(ActualBalls, DefinitionsInRandomSets) {
         EXPECT_EQ(actual.has_cusps(i, j), k != hsp::no_id);
         if (k == hsp::no_id) continue;
         const uint32_t v = boundary.half_edge(e).vertex;
-        const uint32_t w = gap_behind(built.balls(), boundary, built.surface().chosen(), i, e).vertex;
+        const uint32_t w = vertex_across_gap(built.balls(), boundary, built.surface().chosen(), i, e);
         const hsp::VertexRecord &record = boundary.vertex(v);
         uint32_t third = 0;
         while (record.ball[third] == i || record.ball[third] == j) ++third;

@@ -16,7 +16,7 @@ inline void add_three_patches(hsp::CutPatches &patches) {
   patches.add_arc(8, 0.75, true);
   patches.begin_piece(1, 1.0, 1.5);
   patches.add_arc(9, 0.5, true);
-  patches.begin_vertex(2);  // hidden
+  patches.begin_vertex(2);  // a piece without arcs
   patches.begin_piece(2, 0.0, 0.0);
   patches.finish(3);
 }

@@ -1,9 +1,73 @@
-// Regions in closed form.
+// Regions in closed form and of random caps against sampling, their pieces; and answers that are unknown where they
+// should be.
 #pragma once
 
-#include "circles_in_doubles_cases.hpp"
+#include "small_caps.hpp"
 
 namespace cases {
+
+inline bool found_in_doubles(SmallCaps &caps, hsp::FreeRegion &region, double amplification = 1.0) {
+  return hsp::FreeRegionFinder(caps.caps, amplification, caps.corners, caps.arcs, 3).find(region);
+}
+
+inline uint32_t random_regions_by_sampling() {
+  for (uint32_t seed = 0; seed < 150; ++seed) {
+    const RandomCaps random(seed);
+    SmallCaps caps(random.cap, random.n);
+    hsp::FreeRegion region;
+    hsp::Vec3 expected{};
+    const double area = caps.sample(expected);
+    if (!found_in_doubles(caps, region)) return seed;
+    if (region.arcs == 0) {
+      if (area > 0.01) return seed;
+      continue;
+    }
+    const hsp::Vec3 off = region.vector_area - expected;
+    if (!near_modulo_turn(region.steradians(), area, 0.03) || std::sqrt(dot(off, off)) > 0.03) return seed;
+  }
+  return all_hold;
+}
+
+// Three circles through one point, circles that touch, and a cap beside a corner nearer than its error.
+struct UnknownCase {
+  uint32_t n;
+  UnitCap cap[4];
+  double amplification;
+  bool known;
+};
+constexpr UnitCap octant_sides[3] = {{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}};
+constexpr UnknownCase unknown_cases[] = {
+    {3, {octant_sides[0], octant_sides[1], octant_sides[2]}, 1, true},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {1, 1, 1, 0.95}}, 1, true},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {0, 0, 1, 0.5}}, 1, true},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6}}, 1, false},  // through (1, 0, 0)
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6 + 1e-9}}, 1, true},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6 + 1e-9}}, 1e9, false},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {0.6, 0.64, 0.48, 0.8}}, 1, false},  // touches a side
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 0, 4, 0.8}}, 1, false},          // through (0, 0, 1)
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 4, 0.5 * 1.2494}}, 1e12, false}};
+
+inline uint32_t certain_or_unknown() {
+  return first_failing(unknown_cases, [](const UnknownCase &c) {
+    SmallCaps caps(c.cap, c.n);
+    hsp::FreeRegion region;
+    return found_in_doubles(caps, region, c.amplification) == c.known;
+  });
+}
+
+// Two caps that are almost the same: the corner between their circles is still found.
+inline uint32_t almost_the_same_circle() {
+  const double apart[] = {1e-3, 1e-5, 1e-7};
+  return first_failing(apart, [](double e) {
+    const UnitCap cap[] = {octant_sides[0], octant_sides[1], octant_sides[2], {1, 1, 1, 0.9}, {1 + e, 1, 1 - e, 0.9}};
+    SmallCaps both(cap, 5);
+    SmallCaps one(cap, 4);
+    hsp::FreeRegion of_both;
+    hsp::FreeRegion of_one;
+    return found_in_doubles(both, of_both) && found_in_doubles(one, of_one) && of_both.arcs > of_one.arcs &&
+           near_modulo_turn(of_both.steradians(), of_one.steradians(), 2 * e);
+  });
+}
 
 struct RegionCase {
   uint32_t n;
@@ -79,52 +143,65 @@ inline uint32_t ties_are_not_decided() {
   });
 }
 
-// A source of wrong answers: contradictions are noticed.
-struct Contradicting {
-  struct Crossing {
-    uint32_t second;
-  };
-  bool cross, cross_again, free;
-  int angles;
-
-  uint32_t count() const { return 3; }
-  hsp::Vec3 axis(uint32_t) const { return {0, 0, 1}; }
-  double height(uint32_t) const { return 0; }
-  hsp::Answer crossing(uint32_t j, uint32_t k, Crossing &crossing) const {
-    crossing.second = k;
-    return (cross && j == 0 && k == 1) || (cross_again && j == 0) ? hsp::Answer::yes : hsp::Answer::no;
-  }
-  hsp::Answer contains(const Crossing &, int sign, uint32_t) const {
-    return (free && sign > 0) || cross_again ? hsp::Answer::no : hsp::Answer::yes;
-  }
-  hsp::RegionCorner corner(const Crossing &crossing, int sign) const {
-    return {0, crossing.second, sign, 1, {1, 0, 0}, 0, false};
-  }
-  hsp::Answer lies_inside(uint32_t, uint32_t) const { return hsp::Answer::yes; }
-  bool ends_sooner(uint32_t, const hsp::RegionCorner &, const hsp::RegionCorner &, const hsp::RegionCorner &) const {
-    return false;
-  }
-  double arc_angle(uint32_t, const hsp::RegionCorner &, const hsp::RegionCorner &) const { return angles; }
-  double exterior_angle(const hsp::RegionCorner &) const { return 0; }
+// Pieces of an octant that caps cut, and the holes in them.
+struct PiecesCase {
+  uint32_t n;
+  UnitCap cap[6];
+  uint32_t pieces, loops;
+  uint32_t most_loops;  // of one piece
+  bool known = true;
 };
+constexpr PiecesCase pieces_cases[] = {
+    {3, {octant_sides[0], octant_sides[1], octant_sides[2]}, 1, 1, 1},
+    // A hole in the middle; a cap over the middles of all sides leaves three corners; one of these has a hole, which
+    // doubles do not find.
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {1, 1, 1, 0.96}}, 1, 2, 2},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {1, 1, 1, 0.8}}, 3, 3, 1},
+    {5, {octant_sides[0], octant_sides[1], octant_sides[2], {1, 1, 1, 0.8}, {1, 0.12, 0.12, 0.9986}}, 3, 4, 2, false},
+    // Two holes of one piece, the other piece has none.
+    {6,
+     {octant_sides[0],
+      octant_sides[1],
+      octant_sides[2],
+      {1, 0, 1, 0.72},
+      {0.2, 1, 0.2, 0.9995},
+      {0.3, 1, 0.1, 0.99995}},
+     1,
+     3,
+     3},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {1, 1, 1, 0.1}}, 0, 0, 0}};
 
-inline uint32_t contradictions_are_noticed() {
-  alignas(64) unsigned char memory[4096];
-  hsp::Workspace workspace(memory, sizeof memory);
-  hsp::FixedVector<hsp::RegionCorner> corners(workspace.take<hsp::RegionCorner>(18));
-  hsp::FixedVector<hsp::RegionArc> arcs(workspace.take<hsp::RegionArc>(18));
-  hsp::FreeRegion region;
-  const bool conditions[] = {
-      hsp::FreeRegionFinder(Contradicting{false, false, false, 1}, corners, arcs, 3).find(region),
-      hsp::FreeRegionFinder(Contradicting{true, false, false, 1}, corners, arcs, 3).find(region),
-      !hsp::FreeRegionFinder(Contradicting{true, false, true, 1}, corners, arcs, 3).find(region),
-      // Two arcs of one circle with the same end.
-      !hsp::FreeRegionFinder(Contradicting{true, true, true, 1}, corners, arcs, 3).find(region)};
-  return first_false(conditions);
+inline uint32_t pieces_and_loops() {
+  return first_failing(pieces_cases, [](const PiecesCase &c) {
+    SmallCaps caps(c.cap, c.n);
+    hsp::FreeRegion region;
+    if (!found_in_doubles(caps, region)) return false;
+    const hsp::Span<hsp::RegionArc> arcs = caps.arcs.items();
+    if (hsp::find_pieces(arcs) != c.known) return false;
+    if (!c.known) return true;
+    uint32_t pieces = 0;
+    uint32_t loops = 0;
+    uint32_t most_loops = 0;
+    for (uint32_t piece = 0; piece < arcs.size(); ++piece) {
+      if (arcs[arcs[piece].next].loop != arcs[piece].loop) return false;
+      if (arcs[piece].piece != piece) continue;
+      ++pieces;
+      uint32_t own = 0;
+      for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
+        if (arcs[loop].loop == loop && arcs[loop].piece == piece) ++own;
+      }
+      loops += own;
+      if (own > most_loops) most_loops = own;
+    }
+    return pieces == c.pieces && loops == c.loops && most_loops == c.most_loops;
+  });
 }
 
-inline constexpr Check surface_free_region[] = {{"regions_in_closed_form", regions_in_closed_form},
+inline constexpr Check surface_free_region[] = {{"random_regions_by_sampling", random_regions_by_sampling},
+                                                {"certain_or_unknown", certain_or_unknown},
+                                                {"almost_the_same_circle", almost_the_same_circle},
+                                                {"regions_in_closed_form", regions_in_closed_form},
                                                 {"ties_are_not_decided", ties_are_not_decided},
-                                                {"contradictions_are_noticed", contradictions_are_noticed}};
+                                                {"pieces_and_loops", pieces_and_loops}};
 
 }  // namespace cases

@@ -69,8 +69,7 @@ inline uint32_t what_is_missing_is_open() {
       patches.arc(a).across =
           patches.arc(a).is_side() ? hsp::PatchArc::side((patches.arc(a).slot() + 1) % 3) : (across == 0 ? 1 : 0);
       hsp::Patience endless;
-      const bool open =
-          hsp::join_patches(small_union().boundary(), surface.cusped_circles(), endless, patches).open > 0;
+      const bool open = hsp::join_patches(small_union().boundary(), surface.cusped_circles(), endless, patches) > 0;
       if (!open && !patches.arc(a).is_side()) return seed;
       patches.arc(a).across = across;
     }

@@ -52,10 +52,10 @@ class RandomPoints {
     hsp::Patience endless;
     if (boundary.vertex_count() > 0) probes.build(balls(), boundary, endless);
     for (uint32_t v = 0; v < boundary.vertex_count(); ++v) {
-      const hsp::ProbeState state = caps.gather(balls(), boundary, built_.surface().chosen(), probes, v);
+      const bool crossed = caps.gather(balls(), boundary, built_.surface().chosen(), probes, v);
       ASSERT_FALSE(caps.overflowed());
-      if (state == hsp::ProbeState::crossed) ++tally_.cut_patches;
-      for (uint32_t k = 0; k < concave_points; ++k) ask_concave(v, state, caps.caps());
+      if (crossed) ++tally_.cut_patches;
+      for (uint32_t k = 0; k < concave_points; ++k) ask_concave(v, crossed, caps.caps());
     }
     const hsp::SurfaceMap map(balls(), boundary, built_.surface());
     for (uint32_t arc = 0; arc < boundary.arc_count(); ++arc) {
@@ -100,14 +100,14 @@ class RandomPoints {
     return 1 / std::sqrt(dot(sum, sum)) * sum;
   }
 
-  void ask_concave(uint32_t v, hsp::ProbeState state, const hsp::Caps &caps) {
+  void ask_concave(uint32_t v, bool crossed, const hsp::Caps &caps) {
     const hsp::Position centre = hsp::position_of_vertex(balls(), built_.boundary(), v);
     const uint32_t *const ball = built_.boundary().vertex(v).ball;
     const Vec3 cone[] = {direction(centre, ball[0]), direction(centre, ball[1]), direction(centre, ball[2])};
     const Vec3 w = inside(cone);
     double above = -1;
     double height = 1;
-    if (state == hsp::ProbeState::crossed) {
+    if (crossed) {
       for (uint32_t k = hsp::ProbeCaps::sides; k < caps.count; ++k) {
         const double a = dot(caps.axis(k), w) - caps.b[k];
         if (a > above) {

@@ -23,12 +23,22 @@ inline uint32_t sound_surfaces() {
   return all_hold;
 }
 
+// Probes on both sides of the plane of these balls touch each other in it: where the balls grow they part, so there is
+// no hole.
+constexpr SurfaceScene touching_probes = {4,
+                                          {{-300000000, -200000000, 0, 100000000},
+                                           {300000000, -200000000, 0, 100000000},
+                                           {200000000, -300000000, 0, 100000000},
+                                           {200000000, 300000000, 0, 100000000}},
+                                          600000000};
+
 struct EulerCase {
   const SurfaceScene *scene;
   int32_t euler;
 };
-constexpr EulerCase euler_cases[] = {{&three_throat, 0}, {&three_almost, 0},         {&three_open, 6},
-                                     {&spindle, 4},      {&void_in_tetrahedron, -4}, {&cut_spindle, 2}};
+constexpr EulerCase euler_cases[] = {{&three_throat, 0},   {&three_almost, 0},         {&three_open, 6},
+                                     {&spindle, 4},        {&void_in_tetrahedron, -4}, {&cut_spindle, 2},
+                                     {&touching_probes, 2}};
 
 inline uint32_t euler_numbers() {
   return first_failing(euler_cases, [](const EulerCase &c) {
@@ -61,6 +71,38 @@ inline uint32_t mistakes_are_named() {
     cut.arc(a).corner = own;
   }
   return checked() == hsp::SurfaceInvariant::none ? all_hold : 4;
+}
+
+// Corners that get another number in all of their patches: then two rings are one corner. And creases that overlap.
+inline uint32_t wrong_rings_are_named() {
+  uint32_t corners = 0, pairs = 0;
+  for (uint32_t seed = 0; seed < 400 && (corners < 4 || pairs < 4); ++seed) {
+    if (!small_surface().build(random_scene(seed))) return seed;
+    const hsp::Surface &surface = small_surface().builder().surface();
+    hsp::CutPatches cut = surface.cut_patches();
+    const uint32_t first = 3 * small_union().boundary().vertex_count() + 2 * surface.cusped_circles().count();
+    if (cut.crease_corners().size() > 1) {
+      for (uint32_t a = 0; a < cut.arc_count(); ++a) {
+        if (cut.arc(a).corner == first + 1) cut.arc(a).corner = first;
+      }
+      if (checked() != hsp::SurfaceInvariant::rings) return 1000 + seed;
+      ++corners;
+      continue;
+    }
+    for (uint32_t k = 0; k < cut.creases().size(); ++k) {
+      hsp::PatchArc &arc = cut.arc(cut.creases().member(k));
+      uint32_t same = 0;
+      for (const uint32_t b : cut.arcs_of_vertex(cut.arc(arc.twin).across)) same += cut.arc(b).across == arc.across;
+      if (same < 2) continue;
+      const double angle = arc.angle;
+      arc.angle = cut.arc(arc.twin).angle = 2 * hsp::pi - 1e-3;
+      const hsp::SurfaceInvariant found = checked();
+      arc.angle = cut.arc(arc.twin).angle = angle;
+      if (found != hsp::SurfaceInvariant::creases) return 2000 + seed;
+      ++pairs;
+    }
+  }
+  return corners > 0 && pairs > 0 ? all_hold : 3000 + pairs;
 }
 
 // A piece that is not what is left of its patch; a patch that is not what is measured of it.
@@ -143,6 +185,7 @@ inline uint32_t more_faces_than_probes() {
 inline constexpr Check surface_surface_check[] = {{"sound_surfaces", sound_surfaces},
                                                   {"euler_numbers", euler_numbers},
                                                   {"mistakes_are_named", mistakes_are_named},
+                                                  {"wrong_rings_are_named", wrong_rings_are_named},
                                                   {"wrong_sums_are_named", wrong_sums_are_named},
                                                   {"every_wrong_patch_is_named", every_wrong_patch_is_named},
                                                   {"ties_are_closed", ties_are_closed},

@@ -213,6 +213,49 @@ TEST(CutArcs, AreThoseOfACircleForEachLoop) {
   }
 }
 
+// A belt parts a ball in two faces, each with hundreds of loops: those of one are none of the other.
+TEST(CutArcs, CutBothFacesOfABallWithABelt) {
+  oracle::RandomSource random(6);
+  Balls balls = oracle::studded_ball(random, 1000, {3, 5, 8}, 1000000, 1000, 9000);
+  for (int k = 0; k < 12; ++k) {
+    const double angle = k * std::numbers::pi / 6;
+    balls.push_back({std::llround(1e6 * std::cos(angle)), std::llround(1e6 * std::sin(angle)), 0, 300000});
+  }
+  Seen seen;
+  ASSERT_NO_FATAL_FAILURE(check(balls, true, seen));
+  BuiltTopology built(balls);
+  const uint32_t large = built.grid_index(0);
+  uint32_t with_many = 0;
+  for (const uint32_t face : built.boundary().faces(large))
+    with_many += built.boundary().loops_of_face(face).size() > 200;
+  EXPECT_EQ(with_many, 2U);
+}
+
+// A cap that reaches into many sectors is looked at before others, whatever its number.
+TEST(CutArcs, CutAStuddedBallWithALargeCap) {
+  oracle::RandomSource random(7);
+  Balls balls = oracle::studded_ball(random, 100, {0, 0, 0}, 1000000, 1000, 9000);
+  balls.push_back({900000, 100000, 20000, 700000});
+  balls.push_back({-1000000, 0, 0, 5000});
+  Seen seen;
+  ASSERT_NO_FATAL_FAILURE(check(balls, true, seen));
+  EXPECT_GT(seen.arcs, 50);
+}
+
+// A belt of a hundred caps along a meridian, open at one place: of all that this crosses two bound what is free.
+TEST(CutArcs, CutABallWithAnOpenBelt) {
+  for (int gap = 0; gap < 8; ++gap) {
+    Balls balls = {{0, 0, 0, 1000000}, {0, 1000000, 1000, 5000}};
+    for (int k = 0; k < 100; ++k) {
+      const double angle = (gap * 45 + 30 + 3 * k) * std::numbers::pi / 180;
+      balls.push_back({std::llround(1e6 * std::cos(angle)), 0, std::llround(1e6 * std::sin(angle)), 60000 + k});
+    }
+    Seen seen;
+    ASSERT_NO_FATAL_FAILURE(check(balls, true, seen));
+    EXPECT_GE(seen.arcs, 1);
+  }
+}
+
 TEST(CutArcs, CutFacesInSetsWithTies) {
   oracle::RandomSource random(3);
   Seen seen;

@@ -6,8 +6,11 @@
 #include <vector>
 
 #include "built_topology.hpp"
+#include "point_lattices.hpp"
 #include "random_balls.hpp"
+#include "stopped_at.hpp"
 #include "topology/topology_builder.hpp"
+#include "topology/topology_check.hpp"
 
 namespace {
 
@@ -165,6 +168,26 @@ TEST(ShellRecord, EulerCharacteristicAndGenus) {
   shell.edges = 20;
   EXPECT_EQ(shell.euler(), -6);
   EXPECT_EQ(shell.genus(), 4U);
+}
+
+void expect_stops(const oracle::Balls &balls, uint32_t last) {
+  BuiltTopology built(balls);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  expect_stops_at_questions(3, last,
+                            [&](const hsp::Executor &executor) { return built.build_again(hsp::Patience(&executor)); });
+  EXPECT_EQ(check_topology(built.boundary(), built.structure(), built.marks()).invariant, hsp::TopologyInvariant::none);
+}
+
+// Of a void and many components it is to be found which are in it.
+TEST(TopologyBuilder, StopsBetweenComponents) {
+  oracle::Balls balls = oracle::balls_on_sphere(1, 1000, 850);
+  for (int k = 0; k < 600; ++k) balls.push_back({5000 + 300 * k, 40 * k, 10 * k, 100});
+  expect_stops(balls, 8);
+}
+
+// So many that one shell is visited in parts.
+TEST(TopologyBuilder, StopsWithinAShell) {
+  expect_stops(long_row(6500), 2);
 }
 
 }  // namespace

@@ -81,6 +81,11 @@ const std::vector<Flaw> flaws = {
        b.structure().quads.next[q] = 4 * b.structure().quads.edges;
        return anywhere;
      }},
+    {"a first step to an edge that is not there", TopologyInvariant::algebra,
+     [](BuiltTopology &b) {
+       b.structure().quads.next[0] = 4 * b.structure().quads.edges;
+       return 0U;
+     }},
     {"a step from a vertex to a face", TopologyInvariant::algebra,
      [](BuiltTopology &b) {
        b.structure().quads.next[0] = hsp::rot(b.structure().quads.next[0]);
@@ -187,6 +192,15 @@ const std::vector<Flaw> flaws = {
      [](BuiltTopology &b) {
        --b.structure().face_count;
        return anywhere;
+     }},
+    {"a simple face of two rings, one of them another face's far away", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       const uint32_t last = b.structure().face_count - 1;
+       for (uint32_t q = 0; q < 4 * b.structure().quads.edges; q += 2) {
+         uint32_t &left = b.structure().quads.start[hsp::inverse_rot(q)];
+         if (left == last) left = 0;
+       }
+       return --b.structure().face_count;
      }},
     {"a simple face with one face on both sides of an edge", TopologyInvariant::faces,
      [](BuiltTopology &b) {
