@@ -30,7 +30,7 @@ static_assert(static_cast<uint32_t>(hsp::SimplexKind::singular) == HSP_SIMPLEX_S
 static_assert(static_cast<uint32_t>(hsp::SimplexKind::regular) == HSP_SIMPLEX_REGULAR);
 static_assert(static_cast<uint32_t>(hsp::SimplexKind::interior) == HSP_SIMPLEX_INTERIOR);
 
-hsp_contact to_c(const hsp::BallSet &balls, const hsp::ContactRecord &contact) {
+hsp_contact record_of(const hsp::BallSet &balls, const hsp::ContactRecord &contact) {
   const auto [first, second] = contact.ball;
   const hsp::Vec3 v = balls.difference(first, second);
   const uint32_t a = balls.caller[first];
@@ -91,7 +91,7 @@ int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, u
     const uint32_t ball = contacts->grid().grid_index(i);
     for (const uint32_t id : structure.row(ball)) {
       const hsp::ContactRecord &contact = structure.contact(id);
-      if (balls.given_before(ball, contact.other(ball))) out[written++] = to_c(balls, contact);
+      if (balls.given_before(ball, contact.other(ball))) out[written++] = record_of(balls, contact);
     }
   }
   return HSP_OK;
@@ -105,7 +105,7 @@ int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_co
   const hsp::Span<const uint32_t> row = contacts->structure().row(contacts->grid().grid_index(ball));
   const int32_t status = check_output(capacity, row.size(), needed);
   if (status != HSP_OK) return status;
-  for (uint32_t k = 0; k < row.size(); ++k) out[k] = to_c(contacts->balls(), contacts->structure().contact(row[k]));
+  for (uint32_t k = 0; k < row.size(); ++k) out[k] = record_of(contacts->balls(), contacts->structure().contact(row[k]));
   return HSP_OK;
 }
 
