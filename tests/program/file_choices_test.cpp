@@ -129,8 +129,8 @@ TEST(Locations, FirstByOccupancyOrByLetter) {
     };
     const X first = {0, 12, 24, 36, 42, 54, 66, 72, 78, 84, 96};
     EXPECT_EQ(xs(run_json({"measure", file, "--per-ball"})), first);
-    EXPECT_EQ(read("first"), first);
-    EXPECT_EQ(read("occupancy"), X({6, 18, 30, 36, 42, 60, 66, 72, 84, 90, 96}));
+    EXPECT_EQ(read("first", "2"), first);
+    EXPECT_EQ(read("occupancy", "3"), X({6, 18, 30, 36, 42, 60, 66, 72, 84, 90, 96}));
     EXPECT_EQ(read("A"), X({0, 12, 24, 48, 54, 66, 72, 78, 84, 96}));
     EXPECT_EQ(read("B"), X({6, 18, 24, 36, 42, 60, 66, 72, 84, 90, 96}));
     EXPECT_EQ(read("C"), X({0, 12, 30, 36, 42, 54, 66, 72, 78, 84, 96}));
@@ -152,14 +152,15 @@ TEST(Locations, GroupsOfCrystals) {
       "_atom_site_disorder_assembly\n_atom_site_disorder_group\n"
       "C1 C 0.1 0 0 1 . .\nC2A C 0.2 0 0 0.4(1) A 1\nC2B C 0.3 0 0 0.6(1) A 2\n"
       "C3A C 0.4 0 0 0.7 B 1\nC3B C 0.5 0 0 0.3 B 2\nC4B C 0.6 0 0 0.6 A 2\n");
-  const auto read = [&](const char *which) {
-    std::vector<double> x = xs(run_json({"measure", file.path(), "--per-ball", "--altloc", which}));
+  const auto read = [&](const char *which, const std::string &below_one) {
+    std::vector<double> x = xs(run_json({"measure", file.path(), "--per-ball", "--altloc", which},
+                                        below_one + " atoms of an occupancy below 1 count whole, as if always there"));
     for (double &it : x) it = std::round(it);
     return x;
   };
-  EXPECT_EQ(read("first"), std::vector<double>({10, 20, 40}));
-  EXPECT_EQ(read("occupancy"), std::vector<double>({10, 30, 40, 60}));
-  EXPECT_EQ(read("2"), std::vector<double>({10, 30, 50, 60}));
+  EXPECT_EQ(read("first", "2"), std::vector<double>({10, 20, 40}));
+  EXPECT_EQ(read("occupancy", "3"), std::vector<double>({10, 30, 40, 60}));
+  EXPECT_EQ(read("2", "3"), std::vector<double>({10, 30, 50, 60}));
 }
 
 // ---- names of chains ----
