@@ -161,9 +161,9 @@ static enum line_status find_end(struct line_reader *reader, size_t *length, str
 
 /* Of a text that another reader has looked through: every line ends with '\n'. */
 static enum line_status next_of_text(struct line_reader *reader) {
-  char *const begin = reader->block + reader->next, *end = begin;
   uint32_t found;
   if (reader->next == reader->filled) return LINE_END;
+  char *const begin = reader->block + reader->next, *end = begin;
   while ((found = equal_in_16(end, '\n')) == 0) end += 16;
   end += lowest_bit(found);
   *end = '\0';
@@ -175,11 +175,13 @@ static enum line_status next_of_text(struct line_reader *reader) {
 }
 
 uint64_t line_reader_pass(struct line_reader *reader, char mark, const char **text, size_t *bytes) {
-  const char *const begin = *text = reader->block + reader->next;
   const size_t most = reader->filled - reader->next;
   uint64_t lines = 0;
+  *text = reader->block;
   *bytes = 0;
-  if (most == 0 || *begin == mark) return 0;
+  if (most == 0) return 0;
+  const char *const begin = *text += reader->next;
+  if (*begin == mark) return 0;
   for (size_t at = 0; at < most; at += 16) {
     const char *const here = begin + at;
     const uint32_t breaks = control_in_16(here);
