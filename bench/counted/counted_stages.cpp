@@ -79,8 +79,11 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("hessian_area", balls, surface, [&] { second.find_rows_of_area(); });
   count("hessian_volume", balls, surface, [&] { second.find_rows_of_volume(); });
   count("hessian_product", balls, surface, [&] { second.multiply(); });
-  bench::Triangles triangles(boundary);
-  count("mesh", balls, surface, [&] { triangles.compute(); });
+  const bool is_small = balls.size() < 1000;  // of others meshes and pores take minutes in a simulated processor
+  if (is_small) {
+    bench::Triangles triangles(boundary);
+    count("mesh", balls, surface, [&] { triangles.compute(); });
+  }
   if (surface.probe != 0) {
     bench::SmoothSurface smooth(boundary);
     count("surface", balls, surface, [&] { smooth.compute(); });
@@ -115,7 +118,7 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
     periodic_areas.differentiate();
   });
   if (surface.probe != 0) return;  // what is drawn are van der Waals balls, and pores have every probe
-  if (balls.size() < 1000) {       // of the others they take minutes in a simulated processor
+  if (is_small) {
     bench::Pores pores(model);
     count("pores", balls, surface, [&] { pores.compute(); });
     count_pockets(balls, model);
