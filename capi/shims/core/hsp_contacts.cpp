@@ -105,7 +105,8 @@ int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_co
   const hsp::Span<const uint32_t> row = contacts->structure().row(contacts->grid().grid_index(ball));
   const int32_t status = check_output(capacity, row.size(), needed);
   if (status != HSP_OK) return status;
-  for (uint32_t k = 0; k < row.size(); ++k) out[k] = record_of(contacts->balls(), contacts->structure().contact(row[k]));
+  const hsp::BallSet &balls = contacts->balls();
+  for (uint32_t k = 0; k < row.size(); ++k) out[k] = record_of(balls, contacts->structure().contact(row[k]));
   return HSP_OK;
 }
 

@@ -75,8 +75,8 @@ bool SphericalPatch::close_wedge(uint32_t sample, const TriangleEdge &way) {
   links_[sample].closing = end;
   links_[sample].middle = middle_of_wedge(sample);
   if (end == sample) return true;
-  // The triangle there has the edge from `strand` to the sample instead of the border. So has one on the other side of a
-  // border that comes back, if the wedge at `strand` was closed before, and ends where the border from the sample does.
+  // The triangle there has the edge from `strand` to the sample instead of the border. So has one on the other side of
+  // a border that comes back, if the wedge at `strand` was closed before, at the end of the border from the sample.
   uint32_t divided = middle_of(strand, sample);
   const uint32_t end_there = links_[strand].closing;
   if (divided == no_id && end_there != no_id && end_there != strand && links_[end_there].previous == sample) {

@@ -169,8 +169,8 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
 // This joins all loops l_1 .. l_r of a face f: the sphere minus f is r discs. The meridian from a cluster in disc a to
 // the pole leaves the disc through l_a, and each further disc it enters it leaves through that disc's loop, so the
 // chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free. As many joins as there are
-// clusters but one leave as many sets as there are faces: after these no further meridian is looked at. Of many clusters
-// those come first whose loop is not in one set with that of the first meridian.
+// clusters but one leave as many sets as there are faces: after these no further meridian is looked at. Of many
+// clusters those come first whose loop is not in one set with that of the first meridian.
 void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, uint32_t joins,
                                          DisjointSets &loops) {
   const exact::Predicates predicates = caps.predicates();

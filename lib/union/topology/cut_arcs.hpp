@@ -82,8 +82,8 @@ class CutArcFinder {
   // directly do without the poles.
   DisjointSets nodes_, direct_;
   bool pole_joined_[2] = {false, false};
-  // Whether the index of meridians is marked where loops of this face are to be joined. It is marked again only for half
-  // of them, after so many circles that joined nothing: before, these cost less.
+  // Whether the index of meridians is marked where loops of this face are to be joined. It is marked again only for
+  // half of them, after so many circles that joined nothing: before, these cost less.
   bool has_marks_ = false;
   uint32_t to_join_when_marked_ = 0, in_vain_ = 0;
   static constexpr uint32_t most_in_vain = 16;

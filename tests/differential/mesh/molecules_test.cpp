@@ -38,8 +38,8 @@ TEST(RandomSets, HaveClosedMeshes) {
   EXPECT_EQ(refused, 0);
 }
 
-// Points of a lattice, so that borders run along each other, there and back, with the patch on both sides: a triangle on
-// either side has an edge between the same two points.
+// Points of a lattice, so that borders run along each other, there and back, with the patch on both sides: a triangle
+// on either side has an edge between the same two points.
 TEST(Points, OfALatticeHaveClosedMeshes) {
   const std::vector<std::vector<double>> sets = {
       {1, 0, 1, 1, 1, 0, 2, 2, 2, 1, 1, 2, 2, 0, 1, 1, 0, 1, 2, 0, 1, 2, 2, 0, 0, 0, 2, 2, 1, 0, 0, 2, 0, 0, 2, 2},

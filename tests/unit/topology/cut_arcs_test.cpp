@@ -206,7 +206,7 @@ TEST(CutArcs, AreThoseOfACircleForEachLoop) {
     EXPECT_EQ(built.boundary().face_count(), faces);
     EXPECT_EQ(hsp::check_boundary(built.balls(), built.boundary(), built.marks()).invariant,
               hsp::BoundaryInvariant::none);
-    // What has been joined on one ball says nothing of the next.
+    // Joins on one ball say nothing of the next.
     Balls two = balls;
     for (const oracle::LatticeBall &ball : balls) two.push_back({ball.x + 9000000, ball.y, ball.z, ball.radius});
     EXPECT_EQ(BuiltTopology(two).structure().cut_arcs.size(), 2 * arcs);
