@@ -184,7 +184,7 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, u
   uint32_t hub = no_id;
   const auto is_joined = [&](uint32_t cap) {
     const Span<const uint32_t> elements = intervals_.of_caps();
-    return hub != no_id && !elements.empty() && elements[cap] != no_id &&
+    return hub != no_id && elements[cap] != no_id &&
            loops.find(boundary.loop_of(LoopElement::from_code(elements[cap])) - first_loop) == loops.find(hub);
   };
   uint32_t representative = 0;
