@@ -13,17 +13,6 @@
 
 enum { BALLS = 400, HOLLOW = 26, TRIED = 6 };
 
-/* The loop comes first, as it is the context of what runs it. */
-typedef struct stopper {
-  loop own;
-  uint32_t asked, stop_at;
-} stopper;
-
-static int32_t proceed(void *context) {
-  stopper *const own = context;
-  return __atomic_fetch_add(&own->asked, 1, __ATOMIC_RELAXED) >= own->stop_at ? 7 : 0;
-}
-
 typedef struct scene {
   computed base;
   contacts_result contacts;
@@ -95,7 +84,7 @@ static void stopped(scene *s, int which, uint32_t workers) {
   uint32_t questions, k;
   check_scene("%s by %u workers", asked[which].name, (unsigned)workers);
   CHECK_EQUAL(asked[which].ask(s, &executor, &expected), HSP_OK); /* which has nothing to ask with */
-  executor.proceed = proceed;
+  executor.proceed = stopper_proceed;
   CHECK_EQUAL(asked[which].ask(s, &executor, &hash), HSP_OK);
   CHECK(hash == expected);
   CHECK((questions = own.asked) >= 3);

@@ -104,3 +104,8 @@ hsp_executor executor_with(int32_t (*run_tasks)(void *, uint32_t, hsp_task *, vo
   executor.run = run_tasks;
   return executor;
 }
+
+int32_t stopper_proceed(void *context) {
+  stopper *const own = context;
+  return __atomic_fetch_add(&own->asked, 1, __ATOMIC_RELAXED) >= own->stop_at ? 7 : 0;
+}

@@ -25,6 +25,15 @@ hsp_executor executor_of(loop *own, uint32_t workers);
 /* Of a loop of one's own. */
 hsp_executor executor_with(int32_t (*run_tasks)(void *, uint32_t, hsp_task *, void *), void *context, uint32_t workers);
 
+/* A loop that counts the questions whether to go on, and says no from number `stop_at` on, the first being 0. It comes
+ * first, as it is the context of what runs it; `proceed` of the executor is stopper_proceed. */
+typedef struct stopper {
+  loop own;
+  uint32_t asked, stop_at;
+} stopper;
+
+int32_t stopper_proceed(void *context);
+
 #ifdef __cplusplus
 }
 #endif

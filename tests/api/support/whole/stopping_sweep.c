@@ -16,17 +16,6 @@
 
 enum { BALLS = 300, FEW_BALLS = 50, WORKERS = 3 };
 
-/* The loop comes first, as it is the context of what runs it. */
-typedef struct stopper {
-  loop own;
-  uint32_t asked, stop_at;
-} stopper;
-
-static int32_t proceed(void *context) {
-  stopper *const own = context;
-  return __atomic_fetch_add(&own->asked, 1, __ATOMIC_RELAXED) >= own->stop_at ? 7 : 0;
-}
-
 typedef struct scene {
   hsp_workspace work;
   uint32_t n;
@@ -471,7 +460,7 @@ static int32_t ask_until(const question *q, scene *s, uint32_t workers, uint32_t
   own.stop_at = stop_at;
   executor = executor_of(&own.own, workers);
   executor.context = &own;
-  executor.proceed = proceed;
+  executor.proceed = stopper_proceed;
   status = q->ask(s, &executor);
   *asked = own.asked;
   return status;
