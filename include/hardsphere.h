@@ -56,8 +56,8 @@
  *   says how many there are of each kind; hsp_X_get_info says that and what else is settled, such as the lattice or the
  *   frame of a view. hsp_X_measure, hsp_X_gradient and hsp_X_curvature give numbers, in all and of each ball, into
  *   arguments of their own. Functions with a request (REQUESTS AND OUTPUTS) have other names than those without:
- *   hsp_X_compute_with beside hsp_X_compute, and hsp_X_get_measures, hsp_X_get_gradient, hsp_X_get_derivatives,
- *   hsp_X_get_morphometry, which fill outputs. A hsp_X_compute_with that is not there yet may come.
+ *   hsp_X_compute_with beside hsp_X_compute, likewise of other verbs, and hsp_X_get_measures, hsp_X_get_gradient,
+ *   hsp_X_get_derivatives, hsp_X_get_morphometry, which fill outputs. A name with _with that is not there yet may come.
  *   Arguments are in this order: handle, what is asked about (balls, box, boundary, options or request), limits or
  *   outputs, first_bad; of outputs the totals first, then arrays, then capacity and needed. Euler characteristics are
  *   int64_t, as differences of counts that have 32 bits; yes or no is uint32_t, but in arrays of masks, such as

@@ -81,6 +81,8 @@ struct Scene {
   hsp_workspace work{}, bare{};
   std::vector<double> area, d_centre;
   double box[9]{};
+  std::vector<unsigned char> memory;
+  hsp_body *body = nullptr;
   const hsp_executor *executor = nullptr;
 };
 
@@ -115,7 +117,43 @@ int main(int count, char **arguments) {
   };
   const auto boundary = [&] { return set(0.0) == HSP_OK ? hsp_workspace_boundary(&work) : -1; };
   const auto grown = [&] { return set(1.4) == HSP_OK ? hsp_workspace_boundary(&work) : -1; };
+  const auto balls_alone = [&] { return set(0.0); };
+  std::vector<uint32_t> first(n + 1), ids(64 * size_t{n});
   const std::vector<Row> rows = {
+      {"model", balls_alone, [&] { return set(0.0); }},
+      {"pairs", balls_alone,
+       [&] {
+         const hsp_pairs_request request{sizeof request, 0, s.executor};
+         return hsp_query_pairs_with(work.model, &request, first.data(), ids.data(), 64 * n, nullptr);
+       }},
+      {"pairs_once", balls_alone,
+       [&] {
+         const hsp_pairs_request request{sizeof request, HSP_PAIRS_ONCE, s.executor};
+         return hsp_query_pairs_with(work.model, &request, first.data(), ids.data(), 64 * n, nullptr);
+       }},
+      {"body",
+       [&] {
+         size_t bytes = 0;
+         hsp_body_bytes(n, &bytes);
+         s.memory.resize(bytes);
+         const int32_t status = hsp_body_init(s.memory.data(), bytes, n, &s.body);
+         return status == HSP_OK ? set(0.0) : status;
+       },
+       [&] {
+         const hsp_body_request request{sizeof request, 0, s.executor};
+         return hsp_body_set_with(s.body, work.model, &request);
+       }},
+      {"curvature", boundary,
+       [&] {
+         const hsp_curvature_request request{sizeof request, 0, s.executor};
+         return hsp_boundary_curvature_with(work.boundary, &request, nullptr, s.area.data(), nullptr, n, nullptr);
+       }},
+      {"surface_measures", [&] { return grown() == HSP_OK ? hsp_workspace_surface(&work) : -1; },
+       [&] {
+         const hsp_surface_measure_request request{sizeof request, 0, s.executor};
+         hsp_surface_totals totals;
+         return hsp_surface_measure_with(work.surface, &request, &totals, nullptr, 0, nullptr);
+       }},
       {"boundary", boundary, [&] { return hsp_workspace_boundary(&work); }},
       {"boundary_grown", grown, [&] { return hsp_workspace_boundary(&work); }},
       {"measures", boundary,

@@ -162,6 +162,13 @@ struct hsp_model_options
     largest_radius::Cdouble
 end
 
+struct hsp_model_request
+    struct_size::UInt32
+    reserved::UInt32
+    options::Ptr{hsp_model_options}
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_model_info
     balls::UInt32
     cubes::UInt32
@@ -184,11 +191,23 @@ struct hsp_packing
     reserved::NTuple{2, UInt64}
 end
 
+struct hsp_pairs_request
+    struct_size::UInt32
+    flags::UInt32
+    executor::Ptr{hsp_executor}
+end
+
 struct hsp_ray_hit
     xyz::NTuple{3, Cdouble}
     distance::Cdouble
     ball::UInt32
     reserved::UInt32
+end
+
+struct hsp_body_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
 end
 
 struct hsp_pose
@@ -424,6 +443,12 @@ end
 struct hsp_curvatures
     mean::Cdouble
     gauss::Cdouble
+end
+
+struct hsp_curvature_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
 end
 
 struct hsp_morphometry_request
@@ -723,6 +748,12 @@ struct hsp_surface_totals
     convex_area::Cdouble
     saddle_area::Cdouble
     concave_area::Cdouble
+end
+
+struct hsp_surface_measure_request
+    struct_size::UInt32
+    reserved::UInt32
+    executor::Ptr{hsp_executor}
 end
 
 struct hsp_surface_part_counts
@@ -1411,6 +1442,11 @@ function hsp_model_set(model, n, xyz, radius, options, first_bad)
           Ptr{hsp_model_options}, Ptr{UInt32}), model, n, xyz, radius, options, first_bad)
 end
 
+function hsp_model_set_with(model, n, xyz, radius, request, first_bad)
+    ccall((:hsp_model_set_with, libhardsphere), Int32, (Ptr{hsp_model}, UInt32, Ptr{Cdouble}, Ptr{Cdouble},
+          Ptr{hsp_model_request}, Ptr{UInt32}), model, n, xyz, radius, request, first_bad)
+end
+
 function hsp_model_get_info(model, info)
     ccall((:hsp_model_get_info, libhardsphere), Int32, (Ptr{hsp_model}, Ptr{hsp_model_info}), model, info)
 end
@@ -1449,6 +1485,11 @@ function hsp_query_pairs(model, flags, first, ids, capacity, needed)
           Ptr{UInt32}), model, flags, first, ids, capacity, needed)
 end
 
+function hsp_query_pairs_with(model, request, first, ids, capacity, needed)
+    ccall((:hsp_query_pairs_with, libhardsphere), Int32, (Ptr{hsp_model}, Ptr{hsp_pairs_request}, Ptr{UInt32},
+          Ptr{UInt32}, UInt32, Ptr{UInt32}), model, request, first, ids, capacity, needed)
+end
+
 function hsp_query_ray(model, origin, direction, hit)
     ccall((:hsp_query_ray, libhardsphere), Int32, (Ptr{hsp_model}, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{hsp_ray_hit}),
           model, origin, direction, hit)
@@ -1465,6 +1506,11 @@ end
 
 function hsp_body_set(body, model)
     ccall((:hsp_body_set, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_model}), body, model)
+end
+
+function hsp_body_set_with(body, model, request)
+    ccall((:hsp_body_set_with, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_model}, Ptr{hsp_body_request}), body,
+          model, request)
 end
 
 function hsp_pose_from_matrix(matrix, translation, pose)
@@ -1706,6 +1752,12 @@ end
 function hsp_boundary_curvature(boundary, totals, mean, gauss_thirds, capacity, needed)
     ccall((:hsp_boundary_curvature, libhardsphere), Int32, (Ptr{hsp_boundary}, Ptr{hsp_curvatures}, Ptr{Cdouble},
           Ptr{Int32}, UInt32, Ptr{UInt32}), boundary, totals, mean, gauss_thirds, capacity, needed)
+end
+
+function hsp_boundary_curvature_with(boundary, request, totals, mean, gauss_thirds, capacity, needed)
+    ccall((:hsp_boundary_curvature_with, libhardsphere), Int32, (Ptr{hsp_boundary}, Ptr{hsp_curvature_request},
+          Ptr{hsp_curvatures}, Ptr{Cdouble}, Ptr{Int32}, UInt32, Ptr{UInt32}), boundary, request, totals, mean,
+          gauss_thirds, capacity, needed)
 end
 
 function hsp_boundary_get_morphometry(boundary, request, outputs)
@@ -1976,6 +2028,12 @@ end
 function hsp_surface_measure(surface, totals, balls, capacity, needed)
     ccall((:hsp_surface_measure, libhardsphere), Int32, (Ptr{hsp_surface}, Ptr{hsp_surface_totals},
           Ptr{hsp_surface_totals}, UInt32, Ptr{UInt32}), surface, totals, balls, capacity, needed)
+end
+
+function hsp_surface_measure_with(surface, request, totals, balls, capacity, needed)
+    ccall((:hsp_surface_measure_with, libhardsphere), Int32, (Ptr{hsp_surface}, Ptr{hsp_surface_measure_request},
+          Ptr{hsp_surface_totals}, Ptr{hsp_surface_totals}, UInt32, Ptr{UInt32}), surface, request, totals, balls,
+          capacity, needed)
 end
 
 function hsp_surface_get_gradient(surface, request, outputs)

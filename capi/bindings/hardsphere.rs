@@ -231,6 +231,15 @@ pub struct hsp_model_options {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_model_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub options: *const hsp_model_options,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_model_info {
     pub balls: u32,
     pub cubes: u32,
@@ -257,11 +266,27 @@ pub struct hsp_packing {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_pairs_request {
+    pub struct_size: u32,
+    pub flags: u32,
+    pub executor: *const hsp_executor,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_ray_hit {
     pub xyz: [f64; 3],
     pub distance: f64,
     pub ball: u32,
     pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_body_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
 }
 
 #[repr(C)]
@@ -553,6 +578,14 @@ pub struct hsp_moving_ball {
 pub struct hsp_curvatures {
     pub mean: f64,
     pub gauss: f64,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_curvature_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
 }
 
 #[repr(C)]
@@ -916,6 +949,14 @@ pub struct hsp_surface_totals {
     pub convex_area: f64,
     pub saddle_area: f64,
     pub concave_area: f64,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_surface_measure_request {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub executor: *const hsp_executor,
 }
 
 #[repr(C)]
@@ -1691,6 +1732,14 @@ extern "C" {
         options: *const hsp_model_options,
         first_bad: *mut u32,
     ) -> i32;
+    pub fn hsp_model_set_with(
+        model: *mut hsp_model,
+        n: u32,
+        xyz: *const f64,
+        radius: *const f64,
+        request: *const hsp_model_request,
+        first_bad: *mut u32,
+    ) -> i32;
     pub fn hsp_model_get_info(model: *const hsp_model, info: *mut hsp_model_info) -> i32;
     pub fn hsp_model_get_balls(
         model: *const hsp_model,
@@ -1731,6 +1780,14 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
+    pub fn hsp_query_pairs_with(
+        model: *const hsp_model,
+        request: *const hsp_pairs_request,
+        first: *mut u32,
+        ids: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
     pub fn hsp_query_ray(
         model: *const hsp_model,
         origin: *const f64,
@@ -1740,6 +1797,7 @@ extern "C" {
     pub fn hsp_body_bytes(balls: u32, bytes: *mut usize) -> i32;
     pub fn hsp_body_init(memory: *mut c_void, bytes: usize, balls: u32, body: *mut *mut hsp_body) -> i32;
     pub fn hsp_body_set(body: *mut hsp_body, model: *const hsp_model) -> i32;
+    pub fn hsp_body_set_with(body: *mut hsp_body, model: *const hsp_model, request: *const hsp_body_request) -> i32;
     pub fn hsp_pose_from_matrix(matrix: *const f64, translation: *const f64, pose: *mut hsp_pose) -> i32;
     pub fn hsp_body_hits(
         fixed: *const hsp_body,
@@ -2012,6 +2070,15 @@ extern "C" {
     pub fn hsp_moving_get_model(moving: *const hsp_moving, model: *mut hsp_model) -> i32;
     pub fn hsp_boundary_curvature(
         boundary: *const hsp_boundary,
+        totals: *mut hsp_curvatures,
+        mean: *mut f64,
+        gauss_thirds: *mut i32,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_boundary_curvature_with(
+        boundary: *const hsp_boundary,
+        request: *const hsp_curvature_request,
         totals: *mut hsp_curvatures,
         mean: *mut f64,
         gauss_thirds: *mut i32,
@@ -2329,6 +2396,14 @@ extern "C" {
     pub fn hsp_surface_get_counts(surface: *const hsp_surface, counts: *mut hsp_surface_counts) -> i32;
     pub fn hsp_surface_measure(
         surface: *const hsp_surface,
+        totals: *mut hsp_surface_totals,
+        balls: *mut hsp_surface_totals,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_surface_measure_with(
+        surface: *const hsp_surface,
+        request: *const hsp_surface_measure_request,
         totals: *mut hsp_surface_totals,
         balls: *mut hsp_surface_totals,
         capacity: u32,

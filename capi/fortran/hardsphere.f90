@@ -323,11 +323,11 @@ module hardsphere
     ! NULL, or says whether to go on: 0 does, anything else stops. Also asked with workers 0 or 1. It is asked between
     ! balls and stages of the work, by the caller's thread and by those of tasks, several at a time, with a copy of the
     ! caller's floating-point environment; not by a library that is compiled for size. It must not call functions with
-    ! the handles of the function that asks. Of molecules of some thousand balls fewer than 10 million instructions lie
+    ! the handles of the function that asks. Of molecules of up to 240,000 balls fewer than 10 million instructions lie
     ! between two questions, as a rule one million; where many balls tie in one place there may be more. Functions
-    ! without an executor in their request or options do not ask: of such molecules most of them take less than that,
-    ! hsp_model_set 500 instructions a ball, measures of smooth surfaces and curvatures some 2,000; poses and lists may
-    ! be asked for less at a time, and others have a sibling that asks (splitting_the_work.md lists them).
+    ! without an executor in their request or options do not ask. Those that compute have a sibling that does
+    ! (splitting_the_work.md lists them), but for poses, which may be asked for less at a time, and for what its header
+    ! says to take O(n) instructions: some hundreds a ball, 2,000 at most.
     type(c_funptr) :: proceed
   end type
 
@@ -350,6 +350,14 @@ module hardsphere
     real(c_double) :: step
     ! length, > 0: r_max less the probe, for balls of which none may be larger on the lattice; 0: that of the balls
     real(c_double) :: largest_radius
+  end type
+
+  type, bind(C) :: hsp_model_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_model_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    type(c_ptr) :: options = c_null_ptr                                  ! or NULL: how balls are read
+    ! or NULL: whether to go on is asked of it; its threads share nothing
+    type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_model_info
@@ -380,6 +388,13 @@ module hardsphere
 
   ! ---- query.h: which balls contain a point, meet a ball, or meet each other (Section 3) -----------------------------
 
+  type, bind(C) :: hsp_pairs_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_pairs_request)
+    integer(c_int32_t) :: flags = 0_c_int32_t                            ! 0 or HSP_PAIRS_ONCE
+    ! or NULL: whether to go on is asked of it; its threads share nothing
+    type(c_ptr) :: executor = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_ray_hit
     real(c_double) :: xyz(3)        ! the point, length; 0 if there is none
     real(c_double) :: distance      ! of the point from the origin, length; infinite if there is none
@@ -388,6 +403,13 @@ module hardsphere
   end type
 
   ! ---- pose.h: a molecule against a moved one: hits, pairs, gaps (Sections 3 and 6) ----------------------------------
+
+  type, bind(C) :: hsp_body_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_body_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing
+    type(c_ptr) :: executor = c_null_ptr
+  end type
 
   type, bind(C) :: hsp_pose
     real(c_double) :: quaternion(4)   ! w x y z, of any length but 0: the rotation R; 1 0 0 0 is none
@@ -647,6 +669,13 @@ module hardsphere
   type, bind(C) :: hsp_curvatures
     real(c_double) :: mean   ! M, length
     real(c_double) :: gauss  ! G = pi/3 times the sum of gauss_thirds
+  end type
+
+  type, bind(C) :: hsp_curvature_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_curvature_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing
+    type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_morphometry_request
@@ -983,6 +1012,13 @@ module hardsphere
     real(c_double) :: convex_area   ! length^2
     real(c_double) :: saddle_area   ! length^2
     real(c_double) :: concave_area  ! length^2
+  end type
+
+  type, bind(C) :: hsp_surface_measure_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_surface_measure_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    ! or NULL: whether to go on is asked of it; its threads share nothing
+    type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_surface_part_counts
@@ -1861,6 +1897,18 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_model_set_with(model, n, xyz, radius, request, first_bad) result(status) &
+      bind(C, name="hsp_model_set_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_model_request
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in), optional :: xyz(3, *)  ! 3, n
+      real(c_double), intent(in), optional :: radius(*)  ! n
+      type(hsp_model_request), intent(in), optional :: request
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_model_get_info(model, info) result(status) bind(C, name="hsp_model_get_info")
       import :: c_int32_t, c_ptr, hsp_model_info
       type(c_ptr), value :: model
@@ -1941,6 +1989,18 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_query_pairs_with(model, request, first, ids, capacity, needed) result(status) &
+      bind(C, name="hsp_query_pairs_with")
+      import :: c_int32_t, c_ptr, hsp_pairs_request
+      type(c_ptr), value :: model
+      type(hsp_pairs_request), intent(in), optional :: request
+      integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
+      integer(c_int32_t), intent(inout), optional :: ids(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_query_ray(model, origin, direction, hit) result(status) bind(C, name="hsp_query_ray")
       import :: c_double, c_int32_t, c_ptr, hsp_ray_hit
       type(c_ptr), value :: model
@@ -1972,6 +2032,14 @@ module hardsphere
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: body
       type(c_ptr), value :: model
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_set_with(body, model, request) result(status) bind(C, name="hsp_body_set_with")
+      import :: c_int32_t, c_ptr, hsp_body_request
+      type(c_ptr), value :: body
+      type(c_ptr), value :: model
+      type(hsp_body_request), intent(in), optional :: request
       integer(c_int32_t) :: status
     end function
 
@@ -2476,6 +2544,19 @@ module hardsphere
       bind(C, name="hsp_boundary_curvature")
       import :: c_double, c_int32_t, c_ptr, hsp_curvatures
       type(c_ptr), value :: boundary
+      type(hsp_curvatures), intent(inout), optional :: totals
+      real(c_double), intent(inout), optional :: mean(*)  ! n
+      integer(c_int32_t), intent(inout), optional :: gauss_thirds(*)  ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_curvature_with(boundary, request, totals, mean, gauss_thirds, capacity, needed) &
+      result(status) bind(C, name="hsp_boundary_curvature_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_curvature_request, hsp_curvatures
+      type(c_ptr), value :: boundary
+      type(hsp_curvature_request), intent(in), optional :: request
       type(hsp_curvatures), intent(inout), optional :: totals
       real(c_double), intent(inout), optional :: mean(*)  ! n
       integer(c_int32_t), intent(inout), optional :: gauss_thirds(*)  ! n
@@ -3037,6 +3118,18 @@ module hardsphere
       bind(C, name="hsp_surface_measure")
       import :: c_int32_t, c_ptr, hsp_surface_totals
       type(c_ptr), value :: surface
+      type(hsp_surface_totals), intent(inout), optional :: totals
+      type(hsp_surface_totals), intent(inout), optional :: balls(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_measure_with(surface, request, totals, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_surface_measure_with")
+      import :: c_int32_t, c_ptr, hsp_surface_measure_request, hsp_surface_totals
+      type(c_ptr), value :: surface
+      type(hsp_surface_measure_request), intent(in), optional :: request
       type(hsp_surface_totals), intent(inout), optional :: totals
       type(hsp_surface_totals), intent(inout), optional :: balls(*)  ! needed
       integer(c_int32_t), value :: capacity

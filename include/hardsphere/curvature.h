@@ -42,6 +42,24 @@ typedef struct hsp_curvatures {
 HSP_API int32_t HSP_CALL hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean,
                                                 int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
 
+/** How curvatures are summed. Zero means default in every field but the first. */
+typedef struct hsp_curvature_request {
+  uint32_t struct_size;         /**< sizeof(hsp_curvature_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing */
+} hsp_curvature_request;
+
+/** The same as hsp_boundary_curvature, as a request says; request may be NULL: all defaults. totals, mean [n],
+ *  gauss_thirds [n] and needed may be NULL.
+ *  @retval HSP_E_ARGUMENT  boundary is NULL; an executor with several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request or executor, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  as hsp_boundary_curvature
+ *  @retval HSP_E_STATE     as hsp_boundary_curvature
+ *  @retval HSP_E_STOPPED   the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_boundary_curvature_with(const hsp_boundary *boundary, const hsp_curvature_request *request,
+                                                     hsp_curvatures *totals, double *mean, int32_t *gauss_thirds,
+                                                     uint32_t capacity, uint32_t *needed);
+
 /** The question: a morphometric energy, of a union or of one in a periodic box (periodic.h). Zero means default in
  *  every field but the first. */
 typedef struct hsp_morphometry_request {

@@ -11,6 +11,7 @@
 #ifndef HARDSPHERE_MODEL_H
 #define HARDSPHERE_MODEL_H
 
+#include "executor.h"
 #include "export.h"
 
 #include <stddef.h>
@@ -100,6 +101,26 @@ HSP_API int32_t HSP_CALL hsp_model_options_init(hsp_model_options *options, uint
  *                            options.largest_radius; no step is given, and all lengths are below 1.05e-16 */
 HSP_API int32_t HSP_CALL hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                                        const hsp_model_options *options, uint32_t *first_bad);
+
+/** How balls are taken. Zero means default in every field but the first. */
+typedef struct hsp_model_request {
+  uint32_t struct_size;             /**< sizeof(hsp_model_request) */
+  uint32_t reserved;                /**< 0 */
+  const hsp_model_options *options; /**< or NULL: how balls are read */
+  const hsp_executor *executor;     /**< or NULL: whether to go on is asked of it; its threads share nothing */
+} hsp_model_request;
+
+/** The same as hsp_model_set, as a request says; request and first_bad may be NULL.
+ *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0; an executor with several workers and
+ *                            without run
+ *  @retval HSP_E_VERSION     bad struct_size of request, options or executor, or a reserved field is not 0
+ *  @retval HSP_E_CAPACITY    as hsp_model_set
+ *  @retval HSP_E_NOT_FINITE  as hsp_model_set
+ *  @retval HSP_E_NEGATIVE    as hsp_model_set
+ *  @retval HSP_E_RANGE       as hsp_model_set
+ *  @retval HSP_E_STOPPED     the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_model_set_with(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
+                                            const hsp_model_request *request, uint32_t *first_bad);
 
 /** A description of the model. Frozen. */
 typedef struct hsp_model_info {

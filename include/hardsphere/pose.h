@@ -61,6 +61,21 @@ HSP_API int32_t HSP_CALL hsp_body_init(void *memory, size_t bytes, uint32_t ball
  *  @retval HSP_E_STATE     hsp_model_set has failed */
 HSP_API int32_t HSP_CALL hsp_body_set(hsp_body *body, const hsp_model *model);
 
+/** How balls are taken. Zero means default in every field but the first. */
+typedef struct hsp_body_request {
+  uint32_t struct_size;         /**< sizeof(hsp_body_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing */
+} hsp_body_request;
+
+/** The same as hsp_body_set, as a request says; request may be NULL: all defaults.
+ *  @retval HSP_E_ARGUMENT  body or model is NULL; an executor with several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request or executor, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  as hsp_body_set
+ *  @retval HSP_E_STATE     as hsp_body_set
+ *  @retval HSP_E_STOPPED   the executor said not to go on */
+HSP_API int32_t HSP_CALL hsp_body_set_with(hsp_body *body, const hsp_model *model, const hsp_body_request *request);
+
 /** Where a body is: x goes to R x + t. Frozen. */
 typedef struct hsp_pose {
   double quaternion[4];  /**< w x y z, of any length but 0: the rotation R; 1 0 0 0 is none */

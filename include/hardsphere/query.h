@@ -91,6 +91,25 @@ HSP_API int32_t HSP_CALL hsp_query_neighbours(const hsp_model *model, uint32_t b
 HSP_API int32_t HSP_CALL hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids,
                                          uint32_t capacity, uint32_t *needed);
 
+/** Which pairs are listed, and how. Zero means default in every field but the first. */
+typedef struct hsp_pairs_request {
+  uint32_t struct_size;         /**< sizeof(hsp_pairs_request) */
+  uint32_t flags;               /**< 0 or HSP_PAIRS_ONCE */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing */
+} hsp_pairs_request;
+
+/** The same as hsp_query_pairs, as a request says; request may be NULL: all defaults. first [n + 1].
+ *  @retval HSP_OK          as hsp_query_pairs
+ *  @retval HSP_E_ARGUMENT  model or first is NULL; ids is NULL with a capacity above 0; unknown flag; an executor with
+ *                          several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request or executor
+ *  @retval HSP_E_CAPACITY  as hsp_query_pairs
+ *  @retval HSP_E_STATE     as hsp_query_pairs
+ *  @retval HSP_E_RANGE     as hsp_query_pairs
+ *  @retval HSP_E_STOPPED   the executor said not to go on; the arrays may have been written */
+HSP_API int32_t HSP_CALL hsp_query_pairs_with(const hsp_model *model, const hsp_pairs_request *request, uint32_t *first,
+                                              uint32_t *ids, uint32_t capacity, uint32_t *needed);
+
 /** Where a ray first meets a ball. Frozen. */
 typedef struct hsp_ray_hit {
   double xyz[3];     /**< the point, length; 0 if there is none */

@@ -225,6 +225,26 @@ typedef struct hsp_surface_totals {
 HSP_API int32_t HSP_CALL hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals,
                                              hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed);
 
+/** How the surface is measured. Zero means default in every field but the first. */
+typedef struct hsp_surface_measure_request {
+  uint32_t struct_size;         /**< sizeof(hsp_surface_measure_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing */
+} hsp_surface_measure_request;
+
+/** The same as hsp_surface_measure, as a request says; request may be NULL: all defaults. totals, balls and needed may
+ *  be NULL.
+ *  @retval HSP_E_ARGUMENT      surface is NULL; an executor with several workers and without run
+ *  @retval HSP_E_VERSION       bad struct_size of request or executor, or reserved is not 0
+ *  @retval HSP_E_CAPACITY      as hsp_surface_measure
+ *  @retval HSP_E_STATE         as hsp_surface_measure
+ *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed
+ *  @retval HSP_E_STOPPED       the executor said not to go on; balls may have been written */
+HSP_API int32_t HSP_CALL hsp_surface_measure_with(const hsp_surface *surface,
+                                                  const hsp_surface_measure_request *request,
+                                                  hsp_surface_totals *totals, hsp_surface_totals *balls,
+                                                  uint32_t capacity, uint32_t *needed);
+
 /** The ball has a vertex of more than three spheres, or of three that its probe just fits between; or another ball is
  *  equal to it; or its sphere passes through a vertex or a whole circle that other balls have. Or its probe at a vertex
  *  touches another one in a point of the concave patch: exactly, if that stands on the other side of the same three
@@ -253,8 +273,8 @@ HSP_API int32_t HSP_CALL hsp_surface_measure(const hsp_surface *surface, hsp_sur
  *  square root: next to that derivatives grow without bound. Where the plane of an arc or a circle passes a ball's
  *  centre, or a ball touches another from inside, they jump, which HSP_SURFACE_DEGENERATE flags.
  *  Cost: O(n + size of the boundary).
- *  @retval HSP_E_ARGUMENT    surface or outputs is NULL; tangency is not HSP_TANGENT_OVERLAP; an executor with workers
- *                            and without run
+ *  @retval HSP_E_ARGUMENT    surface or outputs is NULL; tangency is not HSP_TANGENT_OVERLAP; an executor with several
+ *                            workers and without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since

@@ -73,7 +73,8 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
     if (status != HSP_OK) return status;
     work->most_balls = n;
   }
-  return hsp_model_set(work->model, n, xyz, radius, options, first_bad);
+  const hsp_model_request request = {sizeof request, 0, options, work->executor};
+  return hsp_model_set_with(work->model, n, xyz, radius, &request, first_bad);
 }
 
 /** Compute the boundary of the union of the balls; request and statuses as hsp_boundary_compute_with. HSP_E_ARGUMENT:

@@ -150,6 +150,12 @@ class ModelOptions(Record):
                 ("largest_radius", C.c_double)]
 
 
+class ModelRequest(Record):
+    """How balls are taken."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("options", C.c_void_p),
+                ("executor", C.c_void_p)]
+
+
 class ModelInfo(Record):
     """A description of the model."""
     _fields_ = [("balls", C.c_uint32), ("cubes", C.c_uint32), ("table_slots", C.c_uint32),
@@ -163,9 +169,19 @@ class Packing(Record):
                 ("max_overlaps", C.c_uint32), ("flags", C.c_uint32), ("reserved", C.c_uint64 * 2)]
 
 
+class PairsRequest(Record):
+    """Which pairs are listed, and how."""
+    _fields_ = [("struct_size", C.c_uint32), ("flags", C.c_uint32), ("executor", C.c_void_p)]
+
+
 class RayHit(Record):
     """Where a ray first meets a ball."""
     _fields_ = [("xyz", C.c_double * 3), ("distance", C.c_double), ("ball", C.c_uint32), ("reserved", C.c_uint32)]
+
+
+class BodyRequest(Record):
+    """How balls are taken."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
 
 
 class Pose(Record):
@@ -329,6 +345,11 @@ class MovingBall(Record):
 class Curvatures(Record):
     """Integrated curvatures of the boundary."""
     _fields_ = [("mean", C.c_double), ("gauss", C.c_double)]
+
+
+class CurvatureRequest(Record):
+    """How curvatures are summed."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
 
 
 class MorphometryRequest(Record):
@@ -524,6 +545,11 @@ class SurfaceTotals(Record):
     """Areas by kind of patch, and volume, of the whole or of what belongs to one ball."""
     _fields_ = [("area", C.c_double), ("volume", C.c_double), ("convex_area", C.c_double), ("saddle_area", C.c_double),
                 ("concave_area", C.c_double)]
+
+
+class SurfaceMeasureRequest(Record):
+    """How the surface is measured."""
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
 
 
 class SurfacePartCounts(Record):
@@ -934,6 +960,12 @@ class Model(Handle):
         return call("hsp_model_set", self, xyz=xyz, radius=radius, probe=probe, step=step,
                     largest_radius=largest_radius)
 
+    def set_with(self, xyz: Rows, radius: Values, *, probe: float | None = None, step: float | None = None,
+                 largest_radius: float | None = None, threads: int | None = None) -> Model:
+        """The same as hsp_model_set, as a request says; request and first_bad may be NULL."""
+        return call("hsp_model_set_with", self, xyz=xyz, radius=radius, probe=probe, step=step,
+                    largest_radius=largest_radius, threads=threads)
+
     def get_info(self) -> ModelInfo:
         """Describe the model."""
         return call("hsp_model_get_info", self)
@@ -968,6 +1000,10 @@ class Model(Handle):
         + 1] - 1], ascending. Gives .first, .ids."""
         return call("hsp_query_pairs", self, flags=flags)
 
+    def query_pairs_with(self, *, flags: int | None = None, threads: int | None = None) -> Any:
+        """The same as hsp_query_pairs, as a request says; request may be NULL: all defaults. Gives .first, .ids."""
+        return call("hsp_query_pairs_with", self, flags=flags, threads=threads)
+
     def query_ray(self, origin: Values, direction: Values) -> RayHit:
         """The first ball on the ray from origin [3] along direction [3], a vector of any length but 0: the ball that
         has the first point of the ray that lies in any ball; of several such balls the one with the lowest index."""
@@ -985,6 +1021,10 @@ class Body(Handle):
     def set(self, model: Model) -> Body:
         """Take the balls of a model."""
         return call("hsp_body_set", self, model=model)
+
+    def set_with(self, model: Model, *, threads: int | None = None) -> Body:
+        """The same as hsp_body_set, as a request says; request may be NULL: all defaults."""
+        return call("hsp_body_set_with", self, model=model, threads=threads)
 
     def hits(self, posed: Body, pose: Any) -> Numbers:
         """Whether any ball of the posed body meets one of the body at rest, for each pose [poses]: hit [poses] becomes
@@ -1117,6 +1157,11 @@ class Boundary(Handle):
         """Integrated curvatures, in all and by ball: mean [n] and gauss_thirds [n] may each be NULL and else hold
         capacity >= n entries. Gives .totals, .mean, .gauss_thirds."""
         return call("hsp_boundary_curvature", self, only=only)
+
+    def curvature_with(self, *, threads: int | None = None, only: Any | None = None) -> Any:
+        """The same as hsp_boundary_curvature, as a request says; request may be NULL: all defaults. Gives .totals,
+        .mean, .gauss_thirds."""
+        return call("hsp_boundary_curvature_with", self, threads=threads, only=only)
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
                         bending: float | None = None, gaussian: float | None = None, sigma: Values | None = None,
@@ -1403,6 +1448,11 @@ class Surface(Handle):
     def measure(self, *, only: Any | None = None) -> Any:
         """Area and volume of the surface, and each ball's share of them. Gives .totals, .balls."""
         return call("hsp_surface_measure", self, only=only)
+
+    def measure_with(self, *, threads: int | None = None, only: Any | None = None) -> Any:
+        """The same as hsp_surface_measure, as a request says; request may be NULL: all defaults. Gives .totals,
+        .balls."""
+        return call("hsp_surface_measure_with", self, threads=threads, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
                      sigma: Values | None = None, threads: int | None = None, only: Any | None = None) -> Any:
@@ -2164,6 +2214,9 @@ FUNCTIONS = {
     "hsp_model_set": "int32_t model:handle:hsp_model::never n:value:uint32_t::never xyz:array_in:double:n;3:empty "
         "radius:array_in:double:n:empty options:sized_in:hsp_model_options::always "
         "first_bad:value_out:uint32_t::always",
+    "hsp_model_set_with": "int32_t model:handle:hsp_model::never n:value:uint32_t::never "
+        "xyz:array_in:double:n;3:empty radius:array_in:double:n:empty request:sized_in:hsp_model_request::always "
+        "first_bad:value_out:uint32_t::always",
     "hsp_model_get_info": "int32_t model:handle:hsp_model::never info:struct_out:hsp_model_info::never",
     "hsp_model_get_balls": "int32_t model:handle:hsp_model::never xyz:array_out:double:n;3:always "
         "radius:array_out:double:n:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
@@ -2179,12 +2232,17 @@ FUNCTIONS = {
     "hsp_query_pairs": "int32_t model:handle:hsp_model::never flags:value:uint32_t::never "
         "first:array_out:uint32_t:n+1:never ids:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never "
         "needed:needed:uint32_t::always",
+    "hsp_query_pairs_with": "int32_t model:handle:hsp_model::never request:sized_in:hsp_pairs_request::always "
+        "first:array_out:uint32_t:n+1:never ids:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never "
+        "needed:needed:uint32_t::always",
     "hsp_query_ray": "int32_t model:handle:hsp_model::never origin:array_in:double:3:never "
         "direction:array_in:double:3:never hit:struct_out:hsp_ray_hit::never",
     "hsp_body_bytes": "int32_t balls:value:uint32_t::never bytes:value_out:size_t::never",
     "hsp_body_init": "int32_t memory:memory:void::never bytes:value:size_t::never balls:value:uint32_t::never "
         "body:handle_out:hsp_body::never",
     "hsp_body_set": "int32_t body:handle:hsp_body::never model:handle:hsp_model::never",
+    "hsp_body_set_with": "int32_t body:handle:hsp_body::never model:handle:hsp_model::never "
+        "request:sized_in:hsp_body_request::always",
     "hsp_pose_from_matrix": "int32_t matrix:array_in:double:9:never translation:array_in:double:3:never "
         "pose:struct_out:hsp_pose::never",
     "hsp_body_hits": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never poses:value:uint32_t::never "
@@ -2295,6 +2353,10 @@ FUNCTIONS = {
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_moving_get_model": "int32_t moving:handle:hsp_moving::never model:handle:hsp_model::never",
     "hsp_boundary_curvature": "int32_t boundary:handle:hsp_boundary::never totals:struct_out:hsp_curvatures::always "
+        "mean:array_out:double:n:always gauss_thirds:array_out:int32_t:n:always capacity:capacity:uint32_t::never "
+        "needed:needed:uint32_t::always",
+    "hsp_boundary_curvature_with": "int32_t boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_curvature_request::always totals:struct_out:hsp_curvatures::always "
         "mean:array_out:double:n:always gauss_thirds:array_out:int32_t:n:always capacity:capacity:uint32_t::never "
         "needed:needed:uint32_t::always",
     "hsp_boundary_get_morphometry": "int32_t boundary:handle:hsp_boundary::never "
@@ -2424,6 +2486,10 @@ FUNCTIONS = {
         "request:sized_in:hsp_surface_request::always limits:sized:hsp_surface_limits::always",
     "hsp_surface_get_counts": "int32_t surface:handle:hsp_surface::never counts:struct_out:hsp_surface_counts::never",
     "hsp_surface_measure": "int32_t surface:handle:hsp_surface::never totals:struct_out:hsp_surface_totals::always "
+        "balls:array_out:hsp_surface_totals:needed:always capacity:capacity:uint32_t::never "
+        "needed:needed:uint32_t::always",
+    "hsp_surface_measure_with": "int32_t surface:handle:hsp_surface::never "
+        "request:sized_in:hsp_surface_measure_request::always totals:struct_out:hsp_surface_totals::always "
         "balls:array_out:hsp_surface_totals:needed:always capacity:capacity:uint32_t::never "
         "needed:needed:uint32_t::always",
     "hsp_surface_get_gradient": "int32_t surface:handle:hsp_surface::never "
@@ -2735,6 +2801,9 @@ FUNCTIONS = {
 }
 FIELDS = {
     "hsp_model_options": "probe:value:double::always step:value:double::always largest_radius:value:double::always",
+    "hsp_model_request": "options:sized_in:hsp_model_options::always executor:sized_in:hsp_executor::always",
+    "hsp_pairs_request": "flags:value:uint32_t::never executor:sized_in:hsp_executor::always",
+    "hsp_body_request": "executor:sized_in:hsp_executor::always",
     "hsp_boundary_request": "executor:sized_in:hsp_executor::always selected:array_in:uint8_t:n:always",
     "hsp_measure_request": "selected:array_in:uint8_t:n:always executor:sized_in:hsp_executor::always",
     "hsp_measure_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
@@ -2752,6 +2821,7 @@ FIELDS = {
         "area_radius:array_out:double:n:always volume_centre:array_out:double:n;3:always "
         "volume_radius:array_out:double:n:always flags:array_out:uint32_t:n:always",
     "hsp_moving_request": "executor:sized_in:hsp_executor::always",
+    "hsp_curvature_request": "executor:sized_in:hsp_executor::always",
     "hsp_morphometry_request": "pressure:value:double::never tension:value:double::never bending:value:double::never "
         "gaussian:value:double::never sigma:array_in:double:n:always executor:sized_in:hsp_executor::always",
     "hsp_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
@@ -2772,6 +2842,7 @@ FIELDS = {
         "d_strain:array_out:double:9:always d_box:array_out:double:9:always area:array_out:double:n:always",
     "hsp_surface_request": "count:value:uint32_t::never executor:sized_in:hsp_executor::always "
         "shells:array_in:uint32_t:count:always",
+    "hsp_surface_measure_request": "executor:sized_in:hsp_executor::always",
     "hsp_mesh_request": "executor:sized_in:hsp_executor::always",
     "hsp_topology_request": "executor:sized_in:hsp_executor::always",
     "hsp_cells_request": "executor:sized_in:hsp_executor::always",
@@ -2791,7 +2862,8 @@ FIELDS = {
         "atom_title:array_in:char:n:always ink_of_sticks:handle:hsp_sticks:n:always",
 }
 describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': ResidueAtom, 'hsp_model_options':
-         ModelOptions, 'hsp_model_info': ModelInfo, 'hsp_packing': Packing, 'hsp_ray_hit': RayHit, 'hsp_pose': Pose,
+         ModelOptions, 'hsp_model_request': ModelRequest, 'hsp_model_info': ModelInfo, 'hsp_packing': Packing,
+         'hsp_pairs_request': PairsRequest, 'hsp_ray_hit': RayHit, 'hsp_body_request': BodyRequest, 'hsp_pose': Pose,
          'hsp_body_gap': BodyGap, 'hsp_body_overlap': BodyOverlap, 'hsp_rational_pose': RationalPose,
          'hsp_boundary_limits': BoundaryLimits, 'hsp_boundary_request': BoundaryRequest, 'hsp_boundary_counts':
          BoundaryCounts, 'hsp_vertex': Vertex, 'hsp_arc': Arc, 'hsp_circle': Circle, 'hsp_face': Face, 'hsp_loop':
@@ -2800,19 +2872,20 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          'hsp_gradient_outputs': GradientOutputs, 'hsp_derivatives_request': DerivativesRequest,
          'hsp_derivatives_outputs': DerivativesOutputs, 'hsp_area_derivative': AreaDerivative, 'hsp_moving_limits':
          MovingLimits, 'hsp_moving_request': MovingRequest, 'hsp_moving_info': MovingInfo, 'hsp_moving_ball':
-         MovingBall, 'hsp_curvatures': Curvatures, 'hsp_morphometry_request': MorphometryRequest,
-         'hsp_morphometric_energy': MorphometricEnergy, 'hsp_morphometry_outputs': MorphometryOutputs,
-         'hsp_brick_request': BrickRequest, 'hsp_brick_totals': BrickTotals, 'hsp_brick_shell': BrickShell,
-         'hsp_contacts_limits': ContactsLimits, 'hsp_contacts_request': ContactsRequest, 'hsp_contact': Contact,
-         'hsp_group_contact': GroupContact, 'hsp_complex': Complex, 'hsp_simplex': Simplex, 'hsp_periodic_limits':
-         PeriodicLimits, 'hsp_periodic_request': PeriodicRequest, 'hsp_periodic_counts': PeriodicCounts,
-         'hsp_periodic_totals': PeriodicTotals, 'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs,
-         'hsp_periodic_contact': PeriodicContact, 'hsp_winding': Winding, 'hsp_periodic_gradient_outputs':
-         PeriodicGradientOutputs, 'hsp_image': Image, 'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex':
-         PeriodicVertex, 'hsp_periodic_arc': PeriodicArc, 'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face':
-         PeriodicFace, 'hsp_periodic_loop': PeriodicLoop, 'hsp_periodic_loop_arc': PeriodicLoopArc,
-         'hsp_surface_limits': SurfaceLimits, 'hsp_surface_request': SurfaceRequest, 'hsp_surface_counts':
-         SurfaceCounts, 'hsp_surface_totals': SurfaceTotals, 'hsp_surface_part_counts': SurfacePartCounts,
+         MovingBall, 'hsp_curvatures': Curvatures, 'hsp_curvature_request': CurvatureRequest,
+         'hsp_morphometry_request': MorphometryRequest, 'hsp_morphometric_energy': MorphometricEnergy,
+         'hsp_morphometry_outputs': MorphometryOutputs, 'hsp_brick_request': BrickRequest, 'hsp_brick_totals':
+         BrickTotals, 'hsp_brick_shell': BrickShell, 'hsp_contacts_limits': ContactsLimits, 'hsp_contacts_request':
+         ContactsRequest, 'hsp_contact': Contact, 'hsp_group_contact': GroupContact, 'hsp_complex': Complex,
+         'hsp_simplex': Simplex, 'hsp_periodic_limits': PeriodicLimits, 'hsp_periodic_request': PeriodicRequest,
+         'hsp_periodic_counts': PeriodicCounts, 'hsp_periodic_totals': PeriodicTotals,
+         'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs, 'hsp_periodic_contact': PeriodicContact,
+         'hsp_winding': Winding, 'hsp_periodic_gradient_outputs': PeriodicGradientOutputs, 'hsp_image': Image,
+         'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex': PeriodicVertex, 'hsp_periodic_arc': PeriodicArc,
+         'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face': PeriodicFace, 'hsp_periodic_loop': PeriodicLoop,
+         'hsp_periodic_loop_arc': PeriodicLoopArc, 'hsp_surface_limits': SurfaceLimits, 'hsp_surface_request':
+         SurfaceRequest, 'hsp_surface_counts': SurfaceCounts, 'hsp_surface_totals': SurfaceTotals,
+         'hsp_surface_measure_request': SurfaceMeasureRequest, 'hsp_surface_part_counts': SurfacePartCounts,
          'hsp_surface_patch': SurfacePatch, 'hsp_surface_edge': SurfaceEdge, 'hsp_surface_corner': SurfaceCorner,
          'hsp_surface_shell': SurfaceShell, 'hsp_mesh_limits': MeshLimits, 'hsp_mesh_request': MeshRequest,
          'hsp_mesh_counts': MeshCounts, 'hsp_topology_limits': TopologyLimits, 'hsp_topology_request': TopologyRequest,

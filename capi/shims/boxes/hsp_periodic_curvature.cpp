@@ -12,8 +12,7 @@ int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *tot
   if (!fits(arrays.any(), capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
   const hsp::PeriodicUnion &structure = periodic->builder;
   // The set has its lengths in steps.
-  arrays.put(structure.grid(), structure.boundary(), structure.images().lattice());
-  return HSP_OK;
+  return arrays.put(structure.grid(), structure.boundary(), structure.images().lattice());
 }
 
 int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request,

@@ -1,6 +1,7 @@
 // Work that threads of the caller's share.
 #pragma once
 
+#include "conversion.hpp"
 #include "core/executor.hpp"
 #include "library_arithmetic.hpp"
 #include "versioned_struct.hpp"
@@ -33,6 +34,13 @@ template <class Request>
 int32_t read_request(const Request *given, Request &request, Executor &executor) {
   if (const int32_t status = read_request(given, request); status != HSP_OK) return status;
   return request.reserved != 0 ? HSP_E_VERSION : executor.read(request.executor);
+}
+
+// The same of a question to the results of a handle.
+template <class Handle, class Request>
+int32_t read_for_results(const Handle *handle, const Request *given, Request &request, Executor &executor) {
+  if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
+  return first_failure(read_request(given, request, executor), check_results(handle));
 }
 
 }  // namespace hsp::capi

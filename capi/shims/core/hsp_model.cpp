@@ -1,4 +1,5 @@
 #include "hsp_model.hpp"
+#include "caller_executor.hpp"
 #include "model_options.hpp"
 
 using namespace hsp::capi;
@@ -9,6 +10,29 @@ void clear(hsp_model &model) {
   uint32_t first_bad = 0;
   static_cast<void>(model.grid.build(hsp::BallInput{}, first_bad));
   model.take_digest();
+}
+
+// `asked`: the status of what else was asked for.
+int32_t set(hsp_model *model, const hsp::BallInput &given, const hsp_model_options *options, int32_t asked,
+            hsp::Patience patience, uint32_t *first_bad) {
+  if (const int32_t status = check_handle(model); status != HSP_OK) return status;
+  uint32_t ignored = 0;
+  uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
+  hsp::BallInput input;
+  const auto refuse = [&](int32_t status) {
+    clear(*model);
+    model->complete = false;
+    bad = HSP_NONE;
+    return status;
+  };
+  if (const int32_t status = versions_first(asked, get_input(given.n, given.xyz, given.radius, options, input));
+      status != HSP_OK)
+    return refuse(status);
+  if (input.n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
+  const hsp::Status status = model->grid.build(input, bad, patience);
+  model->take_digest();
+  model->complete = status == hsp::Status::ok;
+  return to_c(status);
 }
 
 }  // namespace
@@ -40,22 +64,16 @@ int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size)
 int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                       const hsp_model_options *options, uint32_t *first_bad) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(model); status != HSP_OK) return status;
-  uint32_t ignored = 0;
-  uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
-  hsp::BallInput input;
-  const auto refuse = [&](int32_t status) {
-    clear(*model);
-    model->complete = false;
-    bad = HSP_NONE;
-    return status;
-  };
-  if (const int32_t status = get_input(n, xyz, radius, options, input); status != HSP_OK) return refuse(status);
-  if (n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
-  const hsp::Status status = model->grid.build(input, bad);
-  model->take_digest();
-  model->complete = status == hsp::Status::ok;
-  return to_c(status);
+  return set(model, {n, xyz, radius}, options, HSP_OK, hsp::Patience(), first_bad);
+}
+
+int32_t hsp_model_set_with(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
+                           const hsp_model_request *request, uint32_t *first_bad) {
+  LibraryArithmetic arithmetic;
+  hsp_model_request asked;
+  Executor executor(arithmetic);
+  const int32_t status = read_request(request, asked, executor);
+  return set(model, {n, xyz, radius}, asked.options, status, hsp::Patience(&executor), first_bad);
 }
 
 int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {

@@ -16,13 +16,16 @@ struct CurvatureArrays {
 
   bool any() const { return mean != nullptr || gauss_thirds != nullptr; }
   // lattice: the input's.
-  void put(const CubeGrid &grid, const Boundary &boundary, const exact::Lattice &lattice) const {
-    const CurvatureTotals found =
-        sum_curvatures(grid, boundary, lattice, [this](uint32_t i, const BallCurvature &curvature) {
-          if (mean != nullptr) mean[i] = curvature.mean;
-          if (gauss_thirds != nullptr) gauss_thirds[i] = curvature.gauss;
-        });
+  int32_t put(const CubeGrid &grid, const Boundary &boundary, const exact::Lattice &lattice,
+              const hsp::Executor &executor = hsp::Executor()) const {
+    const auto put_one = [this](uint32_t i, const BallCurvature &curvature) {
+      if (mean != nullptr) mean[i] = curvature.mean;
+      if (gauss_thirds != nullptr) gauss_thirds[i] = curvature.gauss;
+    };
+    const CurvatureTotals found = sum_curvatures(grid, boundary, lattice, put_one, executor);
+    if (executor.is_stopped()) return HSP_E_STOPPED;
     if (totals != nullptr) *totals = {found.mean, found.gauss};
+    return HSP_OK;
   }
 };
 

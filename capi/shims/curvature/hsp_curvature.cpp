@@ -6,13 +6,20 @@ using namespace hsp::capi;
 
 int32_t hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean,
                                int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
+  return hsp_boundary_curvature_with(boundary, nullptr, totals, mean, gauss_thirds, capacity, needed);
+}
+
+int32_t hsp_boundary_curvature_with(const hsp_boundary *boundary, const hsp_curvature_request *request,
+                                    hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity,
+                                    uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_results(boundary); status != HSP_OK) return status;
+  hsp_curvature_request asked;
+  Executor executor(arithmetic);
+  if (const int32_t status = read_for_results(boundary, request, asked, executor); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const CurvatureArrays arrays{totals, mean, gauss_thirds};
   if (!fits(arrays.any(), capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
-  arrays.put(grid, boundary->structure(), grid.balls().lattice);
-  return HSP_OK;
+  return arrays.put(grid, boundary->structure(), grid.balls().lattice, executor);
 }
 
 int32_t hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request,

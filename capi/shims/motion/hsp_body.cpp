@@ -1,4 +1,6 @@
 #include "hsp_body.hpp"
+
+#include "caller_executor.hpp"
 #include "hsp_model.hpp"
 #include "poses/pose_queries.hpp"
 
@@ -114,12 +116,18 @@ int32_t hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **bod
 }
 
 int32_t hsp_body_set(hsp_body *body, const hsp_model *model) {
+  return hsp_body_set_with(body, model, nullptr);
+}
+
+int32_t hsp_body_set_with(hsp_body *body, const hsp_model *model, const hsp_body_request *request) {
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_handle(body); status != HSP_OK) return status;
   body->tree.clear();
   body->complete = false;
-  if (const int32_t status = check_results(model); status != HSP_OK) return status;
-  const hsp::Status status = body->tree.build(model->balls());
+  hsp_body_request asked;
+  Executor executor(arithmetic);
+  if (const int32_t status = read_for_results(model, request, asked, executor); status != HSP_OK) return status;
+  const hsp::Status status = body->tree.build(model->balls(), hsp::Patience(&executor));
   body->complete = status == hsp::Status::ok;
   return to_c(status);
 }

@@ -101,15 +101,25 @@ int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *c
 
 int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
                             uint32_t capacity, uint32_t *needed) {
+  return hsp_surface_measure_with(surface, nullptr, totals, balls, capacity, needed);
+}
+
+int32_t hsp_surface_measure_with(const hsp_surface *surface, const hsp_surface_measure_request *request,
+                                 hsp_surface_totals *totals, hsp_surface_totals *balls, uint32_t capacity,
+                                 uint32_t *needed) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_results(surface); status != HSP_OK) return status;
+  hsp_surface_measure_request asked;
+  Executor executor(arithmetic);
+  if (const int32_t status = read_for_results(surface, request, asked, executor); status != HSP_OK) return status;
   const hsp_boundary &boundary = *surface->boundary;
   const hsp::CubeGrid &grid = boundary.model->grid;
   if (!fits(balls != nullptr, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
-  const hsp::SurfaceMeasure total = hsp::measure_surface(grid, boundary.structure(), surface->builder.surface(),
-                                                         [balls](uint32_t i, const hsp::SurfaceMeasure &measure) {
-                                                           if (balls != nullptr) balls[i] = to_c(measure);
-                                                         });
+  const auto put = [balls](uint32_t i, const hsp::SurfaceMeasure &measure) {
+    if (balls != nullptr) balls[i] = to_c(measure);
+  };
+  const hsp::SurfaceMeasure total =
+      hsp::measure_surface(grid, boundary.structure(), surface->builder.surface(), put, executor);
+  if (executor.is_stopped()) return HSP_E_STOPPED;
   if (totals != nullptr) *totals = to_c(total);
   return HSP_OK;
 }

@@ -30,19 +30,19 @@ void CubeGrid::build_levels() {
   if (!levels_.is_there()) index_.build_rows(*this, in_lanes());
 }
 
-Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
-  const Status status = sort(input, index_.end(), first_bad);
+Status CubeGrid::build(const BallInput &input, uint32_t &first_bad, Patience patience) {
+  const Status status = sort(input, index_.end(), first_bad, patience);
   build_index();
   return status;
 }
 
-void CubeGrid::build(const BallSet &given, uint32_t own) {
-  sort(given, own, index_.end());
+void CubeGrid::build(const BallSet &given, uint32_t own, Patience patience) {
+  sort(given, own, index_.end(), patience);
   build_index();
 }
 
-void CubeGrid::build(const BallSet &balls, Span<const uint32_t> slot, int64_t side) {
-  sort(balls, slot, side, index_.end());
+void CubeGrid::build(const BallSet &balls, Span<const uint32_t> slot, int64_t side, Patience patience) {
+  sort(balls, slot, side, index_.end(), patience);
   build_index();
 }
 

@@ -26,13 +26,14 @@ class CubeGrid : public OrderedBalls {
   // Carves the arrays for at most n balls; with a measuring workspace it only counts.
   void carve(Workspace &workspace, uint32_t n);
 
-  // Rounds and sorts the balls. On failure the grid is empty; first_bad names the ball.
-  Status build(const BallInput &input, uint32_t &first_bad);
+  // Rounds and sorts the balls. On failure the grid is empty; first_bad names the ball. So is it once that is no longer
+  // allowed.
+  Status build(const BallInput &input, uint32_t &first_bad, Patience patience = Patience());
   // The same from balls that are on a lattice, in the caller's order. Those from number `own` on are images.
-  void build(const BallSet &given, uint32_t own);
+  void build(const BallSet &given, uint32_t own, Patience patience = Patience());
   // The same from balls that are on a lattice: the caller's ball i is balls.ball(slot[i]). Cubes get the given side,
   // twice the largest radius or more. There is room for so many balls.
-  void build(const BallSet &balls, Span<const uint32_t> slot, int64_t side);
+  void build(const BallSet &balls, Span<const uint32_t> slot, int64_t side, Patience patience = Patience());
 
   const CubeSlots &slots() const { return index_.slots(); }
   const RowDirectory &rows() const { return index_.rows(); }

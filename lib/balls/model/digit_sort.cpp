@@ -53,21 +53,22 @@ void DigitSort::begin(uint32_t bits, uint32_t others) {
   for (uint32_t &count : key_counts()) count = 0;
 }
 
-void DigitSort::sort() {
+void DigitSort::sort(Patience &patience) {
   if (highest_first_) {
-    sort_highest_first();
+    sort_highest_first(patience);
   } else {
-    sort_lowest_first();
+    sort_lowest_first(patience);
   }
 }
 
-void DigitSort::sort_highest_first() {
+void DigitSort::sort_highest_first(Patience &patience) {
   const Span<uint32_t> slots = key_counts();
   add_up(slots);
   move_entries(entries_.data(), entries_.size() / 2, first_shift(), mask(), slots.data(), other_entries_.data());
   exchange();
   uint32_t first = 0;
   for (const uint32_t last : slots) {
+    if (!patience.allows(100 * uint64_t{last - first})) return;
     if (first < last) {
       if (passes_.count == 2) {
         sort_by_lowest_digit(first, last);
@@ -108,12 +109,12 @@ void DigitSort::sort_by_two_digits(uint32_t first, uint32_t last) {
   move_entries(others, last - first, high_shift, mask, high.data(), entries);
 }
 
-void DigitSort::sort_lowest_first() {
+void DigitSort::sort_lowest_first(Patience &patience) {
   const uint32_t n = entries_.size() / 2;
   const uint32_t mask = this->mask();
   Span<uint32_t> slots = counters_.part(0, mask + 1);
   Span<uint32_t> next = counters_.part(mask + 1, 2 * (mask + 1));
-  for (uint32_t p = 0; p < passes_.count; ++p) {
+  for (uint32_t p = 0; p < passes_.count && patience.allows(20 * uint64_t{n}); ++p) {
     add_up(slots);
     for (uint32_t &count : next) count = 0;
     const uint32_t shift = lowest_ + p * passes_.bits;

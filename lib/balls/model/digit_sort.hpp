@@ -11,6 +11,7 @@
 //   then by the higher one   11 13 21 23
 #pragma once
 
+#include "core/patience.hpp"
 #include "core/span.hpp"
 
 namespace hsp {
@@ -36,8 +37,9 @@ class DigitSort {
   Span<uint32_t> key_counts() const { return counters_.part(0, mask() + 1); }
   uint32_t first_shift() const { return highest_first_ ? lowest_ + (passes_.count - 1) * passes_.bits : lowest_; }
   uint32_t mask() const { return (UINT32_C(1) << passes_.bits) - 1; }
-  // The sorted entries are then in entries(): in the same array as before after an even number of passes.
-  void sort();
+  // The sorted entries are then in entries(): in the same array as before after an even number of passes. In no order
+  // if that is no longer allowed.
+  void sort(Patience &patience);
   // The entries are to be in the other array.
   void exchange() {
     const Span<uint32_t> entries = entries_;
@@ -46,8 +48,8 @@ class DigitSort {
   }
 
  private:
-  void sort_lowest_first();
-  void sort_highest_first();
+  void sort_lowest_first(Patience &patience);
+  void sort_highest_first(Patience &patience);
   void sort_by_two_digits(uint32_t first, uint32_t last);
   void sort_by_lowest_digit(uint32_t first, uint32_t last);
 

@@ -135,23 +135,40 @@ inline uint32_t passes_for(const DigitSort &sort, uint32_t bits) {
   return passes;
 }
 
-// Sorts by so many bits of a key above its lowest `others`, 32 of them at a time. The first time the balls are in the
-// order of their numbers.
+// Entries first .. last - 1, and how often each value of their first digit is there. A call, so that this loop has its
+// registers. The first time the balls are in the order of their numbers.
+template <bool first_time, class Source, class Key>
+[[gnu::noinline]] void fill_entries(const DigitSort &sort, const Source source, uint32_t shift, const Key key,
+                                    uint32_t first, uint32_t last) {
+  const Span<uint32_t> entries = sort.entries(), counts = sort.key_counts();
+  const uint32_t first_shift = sort.first_shift(), mask = sort.mask();
+  for (uint32_t k = first; k < last; ++k) {
+    const uint32_t ball = first_time ? k : entries[2 * k + 1];
+    const uint32_t part = static_cast<uint32_t>(key(source.centre(ball)) >> shift);
+    entries[2 * k] = part;
+    entries[2 * k + 1] = ball;
+    ++counts[(part >> first_shift) & mask];
+  }
+}
+
+// Sorts by so many bits of a key above its lowest `others`, 32 of them at a time.
 template <class Source, class Key>
-void sort_by(DigitSort &sort, const Source &source, bool first_time, uint32_t bits, const Key &key,
+void sort_by(DigitSort &sort, const Source &source, bool first_time, uint32_t bits, const Key &key, Patience &patience,
              uint32_t others = 0) {
   for (uint32_t shift = 0; shift < bits || shift == 0; shift += 32) {
     sort.begin(bits - shift < 32 ? bits - shift : 32, others);
-    const Span<uint32_t> entries = sort.entries(), counts = sort.key_counts();
-    const uint32_t first_shift = sort.first_shift(), mask = sort.mask();
-    for (uint32_t k = 0; k < entries.size() / 2; ++k) {
-      const uint32_t ball = first_time ? k : entries[2 * k + 1];
-      const uint32_t part = static_cast<uint32_t>(key(source.centre(ball)) >> shift);
-      entries[2 * k] = part;
-      entries[2 * k + 1] = ball;
-      ++counts[(part >> first_shift) & mask];
+    const uint32_t n = sort.entries().size() / 2;
+    for (uint32_t first = 0, last = 0; last < n; first = last) {
+      constexpr uint32_t at_once = 1 << 16;
+      if (!patience.allows(100 * at_once)) return;
+      last = n - first < at_once ? n : first + at_once;
+      if (first_time) {
+        fill_entries<true>(sort, source, shift, key, first, last);
+      } else {
+        fill_entries<false>(sort, source, shift, key, first, last);
+      }
     }
-    sort.sort();
+    sort.sort(patience);
     first_time = false;
   }
 }
@@ -203,13 +220,17 @@ BallRange run_around(uint32_t k, uint32_t n, const Alike &alike) {
 
 // Where cubes have no numbers of 40 bits: by the cubes along each axis, the last one first.
 template <class Source>
-[[gnu::cold, gnu::noinline]] void sort_by_axes(DigitSort &sort, const Source &source, const CubeNumbers &numbers) {
+[[gnu::cold, gnu::noinline]] void sort_by_axes(DigitSort &sort, const Source &source, const CubeNumbers &numbers,
+                                               Patience &patience) {
   const uint32_t passes =
       passes_for(sort, numbers.bits_x()) + passes_for(sort, numbers.bits_y()) + passes_for(sort, numbers.bits_z());
   if (passes % 2 != 0) sort.exchange();
-  sort_by(sort, source, true, numbers.bits_x(), [&](const exact::Vector &centre) { return numbers.x(centre); });
-  sort_by(sort, source, false, numbers.bits_y(), [&](const exact::Vector &centre) { return numbers.y(centre); });
-  sort_by(sort, source, false, numbers.bits_z(), [&](const exact::Vector &centre) { return numbers.z(centre); });
+  sort_by(
+      sort, source, true, numbers.bits_x(), [&](const exact::Vector &centre) { return numbers.x(centre); }, patience);
+  sort_by(
+      sort, source, false, numbers.bits_y(), [&](const exact::Vector &centre) { return numbers.y(centre); }, patience);
+  sort_by(
+      sort, source, false, numbers.bits_z(), [&](const exact::Vector &centre) { return numbers.z(centre); }, patience);
 }
 
 // Where keys do not tell cubes: balls of one cube that are not in order.
@@ -239,10 +260,10 @@ BallRange sort_slice(const Source &source, const GridOrder &order, uint32_t k) {
 }
 
 // The order of the balls of the source in the box around them, as many as there is scratch memory for. O(n) if no more
-// than a bounded number of balls lie in one cube.
+// than a bounded number of balls lie in one cube. No order if that is no longer allowed.
 template <class Source>
-GridOrder grid_order(const Source &source, const LatticeBox &box, const CubeAxis &axis,
-                     const GridOrderScratch &scratch) {
+GridOrder grid_order(const Source &source, const LatticeBox &box, const CubeAxis &axis, const GridOrderScratch &scratch,
+                     Patience &patience) {
   using namespace grid_order_parts;
   DigitSort sort(scratch.entries, scratch.other_entries, scratch.counters);
   GridOrder order{scratch.entries, false, 0, 0};
@@ -256,10 +277,12 @@ GridOrder grid_order(const Source &source, const LatticeBox &box, const CubeAxis
     order.slice_bits = sorted + order.bits_in_slice - bits;
     numbers.slice(order.slice_bits);
     if (passes_for(sort, sorted) % 2 != 0) sort.exchange();
-    sort_by(sort, source, true, sorted, numbers, order.bits_in_slice);
+    sort_by(sort, source, true, sorted, numbers, patience, order.bits_in_slice);
+    if (!patience.allows(10 * uint64_t{order.size()})) return order;
     if (order.keys_tell_cubes) sort_in_slices(order.entries);
   } else {
-    sort_by_axes(sort, source, numbers);
+    sort_by_axes(sort, source, numbers, patience);
+    if (!patience.allows(0)) return order;
   }
   if (!order.keys_tell_cubes) sort_cubes_by_rank(source, numbers, order);
   return order;

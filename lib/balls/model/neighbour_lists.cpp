@@ -29,6 +29,17 @@ struct Gaps {
   double gap[3];
 };
 
+// Calls visit(cube) for all cubes; false if it is not allowed to go on.
+template <class Visit>
+bool for_each_cube(const CubeGrid &grid, Patience &patience, Visit visit) {
+  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+    const BallRange own = grid.balls_in(cube);
+    if (!patience.allows(1000 * uint64_t{own.last - own.first})) return false;
+    visit(cube);
+  }
+  return patience.allows(0);
+}
+
 // Goes once over all pairs of balls that meet. Without ids it counts them in first, for both balls or for the one of
 // the smaller index. With ids, which are all 0 before, it stores the larger index in the row of the smaller one, from
 // the row's end on, which first tells.
@@ -43,18 +54,14 @@ class PairWalk {
         side_(static_cast<double>(grid.side())),
         largest_(static_cast<double>(grid.balls().largest_radius)) {}
 
-  void run() {
-    if (const RadiusLevels *const levels = grid_.levels()) {
-      for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube_by_levels(cube, *levels);
-      return;
-    }
+  // False if it is not allowed to go on.
+  bool run(Patience &patience) {
+    if (const RadiusLevels *const levels = grid_.levels())
+      return for_each_cube(grid_, patience, [&](uint32_t cube) { walk_cube_by_levels(cube, *levels); });
     if constexpr (has_lanes) {
-      if (grid_.in_lanes()) {
-        for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube_in_blocks(cube);
-        return;
-      }
+      if (grid_.in_lanes()) return for_each_cube(grid_, patience, [&](uint32_t cube) { walk_cube_in_blocks(cube); });
     }
-    for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube(cube);
+    return for_each_cube(grid_, patience, [&](uint32_t cube) { walk_cube(cube); });
   }
 
  private:
@@ -213,17 +220,17 @@ class RowWalk {
 
   explicit RowWalk(const CubeGrid &grid) : grid_(grid), balls_(query_arrays(grid.balls())) {}
 
-  void count(Span<uint32_t> first) {
-    for_each_ball([&](uint32_t i, const RoundedBlock *around) {
+  void count(Span<uint32_t> first, Patience &patience) {
+    for_each_ball(patience, [&](uint32_t i, const RoundedBlock *around) {
       first[balls_.caller[i]] =
           around != nullptr ? count_in_block(grid_.target(), *around, balls_, i) - 1 : ask_grid(i, nullptr, 0);
     });
   }
 
-  void list(Span<const uint32_t> first, Span<uint32_t> ids) {
+  void list(Span<const uint32_t> first, Span<uint32_t> ids, Patience &patience) {
     QueryHits hits;
     const uint32_t last = grid_.balls().n - 1;
-    for_each_ball([&](uint32_t i, const RoundedBlock *around) {
+    for_each_ball(patience, [&](uint32_t i, const RoundedBlock *around) {
       const auto later = [&](uint32_t by) { return balls_.caller[i + by < last ? i + by : last]; };
       __builtin_prefetch(&first[later(2 * ahead::rows)]);
       prefetch_row(first, ids, later(ahead::rows));
@@ -243,7 +250,7 @@ class RowWalk {
   // use(i, around): all balls around ball i, or null if a block has no room for them. Not inlined, so that blocks of
   // two kinds do not lie on the stack together.
   template <class Use>
-  [[gnu::noinline]] void for_each_ball(Use use) const {
+  [[gnu::noinline]] void for_each_ball(Patience &patience, Use use) const {
     RoundedBlock block;
     for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) {
       const CubeCoordinates &at = grid_.cube_list().coordinates(cube);
@@ -252,6 +259,7 @@ class RowWalk {
                                                {rows, RoundedBlock::most_ranges});
       const bool has_room = fill_block(grid_.target(), block, *grid_.queries(), balls_, rows, count);
       const BallRange own = grid_.balls_in(cube);
+      if (!patience.allows(1000 * uint64_t{own.last - own.first})) return;
       for (uint32_t i = own.first; i < own.last; ++i) use(i, has_room ? &block : nullptr);
     }
   }
@@ -296,21 +304,23 @@ void begins_to_ends(Span<uint32_t> first, uint32_t n) {
 // order, writes itself into the rows of its neighbours from their beginnings on. It reads its own row for that: what
 // has been written there are its smaller neighbours, all of them and no others by now; behind them the larger ones
 // still stand as they were, and once they have been read they may be overwritten.
-void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t> ids) {
+void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t> ids, Patience &patience) {
   const uint32_t n = grid.balls().n;
   begins_to_ends(first, n);
   for (uint32_t i = 0; i < n; ++i) {
     if (first[i] != no_entry) ids[first[i] - 1] = last_of_row;
   }
-  PairWalk(grid, PairRows::both, first, ids).run();
+  if (!PairWalk(grid, PairRows::both, first, ids).run(patience)) return;
   for (uint32_t i = 0, slot = 0; i < n; ++i) {
     if (first[i] == no_entry) continue;
+    if (!patience.allows(200)) return;
     first[i] = slot;
     while ((ids[slot++] & last_of_row) == 0) {
     }
   }
   for (uint32_t i = 0, slot = 0; i < n; ++i) {
     if (first[i] == no_entry) continue;
+    if (!patience.allows(500)) return;
     uint32_t entry;
     do {
       entry = ids[slot++];
@@ -327,11 +337,11 @@ void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t
   }
 }
 
-void list_in_smaller_row(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t> ids) {
+void list_in_smaller_row(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t> ids, Patience &patience) {
   const uint32_t n = grid.balls().n;
   for (uint32_t i = 0; i < n; ++i) first[i] = first[i + 1];
-  PairWalk(grid, PairRows::smaller, first, ids).run();
-  for (uint32_t i = 0; i < n; ++i) {
+  if (!PairWalk(grid, PairRows::smaller, first, ids).run(patience)) return;
+  for (uint32_t i = 0; i < n && patience.allows(1000); ++i) {
     const Span<uint32_t> row = ids.part(first[i], first[i + 1]);
     sort_ascending(row.data(), row.size());
   }
@@ -351,30 +361,31 @@ bool sum_up(Span<uint32_t> first) {
   return false;
 }
 
-bool count_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first) {
+bool count_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first, Patience patience) {
   for (uint32_t &length : first) length = 0;
   if constexpr (has_lanes) {
     if (rows == PairRows::both && RowWalk::suits_counting(grid)) {
-      RowWalk(grid).count(first);
+      RowWalk(grid).count(first, patience);
       return sum_up(first);
     }
   }
-  PairWalk(grid, rows, first, {}).run();
+  PairWalk(grid, rows, first, {}).run(patience);
   return sum_up(first);
 }
 
 void list_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first, Span<uint32_t> ids,
-                     [[maybe_unused]] uint32_t most_cached) {
+                     [[maybe_unused]] uint32_t most_cached, Patience patience) {
   if (ids.empty()) return;
   if constexpr (has_lanes) {
     const bool in_cache = ids.size() <= most_cached;
-    if (rows == PairRows::both && RowWalk::suits_listing(grid, in_cache)) return RowWalk(grid).list(first, ids);
+    if (rows == PairRows::both && RowWalk::suits_listing(grid, in_cache))
+      return RowWalk(grid).list(first, ids, patience);
   }
   for (uint32_t &id : ids) id = 0;
   if (rows == PairRows::both) {
-    list_in_both_rows(grid, first, ids);
+    list_in_both_rows(grid, first, ids, patience);
   } else {
-    list_in_smaller_row(grid, first, ids);
+    list_in_smaller_row(grid, first, ids, patience);
   }
 }
 

@@ -106,7 +106,7 @@ void OrderedBalls::clear() {
 // In small code by the balls that are given, else by the source's in the box.
 template <class Source>
 GridOrder OrderedBalls::order_of(const Source &source, const BallSet &given, const LatticeBox &box,
-                                 const CubeAxis &axis, BallRange part, Span<uint32_t> idle) {
+                                 const CubeAxis &axis, BallRange part, Span<uint32_t> idle, Patience &patience) {
   const auto of_part = [part](Span<uint32_t> two_for_each) { return two_for_each.part(2 * part.first, 2 * part.last); };
   const Span<uint32_t> entries = of_part(idle);
   if (small_code) {
@@ -123,14 +123,26 @@ GridOrder OrderedBalls::order_of(const Source &source, const BallSet &given, con
   const bool has_both = idle.size() / 4 >= capacity_;
   const Span<uint32_t> other_entries =
       of_part(has_both ? idle.part(2 * capacity_, 4 * capacity_) : Span(grid_index_.data(), 2 * grid_index_.size()));
-  return grid_order(BallsFrom<Source>{source, part.first}, box, axis, {entries, other_entries, first_ball_});
+  return grid_order(BallsFrom<Source>{source, part.first}, box, axis, {entries, other_entries, first_ball_}, patience);
 }
 
 // A part of the balls, in its order, to the same slots, as new cubes. Where a cube begins is not foreseen by the
 // processor: first balls are written to where the next first ball belongs, and stay there if a cube begins.
 template <class Source>
-void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part, const GridOrder &order,
-                       int64_t lift) {
+void OrderedBalls::put(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order, int64_t lift,
+                       Patience &patience) {
+  constexpr uint32_t at_once = 32 * balls_in_block;
+  const uint32_t n = order.size();
+  for (uint32_t first = 0, last = 0; first < n && patience.allows(200 * uint64_t{last - first}); first = last) {
+    last = n - first < at_once ? n : first + at_once;
+    put_some(source, axis, part, order, lift, {first, last});
+  }
+}
+
+// Some of these, behind those before. A call of its own, so that this loop has its registers.
+template <class Source>
+[[gnu::noinline]] void OrderedBalls::put_some(const Source &given, const CubeAxis &axis, BallRange part,
+                                              const GridOrder &order, int64_t lift, BallRange some) {
   const BallsFrom<Source> source{given, part.first};  // a copy: the compiler knows that it is not written to
   const uint32_t n = order.size();
   const auto store = [&](uint32_t k) {
@@ -143,8 +155,14 @@ void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part
   uint64_t last_key = ~UINT64_C(0);                        // no ball's
   CubeCoordinates last_cube{};
   int64_t last_x = 0;
-  for (uint32_t block = 0; block < n; block += balls_in_block) {
-    const uint32_t end = n - block < balls_in_block ? n : block + balls_in_block;
+  if (some.first > 0) {
+    const exact::Vector last = balls_.ball(part.first + some.first - 1).centre;
+    last_key = order.cube_key(some.first - 1);
+    last_cube = axis.cube_at(last);
+    last_x = last.x;
+  }
+  for (uint32_t block = some.first; block < some.last; block += balls_in_block) {
+    const uint32_t end = some.last - block < balls_in_block ? some.last : block + balls_in_block;
     uint32_t cubes = cubes_.count();
     for (uint32_t k = block; k < end; ++k) {
       if (!small_code && k + ahead::input_balls < n) {
@@ -195,7 +213,7 @@ Status OrderedBalls::store_all(const BallRounding &rounding, uint32_t n, uint32_
   return Status::ok;
 }
 
-Status OrderedBalls::sort(const BallInput &input, Span<uint32_t> idle, uint32_t &first_bad) {
+Status OrderedBalls::sort(const BallInput &input, Span<uint32_t> idle, uint32_t &first_bad, Patience &patience) {
   clear();
   BallRounding rounding;
   if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
@@ -216,11 +234,11 @@ Status OrderedBalls::sort(const BallInput &input, Span<uint32_t> idle, uint32_t 
   balls_.n = input.n;
   balls_.lattice = rounding.lattice();
   balls_.probe_steps = rounding.probe_steps();
-  sort(InputBalls{rounding}, balls_, box, input.n, idle);
-  return Status::ok;
+  sort(InputBalls{rounding}, balls_, box, input.n, idle, patience);
+  return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
-void OrderedBalls::sort(const BallSet &given, uint32_t own, Span<uint32_t> idle) {
+void OrderedBalls::sort(const BallSet &given, uint32_t own, Span<uint32_t> idle, Patience &patience) {
   clear();
   balls_.largest_radius = given.largest_radius;
   balls_.n = given.n;
@@ -228,10 +246,11 @@ void OrderedBalls::sort(const BallSet &given, uint32_t own, Span<uint32_t> idle)
   balls_.probe_steps = given.probe_steps;
   side_ = given.largest_radius > 0 ? 2 * given.largest_radius : 1;
   const GivenBalls source{given};
-  sort(source, given, box_around(source, {0, own}), own, idle);
+  sort(source, given, box_around(source, {0, own}), own, idle, patience);
 }
 
-void OrderedBalls::sort(const BallSet &balls, Span<const uint32_t> slot, int64_t side, Span<uint32_t> idle) {
+void OrderedBalls::sort(const BallSet &balls, Span<const uint32_t> slot, int64_t side, Span<uint32_t> idle,
+                        Patience &patience) {
   clear();
   const PlacedBalls placed{balls, slot};
   const uint32_t n = slot.size();
@@ -246,32 +265,34 @@ void OrderedBalls::sort(const BallSet &balls, Span<const uint32_t> slot, int64_t
   balls_.n = n;
   balls_.lattice = balls.lattice;
   balls_.probe_steps = balls.probe_steps;
-  sort(placed, balls_, box_around(placed, {0, n}), n, idle);
+  sort(placed, balls_, box_around(placed, {0, n}), n, idle, patience);
 }
 
 // The box is that around the own balls. `given`: the balls as they are given; with small code input and output may be
 // the same array, as `source` has them once more.
 template <class Source>
 void OrderedBalls::sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own,
-                        Span<uint32_t> idle) {
+                        Span<uint32_t> idle, Patience &patience) {
   const uint32_t n = balls_.n;
   const CubeAxis axis(side_);
-  const GridOrder order = order_of(source, given, box, axis, {0, own}, idle);
+  const GridOrder order = order_of(source, given, box, axis, {0, own}, idle, patience);
   GridOrder images{};
   int64_t lowest = 0;
   if (own < n) {
     const LatticeBox box_of_images = box_around(source, {own, n});
-    images = order_of(source, given, box_of_images, axis, {own, n}, idle);
+    images = order_of(source, given, box_of_images, axis, {own, n}, idle, patience);
     lowest = axis.cube_at(box_of_images.low.z);
   }
-  put(source, axis, {0, own}, order, 0);
+  if (!patience.allows(0)) return clear();
+  put(source, axis, {0, own}, order, 0, patience);
   own_balls_ = own;
   own_cubes_ = cubes_.count();
   if (own < n) {
     halo_.begin(cubes_, lowest);
-    put(source, axis, {own, n}, images, halo_.lift());
+    put(source, axis, {own, n}, images, halo_.lift(), patience);
     halo_.end(cubes_, own_cubes_);
   }
+  if (!patience.allows(0)) return clear();
   first_ball_[cubes_.count()] = n;
 }
 

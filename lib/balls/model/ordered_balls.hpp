@@ -6,6 +6,7 @@
 // grid's order, in the cubes of a halo.
 #pragma once
 
+#include "core/patience.hpp"
 #include "core/workspace.hpp"
 #include "model/ball_range.hpp"
 #include "model/ball_set.hpp"
@@ -48,19 +49,25 @@ class OrderedBalls {
  protected:
   void clear();
   // Sort balls as the three build() of a grid do. idle: scratch memory, two numbers for each ball or four.
-  Status sort(const BallInput &input, Span<uint32_t> idle, uint32_t &first_bad);
-  void sort(const BallSet &given, uint32_t own, Span<uint32_t> idle);
-  void sort(const BallSet &balls, Span<const uint32_t> slot, int64_t side, Span<uint32_t> idle);
+  // There are no balls if that is no longer allowed.
+  Status sort(const BallInput &input, Span<uint32_t> idle, uint32_t &first_bad, Patience &patience);
+  void sort(const BallSet &given, uint32_t own, Span<uint32_t> idle, Patience &patience);
+  void sort(const BallSet &balls, Span<const uint32_t> slot, int64_t side, Span<uint32_t> idle, Patience &patience);
 
  private:
   Status store_all(const BallRounding &rounding, uint32_t n, uint32_t &first_bad, int64_t &largest);
   template <class Source>
-  void sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own, Span<uint32_t> idle);
+  void sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own, Span<uint32_t> idle,
+            Patience &patience);
   template <class Source>
   GridOrder order_of(const Source &source, const BallSet &given, const LatticeBox &box, const CubeAxis &axis,
-                     BallRange part, Span<uint32_t> idle);
+                     BallRange part, Span<uint32_t> idle, Patience &patience);
   template <class Source>
-  void put(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order, int64_t lift);
+  void put(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order, int64_t lift,
+           Patience &patience);
+  template <class Source>
+  void put_some(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order, int64_t lift,
+                BallRange some);
 
   BallSet balls_;
   CubeList cubes_;

@@ -14,16 +14,16 @@ void PeriodicImages::carve(Workspace &workspace, uint32_t balls, uint32_t images
   set_.carve(workspace, static_cast<uint32_t>(all));
 }
 
-Status PeriodicImages::build(const BallInput &input, const double vector[9], uint32_t &first_bad) {
+Status PeriodicImages::build(const BallInput &input, const double vector[9], uint32_t &first_bad, Patience patience) {
   n_ = images_ = 0;
   counted_ = 0;
-  const Status status = fill(input, vector, first_bad);
+  const Status status = fill(input, vector, first_bad, patience);
   if (status != Status::ok) n_ = images_ = 0;
   set_.n = size();
   return status;
 }
 
-Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint32_t &first_bad) {
+Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint32_t &first_bad, Patience &patience) {
   first_bad = no_id;
   BallInput in_box = input;
   for (int k = 0; k < 9; ++k) {
@@ -39,6 +39,7 @@ Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint
   set_.lattice = exact::Lattice::with_step(1.0);
   set_.largest_radius = 0;
   for (uint32_t i = 0; i < input.n; ++i) {
+    if (!patience.allows(100)) return Status::stopped;
     exact::LatticeBall ball;
     BoxShift home;
     if (const Status status = place(rounding, input, i, ball, home); status != Status::ok) {
@@ -54,6 +55,7 @@ Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint
   const int64_t largest_radius = set_.largest_radius;
   if (!box_.suits(largest_radius)) return Status::range;
   for (uint32_t i = 0; i < input.n; ++i) {
+    if (!patience.allows(200)) return Status::stopped;
     exact::LatticeBall ball;
     if (i < room) {
       first_image_[i] = clamped_count(counted_);

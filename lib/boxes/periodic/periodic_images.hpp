@@ -17,7 +17,7 @@ class PeriodicImages {
 
   // On failure there are none; first_bad names the ball. Status::capacity if a limit is too small; counted_images()
   // then says how many images there are.
-  Status build(const BallInput &input, const double vector[9], uint32_t &first_bad);
+  Status build(const BallInput &input, const double vector[9], uint32_t &first_bad, Patience patience = Patience());
 
   uint32_t balls() const { return n_; }
   // With their images.
@@ -59,7 +59,7 @@ class PeriodicImages {
     int8_t k[3];
   };
 
-  Status fill(const BallInput &input, const double vector[9], uint32_t &first_bad);
+  Status fill(const BallInput &input, const double vector[9], uint32_t &first_bad, Patience &patience);
   // Ball i of the input, turned with the box, at its place in it.
   Status place(const BallRounding &rounding, const BallInput &input, uint32_t i, exact::LatticeBall &ball,
                BoxShift &home) const;

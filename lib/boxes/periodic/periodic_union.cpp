@@ -25,13 +25,14 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], cons
   needed_ = {};
   counts_ = {};
   areas_alone_ = areas_alone;
-  Status status = images_.build(input, vector, first_bad);
+  Patience patience(&executor);
+  Status status = images_.build(input, vector, first_bad, patience);
   if (status != Status::ok && status != Status::capacity) return status;
   needed_.balls = input.n;
   needed_.images = clamped_count(images_.counted_images());
   if (status != Status::ok) return status;
+  grid_.build(images_.in_steps(), images_.balls(), patience);
   if (!executor.goes_on()) return Status::stopped;
-  grid_.build(images_.in_steps(), images_.balls());
   status = boundary_.build_in_box(grid_, executor, !areas_alone);
   needed_.neighbours = boundary_.needed().neighbours;
   needed_.vertices = boundary_.needed().vertices;
@@ -42,33 +43,34 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], cons
     boundary_.take_state(grid_.grid_index(k), grid_.grid_index(images_.ball_of(k)));
   }
   if (areas_alone) return Status::ok;
-  status = contacts_.build(grid_, boundary(), boundary_.needed().neighbours, ImagesInGrid(grid_, images_),
-                           Patience(&executor));
+  status = contacts_.build(grid_, boundary(), boundary_.needed().neighbours, ImagesInGrid(grid_, images_), patience);
   needed_.contacts = contacts_.needed().contacts;
   if (status != Status::ok) return status;
   if (!executor.goes_on()) return Status::stopped;
-  status = join_balls();
-  if (status == Status::ok && !executor.goes_on()) status = Status::stopped;
-  return status == Status::ok ? count() : status;
+  status = join_balls(patience);
+  return status == Status::ok ? count(patience) : status;
 }
 
 // The boundary has joined each ball in the box to those that meet it, the images as balls of their own. So an image
 // leads from the set that it is in to that of its ball, as many boxes away.
-Status PeriodicUnion::join_balls() {
+Status PeriodicUnion::join_balls(Patience &patience) {
   const Span<const uint32_t> root = boundary_.joined_balls();
   windings_.reset(root.part(0, images_.balls()), balls().caller.part(0, images_.balls()));
+  if (!patience.allows(50 * uint64_t{images_.balls()})) return Status::stopped;
   bool fits = true;
   for (uint32_t image = images_.balls(); image < images_.size(); ++image) {
+    if (!patience.allows(200)) return Status::stopped;
     if (!is_in_box(root[image])) continue;  // no ball meets it
     const uint32_t k = balls().caller[image];
     const BoxShift shift = images_.box().in_given_vectors(images_.shift_of(k));
     fits = fits && windings_.join(balls().caller[root[image]], images_.ball_of(k), shift);
   }
   counts_.components = windings_.number();
+  if (!patience.allows(50 * uint64_t{images_.balls()})) return Status::stopped;
   return fits ? Status::ok : Status::range;
 }
 
-Status PeriodicUnion::count() {
+Status PeriodicUnion::count(Patience &patience) {
   const Boundary &b = boundary();
   uint32_t half_edges = 0, closed = 0;
   for (uint32_t own = 0; own < images_.balls(); ++own) {
@@ -76,9 +78,10 @@ Status PeriodicUnion::count() {
     closed += b.circles(own).size();
   }
   uint32_t across = 0;  // contacts with images: there is one from each side
-  for (uint32_t id = 0; id < contacts().contact_count(); ++id) {
-    across += is_in_box(contacts().contact(id).ball[1]) ? 0U : 1U;
-  }
+  in_parts(patience, IdRange{0, contacts().contact_count()}, 10, [&](IdRange some) {
+    for (const uint32_t id : some) across += is_in_box(contacts().contact(id).ball[1]) ? 0U : 1U;
+  });
+  if (!patience.allows(0)) return Status::stopped;
   // Each vertex starts three half-edges, each arc is two of them, each circle two loops.
   if (half_edges % 6 != 0 || closed % 2 != 0 || across % 2 != 0) return Status::check;
   counts_.vertices = half_edges / 3;
@@ -87,8 +90,7 @@ Status PeriodicUnion::count() {
   counts_.loops = b.loop_count();
   counts_.faces = b.face_count();
   counts_.contacts = contacts().contact_count() - across / 2;
-  list_vertices();
-  return join_faces();
+  return list_vertices(patience) ? join_faces(patience) : Status::stopped;
 }
 
 uint32_t PeriodicUnion::grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const {
@@ -132,33 +134,39 @@ bool PeriodicUnion::find_across(ClosedHalfEdge own, ClosedHalfEdge &across) cons
 }
 
 // One whose balls are all in the box is there once. They are in ascending order.
-void PeriodicUnion::list_vertices() {
+bool PeriodicUnion::list_vertices(Patience &patience) {
   const Boundary &b = boundary();
   listed_vertices_.clear(b.vertex_count());
-  for (uint32_t v = 0; v < b.vertex_count(); ++v) {
-    const VertexRecord &vertex = b.vertex(v);
-    listed_vertices_.set_if(v, is_in_box(vertex.ball[2]) || is_in_box(in_listed_order(vertex).ball[0]));
-  }
+  in_parts(patience, IdRange{0, b.vertex_count()}, 50, [&](IdRange some) {
+    for (const uint32_t v : some) {
+      const VertexRecord &vertex = b.vertex(v);
+      listed_vertices_.set_if(v, is_in_box(vertex.ball[2]) || is_in_box(in_listed_order(vertex).ball[0]));
+    }
+  });
   listed_vertices_.count();
+  return patience.allows(0);
 }
 
 // The faces at a vertex share arcs there, so those of balls in the box are of one shell. So are those on both sides of
 // an arc across a face of the box, and of a circle.
-Status PeriodicUnion::join_faces() {
+Status PeriodicUnion::join_faces(Patience &patience) {
   const Boundary &b = boundary();
   const Span<const uint32_t> caller = balls().caller;
   DisjointSets sets(boundary_.scratch().part(0, b.face_count()));
   sets.reset();
-  for (uint32_t v = 0; v < b.vertex_count(); ++v) {
-    const VertexRecord &vertex = b.vertex(v);  // images are its last balls
-    if (!is_in_box(vertex.ball[1])) continue;
-    const uint32_t first = b.face_of(b.half_edge_at(v, 0));
-    sets.join(first, b.face_of(b.half_edge_at(v, 1)));
-    if (is_in_box(vertex.ball[2])) sets.join(first, b.face_of(b.half_edge_at(v, 2)));
-  }
+  in_parts(patience, IdRange{0, b.vertex_count()}, 100, [&](IdRange some) {
+    for (const uint32_t v : some) {
+      const VertexRecord &vertex = b.vertex(v);  // images are its last balls
+      if (!is_in_box(vertex.ball[1])) continue;
+      const uint32_t first = b.face_of(b.half_edge_at(v, 0));
+      sets.join(first, b.face_of(b.half_edge_at(v, 1)));
+      if (is_in_box(vertex.ball[2])) sets.join(first, b.face_of(b.half_edge_at(v, 2)));
+    }
+  });
   listed_half_edges_.clear(b.half_edge_count());
   listed_circles_.clear(b.circle_count());
   for (uint32_t own = 0; own < images_.balls(); ++own) {
+    if (!patience.allows(1000)) return Status::stopped;
     for (const uint32_t e : b.half_edges(own)) {
       const uint32_t other = b.half_edge(e).circle;
       if (is_in_box(other)) {
@@ -182,6 +190,7 @@ Status PeriodicUnion::join_faces() {
   }
   listed_half_edges_.count();
   listed_circles_.count();
+  if (!patience.allows(100 * uint64_t{b.circle_count()})) return Status::stopped;
   boundary_.take_shells(sets);
   counts_.shells = b.shell_count();
   const bool each_once = listed_vertices_.size() == counts_.vertices && listed_half_edges_.size() == counts_.arcs &&

@@ -152,10 +152,10 @@ class PeriodicUnion : public Limited<PeriodicLimits> {
   bool find_across(ClosedHalfEdge own, ClosedHalfEdge &across) const;
 
  private:
-  Status join_balls();
-  Status count();
-  void list_vertices();
-  Status join_faces();
+  Status join_balls(Patience &patience);
+  Status count(Patience &patience);
+  bool list_vertices(Patience &patience);
+  Status join_faces(Patience &patience);
   PeriodicImages images_;
   CubeGrid grid_;
   BoundaryBuilder boundary_;

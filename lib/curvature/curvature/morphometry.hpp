@@ -18,19 +18,21 @@ inline double gauss_of_thirds(int64_t thirds) {
 }
 
 // Calls sink(i, curvature) for every ball i of the input that is not in the halo, in the unit of this lattice,
-// as are the sums.
+// as are the sums. Not of all if the executor has stopped it.
 template <class Sink>
-CurvatureTotals sum_curvatures(const CubeGrid &grid, const Boundary &boundary, const exact::Lattice &lattice,
-                               Sink sink) {
+CurvatureTotals sum_curvatures(const CubeGrid &grid, const Boundary &boundary, const exact::Lattice &lattice, Sink sink,
+                               const Executor &executor = Executor()) {
   TreeSum mean;
   int64_t thirds = 0;
-  visit_in_input_order(grid, boundary, {0, grid.own_balls()}, [&](uint32_t i, uint32_t ball) {
+  const auto visit = [&](uint32_t i, uint32_t ball) {
     BallCurvature curvature = curvature_of_ball(grid.balls(), boundary, ball);
     mean.add(curvature.mean);
     thirds += curvature.gauss;
     curvature.mean = lattice.length(curvature.mean);
     sink(i, curvature);
-  });
+  };
+  visit_patiently(executor, IdRange{0, grid.own_balls()},
+                  [&](IdRange part) { visit_in_input_order(grid, boundary, part, visit); });
   return {lattice.length(mean.total()), gauss_of_thirds(thirds)};
 }
 

@@ -69,21 +69,25 @@ void ComponentUpdate::abandon(const MovingRecords &records, uint32_t former) {
   touched_count_ = link_count_ = 0;
 }
 
-void ComponentUpdate::apply(MovingRecords &records, const BallCells &cells, uint32_t former) {
-  find_pieces(records, cells, former);
-  for (const Link &pair : links_.part(0, link_count_)) link(records, pair);
+void ComponentUpdate::apply(MovingRecords &records, const BallCells &cells, uint32_t former, Patience &patience) {
+  find_pieces(records, cells, former, patience);
+  for (const Link &pair : links_.part(0, link_count_)) {
+    if (!patience.allows(500)) break;
+    link(records, pair);
+  }
 
   // Balls that moved, and whole pieces, leave their components before they are put together anew.
   list_count_ = 0;
   const Span<const uint32_t> touched = touched_.part(0, touched_count_);
   for (const uint32_t i : touched) {
+    static_cast<void>(patience.allows(100));
     if (leaves(records, i)) take_out(records, i);
   }
   renew_origins(records);
   for (const uint32_t i : touched) {
     if (leaves(records, i)) records.ball[i].origin = i;
   }
-  merge_sets(records);
+  merge_sets(records, patience);
   abandon(records, former);
 }
 
@@ -145,7 +149,8 @@ void ComponentUpdate::link(MovingRecords &records, Link link) {
 
 // Every piece of a component has a ball that met one that moved. So there are no more pieces than sets with such balls,
 // and where one set is left there is one.
-void ComponentUpdate::find_pieces(const MovingRecords &records, const BallCells &cells, uint32_t former) {
+void ComponentUpdate::find_pieces(const MovingRecords &records, const BallCells &cells, uint32_t former,
+                                  Patience &patience) {
   searching_ = false;
   if (!cut_) return;
   while (const uint32_t rivals = find_rivals(records, former)) {
@@ -153,7 +158,10 @@ void ComponentUpdate::find_pieces(const MovingRecords &records, const BallCells 
       begin_search(records);
       continue;
     }
-    for (uint32_t k = 0; k < rivals; ++k) search_further(records, cells, list_[k]);
+    for (uint32_t k = 0; k < rivals; ++k) {
+      if (!patience.allows(10000)) return;
+      search_further(records, cells, list_[k]);
+    }
   }
 }
 
@@ -273,15 +281,17 @@ void ComponentUpdate::renew_origins(MovingRecords &records) {
 }
 
 // The components of the balls of each set become one. That with the lowest origin takes in the others.
-void ComponentUpdate::merge_sets(MovingRecords &records) {
+void ComponentUpdate::merge_sets(MovingRecords &records, Patience &patience) {
   const Span<const uint32_t> touched = touched_.part(0, touched_count_);
   const auto before = [&records](uint32_t a, uint32_t b) { return records.balls.ranks_before(a, b); };
   for (const uint32_t i : touched) {
+    if (!patience.allows(50)) break;
     const uint32_t origin = records.ball[i].origin;
     uint32_t &lowest = of_[sets_.find(i)];
     if (lowest == no_id || (lowest != origin && before(origin, lowest))) lowest = origin;
   }
   for (const uint32_t i : touched) {
+    if (!patience.allows(200)) break;
     uint32_t to = records.ball[of_[sets_.find(i)]].origin;
     uint32_t from = records.ball[i].origin;
     if (to == from) continue;
@@ -305,7 +315,10 @@ void ComponentUpdate::merge_sets(MovingRecords &records) {
     records.ball[from_last].next = to_next;
     records.ball[to_next].previous = from_last;
   }
-  for (const uint32_t i : touched) of_[sets_.find(i)] = no_id;
+  for (const uint32_t i : touched) {
+    of_[sets_.find(i)] = no_id;
+    static_cast<void>(patience.allows(50));
+  }
 }
 
 }  // namespace hsp

@@ -25,8 +25,9 @@ class ComponentUpdate {
   void begin(MovingRecords &records, uint32_t former);
   // Then, for each ball that moved, all that it meets now.
   void connect(const MovingRecords &records, uint32_t moved, uint32_t other);
-  // In the end one of the two: apply brings origins, rings and trees up to date, and notes what it changes;
-  void apply(MovingRecords &records, const BallCells &cells, uint32_t former);
+  // In the end one of the two: apply brings origins, rings and trees up to date, and notes what it changes, also if it
+  // is stopped;
+  void apply(MovingRecords &records, const BallCells &cells, uint32_t former, Patience &patience);
   // abandon forgets the update.
   void abandon(const MovingRecords &records, uint32_t former);
 
@@ -41,7 +42,7 @@ class ComponentUpdate {
   uint32_t tree_of(const MovingRecords &records, uint32_t ball) const;
   bool unite(uint32_t a, uint32_t b);
   void link(MovingRecords &records, Link link);
-  void find_pieces(const MovingRecords &records, const BallCells &cells, uint32_t former);
+  void find_pieces(const MovingRecords &records, const BallCells &cells, uint32_t former, Patience &patience);
   uint32_t find_rivals(const MovingRecords &records, uint32_t former);
   void begin_search(const MovingRecords &records);
   void search_further(const MovingRecords &records, const BallCells &cells, uint32_t root);
@@ -49,7 +50,7 @@ class ComponentUpdate {
   bool leaves(const MovingRecords &records, uint32_t ball);
   void take_out(MovingRecords &records, uint32_t ball);
   void renew_origins(MovingRecords &records);
-  void merge_sets(MovingRecords &records);
+  void merge_sets(MovingRecords &records, Patience &patience);
 
   // Bits of a ball: its component's tree has lost an edge; its set is a component as a whole.
   static constexpr uint8_t wounded = 1;

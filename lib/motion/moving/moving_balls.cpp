@@ -221,7 +221,7 @@ Status MovingBalls::update(uint32_t former, Patience &patience) {
     components_.abandon(records_, former);
     return stopped ? Status::stopped : Status::capacity;
   }
-  components_.apply(records_, cells_, former);
+  components_.apply(records_, cells_, former, patience);
   sum_up(affected, patience);
   if (!patience.allows(0)) return Status::stopped;
   if (counts_.contained != 0) group_.flag_inner_contacts(records_, cells_, affected);
@@ -249,7 +249,7 @@ void MovingBalls::sum_up(uint32_t affected, Patience &patience) {
     count_ball(ball, ball.origin == i, true, counts_);
     sums_.set(balls.caller[i], term_of(i));
   }
-  sums_.update();
+  if (patience.allows(50 * uint64_t{records_.noted()})) sums_.update();
 }
 
 // As before all that is in the journal.

@@ -56,13 +56,14 @@ void SphereTree::carve(Workspace &workspace, uint32_t balls) {
   clear();
 }
 
-Status SphereTree::build(const BallSet &balls) {
+Status SphereTree::build(const BallSet &balls, Patience patience) {
   clear();
   lattice_ = balls.lattice;
   reach_ = 0;
   if (balls.n > x_.size()) return Status::capacity;
   if (balls.n == 0) return Status::ok;
-  sort_axes(balls);
+  sort_axes(balls, patience);
+  if (!patience.allows(10 * uint64_t{balls.n})) return Status::stopped;
   start_levels(balls.n);
   struct Task {
     uint32_t first, last;
@@ -75,15 +76,17 @@ Status SphereTree::build(const BallSet &balls) {
     const Task task = tasks[--count];
     const uint32_t k = nodes_.size();
     if (task.parent != no_id) nodes_[task.parent].second = k;
-    nodes_.push(node_around(balls, task.first, task.last));
+    nodes_.push(node_around(balls, task.first, task.last, patience));
     store_node(nodes_[k]);
     if (task.last - task.first <= leaf_size) continue;
     const uint32_t middle = second_part_of(task.first, task.last);
     split(balls, task.first, middle, task.last);
+    if (!patience.allows(50 * uint64_t{task.last - task.first})) return Status::stopped;
     tasks[count++] = {middle, task.last, k};
     tasks[count++] = {task.first, middle, no_id};
   }
   for (uint32_t p = 0; p < balls.n; ++p) {
+    if (!patience.allows(100)) return Status::stopped;
     const uint32_t i = along_[0][p];
     x_[p] = balls.x[i];
     y_[p] = balls.y[i];
@@ -132,21 +135,26 @@ void SphereTree::store_sphere(uint32_t level, uint32_t k, const Vec3 &centre, do
   block.r[k % 8] = static_cast<float>(radius);
 }
 
-void SphereTree::sort_axes(const BallSet &balls) {
+void SphereTree::sort_axes(const BallSet &balls, Patience &patience) {
   for (int axis = 0; axis < 3; ++axis) {
     const Span<uint32_t> order = along_[axis].part(0, balls.n);
     for (uint32_t i = 0; i < balls.n; ++i) order[i] = i;
-    sort_in_place(order, [&](uint32_t i, uint32_t j) {
+    const auto comes_first = [&](uint32_t i, uint32_t j) {
       const double a = along(balls, axis, i);
       const double b = along(balls, axis, j);
       return a != b ? a < b : i < j;  // the grid's order, which depends on the balls alone
-    });
+    };
+    if (!patience.may_end()) {
+      sort_in_place(order, comes_first);
+    } else {
+      sort_in_place(order, [&](uint32_t i, uint32_t j) { return patience.allows(40) && comes_first(i, j); });
+    }
   }
 }
 
 // A sphere nearly as small as it can be: from the middle of the box some steps, ever smaller, towards the ball that
 // sticks out most (Badoiu and Clarkson 2003).
-TreeNode SphereTree::node_around(const BallSet &balls, uint32_t first, uint32_t last) const {
+TreeNode SphereTree::node_around(const BallSet &balls, uint32_t first, uint32_t last, Patience &patience) const {
   const auto middle_of = [&](int axis) {
     return (along(balls, axis, along_[axis][first]) + along(balls, axis, along_[axis][last - 1])) / 2;
   };
@@ -165,7 +173,7 @@ TreeNode SphereTree::node_around(const BallSet &balls, uint32_t first, uint32_t 
   };
   constexpr int steps = 16;
   double radius = 0;
-  for (int k = 0; k < steps && last - first > 1; ++k) {
+  for (int k = 0; k < steps && last - first > 1 && patience.allows(30 * uint64_t{last - first}); ++k) {
     const uint32_t i = farthest(radius);
     centre = centre + (0.5 / (k + 2)) * (centre_of(balls, i) - centre);
   }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/patience.hpp"
 #include "core/workspace.hpp"
 #include "model/ball_set.hpp"
 #include "poses/near_pairs.hpp"
@@ -29,8 +30,9 @@ class SphereTree {
   static constexpr uint32_t largest_height = 27;
 
   void carve(Workspace &workspace, uint32_t balls);
-  // Status::capacity if there is room for fewer balls; the tree is empty then.
-  Status build(const BallSet &balls);
+  // Status::capacity if there is room for fewer balls; the tree is empty then. Status::stopped if that is no longer
+  // allowed; it is of no use then.
+  Status build(const BallSet &balls, Patience patience = Patience());
   void clear() { nodes_.clear(); }
 
   bool empty() const { return nodes_.size() == 0; }
@@ -50,8 +52,8 @@ class SphereTree {
   const exact::Lattice &lattice() const { return lattice_; }
 
  private:
-  void sort_axes(const BallSet &balls);
-  TreeNode node_around(const BallSet &balls, uint32_t first, uint32_t last) const;
+  void sort_axes(const BallSet &balls, Patience &patience);
+  TreeNode node_around(const BallSet &balls, uint32_t first, uint32_t last, Patience &patience) const;
   void split(const BallSet &balls, uint32_t first, uint32_t middle, uint32_t last);
   void start_levels(uint32_t balls);
   void store_node(const TreeNode &node);

@@ -239,7 +239,9 @@ void MeshBuilder::remove_outdated(uint32_t first_of_bands, Patience &patience) {
   FixedVector<MeshVertex> &vertices = mesh_.vertices_;
   const uint32_t old_vertices = vertices.size();
   const uint32_t old_triangles = triangles.size();
-  for (uint32_t v = 0; v < old_vertices; ++v) vertex_moves_[v] = no_id;
+  in_parts(patience, IdRange{0, old_vertices}, 2, [&](IdRange some) {
+    for (const uint32_t v : some) vertex_moves_[v] = no_id;
+  });
   uint32_t kept = 0;
   for (uint32_t t = 0; t < old_triangles; ++t) {
     if (!patience.allows(50)) return;
@@ -281,8 +283,11 @@ bool MeshBuilder::name_balls(const Outline &outline, Patience &patience) {
 
 void MeshBuilder::sort_by_patches(Patience &patience) {
   const Span<MeshTriangle> triangles = mesh_.triangles_.items();
+  if (triangles.empty()) return;
   bool sorted = true;
-  for (uint32_t t = 1; t < triangles.size(); ++t) sorted &= triangles[t - 1].patch <= triangles[t].patch;
+  in_parts(patience, IdRange{1, triangles.size()}, 5, [&](IdRange some) {
+    for (const uint32_t t : some) sorted &= triangles[t - 1].patch <= triangles[t].patch;
+  });
   if (sorted) return;
   sort_in_place(triangles, [&](const MeshTriangle &a, const MeshTriangle &b) {
     if (!patience.allows(50)) return false;

@@ -232,7 +232,9 @@ uint32_t ProbeGrid::first_from(const BallSet &balls, const CubeCoordinates &cube
 
 bool ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary, Patience &patience) {
   const uint32_t n = boundary.vertex_count();
-  for (uint32_t v = 0; v < n; ++v) position_.order[v] = order_of_rank(balls, boundary.vertex(v));
+  in_parts(patience, IdRange{0, n}, 50, [&](IdRange some) {
+    for (const uint32_t v : some) position_.order[v] = order_of_rank(balls, boundary.vertex(v));
+  });
   ProbeTriangles triangles;
   for (uint32_t first = 0; first < n; first += ProbeTriangles::lanes) {
     if (!patience.allows(2000)) return false;
@@ -277,6 +279,7 @@ bool ProbeGrid::build(const BallSet &balls, const Boundary &boundary, Patience &
   sort_to_rows(
       first_, buckets_, n,
       [&](uint32_t v) {
+        static_cast<void>(patience.allows(100));
         at = in_units(balls, position_[v]);
         return bucket_of(at);
       },

@@ -4,6 +4,7 @@
 // waist, where the probe's profile turns (saddle.hpp); and a third of every concave patch at one of its vertices.
 #pragma once
 
+#include "core/executor.hpp"
 #include "core/summation.hpp"
 #include "measure/input_order.hpp"
 #include "surface/surface.hpp"
@@ -46,9 +47,10 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
                                        uint32_t i);
 
 // Calls sink(i, measure) for every ball i of the input, in the caller's unit, and returns the sums over the balls in
-// the caller's order.
+// the caller's order. Not of all if the executor has stopped it.
 template <class Sink>
-SurfaceMeasure measure_surface(const CubeGrid &grid, const Boundary &boundary, const Surface &surface, Sink sink) {
+SurfaceMeasure measure_surface(const CubeGrid &grid, const Boundary &boundary, const Surface &surface, Sink sink,
+                               const Executor &executor = Executor()) {
   const BallSet &balls = grid.balls();
   const auto in_caller_units = [&balls](const SurfaceMeasure &m) {
     return SurfaceMeasure{balls.lattice.area(m.convex), balls.lattice.area(m.saddle), balls.lattice.area(m.concave),
@@ -58,14 +60,18 @@ SurfaceMeasure measure_surface(const CubeGrid &grid, const Boundary &boundary, c
   TreeSum saddle;
   TreeSum concave;
   TreeSum volume;
-  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
-    const SurfaceMeasure measure = measure_surface_of_ball(balls, boundary, surface, ball);
-    convex.add(measure.convex);
-    saddle.add(measure.saddle);
-    concave.add(measure.concave);
-    volume.add(measure.volume);
-    sink(i, in_caller_units(measure));
-  });
+  const uint32_t at_once = executor.may_stop() ? 32 : balls.n;
+  for (IdRange part{0, 0}; part.last < balls.n && executor.goes_on();) {
+    part = {part.last, balls.n - part.last < at_once ? balls.n : part.last + at_once};
+    visit_in_input_order(grid, boundary, part, [&](uint32_t i, uint32_t ball) {
+      const SurfaceMeasure measure = measure_surface_of_ball(balls, boundary, surface, ball);
+      convex.add(measure.convex);
+      saddle.add(measure.saddle);
+      concave.add(measure.concave);
+      volume.add(measure.volume);
+      sink(i, in_caller_units(measure));
+    });
+  }
   return in_caller_units({convex.total(), saddle.total(), concave.total(), volume.total()});
 }
 

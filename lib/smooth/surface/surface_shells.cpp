@@ -10,7 +10,8 @@ void SurfaceShells::find(const Boundary &boundary, const CuspedCircles &cusped, 
   sets.reset();
   join_saddles(boundary, cusped, patience, sets);
   if (!patience.allows(100 * uint64_t{nodes})) return;
-  join_pieces(boundary, cut, sets);
+  join_pieces(boundary, cut, patience, sets);
+  if (!patience.allows(50 * uint64_t{nodes})) return;
   sets.flatten();
   // No number has a larger representative: that has its shell already.
   count_ = 0;
@@ -48,8 +49,10 @@ void SurfaceShells::join_saddles(const Boundary &boundary, const CuspedCircles &
   }
 }
 
-void SurfaceShells::join_pieces(const Boundary &boundary, const CutPatches &cut, DisjointSets &sets) {
+void SurfaceShells::join_pieces(const Boundary &boundary, const CutPatches &cut, Patience &patience,
+                                DisjointSets &sets) {
   for (uint32_t piece = 0; piece < cut.piece_count(); ++piece) {
+    if (!patience.allows(100 * uint64_t{cut.arcs(piece).size()})) return;
     for (const uint32_t a : cut.arcs(piece)) {
       const PatchArc &arc = cut.arc(a);
       if (arc.corner < 3 * boundary.vertex_count()) {

@@ -24,7 +24,7 @@ class SurfaceShells {
 
  private:
   void join_saddles(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience, DisjointSets &sets);
-  void join_pieces(const Boundary &boundary, const CutPatches &cut, DisjointSets &sets);
+  void join_pieces(const Boundary &boundary, const CutPatches &cut, Patience &patience, DisjointSets &sets);
 
   Span<uint32_t> shell_;  // [faces + pieces]
   uint32_t faces_ = 0;

@@ -66,7 +66,8 @@ Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const B
   regions_.clear();
   if (boundary.shell_count() > region_of_shell_.size()) return Status::check;
   has_outside_ = periodic == nullptr || balls.are_none();
-  const uint32_t count = pores.join_above(0.0);
+  const uint32_t count = pores.join_above(0.0, patience);
+  if (!patience.allows(100 * uint64_t{pores.joined().size()})) return Status::stopped;
   const Windings &joined = pores.joined();
   for (uint32_t k = has_outside_ ? 0 : 1; k < count; ++k) {
     const uint32_t node = joined.first_ball(k);

@@ -273,11 +273,13 @@ void PoresBuilder::note_passages(uint32_t gate, uint32_t maximum, const WindingL
 }
 
 // Of the widest maxima and gates, as they are in order. Numbers fit: they did for all gates.
-uint32_t PoresBuilder::join_above(double level) {
+uint32_t PoresBuilder::join_above(double level, Patience patience) {
   uint32_t fitting = 0;
   while (fitting < maximum_count_ && maxima_[fitting].point.level > level) ++fitting;
   windings_.reset(fitting + 1);
+  if (!patience.allows(50 * uint64_t{fitting})) return 0;
   for (uint32_t k = 0; k < gate_count_ && gates_[k].point.level > level; ++k) {
+    if (!patience.allows(200)) return 0;
     const PoreGate &gate = gates_[k];
     static_cast<void>(windings_.join(node_of(gate.end[0]), node_of(gate.end[1]), gate.way()));
   }

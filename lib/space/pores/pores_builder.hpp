@@ -72,7 +72,7 @@ class PoresBuilder {
   Span<const uint32_t> winding_gates() const { return winding_gates_; }
   // Joins maxima by all gates above a level, and returns how many components joined() has: the classes there of what
   // node_of() numbers, that of the outside first, which is alone in a box, the others as their oldest maxima are.
-  uint32_t join_above(double level);
+  uint32_t join_above(double level, Patience patience = Patience());
   const Windings &joined() const { return windings_; }
   // Adds the points of the way up from a gate to its end, without the gate.
   Status trace(uint32_t gate, uint32_t end, FixedVector<WayPoint> &points);

@@ -21,7 +21,7 @@ class SimpleFaceBuilder {
     start_vertices();
     if (!number_edges()) return;
     const Subdivision &points = topology_.subdivision;
-    for (uint32_t point = points.first_inner(); point < points.size(); ++point) {
+    for (uint32_t point = points.first_inner(); point < points.size() && patience_.allows(200); ++point) {
       const uint32_t host = points.host(point);
       if (points.first(host) == point && !Subdivision::is_half_circle(boundary_, host)) {
         link_host(host, boundary_.half_edge(host).vertex, end_of(host));

@@ -22,9 +22,10 @@ void tally_shells(const Boundary &boundary, Patience &patience, Topology &topolo
   }
   for (uint32_t s = 0; s < topology.shell_count; ++s) topology.shells[s].edges /= 2;
   if (!patience.allows(50 * uint64_t{topology.face_count})) return;
-  for (uint32_t v = 0; v < topology.vertex_count; ++v) {
-    ++topology.shells[topology.shell_of(boundary, topology.quads.left(topology.vertex_edge[v]))].vertices;
-  }
+  in_parts(patience, IdRange{0, topology.vertex_count}, 20, [&](IdRange some) {
+    for (const uint32_t v : some)
+      ++topology.shells[topology.shell_of(boundary, topology.quads.left(topology.vertex_edge[v]))].vertices;
+  });
 }
 
 // Depth first, each face counter-clockwise from the edge by which it was entered; that edge is all that has to be

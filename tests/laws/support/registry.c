@@ -125,6 +125,24 @@ static int64_t call_hsp_model_set(const value *v) {
   return (int64_t)hsp_model_set(v[0].p, v[1].u, v[2].p, v[3].p, v[4].p, v[5].p);
 }
 
+static const argument of_hsp_model_set_with[] = {
+  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model},
+  {"n", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_empty,
+      .is_const = 1},
+  {"radius", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_empty, .is_const = 1},
+  {"request", "hsp_model_request", .kind = KIND_sized_in, .size = sizeof(hsp_model_request), .null = NULL_always,
+      .is_const = 1},
+  {"options", "hsp_model_options", .kind = KIND_sized_in, .size = sizeof(hsp_model_options), .null = NULL_always, .of =
+      4, .offset = offsetof(hsp_model_request, options), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 4,
+      .offset = offsetof(hsp_model_request, executor), .is_const = 1},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_model_set_with(const value *v) {
+  return (int64_t)hsp_model_set_with(v[0].p, v[1].u, v[2].p, v[3].p, v[4].p, v[7].p);
+}
+
 static const argument of_hsp_model_get_info[] = {
   {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
   {"info", "hsp_model_info", .kind = KIND_struct_out, .size = sizeof(hsp_model_info)},
@@ -213,6 +231,24 @@ static int64_t call_hsp_query_pairs(const value *v) {
   return (int64_t)hsp_query_pairs(v[0].p, v[1].u, v[2].p, v[3].p, v[4].u, v[5].p);
 }
 
+static const argument of_hsp_query_pairs_with[] = {
+  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
+  {"request", "hsp_pairs_request", .kind = KIND_sized_in, .size = sizeof(hsp_pairs_request), .null = NULL_always,
+      .is_const = 1},
+  {"flags", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset = offsetof(hsp_pairs_request,
+      flags)},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_pairs_request, executor), .is_const = 1},
+  {"first", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n + 1"},
+  {"ids", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
+      1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_query_pairs_with(const value *v) {
+  return (int64_t)hsp_query_pairs_with(v[0].p, v[1].p, v[4].p, v[5].p, v[6].u, v[7].p);
+}
+
 static const argument of_hsp_query_ray[] = {
   {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
   {"origin", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
@@ -247,6 +283,18 @@ static const argument of_hsp_body_set[] = {
 };
 static int64_t call_hsp_body_set(const value *v) {
   return (int64_t)hsp_body_set(v[0].p, v[1].p);
+}
+
+static const argument of_hsp_body_set_with[] = {
+  {"body", "hsp_body", .kind = KIND_handle, .noun = NOUN_body},
+  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
+  {"request", "hsp_body_request", .kind = KIND_sized_in, .size = sizeof(hsp_body_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_body_request, executor), .is_const = 1},
+};
+static int64_t call_hsp_body_set_with(const value *v) {
+  return (int64_t)hsp_body_set_with(v[0].p, v[1].p, v[2].p);
 }
 
 static const argument of_hsp_pose_from_matrix[] = {
@@ -894,6 +942,23 @@ static const argument of_hsp_boundary_curvature[] = {
 };
 static int64_t call_hsp_boundary_curvature(const value *v) {
   return (int64_t)hsp_boundary_curvature(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
+}
+
+static const argument of_hsp_boundary_curvature_with[] = {
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_curvature_request", .kind = KIND_sized_in, .size = sizeof(hsp_curvature_request), .null =
+      NULL_always, .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_curvature_request, executor), .is_const = 1},
+  {"totals", "hsp_curvatures", .kind = KIND_struct_out, .size = sizeof(hsp_curvatures), .null = NULL_always},
+  {"mean", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
+  {"gauss_thirds", "int32_t", .kind = KIND_array_out, .size = sizeof(int32_t), .extent = "n", .null = NULL_always, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_boundary_curvature_with(const value *v) {
+  return (int64_t)hsp_boundary_curvature_with(v[0].p, v[1].p, v[3].p, v[4].p, v[5].p, v[6].u, v[7].p);
 }
 
 static const argument of_hsp_boundary_get_morphometry[] = {
@@ -1643,6 +1708,22 @@ static const argument of_hsp_surface_measure[] = {
 };
 static int64_t call_hsp_surface_measure(const value *v) {
   return (int64_t)hsp_surface_measure(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_surface_measure_with[] = {
+  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
+  {"request", "hsp_surface_measure_request", .kind = KIND_sized_in, .size = sizeof(hsp_surface_measure_request), .null =
+      NULL_always, .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_surface_measure_request, executor), .is_const = 1},
+  {"totals", "hsp_surface_totals", .kind = KIND_struct_out, .size = sizeof(hsp_surface_totals), .null = NULL_always},
+  {"balls", "hsp_surface_totals", .kind = KIND_array_out, .size = sizeof(hsp_surface_totals), .extent = "needed", .null
+      = NULL_always, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_surface_measure_with(const value *v) {
+  return (int64_t)hsp_surface_measure_with(v[0].p, v[1].p, v[3].p, v[4].p, v[5].u, v[6].p);
 }
 
 static const argument of_hsp_surface_get_gradient[] = {
@@ -3347,6 +3428,9 @@ const function registry[] = {
   {"hsp_model_set", "model", RESULT_status, 6, of_hsp_model_set, call_hsp_model_set, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) |
       BIT(HSP_E_RANGE)},
+  {"hsp_model_set_with", "model", RESULT_status, 8, of_hsp_model_set_with, call_hsp_model_set_with, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_STOPPED)},
   {"hsp_model_get_info", "model", RESULT_status, 2, of_hsp_model_get_info, call_hsp_model_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT)},
   {"hsp_model_get_balls", "model", RESULT_status, 5, of_hsp_model_get_balls, call_hsp_model_get_balls, BIT(HSP_OK) |
@@ -3366,6 +3450,9 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_query_pairs", "query", RESULT_status, 6, of_hsp_query_pairs, call_hsp_query_pairs, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE)},
+  {"hsp_query_pairs_with", "query", RESULT_status, 8, of_hsp_query_pairs_with, call_hsp_query_pairs_with, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_RANGE) | BIT(HSP_E_STOPPED)},
   {"hsp_query_ray", "query", RESULT_status, 4, of_hsp_query_ray, call_hsp_query_ray, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_bytes", "pose", RESULT_status, 2, of_hsp_body_bytes, call_hsp_body_bytes, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT)
@@ -3374,6 +3461,9 @@ const function registry[] = {
       BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_body_set", "pose", RESULT_status, 2, of_hsp_body_set, call_hsp_body_set, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_body_set_with", "pose", RESULT_status, 4, of_hsp_body_set_with, call_hsp_body_set_with, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_STOPPED)},
   {"hsp_pose_from_matrix", "pose", RESULT_status, 3, of_hsp_pose_from_matrix, call_hsp_pose_from_matrix, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_body_hits", "pose", RESULT_status, 6, of_hsp_body_hits, call_hsp_body_hits, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
@@ -3488,6 +3578,9 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_curvature", "curvature", RESULT_status, 6, of_hsp_boundary_curvature, call_hsp_boundary_curvature,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_boundary_curvature_with", "curvature", RESULT_status, 8, of_hsp_boundary_curvature_with,
+      call_hsp_boundary_curvature_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_get_morphometry", "curvature", RESULT_status, 16, of_hsp_boundary_get_morphometry,
       call_hsp_boundary_get_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
@@ -3627,6 +3720,9 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_surface_measure", "surface", RESULT_status, 5, of_hsp_surface_measure, call_hsp_surface_measure, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE)},
+  {"hsp_surface_measure_with", "surface", RESULT_status, 7, of_hsp_surface_measure_with, call_hsp_surface_measure_with,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_STOPPED)},
   {"hsp_surface_get_gradient", "surface", RESULT_status, 16, of_hsp_surface_get_gradient, call_hsp_surface_get_gradient,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
@@ -4007,6 +4103,10 @@ const field registry_fields[] = {
   {"hsp_model_options", "probe", "double", offsetof(hsp_model_options, probe), 1},
   {"hsp_model_options", "step", "double", offsetof(hsp_model_options, step), 1},
   {"hsp_model_options", "largest_radius", "double", offsetof(hsp_model_options, largest_radius), 1},
+  {"hsp_model_request", "struct_size", "uint32_t", offsetof(hsp_model_request, struct_size), 1},
+  {"hsp_model_request", "reserved", "uint32_t", offsetof(hsp_model_request, reserved), 1},
+  {"hsp_model_request", "options", "hsp_model_options *", offsetof(hsp_model_request, options), 1},
+  {"hsp_model_request", "executor", "hsp_executor *", offsetof(hsp_model_request, executor), 1},
   {"hsp_model_info", "balls", "uint32_t", offsetof(hsp_model_info, balls), 1},
   {"hsp_model_info", "cubes", "uint32_t", offsetof(hsp_model_info, cubes), 1},
   {"hsp_model_info", "table_slots", "uint32_t", offsetof(hsp_model_info, table_slots), 1},
@@ -4023,10 +4123,16 @@ const field registry_fields[] = {
   {"hsp_packing", "max_overlaps", "uint32_t", offsetof(hsp_packing, max_overlaps), 1},
   {"hsp_packing", "flags", "uint32_t", offsetof(hsp_packing, flags), 1},
   {"hsp_packing", "reserved", "uint64_t", offsetof(hsp_packing, reserved), 2},
+  {"hsp_pairs_request", "struct_size", "uint32_t", offsetof(hsp_pairs_request, struct_size), 1},
+  {"hsp_pairs_request", "flags", "uint32_t", offsetof(hsp_pairs_request, flags), 1},
+  {"hsp_pairs_request", "executor", "hsp_executor *", offsetof(hsp_pairs_request, executor), 1},
   {"hsp_ray_hit", "xyz", "double", offsetof(hsp_ray_hit, xyz), 3},
   {"hsp_ray_hit", "distance", "double", offsetof(hsp_ray_hit, distance), 1},
   {"hsp_ray_hit", "ball", "uint32_t", offsetof(hsp_ray_hit, ball), 1},
   {"hsp_ray_hit", "reserved", "uint32_t", offsetof(hsp_ray_hit, reserved), 1},
+  {"hsp_body_request", "struct_size", "uint32_t", offsetof(hsp_body_request, struct_size), 1},
+  {"hsp_body_request", "reserved", "uint32_t", offsetof(hsp_body_request, reserved), 1},
+  {"hsp_body_request", "executor", "hsp_executor *", offsetof(hsp_body_request, executor), 1},
   {"hsp_pose", "quaternion", "double", offsetof(hsp_pose, quaternion), 4},
   {"hsp_pose", "translation", "double", offsetof(hsp_pose, translation), 3},
   {"hsp_body_gap", "gap", "double", offsetof(hsp_body_gap, gap), 1},
@@ -4178,6 +4284,9 @@ const field registry_fields[] = {
   {"hsp_moving_ball", "reserved", "uint32_t", offsetof(hsp_moving_ball, reserved), 1},
   {"hsp_curvatures", "mean", "double", offsetof(hsp_curvatures, mean), 1},
   {"hsp_curvatures", "gauss", "double", offsetof(hsp_curvatures, gauss), 1},
+  {"hsp_curvature_request", "struct_size", "uint32_t", offsetof(hsp_curvature_request, struct_size), 1},
+  {"hsp_curvature_request", "reserved", "uint32_t", offsetof(hsp_curvature_request, reserved), 1},
+  {"hsp_curvature_request", "executor", "hsp_executor *", offsetof(hsp_curvature_request, executor), 1},
   {"hsp_morphometry_request", "struct_size", "uint32_t", offsetof(hsp_morphometry_request, struct_size), 1},
   {"hsp_morphometry_request", "reserved", "uint32_t", offsetof(hsp_morphometry_request, reserved), 1},
   {"hsp_morphometry_request", "pressure", "double", offsetof(hsp_morphometry_request, pressure), 1},
@@ -4384,6 +4493,9 @@ const field registry_fields[] = {
   {"hsp_surface_totals", "convex_area", "double", offsetof(hsp_surface_totals, convex_area), 1},
   {"hsp_surface_totals", "saddle_area", "double", offsetof(hsp_surface_totals, saddle_area), 1},
   {"hsp_surface_totals", "concave_area", "double", offsetof(hsp_surface_totals, concave_area), 1},
+  {"hsp_surface_measure_request", "struct_size", "uint32_t", offsetof(hsp_surface_measure_request, struct_size), 1},
+  {"hsp_surface_measure_request", "reserved", "uint32_t", offsetof(hsp_surface_measure_request, reserved), 1},
+  {"hsp_surface_measure_request", "executor", "hsp_executor *", offsetof(hsp_surface_measure_request, executor), 1},
   {"hsp_surface_part_counts", "patches", "uint32_t", offsetof(hsp_surface_part_counts, patches), 1},
   {"hsp_surface_part_counts", "edges", "uint32_t", offsetof(hsp_surface_part_counts, edges), 1},
   {"hsp_surface_part_counts", "corners", "uint32_t", offsetof(hsp_surface_part_counts, corners), 1},

@@ -183,6 +183,20 @@ int32_t __wrap_hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, co
   return result;
 }
 
+int32_t __real_hsp_model_set_with(hsp_model *model, uint32_t n, const double *xyz, const double *radius, const
+    hsp_model_request *request, uint32_t *first_bad);
+int32_t __wrap_hsp_model_set_with(hsp_model *model, uint32_t n, const double *xyz, const double *radius, const
+    hsp_model_request *request, uint32_t *first_bad);
+int32_t __wrap_hsp_model_set_with(hsp_model *model, uint32_t n, const double *xyz, const double *radius, const
+    hsp_model_request *request, uint32_t *first_bad) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_model_set_with");
+  result = __real_hsp_model_set_with(model, n, xyz, radius, request, first_bad);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 int32_t __wrap_hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 int32_t __wrap_hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
@@ -286,6 +300,20 @@ int32_t __wrap_hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t 
   return result;
 }
 
+int32_t __real_hsp_query_pairs_with(const hsp_model *model, const hsp_pairs_request *request, uint32_t *first, uint32_t
+    *ids, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_query_pairs_with(const hsp_model *model, const hsp_pairs_request *request, uint32_t *first, uint32_t
+    *ids, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_query_pairs_with(const hsp_model *model, const hsp_pairs_request *request, uint32_t *first, uint32_t
+    *ids, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_query_pairs_with");
+  result = __real_hsp_query_pairs_with(model, request, first, ids, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
 int32_t __real_hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit);
 int32_t __wrap_hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit);
 int32_t __wrap_hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit) {
@@ -326,6 +354,17 @@ int32_t __wrap_hsp_body_set(hsp_body *body, const hsp_model *model) {
   host_call call;
   host_call_begins(&call, "hsp_body_set");
   result = __real_hsp_body_set(body, model);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_body_set_with(hsp_body *body, const hsp_model *model, const hsp_body_request *request);
+int32_t __wrap_hsp_body_set_with(hsp_body *body, const hsp_model *model, const hsp_body_request *request);
+int32_t __wrap_hsp_body_set_with(hsp_body *body, const hsp_model *model, const hsp_body_request *request) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_body_set_with");
+  result = __real_hsp_body_set_with(body, model, request);
   host_call_ends(&call);
   return result;
 }
@@ -958,6 +997,20 @@ int32_t __wrap_hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatur
   host_call call;
   host_call_begins(&call, "hsp_boundary_curvature");
   result = __real_hsp_boundary_curvature(boundary, totals, mean, gauss_thirds, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_boundary_curvature_with(const hsp_boundary *boundary, const hsp_curvature_request *request,
+    hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_curvature_with(const hsp_boundary *boundary, const hsp_curvature_request *request,
+    hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_boundary_curvature_with(const hsp_boundary *boundary, const hsp_curvature_request *request,
+    hsp_curvatures *totals, double *mean, int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_boundary_curvature_with");
+  result = __real_hsp_boundary_curvature_with(boundary, request, totals, mean, gauss_thirds, capacity, needed);
   host_call_ends(&call);
   return result;
 }
@@ -1670,6 +1723,20 @@ int32_t __wrap_hsp_surface_measure(const hsp_surface *surface, hsp_surface_total
   host_call call;
   host_call_begins(&call, "hsp_surface_measure");
   result = __real_hsp_surface_measure(surface, totals, balls, capacity, needed);
+  host_call_ends(&call);
+  return result;
+}
+
+int32_t __real_hsp_surface_measure_with(const hsp_surface *surface, const hsp_surface_measure_request *request,
+    hsp_surface_totals *totals, hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_surface_measure_with(const hsp_surface *surface, const hsp_surface_measure_request *request,
+    hsp_surface_totals *totals, hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed);
+int32_t __wrap_hsp_surface_measure_with(const hsp_surface *surface, const hsp_surface_measure_request *request,
+    hsp_surface_totals *totals, hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed) {
+  int32_t result;
+  host_call call;
+  host_call_begins(&call, "hsp_surface_measure_with");
+  result = __real_hsp_surface_measure_with(surface, request, totals, balls, capacity, needed);
   host_call_ends(&call);
   return result;
 }

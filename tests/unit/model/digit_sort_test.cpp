@@ -29,7 +29,8 @@ void expect_sorted(oracle::RandomSource &random, uint32_t n, uint32_t bits, uint
     sort.entries()[2 * k + 1] = k;
     ++sort.key_counts()[(key >> sort.first_shift()) & sort.mask()];
   }
-  sort.sort();
+  hsp::Patience patience;
+  sort.sort(patience);
   for (uint32_t k = 0; k < n; ++k) found.emplace_back(sort.entries()[2 * k], sort.entries()[2 * k + 1]);
   std::stable_sort(expected.begin(), expected.end(), [others](const auto &a, const auto &b) {
     return uint64_t{a.first} >> others < uint64_t{b.first} >> others;

@@ -76,8 +76,9 @@ void expect_order(std::vector<hsp::exact::LatticeBall> given, int64_t side, uint
     return cube(a) != cube(b) ? cube(a) < cube(b) : hsp::exact::ranks_before(given[a], given[b]);
   });
   std::vector<uint32_t> entries(2 * set.n), other_entries(2 * set.n), counters(4 + spare_counters);
+  hsp::Patience patience;
   const hsp::GridOrder found = hsp::grid_order(SourceOf{set.balls}, box_around(given), axis,
-                                               {span_of(entries), span_of(other_entries), span_of(counters)});
+                                               {span_of(entries), span_of(other_entries), span_of(counters)}, patience);
   const auto where = [&] {
     return std::to_string(set.n) + " balls, side " + std::to_string(side) + ", " + std::to_string(counters.size()) +
            " counters";

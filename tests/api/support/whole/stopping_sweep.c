@@ -29,6 +29,8 @@ typedef struct scene {
   hsp_stick stick[BALL_SET_MOST];
   uint32_t bonds;
   double inside[2][3]; /* points of free space */
+  hsp_model *model;    /* of many balls, which only these are taken into */
+  hsp_body *body;      /* of these */
 } scene;
 
 /* ---- what is asked: `read` tells of the handle's results ------------------------------------------------------- */
@@ -377,6 +379,70 @@ static int32_t ask_brick(scene *s, const hsp_executor *executor) {
   return hsp_brick_summarise(s->work.boundary, &request, summary, &bytes, NULL);
 }
 
+/* Balls so many that taking them asks; and none if it is stopped. */
+enum { MANY_BALLS = 5000 };
+static int32_t ask_model(scene *s, const hsp_executor *executor) {
+  static double xyz[3 * MANY_BALLS], radius[MANY_BALLS];
+  const hsp_model_request request = {.struct_size = sizeof request, .executor = executor};
+  uint32_t k, bad = 77;
+  int32_t status;
+  for (k = 0; k < MANY_BALLS; ++k) {
+    xyz[3 * k] = s->set->xyz[3 * (k % s->n)] + 3.0 * (k / s->n);
+    xyz[3 * k + 1] = s->set->xyz[3 * (k % s->n) + 1];
+    xyz[3 * k + 2] = s->set->xyz[3 * (k % s->n) + 2];
+    radius[k] = s->set->radius[k % s->n];
+  }
+  status = hsp_model_set_with(s->model, MANY_BALLS, xyz, radius, &request, &bad);
+  CHECK_EQUAL(bad, HSP_NONE);
+  return status;
+}
+static int32_t read_model(scene *s, void *counts, size_t *bytes) {
+  uint32_t needed;
+  int32_t status;
+  *bytes = sizeof(hsp_model_info);
+  status = hsp_model_get_info(s->model, counts);
+  if (status == HSP_OK) status = hsp_model_get_balls(s->model, NULL, NULL, 0, &needed);
+  if (status == HSP_E_STATE) CHECK_EQUAL(((hsp_model_info *)counts)->balls, 0);
+  return status;
+}
+static int32_t ask_pairs(scene *s, const hsp_executor *executor) {
+  static uint32_t first[MANY_BALLS + 1], ids[64 * MANY_BALLS];
+  const hsp_pairs_request request = {.struct_size = sizeof request, .executor = executor};
+  uint32_t needed = 77;
+  const int32_t status = hsp_query_pairs_with(s->model, &request, first, ids, 64 * MANY_BALLS, &needed);
+  CHECK(status == HSP_OK ? needed == first[MANY_BALLS] : status == HSP_E_STOPPED);
+  return status;
+}
+static int32_t ask_pairs_once(scene *s, const hsp_executor *executor) {
+  static uint32_t first[MANY_BALLS + 1], ids[64 * MANY_BALLS];
+  const hsp_pairs_request request = {.struct_size = sizeof request, .flags = HSP_PAIRS_ONCE, .executor = executor};
+  return hsp_query_pairs_with(s->model, &request, first, ids, 64 * MANY_BALLS, NULL);
+}
+static int32_t ask_body(scene *s, const hsp_executor *executor) {
+  const hsp_body_request request = {.struct_size = sizeof request, .executor = executor};
+  return hsp_body_set_with(s->body, s->model, &request);
+}
+static int32_t read_body(scene *s, void *counts, size_t *bytes) {
+  const hsp_pose pose = {{1, 0, 0, 0}, {0.5, 0, 0}};
+  *bytes = sizeof(hsp_body_overlap);
+  return hsp_body_overlaps(s->body, s->body, 1, &pose, counts, NULL);
+}
+static int32_t ask_curvature(scene *s, const hsp_executor *executor) {
+  const hsp_curvature_request request = {.struct_size = sizeof request, .executor = executor};
+  hsp_curvatures totals = {77, 78};
+  const int32_t status = hsp_boundary_curvature_with(s->work.boundary, &request, &totals, s->area, NULL, s->n, NULL);
+  if (status == HSP_E_STOPPED) CHECK(totals.mean == 77 && totals.gauss == 78);
+  return status;
+}
+static int32_t ask_surface_measures(scene *s, const hsp_executor *executor) {
+  static hsp_surface_totals balls[BALL_SET_MOST];
+  const hsp_surface_measure_request request = {.struct_size = sizeof request, .executor = executor};
+  hsp_surface_totals totals = {77, 78, 0, 0, 0};
+  const int32_t status = hsp_surface_measure_with(s->work.surface, &request, &totals, balls, s->n, NULL);
+  if (status == HSP_E_STOPPED) CHECK(totals.area == 77 && totals.volume == 78);
+  return status;
+}
+
 /* Two bricks that share many pairs of balls, which are made once. */
 enum { BRICK_PAIRS = 600, SUMMARY_BYTES = 1000000 };
 static size_t make_summary(uint32_t brick, uint8_t *summary) {
@@ -410,6 +476,12 @@ static int32_t ask_merge(scene *s, const hsp_executor *executor) {
 }
 
 static const question questions[] = {
+    {"balls of a model", ask_model, read_model, 0, 0},
+    {"pairs that meet", ask_pairs, NULL, 0, 0},
+    {"pairs that meet, once", ask_pairs_once, NULL, 0, 0},
+    {"balls of a body", ask_body, read_body, 0, 0},
+    {"curvatures", ask_curvature, NULL, 0, 0},
+    {"measures of a smooth surface", ask_surface_measures, NULL, 0, 0},
     {"boundary", ask_boundary, read_boundary, 0, 0},
     {"measures", ask_measures, NULL, 0, 0},
     {"gradient", ask_gradient, NULL, 0, 0},
@@ -540,6 +612,15 @@ static int find_long_tunnel(scene *s) {
   return 1;
 }
 
+/* Of a model and a body for many balls. */
+static int make_many(scene *s) {
+  size_t bytes = 0;
+  if (!CHECK_EQUAL(hsp_model_bytes(MANY_BALLS, &bytes), HSP_OK)) return 0;
+  if (!CHECK_EQUAL(hsp_model_init(s->bare.memory[2] = malloc(bytes), bytes, MANY_BALLS, &s->model), HSP_OK)) return 0;
+  if (!CHECK_EQUAL(hsp_body_bytes(MANY_BALLS, &bytes), HSP_OK)) return 0;
+  return CHECK_EQUAL(hsp_body_init(s->bare.memory[3] = malloc(bytes), bytes, MANY_BALLS, &s->body), HSP_OK);
+}
+
 /* Handles with room for three workers, and with results. */
 static int make(scene *s, const ball_set *set, int few) {
   stopper own;
@@ -579,7 +660,7 @@ static int make(scene *s, const ball_set *set, int few) {
         CHECK_EQUAL(hsp_workspace_pores(work, NULL), HSP_OK) &&
         CHECK_EQUAL(hsp_workspace_moving(work, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL), HSP_OK)))
     return 0;
-  return find_long_tunnel(s) && make_sticks(s);
+  return find_long_tunnel(s) && make_sticks(s) && make_many(s);
 }
 
 void stopping_sweep(uint32_t first, uint32_t last) {
