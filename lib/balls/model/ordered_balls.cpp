@@ -133,7 +133,7 @@ void OrderedBalls::put(const Source &source, const CubeAxis &axis, BallRange par
                        Patience &patience) {
   constexpr uint32_t at_once = 32 * balls_in_block;
   const uint32_t n = order.size();
-  for (uint32_t first = 0, last = 0; first < n && patience.allows(200 * uint64_t{last - first}); first = last) {
+  for (uint32_t first = 0, last = 0; first < n && patience.allows(200 * at_once); first = last) {
     last = n - first < at_once ? n : first + at_once;
     put_some(source, axis, part, order, lift, {first, last});
   }

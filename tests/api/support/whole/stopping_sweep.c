@@ -476,7 +476,7 @@ static int32_t ask_merge(scene *s, const hsp_executor *executor) {
 }
 
 static const question questions[] = {
-    {"balls of a model", ask_model, read_model, 0, 0},
+    {"balls of a model", ask_model, read_model, 0, 2},
     {"pairs that meet", ask_pairs, NULL, 0, 0},
     {"pairs that meet, once", ask_pairs_once, NULL, 0, 0},
     {"balls of a body", ask_body, read_body, 0, 0},
