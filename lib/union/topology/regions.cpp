@@ -132,6 +132,7 @@ bool gather_regions(const CubeGrid &grid, const Boundary &boundary, Patience &pa
   for (uint32_t f = 0; f < boundary.face_count(); ++f) {
     topology.shells[boundary.face(f).shell].component = boundary.component(boundary.face(f).ball);
   }
+  if (!patience.allows(50 * uint64_t{boundary.face_count()})) return false;
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     ComponentRecord &component = topology.components[c];
     const uint32_t face = face_of_top(grid.balls(), boundary, component.top_ball);

@@ -15,6 +15,7 @@ void tally_shells(const Boundary &boundary, Patience &patience, Topology &topolo
     shell.faces = shell.simple_faces = shell.edges = shell.vertices = 0;
   }
   for (uint32_t f = 0; f < boundary.face_count(); ++f) ++topology.shells[boundary.face(f).shell].faces;
+  if (!patience.allows(50 * uint64_t{boundary.face_count()})) return;
   for (uint32_t f = 0; f < topology.face_count; ++f) {
     ShellRecord &shell = topology.shells[topology.shell_of(boundary, f)];
     ++shell.simple_faces;
