@@ -101,7 +101,7 @@ class ExposedCaps::Cutting {
             state_[number] = stays;
             break;
           case OuterCell::Cut::cuts:
-            if (part_ == Part::sphere && cell_.lies_inside_sphere()) return false;
+            if (leaves_nothing()) return false;
             state_[number] = has_cut;
             if (bits != 0) bits = may_cut(bits);
             break;
@@ -137,7 +137,7 @@ class ExposedCaps::Cutting {
       if (cut == OuterCell::Cut::buries) return false;
       if (cut != OuterCell::Cut::cuts) continue;
       state_[number] = has_cut;
-      if (part_ == Part::sphere && cell_.lies_inside_sphere()) return false;
+      if (leaves_nothing()) return false;
     }
     return true;
   }
@@ -166,6 +166,8 @@ class ExposedCaps::Cutting {
   OuterCell::Plane plane_of(uint32_t number, uint32_t k) const {
     return {batch_.ux[k], batch_.uy[k], batch_.uz[k], batch_.b[k], number};
   }
+
+  bool leaves_nothing() const { return part_ == Part::sphere && cell_.lies_inside_sphere(); }
 
   bool is_face(uint32_t number) const {
     for (uint64_t left = cell_.faces; left != 0; left &= left - 1) {

@@ -36,8 +36,8 @@ class ExposedCaps {
   uint32_t fewest_ties = fewest;
 
  private:
-  // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; that is in doubt, and it stays; or
-  // only because it is near a vertex; or it goes through a set of vertices: that and the number of the set; or it is not
+  // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; that is in doubt, and it stays; it
+  // is in doubt as it is near a vertex; it goes through a set of vertices: that and the number of the set; or it is not
   // looked at yet: that and its class of size.
   static constexpr uint8_t dropped = 0, waits = 1, has_cut = 2, stays = 3, near_vertex = 4, tied = 5,
                            not_tried = tied + TiedSets::most;

@@ -57,8 +57,8 @@ class Search {
     if (!text.empty()) text += std::to_string(clusters_.find(caps_)) + " clusters";
     return text;
   }
-  // Keeps the exposed ones, found with floats besides or without, and with integers where so many are in doubt. False if
-  // nothing is free.
+  // Keeps the exposed ones, found with floats besides or without, and with integers where so many are in doubt. False
+  // if nothing is free.
   bool keep_exposed(bool with_floats, uint32_t fewest_ties) {
     std::vector<float> floats[4];
     const auto array = [&](size_t which, const hsp::Span<double> &from, float behind) {
@@ -179,8 +179,8 @@ TEST(ExposedCapsOfCopies, AreFew) {
   }
 }
 
-// All spheres go through one point, and radii are of one size or not: caps that meet the cell in that point alone go, but
-// one that shows the tie.
+// All spheres go through one point, and radii are of one size or not: caps that meet the cell in that point alone go,
+// but one that shows the tie.
 TEST(ExposedCapsThroughOnePoint, AreFew) {
   for (const int64_t size : {0, 135135}) {
     RandomSource random(8);
