@@ -251,8 +251,8 @@ class ActualPoints : public ActualNumbers<Number> {
   void keep(uint32_t name, const Vector &x) const {
     if constexpr (!small_code) this->kept.keep(name, this->bits, x);
   }
-  // A cusp as seen from the centre of its first ball, others from their first vertex. Doubles are not kept, as their last
-  // bits are those of the place that all is seen from.
+  // A cusp as seen from the centre of its first ball, others from their first vertex. Doubles are not kept, as their
+  // last bits are those of the place that all is seen from.
   [[gnu::noinline]] void find_point(const BorderPoint &point, Vector &x) const {
     const bool has_name = Base::from_one_place && point.number < BorderPoint::no_number;
     const uint32_t name = ~point.number;

@@ -10,8 +10,8 @@ namespace {
 // three start in each such corner: the rest are sides, and what few sets need.
 constexpr uint32_t arcs_for_crease = 4, arcs_for_corner = 8;
 
-// Arcs and pieces for each vertex that most small sets need in which doubles do not decide, and as many as are asked for
-// at once, rather than after all corners are found.
+// Arcs and pieces for each vertex that suffice for most small sets in which doubles do not decide, and the most of them
+// that are asked for at once, rather than after all corners are found.
 constexpr uint32_t tied_arcs = 24, most_tied_arcs = 1024, tied_pieces = 4, most_tied_pieces = 192;
 
 }  // namespace

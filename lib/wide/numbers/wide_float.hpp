@@ -247,9 +247,9 @@ class WideFloatOf {
     return result;
   }
 
-  // Errors: |a| db, |b| da, da db, and little more than the last bit for what is cut off: products of words whose places
-  // are too low are left out, together less than 2^-58 of that. Where da is as large as a, |b| da is far more than the
-  // last bit, else da db is at most half of |a| db: together less than 4 times the largest.
+  // Errors: |a| db, |b| da, da db, and little more than the last bit for what is cut off: products of words whose
+  // places are too low are left out, together less than 2^-58 of that. Where da is as large as a, |b| da is far more
+  // than the last bit, else da db is at most half of |a| db: together less than 4 times the largest.
   [[gnu::noinline]] static WideFloatOf product(const WideFloatOf &a, const WideFloatOf &b) {
     WideFloatOf result;
     const int32_t inherited = larger(larger(a.size(), a.error_) + b.error_, b.size() + a.error_);
