@@ -114,7 +114,8 @@ void require_simplices(hsp_contacts *contacts, const Result &result) {
 #if HSP_HAS_CURVATURE
 void require_curvature(const computed &base, fuzz::Bytes &bytes) {
   hsp_curvatures totals{};
-  std::vector<double> mean(base.n), centre(3 * size_t{base.n}), by_radius(base.n), sigma(base.n);
+  std::vector<double> mean(base.n), centre(3 * size_t{base.n}), by_radius(base.n), sigma(base.n), area(base.n);
+  std::vector<double> measured(base.n);
   std::vector<int32_t> thirds(base.n);
   FUZZ_REQUIRE(hsp_boundary_curvature(base.boundary, &totals, mean.data(), thirds.data(), base.n, nullptr) == HSP_OK,
                "hsp_boundary_curvature");
@@ -141,8 +142,13 @@ void require_curvature(const computed &base, fuzz::Bytes &bytes) {
   outputs.energy = &energy;
   outputs.d_centre = centre.data();
   outputs.d_radius = by_radius.data();
+  outputs.area = area.data();
   FUZZ_REQUIRE(hsp_boundary_get_morphometry(base.boundary, &factors, &outputs) == HSP_OK,
                "hsp_boundary_get_morphometry");
+  FUZZ_REQUIRE(
+      hsp_boundary_measure(base.boundary, nullptr, nullptr, measured.data(), nullptr, base.n, nullptr) == HSP_OK,
+      "hsp_boundary_measure");
+  FUZZ_REQUIRE(area == measured, "areas beside curvatures");
   finite = std::isfinite(energy.value);
   for (const double x : centre) finite = finite && std::isfinite(x);
   for (const double x : by_radius) finite = finite && std::isfinite(x);

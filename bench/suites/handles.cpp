@@ -77,6 +77,7 @@ hsp_morphometric_energy Boundary::curvature_gradient() {
   outputs.energy = &energy;
   outputs.d_centre = by_centre_.data();
   outputs.d_radius = by_radius_.data();
+  outputs.area = area_.data();
   expect_ok(hsp_boundary_get_morphometry(boundary_.get(), &bending, &outputs), "hsp_boundary_get_morphometry");
   return energy;
 }

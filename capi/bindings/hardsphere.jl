@@ -455,6 +455,7 @@ struct hsp_morphometry_outputs
     d_centre::Ptr{Cdouble}
     d_radius::Ptr{Cdouble}
     flags::Ptr{UInt32}
+    area::Ptr{Cdouble}
 end
 
 struct hsp_brick_request
@@ -596,6 +597,7 @@ struct hsp_periodic_morphometry_outputs
     flags::Ptr{UInt32}
     d_strain::Ptr{Cdouble}
     d_box::Ptr{Cdouble}
+    area::Ptr{Cdouble}
 end
 
 struct hsp_periodic_contact

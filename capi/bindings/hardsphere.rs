@@ -590,6 +590,7 @@ pub struct hsp_morphometry_outputs {
     pub d_centre: *mut f64,
     pub d_radius: *mut f64,
     pub flags: *mut u32,
+    pub area: *mut f64,
 }
 
 #[repr(C)]
@@ -759,6 +760,7 @@ pub struct hsp_periodic_morphometry_outputs {
     pub flags: *mut u32,
     pub d_strain: *mut f64,
     pub d_box: *mut f64,
+    pub area: *mut f64,
 }
 
 #[repr(C)]

@@ -672,7 +672,7 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_morphometry_outputs
-    integer(c_int32_t) :: struct_size = 16_c_int32_t + 4 * pointer_bytes  ! sizeof(hsp_morphometry_outputs)
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 5 * pointer_bytes  ! sizeof(hsp_morphometry_outputs)
     integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
     integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
     ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
@@ -681,6 +681,7 @@ module hardsphere
     type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: by the centres
     type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: by the radii
     type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_CURVATURE_ONE_SIDED
+    type(c_ptr) :: area = c_null_ptr                                      ! [n], or NULL: free area of each ball
   end type
 
   ! ---- bricks.h: one set in parts that no memory holds together ------------------------------------------------------
@@ -824,7 +825,7 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_periodic_morphometry_outputs
-    integer(c_int32_t) :: struct_size = 16_c_int32_t + 6 * pointer_bytes  ! sizeof(hsp_periodic_morphometry_outputs)
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 7 * pointer_bytes  ! sizeof(hsp_periodic_morphometry_outputs)
     integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
     integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
     ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
@@ -837,6 +838,8 @@ module hardsphere
     type(c_ptr) :: d_strain = c_null_ptr
     ! [9], or NULL: by the vectors of the box, the same
     type(c_ptr) :: d_box = c_null_ptr
+    ! [n], or NULL: free area of each ball, as of hsp_periodic_measure
+    type(c_ptr) :: area = c_null_ptr
   end type
 
   type, bind(C) :: hsp_periodic_contact
@@ -4763,7 +4766,7 @@ contains
 
   !> hsp_boundary_get_morphometry with the fields of its request and outputs as arguments.
   function hsp_boundary_get_morphometry_named(boundary, pressure, tension, bending, gaussian, sigma, executor, &
-    energy, d_centre, d_radius, flags, capacity, needed, first_bad) result(status)
+    energy, d_centre, d_radius, flags, area, capacity, needed, first_bad) result(status)
     type(c_ptr), intent(in) :: boundary
     real(c_double), intent(in), optional :: pressure
     real(c_double), intent(in), optional :: tension
@@ -4775,6 +4778,7 @@ contains
     real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
     real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
     integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    real(c_double), intent(inout), optional, target :: area(*)  ! n
     integer(c_int32_t), intent(in), optional :: capacity
     integer(c_int32_t), intent(inout), optional :: needed
     integer(c_int32_t), intent(inout), optional :: first_bad
@@ -4791,6 +4795,7 @@ contains
     if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
     if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
     if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(area)) outputs%area = c_loc(area)
     if (present(capacity)) outputs%capacity = capacity
     if (present(needed)) outputs%needed = needed
     if (present(first_bad)) outputs%first_bad = first_bad
@@ -4803,7 +4808,7 @@ contains
 
   !> hsp_periodic_get_morphometry with the fields of its request and outputs as arguments.
   function hsp_periodic_get_morphometry_named(periodic, pressure, tension, bending, gaussian, sigma, executor, &
-    energy, d_centre, d_radius, flags, d_strain, d_box, capacity, needed, first_bad) result(status)
+    energy, d_centre, d_radius, flags, d_strain, d_box, area, capacity, needed, first_bad) result(status)
     type(c_ptr), intent(in) :: periodic
     real(c_double), intent(in), optional :: pressure
     real(c_double), intent(in), optional :: tension
@@ -4817,6 +4822,7 @@ contains
     integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
     real(c_double), intent(inout), optional, target :: d_strain(9)
     real(c_double), intent(inout), optional, target :: d_box(9)
+    real(c_double), intent(inout), optional, target :: area(*)  ! n
     integer(c_int32_t), intent(in), optional :: capacity
     integer(c_int32_t), intent(inout), optional :: needed
     integer(c_int32_t), intent(inout), optional :: first_bad
@@ -4835,6 +4841,7 @@ contains
     if (present(flags)) outputs%flags = c_loc(flags)
     if (present(d_strain)) outputs%d_strain = c_loc(d_strain)
     if (present(d_box)) outputs%d_box = c_loc(d_box)
+    if (present(area)) outputs%area = c_loc(area)
     if (present(capacity)) outputs%capacity = capacity
     if (present(needed)) outputs%needed = needed
     if (present(first_bad)) outputs%first_bad = first_bad

@@ -192,7 +192,10 @@ Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
   curved.flags = result.curved_flags.data();
   curved.d_strain = result.curved_strain.data();
   curved.d_box = result.curved_box.data();
+  std::vector<double> area(n);
+  curved.area = area.data();
   FUZZ_REQUIRE(hsp_periodic_get_morphometry(p, &bending, &curved) == HSP_OK, "morphometric energy");
+  FUZZ_REQUIRE(area == result.area, "areas beside curvatures");
   std::vector<uint32_t> group(size_t{n} + 1);
   for (uint32_t i = 0; i < n; ++i) group[i] = i % 3 == 2 ? HSP_NONE : i % 3;
   result.groups = support::all_records<hsp_group_contact>(

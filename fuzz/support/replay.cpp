@@ -1,7 +1,7 @@
 // Runs a harness without a fuzzing engine, with any compiler:
-//   fuzz_AREA [--random COUNT] [--longest BYTES] FOLDER-OR-FILE...
-// Every file of the folders in the order of their names, then COUNT pseudo-random inputs, always the same. An input
-// that fails is named and written to the file `crash-input`, which can be run again by naming it.
+//   fuzz_AREA [--random COUNT] [--longest BYTES] [--seed NUMBER] FOLDER-OR-FILE...
+// Every file of the folders in the order of their names, then COUNT pseudo-random inputs, always the same of a seed. An
+// input that fails is named and written to the file `crash-input`, which can be run again by naming it.
 #include <algorithm>
 #include <csignal>
 #include <cstddef>
@@ -49,7 +49,7 @@ void run(const std::string &name) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  uint64_t random = 0, longest = 160, done = 0;
+  uint64_t random = 0, longest = 160, seed = 1994, done = 0;
   std::vector<std::filesystem::path> files;
   for (const int signal : {SIGABRT, SIGFPE, SIGILL}) std::signal(signal, on_signal);
   if (__sanitizer_set_death_callback != nullptr) {
@@ -62,6 +62,8 @@ int main(int argc, char **argv) {
       random = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--longest") == 0 && i + 1 < argc) {
       longest = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--seed") == 0 && i + 1 < argc) {
+      seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::filesystem::is_directory(argv[i])) {
       std::vector<std::filesystem::path> found;
       for (const auto &entry : std::filesystem::directory_iterator(argv[i])) {
@@ -87,7 +89,7 @@ int main(int argc, char **argv) {
     run(path.string());
     ++done;
   }
-  support::Random bytes(1994);
+  support::Random bytes(seed);
   for (uint64_t i = 0; i < random; ++i, ++done) {
     input.resize(static_cast<std::size_t>(bytes.next() % (longest + 1)));
     for (uint8_t &byte : input) byte = static_cast<uint8_t>(bytes.next() >> 56);

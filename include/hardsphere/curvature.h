@@ -79,6 +79,7 @@ typedef struct hsp_morphometry_outputs {
   double *d_centre;                /**< [n][3], or NULL: by the centres */
   double *d_radius;                /**< [n], or NULL: by the radii */
   uint32_t *flags;                 /**< [n], or NULL: HSP_CURVATURE_ONE_SIDED */
+  double *area;                    /**< [n], or NULL: free area of each ball */
 } hsp_morphometry_outputs;
 
 /** A morphometric energy and its gradient in one pass; balls that touch count as overlapping. request may be NULL: all
@@ -88,6 +89,7 @@ typedef struct hsp_morphometry_outputs {
  *  - Property 1: the sum of d_centre is zero up to rounding.
  *  - Property 2: with only bending not 0, sum_i (r_i d_radius_i + c_i . d_centre_i) is M(sigma).
  *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
+ *  - Property 4: area is that of hsp_boundary_measure, bit for bit.
  *
  *  Cost: O(n + vertices + circles).
  *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; an executor with several workers and without run

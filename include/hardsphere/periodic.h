@@ -217,6 +217,7 @@ typedef struct hsp_periodic_morphometry_outputs {
   uint32_t *flags;                 /**< [n], or NULL: HSP_CURVATURE_ONE_SIDED */
   double *d_strain;                /**< [9], or NULL: by the strain, as of hsp_periodic_gradient_outputs */
   double *d_box;                   /**< [9], or NULL: by the vectors of the box, the same */
+  double *area;                    /**< [n], or NULL: free area of each ball, as of hsp_periodic_measure */
 } hsp_periodic_morphometry_outputs;
 
 /** A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call: as

@@ -188,6 +188,7 @@ static void curvature(void) {
   hsp_morphometric_energy energy;
   hsp_morphometry_outputs asked = {.struct_size = sizeof asked, .energy = &energy};
   double mean[BALLS], d_centre[3 * BALLS], d_radius[BALLS], sigma[BALLS] = {1, 1, 1, 1, 1}, sum = 0, moment = 0;
+  double area[BALLS], measured[BALLS];
   int32_t thirds[BALLS], all = 0;
   uint32_t flags[BALLS], needed = 0, k;
   CHECK_EQUAL(hsp_boundary_curvature(boundary, &totals, mean, thirds, BALLS - 1, &needed), HSP_E_CAPACITY);
@@ -208,6 +209,8 @@ static void curvature(void) {
   CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, &asked), HSP_E_CAPACITY);
   CHECK_EQUAL(asked.needed, BALLS);
   asked.d_centre = NULL;
+  asked.area = area;
+  CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, &asked), HSP_E_CAPACITY);
   sigma[2] = (double)NAN;
   factors.sigma = sigma;
   CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, &asked), HSP_E_NOT_FINITE);
@@ -226,6 +229,8 @@ static void curvature(void) {
   asked.capacity = BALLS;
   CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, &asked), HSP_OK);
   CHECK_EQUAL(asked.first_bad, HSP_NONE);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, measured, NULL, BALLS, NULL), HSP_OK);
+  CHECK(measured[0] > 0 && memcmp(area, measured, sizeof area) == 0);
   CHECK_NEAR(energy.value, totals.mean, 1e-13);
   CHECK_NEAR(energy.mean, totals.mean, 1e-13);
   CHECK_NEAR(energy.gauss, totals.gauss, 1e-14);

@@ -348,7 +348,7 @@ class MorphometryOutputs(Record):
     """The results that are wanted, and where they go."""
     _fields_ = [("struct_size", C.c_uint32), ("capacity", C.c_uint32), ("needed", C.c_uint32),
                 ("first_bad", C.c_uint32), ("energy", C.c_void_p), ("d_centre", C.c_void_p), ("d_radius", C.c_void_p),
-                ("flags", C.c_void_p)]
+                ("flags", C.c_void_p), ("area", C.c_void_p)]
 
 
 class BrickRequest(Record):
@@ -435,7 +435,7 @@ class PeriodicMorphometryOutputs(Record):
     """The results that are wanted of a morphometric energy in a box, and where they go."""
     _fields_ = [("struct_size", C.c_uint32), ("capacity", C.c_uint32), ("needed", C.c_uint32),
                 ("first_bad", C.c_uint32), ("energy", C.c_void_p), ("d_centre", C.c_void_p), ("d_radius", C.c_void_p),
-                ("flags", C.c_void_p), ("d_strain", C.c_void_p), ("d_box", C.c_void_p)]
+                ("flags", C.c_void_p), ("d_strain", C.c_void_p), ("d_box", C.c_void_p), ("area", C.c_void_p)]
 
 
 class PeriodicContact(Record):
@@ -1122,7 +1122,7 @@ class Boundary(Handle):
                         bending: float | None = None, gaussian: float | None = None, sigma: Values | None = None,
                         threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy and its gradient in one pass; balls that touch count as overlapping. Gives .energy,
-        .d_centre, .d_radius, .flags."""
+        .d_centre, .d_radius, .flags, .area."""
         return call("hsp_boundary_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
                     gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
@@ -1288,7 +1288,7 @@ class Periodic(Handle):
                         bending: float | None = None, gaussian: float | None = None, sigma: Values | None = None,
                         threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call: as
-        hsp_boundary_get_morphometry. Gives .energy, .d_centre, .d_radius, .flags, .d_strain, .d_box."""
+        hsp_boundary_get_morphometry. Gives .energy, .d_centre, .d_radius, .flags, .d_strain, .d_box, .area."""
         return call("hsp_periodic_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
                     gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
@@ -2756,7 +2756,8 @@ FIELDS = {
         "gaussian:value:double::never sigma:array_in:double:n:always executor:sized_in:hsp_executor::always",
     "hsp_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_morphometric_energy::always "
-        "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always",
+        "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "
+        "area:array_out:double:n:always",
     "hsp_brick_request": "brick:value:uint32_t::never bricks:value:uint32_t::never flags:value:uint32_t::never "
         "id:array_in:uint64_t:n:never owner:array_in:uint32_t:n:never executor:sized_in:hsp_executor::always",
     "hsp_contacts_request": "executor:sized_in:hsp_executor::always",
@@ -2765,7 +2766,7 @@ FIELDS = {
     "hsp_periodic_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_morphometric_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "
-        "d_strain:array_out:double:9:always d_box:array_out:double:9:always",
+        "d_strain:array_out:double:9:always d_box:array_out:double:9:always area:array_out:double:n:always",
     "hsp_periodic_gradient_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "

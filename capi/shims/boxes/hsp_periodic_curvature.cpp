@@ -22,16 +22,17 @@ int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_mor
   MorphometryRequest asked(arithmetic);
   hsp_periodic_morphometry_outputs out;
   if (const int32_t status = read_question(periodic, request, asked, outputs, out); status != HSP_OK) return status;
-  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
+  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags, out.area};
   if (const int32_t status = asked.check(periodic->balls(), arrays.any(), *outputs); status != HSP_OK) return status;
 
   const hsp::PeriodicUnion &structure = periodic->builder;
   const hsp::AreaWeights weights = hsp::weights_in_box(structure, asked.given.sigma, hsp::TouchingBalls::meet);
   const hsp::MorphometricFactors factors = asked.factors();
   hsp::MorphometricEnergy found;
-  if (!hsp::differentiate_morphometry_in_box(
-          asked.executor, structure, weights, factors, found,
-          [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); }))
+  if (!hsp::differentiate_morphometry_in_box(asked.executor, structure, weights, factors, found,
+                                             [&](uint32_t i, const hsp::EnergyGradient &gradient) {
+                                               arrays.put(i, gradient, structure.images().lattice());
+                                             }))
     return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_CURVATURE_ONE_SIDED, out.flags);
   if (out.energy != nullptr) *out.energy = to_c(found);

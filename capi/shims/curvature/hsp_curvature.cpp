@@ -22,14 +22,14 @@ int32_t hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_mor
   hsp_morphometry_outputs out;
   if (const int32_t status = read_question(boundary, request, asked, outputs, out); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
-  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
+  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags, out.area};
   if (const int32_t status = asked.check(grid.balls().n, arrays.any(), *outputs); status != HSP_OK) return status;
   const hsp::Boundary &structure = boundary->structure();
   const hsp::AreaWeights weights{asked.given.sigma, hsp::TouchingBalls::meet};
   hsp::MorphometricEnergy found;
   if (!hsp::differentiate_morphometry(
           asked.executor, grid, structure, weights, asked.factors(), found,
-          [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); }))
+          [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient, grid.balls().lattice); }))
     return asked.executor.status();
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_CURVATURE_ONE_SIDED, out.flags);
   if (out.energy != nullptr) *out.energy = to_c(found);

@@ -58,12 +58,16 @@ void sort_in_place(Span<T> items, Less less) {
     }
     return;
   }
-  for (uint32_t k = n / 2; k-- > 0;) sift_down(items, k, less);
-  for (uint32_t size = n - 1; size > 0; --size) {
-    const T largest = items[0];
-    items[0] = items[size];
-    items[size] = largest;
-    sift_down(items.part(0, size), 0, less);
+  // The heap first; then its largest item behind the rest, again and again. In one loop: moving down is code once.
+  for (uint32_t size = n, hole = n / 2; size > 1;) {
+    if (hole > 0) {
+      --hole;
+    } else {
+      const T largest = items[0];
+      items[0] = items[--size];
+      items[size] = largest;
+    }
+    sift_down(items.part(0, size), hole, less);
   }
 }
 

@@ -29,9 +29,9 @@ struct Evaluation {
 
   static I128 times(int64_t a, int64_t b) { return product<128>(I64::from(a), I64::from(b)); }
   static I128 dot128(const Vector &a, const Vector &b) { return times(a.x, b.x) + times(a.y, b.y) + times(a.z, b.z); }
-  template <int bits>
-  static WideInteger<Limb, bits> dot_long(const LongVector &a, const Vector &b) {
-    return product<bits>(a.x, I64::from(b.x)) + product<bits>(a.y, I64::from(b.y)) + product<bits>(a.z, I64::from(b.z));
+  // Out of line, as Growth::sign(): most calls are for ties.
+  [[gnu::noinline]] static I192 dot192(const LongVector &a, const Vector &b) {
+    return product<192>(a.x, I64::from(b.x)) + product<192>(a.y, I64::from(b.y)) + product<192>(a.z, I64::from(b.z));
   }
   template <int bits>
   static WideInteger<Limb, bits> square(const LongVector &a) {
@@ -77,11 +77,10 @@ class Growth {
     change_[0] = change_[0] - change;
   }
 
-  // If they grow by the amounts of a level.
-  int sign(int level) const {
-    WideInteger<Limb, 256> sum{};
-    for (int k = 0; k < balls_; ++k) sum = sum + product<256>(change_[k], amount(level, *ball_[k]));
-    return sum.sign();
+  // If they grow by the amounts of a level. Out of line: all predicates have it, in several places.
+  [[gnu::noinline]] int sign(int level) const {
+    return level == levels - 1 ? sign_of_sum([](const Plane &ball) { return last_amount(ball); })
+                               : sign_of_sum([&](const Plane &ball) { return amount(level, ball); });
   }
   // At the first level where they change it, which decides what is linear in the weights.
   int sign() const {
@@ -98,15 +97,22 @@ class Growth {
  private:
   static constexpr int levels = 6;
 
+  template <class AmountOf>
+  int sign_of_sum(AmountOf amount_of) const {
+    WideInteger<Limb, 256> sum{};
+    for (int k = 0; k < balls_; ++k) sum = sum + product<256>(change_[k], amount_of(*ball_[k]));
+    return sum.sign();
+  }
+
   // The weight; 1; the centre's coordinates; a quadratic form of the centre. Seen from the origin ball: where the sums
   // of the levels before are 0, those of other origins are the same.
-  I128 amount(int level, const Plane &ball) const {
+  WideInteger<Limb, 64> amount(int level, const Plane &ball) const {
+    const int64_t amounts[] = {weight_ + dot(ball.v, ball.v) - ball.h, 1, ball.v.x, ball.v.y, ball.v.z};
+    return WideInteger<Limb, 64>::from(amounts[level]);
+  }
+  static I128 last_amount(const Plane &ball) {
     const auto &[x, y, z] = ball.v;
-    if (level == levels - 1) {
-      return Evaluation<Limb>::dot128({1009 * x + 757 * y + 499 * z, 331 * y + 211 * z, 113 * z}, ball.v);
-    }
-    const int64_t amounts[] = {weight_ + dot(ball.v, ball.v) - ball.h, 1, x, y, z};
-    return I128::from(amounts[level]);
+    return Evaluation<Limb>::dot128({1009 * x + 757 * y + 499 * z, 331 * y + 211 * z, 113 * z}, ball.v);
   }
 
   Plane origin_;
@@ -135,8 +141,8 @@ Sign ExactPredicates<Limb>::crossing(const Sphere &sphere, const Plane &P, const
 
   // Half of dD/dw: alpha = q.v for P, beta = -q.u for Q, 2N if all grow alike.
   Growth<Limb> growth(sphere, product<192>(E::dot128(n, n), E::I64::from(2)));
-  growth.add(P, E::template dot_long<192>(q, Q.v));
-  growth.add(Q, -E::template dot_long<192>(q, P.v));
+  growth.add(P, E::dot192(q, Q.v));
+  growth.add(Q, -E::dot192(q, P.v));
   const int derivative = growth.sign(0);
   return {derivative != 0 ? derivative : -1, true};
 }
@@ -166,7 +172,7 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
   const Vector rp = cross(R.v, P.v);
 
   // A = -H.n changes by (v x z).n with P, (z x u).n with Q and N > 0 with R.
-  const int value_A = -E::template dot_long<192>(H, n).sign();
+  const int value_A = -E::dot192(H, n).sign();
   const auto perturbed_A = [&]() {
     if (value_A != 0) return value_A;
     Growth<Limb> growth(sphere, {});
@@ -190,9 +196,9 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
     tied[1] = on >= 0;
     const auto square = product<192>(B, B);
     Growth<Limb> growth(sphere, square + square);
-    growth.add(P, E::template dot_long<192>(H, qr));
-    growth.add(Q, E::template dot_long<192>(H, rp));
-    growth.add(R, E::template dot_long<192>(H, n));
+    growth.add(P, E::dot192(H, qr));
+    growth.add(Q, E::dot192(H, rp));
+    growth.add(R, E::dot192(H, n));
     sign_F = growth.sign(0);
     if (sign_F == 0) sign_F = -1;
   }
@@ -208,7 +214,7 @@ Sign ExactPredicates<Limb>::near(const Sphere &sphere, const Plane &P, const Pla
   const auto H = E::H_of(P, Q, R, n);
   const auto B = E::dot128(n, R.v);
   const int sign_B = B.sign();
-  const int value = (product<192>(B, E::I64::from(S.h)) - E::template dot_long<192>(H, S.v)).sign();
+  const int value = (product<192>(B, E::I64::from(S.h)) - E::dot192(H, S.v)).sign();
   if (value != 0) return {value * sign_B, false};
   Growth<Limb> growth(sphere, {});
   growth.add(P, to_192_bits(E::dot128(cross(Q.v, R.v), S.v)));

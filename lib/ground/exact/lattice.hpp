@@ -33,8 +33,9 @@ class Lattice {
     return lattice;
   }
   // The smallest power of ten that keeps the largest radius plus the probe, rounded separately, below the limit; 1e-8
-  // if both are 0. Returns false if there is none, or all lengths are too small for the finest.
-  static bool for_largest_radius(double radius, double probe, Lattice &lattice) {
+  // if both are 0. Returns false if there is none, or all lengths are too small for the finest. Out of line: called
+  // from several places, once a set.
+  [[gnu::noinline]] static bool for_largest_radius(double radius, double probe, Lattice &lattice) {
     if (radius == 0.0 && probe == 0.0) {
       lattice = Lattice(8);
       return true;

@@ -139,8 +139,8 @@ class SeveralFaces {
 
 LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predicates, const Boundary &boundary,
                                uint32_t cap, const Plane &other, int sign) {
-  const auto plane_of = [&caps](uint32_t neighbour) { return caps.plane_of_ball(neighbour); };
-  return element_at(caps.balls(), boundary, predicates, caps.origin, caps.ball[cap], plane_of, other, sign);
+  const LoopElement first = first_element_at(caps.balls(), boundary, caps.origin, caps.ball[cap]);
+  return locate_from_first(caps, predicates, boundary, first, other, sign);
 }
 
 void find_first_elements(const Caps &caps, const Boundary &boundary, Span<uint32_t> of_caps) {

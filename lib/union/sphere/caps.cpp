@@ -158,6 +158,15 @@ void Caps::gather_given(const BallSet &balls, uint32_t i, uint32_t n) {
   take_given<false>(n, joining);
 }
 
+// One by one. Out of line: what is left over elsewhere is rare.
+[[gnu::noinline]] bool Caps::take_each(const uint32_t *near, uint32_t n, Joining &joining) {
+  const exact::LatticeBall own = balls_->ball(origin);
+  for (uint32_t k = 0; k < n; ++k) {
+    if (!take(own, near[k], {*balls_, origin, near[k]}, joining)) return false;
+  }
+  return true;
+}
+
 // No cap comes behind its ball.
 template <bool ranked>
 void Caps::take_given(uint32_t n, Joining &joining) {
@@ -167,10 +176,7 @@ void Caps::take_given(uint32_t n, Joining &joining) {
       return;
     }
   }
-  const exact::LatticeBall own = balls_->ball(origin);
-  for (uint32_t k = 0; k < n; ++k) {
-    if (!take(own, ball[k], {*balls_, origin, ball[k]}, joining)) return;
-  }
+  take_each(ball.data(), n, joining);
 }
 
 void Caps::put_selected_first(const uint32_t *selected) {
@@ -258,9 +264,9 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
       count += circles;
       met += circles;
     }
-    for (const uint32_t end = hits - k < 4 ? hits : k + 4; k < end; ++k) {
-      if (!take(balls_->ball(origin), near[k], {*balls_, origin, near[k]}, joining)) return false;
-    }
+    const uint32_t rest = hits - k < 4 ? hits - k : 4;
+    if (rest > 0 && !take_each(near + k, rest, joining)) return false;
+    k += rest;
   }
   return true;
 }

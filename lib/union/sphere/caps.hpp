@@ -140,6 +140,7 @@ struct Caps {
   }
   void start(const BallSet &balls, uint32_t i);
   bool take(const exact::LatticeBall &own, uint32_t j, const Distance &distance, Joining &joining);
+  bool take_each(const uint32_t *near, uint32_t n, Joining &joining);
   template <bool ranked>
   void take_given(uint32_t n, Joining &joining);
   void gather_in_lanes(const CubeBlock &block, Joining &joining);

@@ -169,18 +169,8 @@ struct alignas(32) OpenPoints {
 
 using Pairs = CrossingPairs<Floats, PairSweep::batch>;
 
-// The points of `count` pairs that are in no cap of the first class. Returns how many they are.
-uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, const Pairs &pairs, uint32_t count,
-                     OpenPoints &open) {
-  uint32_t left = 0;
-  for (uint32_t p = 0; p < count; p += Floats::lanes) {
-    left = add_points(by_size, first_class, pairs.points(p), Floats::load(pairs.q + p), p, first_lanes(count - p), open,
-                      left);
-  }
-  return left;
-}
-
-// The same of all pairs of the few exposed circles, without a branch on which of them cross.
+// The points of all pairs of the few exposed circles that are in no cap of the first class, without a branch on which
+// circles cross. Returns how many points they are.
 uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {
   const CapPointers<float> by_size = pointers(sweep.by_size);
   const uint32_t circles = sweep.exposed_count, count = count_of_pairs(circles);
@@ -197,6 +187,7 @@ uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {
     sweep.crossing += ones(crossing);
     left = add_points(by_size, sweep.class_end[0], {u, v, pair.g, pair.q}, pair.q, p, crossing, open, left);
   }
+  sweep.row = circles;
   return left;
 }
 
@@ -275,6 +266,18 @@ uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
   return count;
 }
 
+// The same of the next pairs of many circles.
+uint32_t open_points_of_many(PairSweep &sweep, Pairs &pairs, OpenPoints &open) {
+  const CapPointers<float> by_size = pointers(sweep.by_size);
+  const uint32_t first_class = sweep.class_end[0], count = add_pairs(sweep, pairs);
+  uint32_t left = 0;
+  for (uint32_t p = 0; p < count; p += Floats::lanes) {
+    left = add_points(by_size, first_class, pairs.points(p), Floats::load(pairs.q + p), p, first_lanes(count - p), open,
+                      left);
+  }
+  return left;
+}
+
 }  // namespace
 
 void start_sweep(PairSweep &sweep) {
@@ -289,23 +292,15 @@ void start_sweep(PairSweep &sweep) {
 
 uint32_t next_open_pairs(PairSweep &sweep, OpenPair *answers) {
   const uint32_t circles = sweep.exposed_count;
-  if (sweep.row + 1 >= circles) return 0;
+  const bool few = circles <= PairsOfFew::most;
   OpenPoints open;
-  if (circles <= PairsOfFew::most) {
-    sweep.row = circles;
-    const uint32_t points = open_points_of_few(sweep, open);
-    const auto circles_of = [circles](uint32_t p) {
-      return CirclePair{pairs_of_few.j[circles][p], pairs_of_few.k[circles][p]};
-    };
-    return answer(sweep, open, points, circles_of, answers);
-  }
   Pairs pairs;
-  const auto circles_of = [&pairs](uint32_t p) {
-    return CirclePair{static_cast<uint32_t>(pairs.j[p]), static_cast<uint32_t>(pairs.k[p])};
+  const auto circles_of = [&](uint32_t p) {
+    return few ? CirclePair{pairs_of_few.j[circles][p], pairs_of_few.k[circles][p]}
+               : CirclePair{static_cast<uint32_t>(pairs.j[p]), static_cast<uint32_t>(pairs.k[p])};
   };
   while (sweep.row + 1 < circles) {
-    const uint32_t count = add_pairs(sweep, pairs);
-    const uint32_t points = open_points(pointers(sweep.by_size), sweep.class_end[0], pairs, count, open);
+    const uint32_t points = few ? open_points_of_few(sweep, open) : open_points_of_many(sweep, pairs, open);
     const uint32_t found = answer(sweep, open, points, circles_of, answers);
     if (found > 0) return found;
   }

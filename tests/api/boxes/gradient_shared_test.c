@@ -13,7 +13,7 @@ typedef struct numbers {
   hsp_energy energy;
   hsp_morphometric_energy morphometric;
   double centre[3 * BALL_SET_MOST], radius[BALL_SET_MOST], more_centre[3 * BALL_SET_MOST], more_radius[BALL_SET_MOST];
-  double strain[9], box[9];
+  double strain[9], box[9], area[BALL_SET_MOST];
   uint32_t flags[BALL_SET_MOST];
 } numbers;
 
@@ -37,7 +37,8 @@ static int32_t get_morphometry(const void *boundary, uint32_t n, const hsp_execu
                                  .energy = &x->morphometric,
                                  .d_centre = x->centre,
                                  .d_radius = x->radius,
-                                 .flags = x->flags};
+                                 .flags = x->flags,
+                                 .area = x->area};
   return hsp_boundary_get_morphometry(boundary,
                                       SIZED(hsp_morphometry_request, .pressure = -0.5, .tension = 1.5, .bending = 0.75,
                                             .gaussian = 2, .sigma = sigma, .executor = executor),
@@ -66,7 +67,8 @@ static int32_t get_morphometry_in_box(const void *periodic, uint32_t n, const hs
                                           .d_radius = x->radius,
                                           .flags = x->flags,
                                           .d_strain = x->strain,
-                                          .d_box = x->box};
+                                          .d_box = x->box,
+                                          .area = x->area};
   return hsp_periodic_get_morphometry(periodic,
                                       SIZED(hsp_morphometry_request, .pressure = -0.5, .tension = 1.5, .bending = 0.75,
                                             .gaussian = 2, .sigma = sigma, .executor = executor),

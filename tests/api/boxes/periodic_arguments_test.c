@@ -354,6 +354,7 @@ static void known_energies(void) {
   static const double twice[6] = {0.5, 1, 1, 4.5, 5, 1};
   static const uint32_t rod_and_rest[BALLS] = {HSP_NONE, 4, 4, 2}, halves[BALLS] = {9, 4, 9, 9};
   static const hsp_morphometry_request bending = {.struct_size = sizeof bending, .bending = 1};
+  double own[BALLS];
   hsp_periodic_morphometry_outputs all = {.struct_size = sizeof all,
                                           .capacity = BALLS,
                                           .energy = &morphometric,
@@ -361,7 +362,8 @@ static void known_energies(void) {
                                           .d_radius = by_radius,
                                           .flags = flags,
                                           .d_strain = strain,
-                                          .d_box = by_box};
+                                          .d_box = by_box,
+                                          .area = own};
   const double beta = acos(-0.28);
   uint32_t i;
   make();
@@ -370,6 +372,7 @@ static void known_energies(void) {
   CHECK_EQUAL(all.needed, BALLS);
   CHECK_NEAR(morphometric.volume, totals.volume, 1e-12);
   CHECK_NEAR(morphometric.area, totals.area, 1e-12);
+  CHECK(area[0] > 0 && memcmp(own, area, sizeof area) == 0);
   CHECK_NEAR(morphometric.mean, curvatures.mean, 1e-12);
   CHECK(morphometric.gauss == curvatures.gauss);
   CHECK_NEAR(morphometric.value,

@@ -927,6 +927,8 @@ static const argument of_hsp_boundary_get_morphometry[] = {
       .offset = offsetof(hsp_morphometry_outputs, d_radius), .held = 1},
   {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 8,
       .offset = offsetof(hsp_morphometry_outputs, flags), .held = 1},
+  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 8,
+      .offset = offsetof(hsp_morphometry_outputs, area), .held = 1},
 };
 static int64_t call_hsp_boundary_get_morphometry(const value *v) {
   return (int64_t)hsp_boundary_get_morphometry(v[0].p, v[1].p, v[8].p);
@@ -1307,6 +1309,8 @@ static const argument of_hsp_periodic_get_morphometry[] = {
       .offset = offsetof(hsp_periodic_morphometry_outputs, d_strain)},
   {"d_box", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always, .of = 8,
       .offset = offsetof(hsp_periodic_morphometry_outputs, d_box)},
+  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 8,
+      .offset = offsetof(hsp_periodic_morphometry_outputs, area), .held = 1},
 };
 static int64_t call_hsp_periodic_get_morphometry(const value *v) {
   return (int64_t)hsp_periodic_get_morphometry(v[0].p, v[1].p, v[8].p);
@@ -3488,7 +3492,7 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_curvature", "curvature", RESULT_status, 6, of_hsp_boundary_curvature, call_hsp_boundary_curvature,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_boundary_get_morphometry", "curvature", RESULT_status, 16, of_hsp_boundary_get_morphometry,
+  {"hsp_boundary_get_morphometry", "curvature", RESULT_status, 17, of_hsp_boundary_get_morphometry,
       call_hsp_boundary_get_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_boundary_get_hessian_rows", "hessian", RESULT_status, 13, of_hsp_boundary_get_hessian_rows,
@@ -3553,7 +3557,7 @@ const function registry[] = {
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_periodic_curvature", "periodic", RESULT_status, 6, of_hsp_periodic_curvature, call_hsp_periodic_curvature,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_periodic_get_morphometry", "periodic", RESULT_status, 18, of_hsp_periodic_get_morphometry,
+  {"hsp_periodic_get_morphometry", "periodic", RESULT_status, 19, of_hsp_periodic_get_morphometry,
       call_hsp_periodic_get_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_periodic_get_contacts", "periodic", RESULT_status, 4, of_hsp_periodic_get_contacts,
@@ -4200,6 +4204,7 @@ const field registry_fields[] = {
   {"hsp_morphometry_outputs", "d_centre", "double *", offsetof(hsp_morphometry_outputs, d_centre), 1},
   {"hsp_morphometry_outputs", "d_radius", "double *", offsetof(hsp_morphometry_outputs, d_radius), 1},
   {"hsp_morphometry_outputs", "flags", "uint32_t *", offsetof(hsp_morphometry_outputs, flags), 1},
+  {"hsp_morphometry_outputs", "area", "double *", offsetof(hsp_morphometry_outputs, area), 1},
   {"hsp_brick_request", "struct_size", "uint32_t", offsetof(hsp_brick_request, struct_size), 1},
   {"hsp_brick_request", "brick", "uint32_t", offsetof(hsp_brick_request, brick), 1},
   {"hsp_brick_request", "bricks", "uint32_t", offsetof(hsp_brick_request, bricks), 1},
@@ -4302,6 +4307,7 @@ const field registry_fields[] = {
   {"hsp_periodic_morphometry_outputs", "flags", "uint32_t *", offsetof(hsp_periodic_morphometry_outputs, flags), 1},
   {"hsp_periodic_morphometry_outputs", "d_strain", "double *", offsetof(hsp_periodic_morphometry_outputs, d_strain), 1},
   {"hsp_periodic_morphometry_outputs", "d_box", "double *", offsetof(hsp_periodic_morphometry_outputs, d_box), 1},
+  {"hsp_periodic_morphometry_outputs", "area", "double *", offsetof(hsp_periodic_morphometry_outputs, area), 1},
   {"hsp_periodic_contact", "area", "double", offsetof(hsp_periodic_contact, area), 1},
   {"hsp_periodic_contact", "rim", "double", offsetof(hsp_periodic_contact, rim), 1},
   {"hsp_periodic_contact", "distance", "double", offsetof(hsp_periodic_contact, distance), 1},
