@@ -1,7 +1,7 @@
 #!/bin/bash
 # Builds the program hardsphere and shows on crambin (PDB 1CRN, 327 atoms) and caffeine what it does.
-# Runs from any folder; installs the Debian packages it misses; builds in build/demo, or takes the program that
-# tests/run.sh has built, and is quick when run again.
+# Runs from any folder; installs the Debian packages it misses; builds in build/demo what it shows, without the
+# components smooth, space and bricks, or takes the whole program, which tests/run.sh has built. Quick when run again.
 set -u
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd) || exit 1
 folder=$root/build/demo
@@ -22,12 +22,13 @@ log=$folder/log.txt
 # A build folder that was made for another checkout is of no use here.
 is_of_this_checkout() { grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt"; }
 build=$root/build/dev
+components="residues;curvature;motion;boxes;sight"
 if ! { is_of_this_checkout "$build" && [ -x "$build/capi/hardsphere" ]; }; then
   build=$folder
   is_of_this_checkout "$build" || rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_C_COMPILER=gcc -DCMAKE_CXX_COMPILER=g++ \
     -DCMAKE_BUILD_TYPE=Release -DHSP_TOOL=ON -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF \
-    -DHSP_FORTRAN=OFF >"$log" 2>&1 || { cat "$log" >&2 && fail "CMake failed; see above"; }
+    -DHSP_FORTRAN=OFF "-DHSP_COMPONENTS=$components" >"$log" 2>&1 || { cat "$log" >&2 && fail "CMake failed; see above"; }
 fi
 echo "Building the library and the program in $build ..."
 cmake --build "$build" --target hardsphere_tool >"$log" 2>&1 || { cat "$log" >&2 && fail "the build failed; see above"; }
@@ -53,3 +54,7 @@ show "How area and volume of caffeine change when an atom moves or grows" measur
 picture=build/demo/crambin.svg
 show "Crambin as it looks, hidden parts removed" draw $crambin -o $picture --style soft
 printf '\nThe picture is %s: every browser shows it.\n' "$root/$picture"
+if [ "$build" = "$folder" ]; then
+  printf '\nFree space, pores and smooth surfaces are not in this program. The whole: cmake -S %s -B %s\n  && %s\n' \
+    "$root" build/whole "cmake --build build/whole --target hardsphere_tool --parallel"
+fi

@@ -37,7 +37,8 @@ typedef struct hsp_topology_limits {
 } hsp_topology_limits;
 
 /** Limits for a computed boundary that nearly always suffice: its balls, neighbours and shells, four cut arcs for every
- *  loop of a face beyond the first, and edges for its arcs, circles and whole spheres and four for every cut arc.
+ *  loop of a face beyond the first, of a face with 2,048 loops five, with each 2, 4, 8.. times as many one more, and
+ *  edges for its arcs, circles and whole spheres and four for every cut arc.
  *  Without a boundary, for memory that is fixed beforehand, set them by hand: for molecules of `balls` atoms, van der
  *  Waals or solvent-accessible, neighbours min(balls, 256), edges 16 balls + 96, cut_arcs 2 balls + 16 and shells 0
  *  suffice.

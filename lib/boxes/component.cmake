@@ -17,4 +17,4 @@ hsp_part(boxes
     periodic/windings.cpp
   SHIMS hsp_periodic hsp_periodic_boundary hsp_periodic_curvature hsp_periodic_hessian
         hsp_periodic_queries
-  LEVELS shims -O2 periodic -O2)
+  LEVELS shims -O1 periodic -O2)

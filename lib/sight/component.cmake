@@ -43,4 +43,4 @@ hsp_part(sight
     picture/svg_path.cpp
     picture/svg_writer.cpp
   SHIMS hsp_map hsp_map_records hsp_view hsp_view_records hsp_picture hsp_sticks hsp_sticks_map
-  LEVELS shims -O2 view -O2)
+  LEVELS shims -O1 view -O2)

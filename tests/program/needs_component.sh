@@ -23,5 +23,7 @@ for command in model boundary measure voids contacts complex "query --point 0,0,
   # shellcheck disable=SC2086
   "$program" $command "$water" >/dev/null || failed=1
 done
+columns=$("$program" voids "${water%/*}/cage.xyzr")
+[[ $columns == *"they need the component space"* ]] || failed=1
 "$program" draw --help >/dev/null || failed=1
 exit $failed

@@ -5,20 +5,13 @@
 #include "commands/input_report.h"
 #include "commands/periodic_result.h"
 
-/* The pieces of spheres are counted as the boundary has them; what hangs together is the topology's matter. */
 struct counted {
   const struct periodic_result *box; /* or NULL; then there are counts as far as any are: nothing is outside */
   bool listed;                       /* shells */
   hsp_boundary_counts boundary;
-  hsp_topology_counts topology;
-  int64_t euler;
   hsp_shell *shells;
   uint32_t shell_count;
 };
-
-static uint32_t voids_of(const struct counted *counted) {
-  return counted->topology.regions - 1;
-}
 
 static bool shell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct counted *counted = of;
@@ -55,7 +48,6 @@ static struct table table_of_shells(const struct molecule *molecule, const struc
 static void print(struct record *record, const void *of) {
   const struct counted *const counted = of;
   const hsp_boundary_counts *counts = &counted->boundary;
-  const hsp_topology_counts *topology = &counted->topology;
   const struct table shells = table_of_shells(record->molecule, counted);
   const struct periodic_result *const box = counted->box;
   record_count(record, record->atoms, NULL, counts->balls, "");
@@ -67,14 +59,14 @@ static void print(struct record *record, const void *of) {
     record_count(record, "exposed_balls", "exposed balls", counts->exposed_balls, "balls with a face");
     record_count(record, NULL, "buried balls", counts->balls - counts->exposed_balls, "balls without a face");
   }
-  record_count(record, "shells", box != NULL ? "shells" : NULL, topology->shells, "connected pieces of the boundary");
-  record_count(record, "components", box != NULL ? NULL : "components", topology->components,
+  record_count(record, "shells", box != NULL ? "shells" : NULL, counts->shells, "connected pieces of the boundary");
+  record_count(record, "components", box != NULL ? NULL : "components", counts->components,
                "connected pieces of the union");
   if (box == NULL) {
-    record_count(record, "voids", "voids", voids_of(counted), "cavities enclosed by the union");
-    record_count(record, NULL, "shells", topology->shells, "connected pieces of the boundary: components + voids");
+    record_count(record, "voids", "voids", counts->voids, "cavities enclosed by the union");
+    record_count(record, NULL, "shells", counts->shells, "connected pieces of the boundary: components + voids");
   }
-  record_count(record, "euler", "euler", counted->euler, "Euler characteristic, summed over the shells");
+  record_count(record, "euler", "euler", counts->euler, "Euler characteristic, summed over the shells");
   if (box == NULL && counts->tied_vertices > 0) {
     record_count(record, NULL, "tied vertices", counts->tied_vertices,
                  "vertices with a fourth sphere or a tangency, decided by symbolic perturbation");
@@ -102,14 +94,15 @@ static bool count_in_box(const struct request *request, const struct molecule *m
   struct periodic_result result;
   const bool done = periodic_result_make(request, molecule, NULL, geometry, &result, failure);
   const hsp_periodic_counts *counts = &result.counts;
-  struct counted counted = {.box = &result, .listed = request->boundary.shells, .euler = counts->euler};
+  struct counted counted = {.box = &result, .listed = request->boundary.shells};
   counted.boundary.balls = counts->balls;
   counted.boundary.vertices = counts->vertices;
   counted.boundary.arcs = counts->arcs;
   counted.boundary.circles = counts->circles;
   counted.boundary.faces = counts->faces;
-  counted.topology.shells = counts->shells;
-  counted.topology.components = counts->components;
+  counted.boundary.shells = counts->shells;
+  counted.boundary.components = counts->components;
+  counted.boundary.euler = counts->euler;
   if (done) print_all(request, molecule, &counted, out);
   periodic_result_free(&result);
   return done;
@@ -126,14 +119,16 @@ void describe_boundary(const struct request *request, struct record *record) {
 bool command_boundary(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct text_buffer *out, struct failure *failure) {
   if (request->box.source != BOX_NONE) return count_in_box(request, molecule, geometry, out, failure);
-  if (!geometry_compute_topology(geometry, failure)) return false;
+  if (!geometry_compute_boundary(geometry, failure)) return false;
   struct counted counted = {.listed = request->boundary.shells};
-  int32_t status = hsp_boundary_get_counts(geometry->work.boundary, &counted.boundary);
-  if (status == HSP_OK) status = hsp_topology_get_counts(geometry->work.topology, &counted.topology);
+  const int32_t status = hsp_boundary_get_counts(geometry->work.boundary, &counted.boundary);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  if (!geometry_list_shells(geometry, &counted.shells, &counted.shell_count, failure)) return false;
-  const hsp_topology_counts *topology = &counted.topology;
-  counted.euler = (int64_t)topology->vertices - (int64_t)topology->edges + (int64_t)topology->simple_faces;
+  /* Only the list needs the topology: what hangs together is counted without. */
+  const bool lists = counted.listed || (!request->json && !request->csv && counted.boundary.shells > 1);
+  if (lists && !(geometry_compute_topology(geometry, failure) &&
+                 geometry_list_shells(geometry, &counted.shells, &counted.shell_count, failure))) {
+    return false;
+  }
   print_all(request, molecule, &counted, out);
   free(counted.shells);
   return true;

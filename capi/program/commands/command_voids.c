@@ -7,6 +7,7 @@
 #include "commands/followed_run.h"
 #include "commands/input_report.h"
 #include "commands/void_list.h"
+#include "commands/void_sphere.h"
 #include "write/ball_label.h"
 
 /* The values that are printed. */
@@ -79,9 +80,7 @@ static void print(struct record *record, const void *of) {
   if (row) record_sums(record, list);
   if (record->form == FOR_PERSONS && list->count > 0) {
     record_line(record, "");
-    record_line(record,
-                "  volume in @^3, area in @^2; x y z: its point that is farthest from all balls, and its "
-                "clearance, in @");
+    record_line(record, void_columns);
     table_print(&table, record->out);
   }
   for (uint32_t i = 0; record->form == FOR_PERSONS && found->request->voids.balls && i < list->count; ++i) {

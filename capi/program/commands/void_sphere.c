@@ -6,6 +6,9 @@
 
 #include "commands/space_geometry.h"
 
+const char void_columns[] =
+    "  volume in @^3, area in @^2; x y z: its point that is farthest from all balls, and its clearance, in @";
+
 /* The pores of the balls with a face on the void answer, as no other ball counts. The void is bounded by faces of these
  * alone, so that it is a part of their free space, too. And from a point of the void the straight way to the nearest
  * ball meets none before: it stays in the void and ends on a face of it. So the distance to these balls is that to all,

@@ -3,6 +3,9 @@
 
 #include "commands/void_list.h"
 
+/* The columns of voids. */
+extern const char void_columns[];
+
 /* Find it in each void of the list, for a computed topology and the model's probe. A library without pores finds none.
  * False: memory is short, or the library refuses. */
 bool void_spheres_find(const struct geometry *geometry, const struct molecule *molecule, double probe,

@@ -14,6 +14,11 @@
 
 namespace hsp::exact {
 
+// The terms of a chord in its contacts (lib/union/contacts), each rounded once.
+struct ChordFactors {
+  double alpha, beta, third, N;  // third = 2 N - alpha - beta
+};
+
 template <class Limb>
 class ChordLine {
  public:

@@ -10,7 +10,7 @@
 //       so that R holds neither point: z.y = +-31.7 is less than h_R
 #include "exact/exact_predicates.hpp"
 
-#include "exact/chord_line.hpp"
+#include "exact/discriminant.hpp"
 
 namespace hsp::exact {
 namespace {
@@ -267,16 +267,6 @@ double ExactPredicates<Limb>::cross_dot_cross(const Vector &u, const Vector &v, 
 template <class Limb>
 int ExactPredicates<Limb>::cross_dot_cross_sign(const Vector &u, const Vector &v, const Vector &z) {
   return Evaluation<Limb>::dot128(cross(u, v), cross(u, z)).sign();
-}
-
-template <class Limb>
-ChordFactors ExactPredicates<Limb>::chord_factors(const Plane &P, const Plane &Q) {
-  return ChordLine<Limb>(P, Q).factors();
-}
-
-template <class Limb>
-double ExactPredicates<Limb>::line_parameter(const Plane &P, const Plane &Q, const Plane &R) {
-  return ChordLine<Limb>(P, Q).parameter(R);
 }
 
 template <class Limb>

@@ -25,11 +25,6 @@ struct PointStatus {
   bool tied[2];
 };
 
-// The terms of a chord in its contacts (lib/union/contacts), each rounded once.
-struct ChordFactors {
-  double alpha, beta, third, N;  // third = 2 N - alpha - beta
-};
-
 // p+ and p- are (q x n + s sqrt(D) n)/N for s = +1 and -1, n = u x v. Seen from outside along u, circle P runs
 // counter-clockwise and its part inside Q goes from p- to p+.
 template <class Limb>
@@ -54,9 +49,6 @@ struct ExactPredicates {
   static int triple_product_sign(const Vector &u, const Vector &v, const Vector &z);
   static double cross_dot_cross(const Vector &u, const Vector &v, const Vector &z);  // (u x v).(u x z)
   static int cross_dot_cross_sign(const Vector &u, const Vector &v, const Vector &z);
-  static ChordFactors chord_factors(const Plane &P, const Plane &Q);
-  // Where on the line (q x n + t n)/N of two planes a third one lies, for B not 0: t = -A/B, both rounded once.
-  static double line_parameter(const Plane &P, const Plane &Q, const Plane &R);
   static void radical_vector(const Plane &P, const Plane &Q, double q[3]);  // q = h_P v - h_Q u
 };
 

@@ -47,10 +47,6 @@ uint32_t part_at(const BallSet &balls, const FreeSpace &space, IdRange parts, co
 
 }  // namespace
 
-int sign_of_power(const exact::LatticeBall &ball, const exact::Vector &point) {
-  return exact_power(ball, point).sign();
-}
-
 uint32_t cell_at(const BallSet &balls, const FreeSpace &space, const exact::Vector &point) {
   const CubeAxis axis(space.side);
   const CubeCoordinates at = axis.cube_at(point);

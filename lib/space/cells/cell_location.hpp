@@ -10,9 +10,6 @@
 
 namespace hsp {
 
-// The sign of the power of a point to a ball, |x - c|^2 - r^2: +1 outside. Differences are below 2^52.
-int sign_of_power(const exact::LatticeBall &ball, const exact::Vector &point);
-
 // no_id if the point is in a ball, or on its sphere.
 uint32_t cell_at(const BallSet &balls, const FreeSpace &space, const exact::Vector &point);
 

@@ -248,7 +248,9 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
   const BallArrays arrays = arrays_of(*balls_);
   for (uint32_t k = 0; k < 4; ++k) near[hits + k] = origin;
   for (uint32_t k = 0; k < hits;) {
-    if (met + (hits - k) <= capacity()) {
+    // Where there is no room any more, balls are counted and the caps are lost.
+    if (overflowed()) count = 0;
+    if ((overflowed() ? 0 : met) + (hits - k) <= capacity()) {
       const uint32_t c = count;
       const CapArrays to{&ux[c], &uy[c], &uz[c], &b[c], &ball[c]};
       uint32_t circles = 0;

@@ -10,8 +10,6 @@
 
 #include <cstring>
 
-#include "sphere/outer_cell.hpp"
-
 namespace hsp {
 namespace {
 
@@ -91,16 +89,19 @@ class ExposedCaps::Cutting {
           break;
         }
         bits &= ~(1U << k);
-        switch (cell_.cut(caps_.target, {batch_.ux[k], batch_.uy[k], batch_.uz[k], batch_.b[k]})) {
+        switch (cell_.cut(caps_.target, plane_of(number, k))) {
           case OuterCell::Cut::misses:
             break;
           case OuterCell::Cut::buries:
             return false;
-          case OuterCell::Cut::doubtful:
+          case OuterCell::Cut::unsure:
+            state_[number] = near_vertex;
+            break;
+          case OuterCell::Cut::refused:
             state_[number] = stays;
             break;
           case OuterCell::Cut::cuts:
-            if (part_ == Part::sphere && cell_.lies_inside_sphere()) return false;
+            if (leaves_nothing()) return false;
             state_[number] = has_cut;
             if (bits != 0) bits = may_cut(bits);
             break;
@@ -126,10 +127,61 @@ class ExposedCaps::Cutting {
     }
   }
 
+  // Cuts by caps whose planes are near vertices, by integers. False if nothing is left.
+  bool cut_by_integers(Span<const uint32_t> numbers, const CellTies &ties) {
+    for (const uint32_t number : numbers) {
+      VertexSides sides;
+      VertexBits on_plane;
+      if (!find_sides(number, ties, sides, on_plane)) continue;
+      const OuterCell::Cut cut = cell_.cut(plane_of(number, 0), sides.outside);
+      if (cut == OuterCell::Cut::buries) return false;
+      if (cut != OuterCell::Cut::cuts) continue;
+      state_[number] = has_cut;
+      if (leaves_nothing()) return false;
+    }
+    return true;
+  }
+
+  // Drops those of them that miss what is left, but for the planes that go through vertices.
+  void drop_by_integers(Span<const uint32_t> numbers, const CellTies &ties, TiedSets &sets) {
+    for (const uint32_t number : numbers) {
+      VertexSides sides;
+      VertexBits on_plane;
+      if (is_face(number)) continue;
+      state_[number] = stays;
+      if (!find_sides(number, ties, sides, on_plane) || (sides.outside[0] | sides.outside[1]) != 0) continue;
+      const uint32_t set = on_plane.empty() ? TiedSets::most : sets.number_of(on_plane);
+      if (set < TiedSets::most) {
+        state_[number] = static_cast<uint8_t>(tied + set);
+      } else if (on_plane.empty()) {
+        state_[number] = dropped;
+      }
+    }
+  }
+
   const OuterCell &cell() const { return cell_; }
   bool some_wait() const { return some_wait_; }
 
  private:
+  OuterCell::Plane plane_of(uint32_t number, uint32_t k) const {
+    return {batch_.ux[k], batch_.uy[k], batch_.uz[k], batch_.b[k], number};
+  }
+
+  bool leaves_nothing() const { return part_ == Part::sphere && cell_.lies_inside_sphere(); }
+
+  bool is_face(uint32_t number) const {
+    for (uint64_t left = cell_.faces; left != 0; left &= left - 1) {
+      if (cell_.cap[__builtin_ctzll(left)] == number) return true;
+    }
+    return false;
+  }
+
+  bool find_sides(uint32_t number, const CellTies &ties, VertexSides &sides, VertexBits &on_plane) {
+    if (!load({&number, 1})) return false;
+    sides = sides_of_vertices(caps_.target, cell_, plane_of(number, 0));
+    return ties.decide(cell_, number, sides, on_plane);
+  }
+
   uint32_t may_cut(uint32_t asked) { return caps_that_may_cut(caps_.target, cell_, batch_, asked); }
 
   // The first ones, a whole batch if there are as many. False if the first is not certain to be a circle.
@@ -159,13 +211,29 @@ class ExposedCaps::Cutting {
   bool some_wait_ = false;
 };
 
-// Caps in one of two states, in their order.
-Span<uint32_t> ExposedCaps::in_state(uint32_t count, uint8_t one, uint8_t other) {
+// Caps in these states, in their order.
+Span<uint32_t> ExposedCaps::in_states(uint32_t count, uint8_t first, uint8_t last) {
   uint32_t found = 0;
   for (uint32_t k = 0; k < count; ++k) {
-    if (state_[k] == one || state_[k] == other) order_[found++] = k;
+    if (state_[k] >= first && state_[k] <= last) order_[found++] = k;
   }
   return order_.part(0, found);
+}
+
+// Of the planes that go through one set of vertices one stays, so that ties are seen. It is none of a ball inside
+// another one that stays, which may not count as a tie.
+void ExposedCaps::keep_planes_of_ties(const Caps &caps, TiedSets &sets) {
+  const Span<const uint32_t> others = in_states(caps.count, has_cut, near_vertex);
+  for (uint32_t k = 0; k < caps.count; ++k) {
+    if (state_[k] < tied || state_[k] >= not_tried) continue;
+    const uint32_t set = state_[k] - tied;
+    bool drops = sets.is_kept(set);
+    for (uint32_t n = 0; n < others.size() && !drops; ++n) {
+      drops = lies_inside(caps.balls(), caps.ball[k], caps.ball[others[n]]);
+    }
+    state_[k] = drops ? dropped : stays;
+    if (!drops) sets.keep(set);
+  }
 }
 
 bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
@@ -194,9 +262,18 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
     }
     if (!cutting.cut_by(without_copies(caps, order_.part(0, left)), deep)) return false;
   }
-  if (cutting.some_wait() && !cutting.cut_by(in_state(count, waits, waits), 0.0)) return false;
-  cutting.drop(in_state(count, has_cut, stays));
-  kept_ = without_copies(caps, in_state(count, has_cut, stays)).size();
+  if (cutting.some_wait() && !cutting.cut_by(in_states(count, waits, waits), 0.0)) return false;
+  cutting.drop(in_states(count, has_cut, near_vertex));
+  const Span<const uint32_t> near = in_states(count, near_vertex, near_vertex);
+  if (near.size() >= fewest_ties) {
+    // Caps that floats have are of balls no more than four radii away.
+    const CellTies ties(caps, floats != nullptr ? 5.0 * static_cast<double>(caps.sphere.W) : caps.length_squared);
+    TiedSets sets;
+    if (!cutting.cut_by_integers(near, ties)) return false;
+    cutting.drop_by_integers(near, ties, sets);
+    keep_planes_of_ties(caps, sets);
+  }
+  kept_ = without_copies(caps, in_states(count, has_cut, near_vertex)).size();
   return true;
 }
 

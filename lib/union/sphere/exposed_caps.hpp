@@ -7,6 +7,7 @@
 
 #include "core/small_code.hpp"
 #include "sphere/caps.hpp"
+#include "sphere/cell_ties.hpp"
 #include "sphere/float_caps.hpp"
 
 namespace hsp {
@@ -31,15 +32,21 @@ class ExposedCaps {
   // there are such.
   bool keep(Part part, Caps &caps);
 
+  // For tests: of how many caps that doubles leave in doubt at vertices integers are asked.
+  uint32_t fewest_ties = fewest;
+
  private:
-  // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; that is in doubt, and it stays; or
-  // it is not looked at yet: that and its class of size.
-  static constexpr uint8_t dropped = 0, waits = 1, has_cut = 2, stays = 3, not_tried = 4;
+  // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; that is in doubt, and it stays; it
+  // is in doubt as it is near a vertex; it goes through a set of vertices: that and the number of the set; or it is not
+  // looked at yet: that and its class of size.
+  static constexpr uint8_t dropped = 0, waits = 1, has_cut = 2, stays = 3, near_vertex = 4, tied = 5,
+                           not_tried = tied + TiedSets::most;
   class Cutting;
 
   template <class Real>
   Span<const uint32_t> order_by_size(const Real *b, uint32_t count, uint32_t step);
-  Span<uint32_t> in_state(uint32_t count, uint8_t one, uint8_t other);
+  Span<uint32_t> in_states(uint32_t count, uint8_t first, uint8_t last);
+  void keep_planes_of_ties(const Caps &caps, TiedSets &sets);
 
   Span<uint32_t> order_;
   Span<uint8_t> state_;

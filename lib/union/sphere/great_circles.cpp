@@ -148,12 +148,14 @@ class CapsByPlace {
  private:
   static constexpr uint32_t slack = UINT32_C(1) << 14, half_turn = UINT32_C(1) << 31, in_doubt = UINT32_MAX;
 
-  // From the entry to the exit.
+  // From the entry to the exit, where both are known. Else they may be NaN.
   static uint32_t length_of(const MeridianCap &cap, uint32_t &entry) {
     const CoveredEnds ends(cap);
+    entry = 0;
+    if (ends.error > 0x1p-20) return in_doubt;
     entry = place_of(ends.along[0], ends.up[0]);
     const uint32_t length = place_of(ends.along[1], ends.up[1]) - entry;
-    return ends.error < 0x1p-20 && length < half_turn / 2 ? length : in_doubt;
+    return length < half_turn / 2 ? length : in_doubt;
   }
   uint32_t first_from(uint32_t place) const {
     return first_index(first_, crossing_.size(),

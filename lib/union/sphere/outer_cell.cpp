@@ -53,6 +53,7 @@ void OuterCell::start() {
     uy[f] = f % 3 == 1 ? sign : 0.0;
     uz[f] = f % 3 == 2 ? sign : 0.0;
     b[f] = 1.0;
+    cap[f] = no_id;
   }
   faces = (1U << sides) - 1;
   for (vertices = 0; vertices < 8; ++vertices) {
@@ -64,25 +65,28 @@ void OuterCell::start() {
 
 OuterCell::Cut OuterCell::cut(Target target, const Plane &plane) {
   const VertexSides sides = sides_of_vertices(target, *this, plane);
-  if (!sides.certain) return Cut::doubtful;
+  return (sides.unsure[0] | sides.unsure[1]) != 0 ? Cut::unsure : cut(plane, sides.outside);
+}
+
+OuterCell::Cut OuterCell::cut(const Plane &plane, const uint64_t (&outside)[2]) {
   const uint32_t old = vertices;
-  const uint32_t off =
-      static_cast<uint32_t>(__builtin_popcountll(sides.outside[0]) + __builtin_popcountll(sides.outside[1]));
+  const uint32_t off = static_cast<uint32_t>(__builtin_popcountll(outside[0]) + __builtin_popcountll(outside[1]));
   if (off == 0) return Cut::misses;
   if (off == old) return Cut::buries;
-  if (faces == ~uint64_t{0}) return Cut::doubtful;
+  if (faces == ~uint64_t{0}) return Cut::refused;
   const uint32_t face_of_cap = static_cast<uint32_t>(__builtin_ctzll(~faces));
   ux[face_of_cap] = plane.ux;
   uy[face_of_cap] = plane.uy;
   uz[face_of_cap] = plane.uz;
   b[face_of_cap] = plane.b;
+  cap[face_of_cap] = plane.cap;
 
   // The directed edges of the triples that go; those whose opposite stays get a vertex with the new plane.
   uint64_t edges[most_faces];
   for (uint64_t left = faces; left != 0; left &= left - 1) edges[__builtin_ctzll(left)] = 0;
   const auto visit_edges = [&](auto visit) {
     for (uint32_t word = 0; word < 2; ++word) {
-      for (uint64_t left = sides.outside[word]; left != 0; left &= left - 1) {
+      for (uint64_t left = outside[word]; left != 0; left &= left - 1) {
         const uint8_t *const of = face[64 * word + static_cast<uint32_t>(__builtin_ctzll(left))];
         if (!visit(of[0], of[1]) || !visit(of[1], of[2]) || !visit(of[2], of[0])) return false;
       }
@@ -99,12 +103,12 @@ OuterCell::Cut OuterCell::cut(Target target, const Plane &plane) {
     if ((edges[q] >> p & 1U) != 0) return true;
     return end < most_vertices && place_vertex(end++, p, q, face_of_cap);
   });
-  if (!certain) return Cut::doubtful;
+  if (!certain) return Cut::refused;
 
   vertices = 0;
   faces = 0;
   for (uint32_t v = 0; v < end; ++v) {
-    if (v < old && (sides.outside[v / 64] >> v % 64 & 1U) != 0) continue;
+    if (v < old && (outside[v / 64] >> v % 64 & 1U) != 0) continue;
     const uint32_t to = vertices++;
     x[to] = x[v];
     y[to] = y[v];

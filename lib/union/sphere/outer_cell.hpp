@@ -13,6 +13,7 @@
 // and that the answers are certain: exact/PROOFS.md, section 7.
 #pragma once
 
+#include "core/status.hpp"
 #include "sphere/float_caps.hpp"
 
 namespace hsp {
@@ -28,7 +29,8 @@ struct OuterCell {
   uint32_t vertices = 0;
   // Planes u.x = b of the cube and of the caps that have cut.
   double ux[most_faces], uy[most_faces], uz[most_faces], b[most_faces];
-  uint64_t faces = 0;  // bits of those that have a vertex
+  uint32_t cap[most_faces];  // of which cap a plane is; no_id of the cube
+  uint64_t faces = 0;        // bits of those that have a vertex
 
   // The cube around the unit sphere.
   void start();
@@ -36,15 +38,19 @@ struct OuterCell {
   bool lies_inside_sphere() const;
 
   enum class Cut : uint8_t {
-    misses,    // the cap certainly touches nothing of it
-    cuts,      // the cap's plane is a face now
-    doubtful,  // nothing has changed: a vertex is too near the plane, a new one not certain enough, or there is no room
-    buries     // all of it certainly lies in the cap
+    misses,   // the cap certainly touches nothing of it
+    cuts,     // the cap's plane is a face now
+    unsure,   // nothing has changed: a vertex is too near the plane
+    refused,  // nothing has changed: a new vertex is not certain enough, or there is no room
+    buries    // all of it certainly lies in the cap
   };
   struct Plane {
     double ux, uy, uz, b;
+    uint32_t cap = no_id;
   };
   Cut cut(Target target, const Plane &plane);
+  // The same where it is known which vertices lie in the cap: bits. It is not `unsure`.
+  Cut cut(const Plane &plane, const uint64_t (&outside)[2]);
 
  private:
   bool place_vertex(uint32_t v, uint32_t p, uint32_t q, uint32_t r);
@@ -72,7 +78,7 @@ HSP_KERNEL(uint32_t, float_caps_that_may_cut,
 // On which side of a plane vertices are.
 struct VertexSides {
   uint64_t outside[2];  // bits: certainly in the cap
-  bool certain;         // all others are certainly not
+  uint64_t unsure[2];   // all others are certainly not
 };
 HSP_KERNEL(VertexSides, sides_of_vertices, (const OuterCell &cell, const OuterCell::Plane &plane), (cell, plane))
 

@@ -94,8 +94,7 @@ VertexSides sides_of_vertices(const OuterCell &cell, const OuterCell::Plane &pla
   const uint32_t vertices = cell.vertices;
   const uint64_t all[2] = {vertices < 64 ? (uint64_t{1} << vertices) - 1 : ~uint64_t{0},
                            vertices < 64 ? 0 : (uint64_t{1} << (vertices - 64)) - 1};
-  return {{outside[0] & all[0], outside[1] & all[1]},
-          (decided[0] & all[0]) == all[0] && (decided[1] & all[1]) == all[1]};
+  return {{outside[0] & all[0], outside[1] & all[1]}, {all[0] & ~decided[0], all[1] & ~decided[1]}};
 }
 
 }  // namespace hsp::HSP_TARGET

@@ -7,11 +7,15 @@ namespace hsp {
 
 TopologyLimits limits_for(const BallSet &balls, const Boundary &boundary, uint32_t neighbours) {
   // A face with several loops needs one cut arc less than it has loops, and gets up to four times as many from great
-  // circles that cross it more than once.
+  // circles that cross it more than once. Of thousands of loops each circle crosses more: 4,000, 16,000 and 64,000 in
+  // a spiral, all close to each other, take 4.5, 5.7 and 7.4 times as many.
+  constexpr uint32_t fewest = 4, bits_of_few = 7;
   uint64_t cut_arcs = 0;
   for (uint32_t f = 0; f < boundary.face_count(); ++f) {
     const uint32_t loops = boundary.loops_of_face(f).size();
-    if (loops > 1) cut_arcs += 4 * (static_cast<uint64_t>(loops) - 1);
+    if (loops < 2) continue;
+    const uint32_t bits = 32 - static_cast<uint32_t>(__builtin_clz(loops));
+    cut_arcs += (loops - uint64_t{1}) * (bits < fewest + bits_of_few ? fewest : bits - bits_of_few);
   }
   const auto clamp = [](uint64_t wanted) { return wanted < max_count ? static_cast<uint32_t>(wanted) : max_count; };
   return {balls.n, neighbours, clamp(count_uncut_edges(balls, boundary) + 4 * cut_arcs), clamp(cut_arcs),

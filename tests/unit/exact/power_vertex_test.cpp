@@ -15,6 +15,7 @@
 #include <limits>
 #include <numeric>
 
+#include "exact/chord_line.hpp"
 #include "exact/filter.hpp"
 #include "filter_bounds_search.hpp"
 
@@ -26,10 +27,13 @@ using exact::Plane;
 using perturbation::Int128;
 using perturbation::Integer;
 using Narrow = exact::ExactPredicates<uint32_t>;
+using NarrowLine = exact::ChordLine<uint32_t>;
 #if defined(__SIZEOF_INT128__)
 using Wide = exact::ExactPredicates<uint64_t>;
+using WideLine = exact::ChordLine<uint64_t>;
 #else
 using Wide = Narrow;
+using WideLine = NarrowLine;
 #endif
 
 using FiveBalls = std::array<LatticeBall, 5>;
@@ -270,7 +274,7 @@ TEST(PowerVertex, NumbersAreRoundedOnce) {
     const perturbation::HalfSpace P = perturbation::half_space(balls, 0, 1);
     const perturbation::HalfSpace Q = perturbation::half_space(balls, 0, 2);
     const perturbation::HalfSpace R = perturbation::half_space(balls, 0, 3);
-    const exact::ChordFactors found = Wide::chord_factors(four.plane(1), four.plane(2));
+    const exact::ChordFactors found = WideLine(four.plane(1), four.plane(2)).factors();
     const Integer alpha = origin.beta(Q, P), beta = origin.beta(P, Q), N = origin.N(P, Q);
     const auto rounded = [](const Integer &value) { return static_cast<double>(value.to_long_double()); };
     EXPECT_DOUBLE_EQ(found.alpha, rounded(alpha));
@@ -279,10 +283,9 @@ TEST(PowerVertex, NumbersAreRoundedOnce) {
     EXPECT_DOUBLE_EQ(found.third, rounded(N + N - alpha - beta));
     const Integer B = origin.B(P, Q, R);
     if (B.sign() == 0) continue;
-    EXPECT_DOUBLE_EQ(Wide::line_parameter(four.plane(1), four.plane(2), four.plane(3)),
-                     -rounded(origin.A(P, Q, R)) / rounded(B));
-    EXPECT_EQ(Wide::line_parameter(four.plane(1), four.plane(2), four.plane(3)),
-              Narrow::line_parameter(four.plane(1), four.plane(2), four.plane(3)));
+    const double parameter = WideLine(four.plane(1), four.plane(2)).parameter(four.plane(3));
+    EXPECT_DOUBLE_EQ(parameter, -rounded(origin.A(P, Q, R)) / rounded(B));
+    EXPECT_EQ(parameter, NarrowLine(four.plane(1), four.plane(2)).parameter(four.plane(3)));
   }
 }
 

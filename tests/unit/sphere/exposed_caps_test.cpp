@@ -57,8 +57,9 @@ class Search {
     if (!text.empty()) text += std::to_string(clusters_.find(caps_)) + " clusters";
     return text;
   }
-  // Keeps the exposed ones, found with floats besides or without. False if nothing is free.
-  bool keep_exposed(bool with_floats) {
+  // Keeps the exposed ones, found with floats besides or without, and with integers where so many are in doubt. False
+  // if nothing is free.
+  bool keep_exposed(bool with_floats, uint32_t fewest_ties) {
     std::vector<float> floats[4];
     const auto array = [&](size_t which, const hsp::Span<double> &from, float behind) {
       for (uint32_t k = 0; k < caps_.count; ++k) floats[which].push_back(static_cast<float>(from[k]));
@@ -69,6 +70,7 @@ class Search {
                                    array(3, caps_.b, 4.0F)};
     hsp::ExposedCaps exposed({order_.data(), static_cast<uint32_t>(order_.size())},
                              {state_.data(), static_cast<uint32_t>(state_.size())});
+    exposed.fewest_ties = fewest_ties;
     if (!exposed.find(hsp::ExposedCaps::Part::sphere, caps_, with_floats ? &in_floats : nullptr)) return false;
     caps_.keep(exposed.kept());
     return true;
@@ -104,13 +106,15 @@ void expect_same_finds(const support::BallList &balls, Counts &counts) {
         search.gather(built.grid(), i, target, of_all);
         const std::string expected = search.found(built.grid().balls());
         for (const bool with_floats : {false, hsp::has_lanes}) {
-          search.gather(built.grid(), i, target, of_all);
-          const bool some = search.keep_exposed(with_floats);
-          EXPECT_EQ(some ? search.found(built.grid().balls()) : "", expected) << "ball " << i;
-          ++counts.balls;
-          counts.buried += some ? 0 : 1;
-          if (some) counts.dropped += static_cast<int>(all - search.caps().count);
-          if (some) counts.kept += static_cast<int>(search.caps().count);
+          for (const uint32_t fewest_ties : {hsp::ExposedCaps::fewest, 1U}) {
+            search.gather(built.grid(), i, target, of_all);
+            const bool some = search.keep_exposed(with_floats, fewest_ties);
+            EXPECT_EQ(some ? search.found(built.grid().balls()) : "", expected) << "ball " << i;
+            ++counts.balls;
+            counts.buried += some ? 0 : 1;
+            if (some) counts.dropped += static_cast<int>(all - search.caps().count);
+            if (some) counts.kept += static_cast<int>(search.caps().count);
+          }
         }
       }
     }
@@ -172,6 +176,38 @@ TEST(ExposedCapsOfCopies, AreFew) {
     expect_same_finds(balls, counts);
     EXPECT_GT(counts.buried, jitter == 3000 ? counts.balls / 4 : -1);
     EXPECT_GT(counts.dropped, jitter != 1 ? counts.kept : -1);
+  }
+}
+
+// All spheres go through one point, and radii are of one size or not: caps that meet the cell in that point alone go,
+// but one that shows the tie.
+TEST(ExposedCapsThroughOnePoint, AreFew) {
+  for (const int64_t size : {0, 135135}) {
+    RandomSource random(8);
+    support::BallList balls;
+    while (balls.size() < 120) {
+      const int64_t m = random.in(-9, 9), n = random.in(-9, 9), p = random.in(-9, 9), q = random.in(-9, 9);
+      const int64_t radius = m * m + n * n + p * p + q * q;
+      if (radius == 0 || (size > 0 && size % radius != 0)) continue;
+      const int64_t scale = size > 0 ? size / radius : 1;
+      const auto length = [scale](int64_t x) { return static_cast<double>(scale * x); };
+      balls.add(length(m * m + n * n - p * p - q * q), length(2 * (m * q + n * p)), length(2 * (n * q - m * p)),
+                length(radius));
+    }
+    const BuiltGrid built(balls);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    Search search(balls.size());
+    uint32_t all = 0, kept[2] = {0, 0};
+    for (uint32_t i = 0; i < balls.size(); ++i) {
+      for (const uint32_t by_integers : {0U, 1U}) {
+        search.gather(built.grid(), i, runnable_targets().front(), true);
+        if (search.caps().contained) continue;
+        all += search.caps().count;
+        if (search.keep_exposed(false, by_integers == 0 ? UINT32_MAX : 1)) kept[by_integers] += search.caps().count;
+      }
+    }
+    EXPECT_GT(3 * kept[0], all / 2);
+    EXPECT_LT(6 * kept[1], kept[0]) << kept[0] << " of " << all / 2;
   }
 }
 

@@ -137,12 +137,12 @@ TEST(OuterCell, AnswersOfTheCube) {
     EXPECT_EQ(cell.vertices, 8U);
     EXPECT_FALSE(cell.lies_inside_sphere());
     EXPECT_EQ(cell.cut(target, {1, 0, 0, 1.01}), OuterCell::Cut::misses);
-    EXPECT_EQ(cell.cut(target, {1, 0, 0, 1}), OuterCell::Cut::doubtful);  // the side itself
+    EXPECT_EQ(cell.cut(target, {1, 0, 0, 1}), OuterCell::Cut::unsure);  // the side itself
     EXPECT_EQ(cell.cut(target, {1, 0, 0, -1.01}), OuterCell::Cut::buries);
     EXPECT_EQ(cell.cut(target, {1, 0, 0, 0x1p-2}), OuterCell::Cut::cuts);
     EXPECT_EQ(cell.vertices, 8U);
     // A plane so nearly parallel to that one that where they meet is not certain.
-    EXPECT_EQ(cell.cut(target, {1, 0x1p-30, 0, 0x1p-2}), OuterCell::Cut::doubtful);
+    EXPECT_EQ(cell.cut(target, {1, 0x1p-30, 0, 0x1p-2}), OuterCell::Cut::refused);
     EXPECT_EQ(cell.vertices, 8U);
   }
 }
@@ -207,17 +207,17 @@ TEST(OuterCell, HasRoomForSoManyFaces) {
     const auto cell = std::make_unique<OuterCell>();
     cell->start();
     Random random(77);
-    uint32_t cut = 0, doubtful = 0;
+    uint32_t cut = 0, refused = 0;
     for (uint32_t k = 0; k < 4000; ++k) {
       const Plane plane = random_plane(random, 0.9999L, 0.99991L);
       const OuterCell::Cut answer = cell->cut(target, in_doubles(plane));
       cut += answer == OuterCell::Cut::cuts;
-      doubtful += answer == OuterCell::Cut::doubtful;
+      refused += answer == OuterCell::Cut::refused;
       ASSERT_LE(cell->vertices, OuterCell::most_vertices);
       ASSERT_EQ(cell->vertices + 4, 2 * static_cast<uint32_t>(__builtin_popcountll(cell->faces)));  // three edges each
     }
     EXPECT_GT(cut, 50U);
-    EXPECT_GT(doubtful, 100U);  // no room
+    EXPECT_GT(refused, 100U);  // no room
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "built_topology.hpp"
@@ -130,6 +131,27 @@ TEST(TopologyLimits, ForOneBoundary) {
   EXPECT_EQ(limits.edges, 2U * 3 + 2 + 2 + 4 * limits.cut_arcs);
   EXPECT_LE(built.builder().needed().edges, limits.edges);
   EXPECT_LE(built.builder().needed().cut_arcs, limits.cut_arcs);
+}
+
+// Of thousands of loops great circles cross more: balls in a spiral, all close to each other, on a large one.
+TEST(TopologyLimits, OfThousandsOfLoops) {
+  constexpr int studs = 3000;
+  constexpr double large = 1e6, pi = 3.14159265358979323846;
+  const double small = 0.9 * large / std::sqrt(studs);
+  oracle::Balls balls{{0, 0, 0, static_cast<int64_t>(large)}};
+  for (int k = 0; k < studs; ++k) {
+    const double up = (2.0 * k + 1) / studs - 1, angle = pi * (3 - std::sqrt(5.0)) * k;
+    const double flat = large * std::sqrt(1 - up * up);
+    balls.push_back({static_cast<int64_t>(flat * std::cos(angle)), static_cast<int64_t>(flat * std::sin(angle)),
+                     static_cast<int64_t>(large * up), static_cast<int64_t>(small)});
+  }
+  BuiltTopology built(balls);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  const TopologyLimits limits = hsp::limits_for(built.balls(), built.boundary(), studs);
+  EXPECT_EQ(limits.cut_arcs, 5U * (studs - 1));
+  EXPECT_GT(built.builder().needed().cut_arcs, 4U * (studs - 1));
+  EXPECT_LE(built.builder().needed().cut_arcs, limits.cut_arcs);
+  EXPECT_LE(built.builder().needed().edges, limits.edges);
 }
 
 // The left face of a loop's start is the first of the parts that its maximal face is cut into, if the loop is the
