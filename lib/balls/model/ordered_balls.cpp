@@ -133,6 +133,7 @@ void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part
                        int64_t lift) {
   const BallsFrom<Source> source{given, part.first};  // a copy: the compiler knows that it is not written to
   const uint32_t n = order.size();
+  const bool is_far = !small_code && n > ahead::few_balls;
   const auto store = [&](uint32_t k) {
     const exact::LatticeBall ball = source.ball(order.ball(k));
     balls_.store(part.first + k, ball);
@@ -147,7 +148,7 @@ void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part
     const uint32_t end = n - block < balls_in_block ? n : block + balls_in_block;
     uint32_t cubes = cubes_.count();
     for (uint32_t k = block; k < end; ++k) {
-      if (!small_code && k + ahead::input_balls < n) {
+      if (is_far && k + ahead::input_balls < n) {
         const uint32_t later = order.ball(k + ahead::input_balls);
         source.fetch(later);
         __builtin_prefetch(&grid_index_[part.first + later], 1);
