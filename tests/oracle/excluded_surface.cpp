@@ -3,21 +3,36 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+
+#include "random_numbers.hpp"
 
 namespace oracle {
 namespace {
 
-Point plus(const Point &a, double t, const Point &b) {
+using LongPoint = std::array<long double, 3>;
+
+template <class Real>
+std::array<Real, 3> plus(const std::array<Real, 3> &a, std::type_identity_t<Real> t, const std::array<Real, 3> &b) {
   return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
 }
-double scalar(const Point &a, const Point &b) {
+template <class Real>
+Real scalar(const std::array<Real, 3> &a, const std::array<Real, 3> &b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-Point vector_product(const Point &a, const Point &b) {
+template <class Real>
+std::array<Real, 3> vector_product(const std::array<Real, 3> &a, const std::array<Real, 3> &b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-double length(const Point &a) {
+template <class Real>
+Real length(const std::array<Real, 3> &a) {
   return std::sqrt(scalar(a, a));
+}
+LongPoint to_long(const Point &a) {
+  return {a[0], a[1], a[2]};
+}
+Point rounded(const LongPoint &a) {
+  return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
 }
 // The direction of a vector across a unit vector, exactly across even if the vector nearly runs along that: any if
 // nothing but roundings is left.
@@ -33,71 +48,69 @@ Point direction_across(const Point &axis, const Point &a) {
 
 }  // namespace
 
+// Where spheres nearly touch, their points are known to half of the digits: in long doubles.
 DistanceFromOutside::DistanceFromOutside(std::vector<ProbedBall> balls, Room room)
     : balls_(std::move(balls)), room_(std::move(room)) {
   for (size_t i = 0; i < balls_.size(); ++i) {
     for (size_t j = 0; j < i; ++j) {
-      const Point to = plus(balls_[j].centre, -1, balls_[i].centre);
-      const double d = length(to);
-      const double along =
-          (d * d + balls_[i].radius * balls_[i].radius - balls_[j].radius * balls_[j].radius) / (2 * d);
-      const double square = balls_[i].radius * balls_[i].radius - along * along;
+      const LongPoint from = to_long(balls_[i].centre), to = plus(to_long(balls_[j].centre), -1, from);
+      const long double d = length(to), r = balls_[i].radius, other = balls_[j].radius;
+      const long double along = (d * d + (r - other) * (r + other)) / (2 * d), square = (r - along) * (r + along);
       if (!(d > 0) || !(square > 0)) continue;
-      const Circle circle{plus(balls_[i].centre, along / d, to), plus({0, 0, 0}, 1 / d, to), std::sqrt(square)};
-      circles_.push_back(circle);
+      const LongPoint middle = plus(from, along / d, to), axis = plus({0, 0, 0}, 1 / d, to);
+      const long double radius = std::sqrt(square);
+      circles_.push_back({rounded(middle), rounded(axis), static_cast<double>(radius), i, j});
       // Where it pierces further spheres: |m + rho e - c|^2 = r^2 for e in the circle's plane.
       for (size_t k = 0; k < j; ++k) {
-        Point off = plus(balls_[k].centre, -1, circle.centre);
-        off = plus(off, -scalar(off, circle.axis), circle.axis);
-        const double h = length(off);
-        const Point whole = plus(balls_[k].centre, -1, circle.centre);
-        const double cosine =
-            (scalar(whole, whole) + circle.radius * circle.radius - balls_[k].radius * balls_[k].radius) /
-            (2 * circle.radius * h);
-        if (!(h > 0) || !(std::abs(cosine) <= 1)) continue;
-        const Point e = plus({0, 0, 0}, 1 / h, off);
-        const Point f = vector_product(circle.axis, e);
-        const double sine = std::sqrt(1 - cosine * cosine);
-        for (const double side : {-1.0, 1.0}) {
-          const Point v = plus(plus(circle.centre, circle.radius * cosine, e), side * circle.radius * sine, f);
-          if (is_outside(v)) vertices_.push_back(v);
+        const LongPoint whole = plus(to_long(balls_[k].centre), -1, middle);
+        const LongPoint off = plus(whole, -scalar(whole, axis), axis);
+        const long double h = length(off), third = balls_[k].radius;
+        const long double cosine = (scalar(whole, whole) + square - third * third) / (2 * radius * h);
+        // The same ball again, or another one around the whole circle: nothing but roundings is left of the direction.
+        if (!(h > 1e-14 * third) || !(std::abs(cosine) <= 1)) continue;
+        const LongPoint e = plus({0, 0, 0}, 1 / h, off), f = vector_product(axis, e);
+        const long double sine = std::sqrt((1 - cosine) * (1 + cosine));
+        for (const long double side : {-1.0L, 1.0L}) {
+          const Point v = rounded(plus(plus(middle, radius * cosine, e), side * radius * sine, f));
+          if (is_outside(v, i, j, k)) vertices_.push_back(v);
         }
       }
     }
   }
 }
 
-bool DistanceFromOutside::is_outside(const Point &y) const {
-  return room_(y) && std::all_of(balls_.begin(), balls_.end(), [&](const ProbedBall &ball) {
-           return length(plus(y, -1, ball.centre)) >= ball.radius - 1e-9;
-         });
+bool DistanceFromOutside::is_outside(const Point &y, size_t i, size_t j, size_t k) const {
+  for (size_t n = 0; n < balls_.size(); ++n) {
+    if (n == i || n == j || n == k) continue;
+    if (length(plus(y, -1, balls_[n].centre)) < balls_[n].radius * (1 - 1e-13)) return false;
+  }
+  return room_(y);
 }
 
 DistanceFromOutside::Nearest DistanceFromOutside::operator()(const Point &x) const {
   if (is_outside(x)) return {0, x};
   Nearest best{std::numeric_limits<double>::infinity(), x};
-  const auto offer = [&](const Point &y, bool known_outside) {
+  const auto offer = [&](const Point &y, size_t i, size_t j) {
     const double distance = length(plus(x, -1, y));
-    if (distance < best.distance && (known_outside || is_outside(y))) best = {distance, y};
+    if (distance < best.distance && (i == none || is_outside(y, i, j))) best = {distance, y};
   };
-  for (const Point &v : vertices_) offer(v, true);
+  for (const Point &v : vertices_) offer(v, none, none);
   for (const Circle &circle : circles_) {
     // On the axis all points of the circle are as near; if others cover some of it, vertices are, too.
     const Point across = direction_across(circle.axis, plus(x, -1, circle.centre));
-    offer(plus(circle.centre, circle.radius, across), false);
+    offer(plus(circle.centre, circle.radius, across), circle.i, circle.j);
   }
-  for (const ProbedBall &ball : balls_) {
-    const Point off = plus(x, -1, ball.centre);
+  for (size_t i = 0; i < balls_.size(); ++i) {
+    const Point off = plus(x, -1, balls_[i].centre);
     const double h = length(off);
-    if (h > 0) offer(plus(ball.centre, ball.radius / h, off), false);
+    if (h > 0) offer(plus(balls_[i].centre, balls_[i].radius / h, off), i, none);
   }
   return best;
 }
 
-AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines,
-                                        const Room &room) {
-  const DistanceFromOutside distance(balls, room);
-  AreaAndVolume sum;
+namespace {
+
+std::array<Point, 2> box_around(const std::vector<ProbedBall> &balls) {
   Point low{}, high{};
   for (size_t axis = 0; axis < 3; ++axis) {
     low[axis] = std::numeric_limits<double>::infinity();
@@ -107,6 +120,16 @@ AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, do
       high[axis] = std::max(high[axis], ball.centre[axis] + ball.radius);
     }
   }
+  return {low, high};
+}
+
+}  // namespace
+
+AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines,
+                                        const Room &room) {
+  const DistanceFromOutside distance(balls, room);
+  AreaAndVolume sum;
+  const auto [low, high] = box_around(balls);
   const double least_step = 1e-3 * probe;
   for (size_t axis = 0; axis < 3; ++axis) {
     const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -144,6 +167,30 @@ AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, do
     }
   }
   return sum;
+}
+
+// Within the balls without the probe there are all points of the solid.
+double deviation_by_points(const std::vector<ProbedBall> &balls, double probe, double volume, int points,
+                           uint64_t seed) {
+  constexpr double fewest = 10;
+  auto [low, high] = box_around(balls);
+  double box = 1;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    low[axis] += probe;
+    high[axis] -= probe;
+    box *= high[axis] - low[axis];
+  }
+  const double expected = points * volume / box, others = points - expected;
+  if (!(expected >= fewest && others >= fewest)) return -1;
+  const DistanceFromOutside distance(balls);
+  support::Random random(seed);
+  double off = -expected;
+  for (int k = 0; k < points; ++k) {
+    Point x{};
+    for (size_t axis = 0; axis < 3; ++axis) x[axis] = low[axis] + random.fraction() * (high[axis] - low[axis]);
+    if (distance(x).distance >= probe) ++off;
+  }
+  return off * off * points / (expected * others);
 }
 
 }  // namespace oracle

@@ -1,9 +1,10 @@
 // The solvent-excluded surface from its definition alone: the points whose distance from the closed outside of the
 // balls with the probe is the probe's radius. That distance is the least of those to feet on spheres, circles and
-// vertices that are in no open ball. Volume and area by lines along the three axes.
+// vertices that are in no open ball. Volume and area by lines along the three axes, or the volume from random points.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -37,9 +38,12 @@ class DistanceFromOutside {
   struct Circle {
     Point centre{}, axis{};
     double radius = 0;
+    size_t i = 0, j = 0;
   };
+  static constexpr size_t none = static_cast<size_t>(-1);
 
-  [[nodiscard]] bool is_outside(const Point &y) const;
+  // But for the balls whose spheres y is on.
+  [[nodiscard]] bool is_outside(const Point &y, size_t i = none, size_t j = none, size_t k = none) const;
 
   std::vector<ProbedBall> balls_;
   Room room_;
@@ -55,5 +59,11 @@ struct AreaAndVolume {
 // area, and n_x^2 + n_y^2 + n_z^2 = 1: weights |n| make the three directions' crossings an area.
 AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines,
                                         const Room &room = everywhere);
+
+// How many of so many random points in a box are in the solid, and how far that is from the number which a volume
+// expects: the square of the difference in units of its mean square. Exactly 1 in the mean if the volume is right,
+// whatever it is. Negative where fewer points are expected on one side than that takes.
+double deviation_by_points(const std::vector<ProbedBall> &balls, double probe, double volume, int points,
+                           uint64_t seed);
 
 }  // namespace oracle

@@ -53,8 +53,8 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
 
   const hsp::Boundary &structure = boundary->structure();
   const hsp::EnergyTerms terms = asked.terms();
-  const auto put = [&](uint32_t i, const hsp::EnergyGradient &gradient) {
-    arrays.put(i, gradient, grid.balls().lattice);
+  const auto put = [&](auto where, const hsp::EnergyGradient &gradient) {
+    arrays.put(where, gradient, grid.balls().lattice);
   };
   hsp::Energy found;
   if (!hsp::differentiate_energy(asked.executor, grid, structure, terms, found, put)) return asked.executor.status();

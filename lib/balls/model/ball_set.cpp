@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "lanes/wide.hpp"
+
 namespace hsp {
 namespace {
 
@@ -108,23 +110,41 @@ bool BallRounding::radius_fits(double radius) const {
 
 Status BallRounding::find_box(LatticeBox &box, uint32_t &first_bad) const {
   // Rounding keeps the order of numbers, so the least and the largest of all tell whether all are on the lattice. The
-  // sum is NaN if a coordinate is, and else only if two are infinite, which the least or the largest tells too. Minima
-  // in this order of operands are one instruction each; a NaN ends in the sum.
+  // sum is NaN if a coordinate is, and else only if two are infinite, which the least or the largest tells too. A NaN
+  // ends in the sum, whatever becomes of it else.
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  double low[3] = {infinity, infinity, infinity};
-  double high[3] = {-infinity, -infinity, -infinity};
-  double sum[3] = {0.0, 0.0, 0.0};
+  // Two balls at a time are three registers: x y, z x, y z.
+  using L = Wide<double, 2>;
+  L::Real least[3], most[3], sum[3];
+  for (int k = 0; k < 3; ++k) {
+    least[k] = L::all(infinity);
+    most[k] = L::all(-infinity);
+    sum[k] = L::all(0.0);
+  }
+  const auto add = [&](int k, const L::Real &value) {
+    least[k] = L::smaller(least[k], value);
+    most[k] = L::larger(most[k], value);
+    sum[k] += value;
+  };
   const double *xyz = input_.xyz;
-  for (uint32_t i = 0; i < input_.n; ++i, xyz += 3) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double value = xyz[axis];
-      low[axis] = low[axis] < value ? low[axis] : value;
-      high[axis] = high[axis] > value ? high[axis] : value;
-      sum[axis] += value;
-    }
+  for (uint32_t pairs = input_.n / 2; pairs > 0; --pairs, xyz += 6) {
+    for (int k = 0; k < 3; ++k) add(k, L::load(xyz + 2 * k));
+  }
+  if (input_.n % 2 != 0) {
+    add(0, L::load(xyz));
+    add(1, L::Real{xyz[2], xyz[0]});
+  }
+  double low[3], high[3];
+  bool comparable = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    // That of the first ball, and of the second.
+    const int k = axis / 2, first = axis % 2, l = (axis + 3) / 2, second = (axis + 3) % 2;
+    low[axis] = least[k][first] < least[l][second] ? least[k][first] : least[l][second];
+    high[axis] = most[k][first] > most[l][second] ? most[k][first] : most[l][second];
+    const double both = sum[k][first] + sum[l][second];
+    comparable = comparable && both == both;
   }
   exact::LatticeBall largest;
-  const bool comparable = sum[0] == sum[0] && sum[1] == sum[1] && sum[2] == sum[2];
   if (comparable && lattice_.round(low, box.low) && lattice_.round(high, box.high) &&
       round_ball(lattice_, probe_steps_, low, largest_, 0, largest) == Status::ok) {
     return Status::ok;

@@ -145,6 +145,7 @@ template <class Source>
                                               const GridOrder &order, int64_t lift, BallRange some) {
   const BallsFrom<Source> source{given, part.first};  // a copy: the compiler knows that it is not written to
   const uint32_t n = order.size();
+  const bool is_far = !small_code && n > ahead::few_balls;
   const auto store = [&](uint32_t k) {
     const exact::LatticeBall ball = source.ball(order.ball(k));
     balls_.store(part.first + k, ball);
@@ -165,7 +166,7 @@ template <class Source>
     const uint32_t end = some.last - block < balls_in_block ? some.last : block + balls_in_block;
     uint32_t cubes = cubes_.count();
     for (uint32_t k = block; k < end; ++k) {
-      if (!small_code && k + ahead::input_balls < n) {
+      if (is_far && k + ahead::input_balls < n) {
         const uint32_t later = order.ball(k + ahead::input_balls);
         source.fetch(later);
         __builtin_prefetch(&grid_index_[part.first + later], 1);

@@ -15,7 +15,20 @@ class TreeSum {
  public:
   void add(double term) {
     waiting_[count_ % block] = term;
-    if (++count_ % block == 0) add_block();
+    if (++count_ % block == 0) add_block(sum_of(waiting_, block));
+  }
+  // The same as add(zero) so many times, for a zero of either sign: sums of such are the zero itself.
+  void add_zeros(double zero, uint32_t times) {
+    while (times > 0) {
+      if (times < block || count_ % block != 0) {
+        add(zero);
+        --times;
+      } else {
+        count_ += block;
+        times -= block;
+        add_block(zero);
+      }
+    }
   }
   // `rest`: what is added before the last of these terms, the sum of fewer terms than each of them stands for.
   double total(double rest = 0.0) const {
@@ -45,8 +58,8 @@ class TreeSum {
     }
     return sum[0];
   }
-  void add_block() {
-    double term = sum_of(waiting_, block);
+  // `term`: the sum of the block that is complete now.
+  void add_block(double term) {
     // Level k holds the sum of a complete subtree of 2^k blocks whenever bit k of their number is set.
     int level = 0;
     for (uint32_t carry = count_ / block - 1; carry & 1U; carry >>= 1, ++level) term = partial_[level] + term;

@@ -58,9 +58,9 @@ WideFloat ActualNumbers<WideFloat>::weight(uint32_t i) const {
   return weight + form.exact_in(bits).scaled(of_the_form);
 }
 
-WideFloat ActualNumbers<WideFloat>::root_discriminant(uint32_t v, const NumberVector<WideFloat> &n,
+WideFloat ActualNumbers<WideFloat>::root_discriminant(uint32_t v, const WideFloat &square,
                                                       const NumberVector<WideFloat> &q) const {
-  return square_root(ActualPoints<WideFloat>::discriminant(n, q, weight(boundary.vertex(v).ball[0])));
+  return square_root(ActualPoints<WideFloat>::discriminant(square, q, weight(boundary.vertex(v).ball[0])));
 }
 
 int ActualBalls::overlap(uint32_t v, uint32_t w) const {
@@ -73,32 +73,50 @@ int ActualBalls::overlap(uint32_t v, uint32_t w) const {
 
 namespace {
 
-// Of a point at the probe's radius from vertex v, seen from there. The probes first, as one of them decides most. Once
-// it is known where the point is, doubles know most of the rest.
+// The first of the vertices near v, but for w and x, whose probe may have in it a point at the probe's radius from v,
+// seen from there: their number if none may, and no_id if one certainly has.
+template <class Number>
+uint32_t first_in_doubt(const ActualPoints<Number> &actual, uint32_t v, const NumberVector<Number> &arm,
+                        Span<const uint32_t> near, uint32_t w, uint32_t x) {
+  uint32_t first = near.size();
+  for (uint32_t k = near.size(); k-- > 0;) {
+    if (near[k] == w || near[k] == x) continue;
+    const int inside = actual.in_probe(near[k], v, arm);
+    if (inside > 0) return no_id;
+    if (inside == 0) first = k;
+  }
+  return first;
+}
+
+// Whether such a point is in the patch of v and in none of these probes, which come first, as one of them decides most.
+// Once it is known where the point is, doubles know most of the rest.
 template <class Number>
 [[gnu::noinline]] int is_left(const ActualPoints<Number> &actual, uint32_t v, const NumberVector<Number> &arm,
                               Span<const uint32_t> near, uint32_t w, uint32_t x) {
   [[maybe_unused]] const ActualPoints<BoundedDouble> rounded({actual.balls, actual.boundary, actual.kept},
-                                                             actual.origin());
+                                                             actual.ball());
   [[maybe_unused]] const NumberVector<BoundedDouble> about{BoundedDouble(arm.x), BoundedDouble(arm.y),
                                                            BoundedDouble(arm.z)};
   constexpr bool doubles_first = !small_code && !std::is_same_v<Number, BoundedDouble>;
+  uint32_t k = 0;
+  int in_patch = 0;
   if constexpr (doubles_first) {
-    const int sure = is_left(rounded, v, about, near, w, x);
-    if (sure != 0) return sure;
+    k = first_in_doubt(rounded, v, about, near, w, x);
+    in_patch = k == no_id ? -1 : rounded.inside_of_sides(v, about);
+    if (in_patch < 0) return -1;
   }
   int sure = 1;
-  for (const uint32_t other : near) {
-    if (other == w || other == x) continue;
+  for (; k < near.size(); ++k) {
+    if (near[k] == w || near[k] == x) continue;
     if constexpr (doubles_first) {
-      if (rounded.in_probe(other, v, about) < 0) continue;
+      if (rounded.in_probe(near[k], v, about) < 0) continue;
     }
-    const int inside = actual.in_probe(other, v, arm);
+    const int inside = actual.in_probe(near[k], v, arm);
     if (inside > 0) return -1;
     if (inside == 0) sure = 0;
   }
-  const int in_patch = actual.inside_of_sides(v, arm);
-  return in_patch < 0 ? -1 : in_patch == 0 ? 0 : sure;
+  if (in_patch == 0) in_patch = actual.inside_of_sides(v, arm);
+  return in_patch > 0 ? sure : in_patch;
 }
 
 }  // namespace

@@ -30,6 +30,8 @@ struct ActualNumbers<BoundedDouble> {
   // The input and the actual set differ by far less than the last bit, but by more than the smallest double.
   static constexpr double shift = 0x1p-590;
 
+  static constexpr bool from_one_place = false;
+  uint32_t origin_for(uint32_t ball) const { return ball; }
   BoundedDouble number(int64_t value) const { return {static_cast<double>(value)}; }
   // From ball i to ball j.
   void find_difference(uint32_t i, uint32_t j, NumberVector<BoundedDouble> &v) const {
@@ -49,8 +51,7 @@ struct ActualNumbers<BoundedDouble> {
   // Of 4 w N - q.q for the vertex (exact/PROOFS.md): that of the input is exact and rounded once, and that of the
   // actual set differs by less than 2^-185 of its terms, so the root by less than the root of that. The balls meet, so
   // the sum of their radii bounds their distances.
-  BoundedDouble root_discriminant(uint32_t v, const NumberVector<BoundedDouble> &,
-                                  const NumberVector<BoundedDouble> &) const {
+  BoundedDouble root_discriminant(uint32_t v, const BoundedDouble &, const NumberVector<BoundedDouble> &) const {
     const double root = boundary.root_discriminant(v);
     const VertexRecord &record = boundary.vertex(v);
     const double length = 4 * (balls.r[record.ball[0]] + balls.r[record.ball[1]] + balls.r[record.ball[2]]);
@@ -68,6 +69,8 @@ struct ActualNumbers<WideFloat> {
   KeptVertices &kept;
   uint32_t bits;
 
+  static constexpr bool from_one_place = true;
+  uint32_t origin_for(uint32_t ball) const { return boundary.component_origin(ball); }
   WideFloat number(int64_t value) const { return WideFloat(value, bits); }
   void find_difference(uint32_t i, uint32_t j, NumberVector<WideFloat> &v) const;
   WideFloat weight(uint32_t i) const;
@@ -76,7 +79,7 @@ struct ActualNumbers<WideFloat> {
     const WideFloat p = number(balls.probe_steps);
     return weight(i) - p * p;
   }
-  WideFloat root_discriminant(uint32_t v, const NumberVector<WideFloat> &n, const NumberVector<WideFloat> &q) const;
+  WideFloat root_discriminant(uint32_t v, const WideFloat &square, const NumberVector<WideFloat> &q) const;
 };
 
 template <class Number>
@@ -87,9 +90,9 @@ class ActualPoints : public ActualNumbers<Number> {
   using Base::number;
 
   // All points as seen from the centre of this ball.
-  ActualPoints(const Base &numbers, uint32_t ball) : Base(numbers), origin_(ball) {}
+  ActualPoints(const Base &numbers, uint32_t ball) : Base(numbers), ball_(ball), origin_(this->origin_for(ball)) {}
 
-  uint32_t origin() const { return origin_; }
+  uint32_t ball() const { return ball_; }
   Number probe() const { return number(this->balls.probe_steps); }
   Number probe_weight() const {
     const Number p = probe();
@@ -97,9 +100,13 @@ class ActualPoints : public ActualNumbers<Number> {
   }
   // Each into x.
   void find_centre(uint32_t ball, Vector &x) const { this->find_difference(origin_, ball, x); }
+  // Floats are kept as they are found; doubles as seen from the first ball, where they are precise.
   void find_vertex(uint32_t v, Vector &x) const {
-    find_from_first_ball(v, x);
-    add_centre(this->boundary.vertex(v).ball[0], x);
+    const bool found = find_kept(v, x);
+    if (!found) find_from_first_ball(v, x);
+    if (!found && !Base::from_one_place) keep(v, x);
+    if (!found || !Base::from_one_place) add_centre(this->boundary.vertex(v).ball[0], x);
+    if (!found && Base::from_one_place) keep(v, x);
   }
   // A point as seen from a vertex.
   [[gnu::noinline]] void find_arm(uint32_t v, const BorderPoint &point, Vector &arm) const {
@@ -135,12 +142,15 @@ class ActualPoints : public ActualNumbers<Number> {
     normal = cross(normal, arm);
   }
   // Where the probes at three vertices meet, as seen from the first: in the points middle - half and middle + half, or
-  // in none if 4 p^2 N - q.q is less than 0. Its sign is returned; nothing is certain of half if it is not.
+  // in none if D is less than 0. Its sign is returned; nothing is certain of half if it is not.
   [[gnu::noinline]] int find_meeting(uint32_t a, uint32_t b, uint32_t c, Vector &middle, Vector &half) const {
     find_planes(a, b, c, half, middle);
-    const Number square = discriminant(half, middle, probe_weight());
-    const int sign = square.sign();
-    if (sign >= 0) to_meeting(half, middle, square_root(square));
+    const Number square = dot(half, half);
+    Number root = discriminant(square, middle, probe_weight());
+    const int sign = root.sign();
+    if (sign < 0) return sign;
+    root = square_root(root);
+    to_meeting(half, middle, square, root);
     return sign;
   }
   // Whether a point that is seen from a vertex is in its patch.
@@ -164,13 +174,12 @@ class ActualPoints : public ActualNumbers<Number> {
   [[gnu::noinline]] int in_probe(uint32_t other, uint32_t v, const Vector &arm) const {
     Vector way, sum;
     find_arm_to_vertex(other, v, way);
-    sum = arm;
-    sum += arm;
+    sum = {arm.x.scaled(1), arm.y.scaled(1), arm.z.scaled(1)};
     sum += way;
     return -dot(way, sum).sign();
   }
-  [[gnu::noinline]] static Number discriminant(const Vector &n, const Vector &q, const Number &weight) {
-    return (weight * dot(n, n)).scaled(2) - dot(q, q);
+  [[gnu::noinline]] static Number discriminant(const Number &square, const Vector &q, const Number &weight) {
+    return (weight * square).scaled(2) - dot(q, q);
   }
   // rho^2 - p^2, times the square of twice the distance of the centres: where that is less than 0, and both centres are
   // on their own sides of the circle's plane, saddles reach the axis.
@@ -219,11 +228,11 @@ class ActualPoints : public ActualNumbers<Number> {
     z -= u;
     u = n;
   }
-  [[gnu::noinline]] Number half_over_square(const Vector &n) const { return (number(1) / dot(n, n)).scaled(-1); }
+  [[gnu::noinline]] Number half_over(const Number &square) const { return (number(1) / square).scaled(-1); }
   [[gnu::noinline]] static void to_cross(Vector &a, const Vector &b) { a = cross(a, b); }
   // q x n / (2 n.n), into q, and root n / (2 n.n), into n.
-  [[gnu::noinline]] void to_meeting(Vector &n, Vector &q, const Number &root) const {
-    const Number factor = half_over_square(n);
+  [[gnu::noinline]] void to_meeting(Vector &n, Vector &q, const Number &square, const Number &root) const {
+    const Number factor = half_over(square);
     to_cross(q, n);
     q *= factor;
     n *= root * factor;
@@ -234,11 +243,6 @@ class ActualPoints : public ActualNumbers<Number> {
     const Number h_n = height(record.ball[0], record.ball[1], n);
     to_normals(n, h_n, q, height(record.ball[0], record.ball[2], q));
   }
-  [[gnu::noinline]] void find_from_first_ball(uint32_t v, Vector &x) const {
-    if (find_kept(v, x)) return;
-    compute_from_first_ball(v, x);
-    keep(v, x);
-  }
   // Points by a number that no vertex has.
   bool find_kept(uint32_t name, Vector &x) const {
     if constexpr (small_code) return false;
@@ -247,11 +251,12 @@ class ActualPoints : public ActualNumbers<Number> {
   void keep(uint32_t name, const Vector &x) const {
     if constexpr (!small_code) this->kept.keep(name, this->bits, x);
   }
-  // A cusp as seen from the centre of its first ball, others from their first vertex.
+  // A cusp as seen from the centre of its first ball, others from their first vertex. Doubles are not kept, as their
+  // last bits are those of the place that all is seen from.
   [[gnu::noinline]] void find_point(const BorderPoint &point, Vector &x) const {
-    const bool may_be_kept = point.number < BorderPoint::no_number;
+    const bool has_name = Base::from_one_place && point.number < BorderPoint::no_number;
     const uint32_t name = ~point.number;
-    if (may_be_kept && find_kept(name, x)) return;
+    if (has_name && find_kept(name, x)) return;
     switch (point.kind) {
       case BorderPoint::Kind::cusp:
         find_cusp(point.id[0], point.id[1], point.sign, x);
@@ -265,13 +270,14 @@ class ActualPoints : public ActualNumbers<Number> {
       default:
         find_on_crease(point, x);
     }
-    if (may_be_kept) keep(name, x);
+    if (has_name) keep(name, x);
   }
-  [[gnu::noinline]] void compute_from_first_ball(uint32_t v, Vector &x) const {
+  [[gnu::noinline]] void find_from_first_ball(uint32_t v, Vector &x) const {
     const VertexRecord &record = this->boundary.vertex(v);
     Vector half;
     find_planes_of_balls(record, half, x);
-    to_meeting(half, x, this->root_discriminant(v, half, x));
+    const Number square = dot(half, half);
+    to_meeting(half, x, square, this->root_discriminant(v, square, x));
     to_one_of_two(x, half, record.positive());
   }
   static void to_one_of_two(Vector &middle, const Vector &half, bool positive) {
@@ -319,7 +325,7 @@ class ActualPoints : public ActualNumbers<Number> {
     x += across;
   }
 
-  uint32_t origin_;
+  uint32_t ball_, origin_;
 };
 
 }  // namespace hsp

@@ -54,6 +54,7 @@ Status CreasedPatches::fill(const Inputs &in, CutPatches &cut, Patience &patienc
   const uint32_t vertices = in.actual.boundary().vertex_count();
   NearVertices near(in.actual.balls(), in.actual.boundary(), in.chosen, in.grid, in.creases.near_list());
   cut.clear();
+  keep_vertices(in, words_of<BorderArc>(memory_.size() / words_of_arc));
   for (uint32_t v = 0; v < vertices; ++v) {
     if (!patience.allows(20000)) return Status::stopped;
     cut.begin_vertex(v);
@@ -94,6 +95,11 @@ void CreasedPatches::measure_piece(const PatchLoops &loops, uint32_t piece, doub
   if (!(steradians > 0.0)) steradians = 0.0;
 }
 
+void CreasedPatches::keep_vertices(const Inputs &in, uint32_t first) {
+  first_kept_ = first;
+  in.actual.keep_vertices(memory_.part(first, memory_.size()));
+}
+
 Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut) {
   Span<BorderArc> arcs = arcs_.items();
   PatchLoops loops(in.actual, v, arcs);
@@ -101,7 +107,7 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
   const uint32_t first_figures = words_of<BorderArc>(arcs.size()), first_kept = arcs.size() * words_of_arc;
   figures_ = begin_array<ArcFigures>(memory_.part(first_figures, first_kept));
   const Span<ArcFigures> figures = figures_.part(0, arcs.size());
-  in.actual.keep_vertices(memory_.part(first_kept, memory_.size()));
+  if (first_kept > first_kept_) keep_vertices(in, first_kept);
   for (uint32_t k = 0; k < arcs.size(); ++k) {
     if (!loops.measure(k, figures[k])) return Status::degenerate;
   }

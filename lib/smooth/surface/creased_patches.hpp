@@ -40,12 +40,15 @@ class CreasedPatches {
   void add_creases(const Inputs &in, const NearVertices &near, uint32_t v);
   void push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end, uint32_t crease);
   void store_arc(const Inputs &in, uint32_t k, CutPatches &cut);
+  // Behind what borders and figures use, from patch to patch, as long as there is room.
+  void keep_vertices(const Inputs &in, uint32_t first);
   Status store_patch(const Inputs &in, uint32_t v, CutPatches &cut);
   void measure_piece(const PatchLoops &loops, uint32_t piece, double &steradians, Vec3 &vector_area,
                      CreaseSums &sums) const;
   void number_corners(const Inputs &in, CutPatches &cut);
 
   Span<uint64_t> memory_;
+  uint32_t first_kept_ = 0;
   FixedVector<BorderArc> arcs_;  // of the patch at hand
   Span<ArcFigures> figures_;     // of these
 };

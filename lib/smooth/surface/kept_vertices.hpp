@@ -59,7 +59,7 @@ class KeptVertices {
   static uint64_t name(uint32_t vertex, uint32_t bits) { return uint64_t{vertex} << 32 | bits; }
   // The name of what is there, and the number of its first word, as they are counted from the beginning.
   uint64_t *place_of(uint32_t vertex, uint32_t bits) const {
-    return places_.data() + uint64_t{(vertex * 5 + bits / 64) % (places_.size() / 2)} * 2;
+    return places_.data() + uint64_t{(vertex * 7 + bits / 64) % (places_.size() / 2)} * 2;
   }
 
   Span<uint64_t> places_, words_;

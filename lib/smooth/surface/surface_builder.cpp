@@ -10,6 +10,10 @@ namespace {
 // three start in each such corner: the rest are sides, and what few sets need.
 constexpr uint32_t arcs_for_crease = 4, arcs_for_corner = 8;
 
+// Arcs and pieces for each vertex that suffice for most small sets in which doubles do not decide, and the most of them
+// that are asked for at once, rather than after all corners are found.
+constexpr uint32_t tied_arcs = 24, most_tied_arcs = 1024, tied_pieces = 4, most_tied_pieces = 192;
+
 }  // namespace
 
 // The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph; so many
@@ -117,6 +121,9 @@ bool SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary,
   cut.finish(needed_.vertices);
   // The actual set asks for more, and then has other pieces.
   if (!certain_) {
+    const uint64_t v = needed_.vertices;
+    need_arcs(tied_arcs * v < most_tied_arcs ? tied_arcs * v : most_tied_arcs);
+    needed_.pieces = clamped_count(tied_pieces * v < most_tied_pieces ? tied_pieces * v : most_tied_pieces);
     needed_.neighbours = larger_count(needed_.neighbours, most_found);
     return true;
   }
@@ -150,6 +157,7 @@ Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &p
     const uint64_t creases = larger_count(clamped_count(ends / 2 + needed_.vertices), creases_.required_creases());
     need_arcs(arcs_for_crease * creases);
     need_arcs(2 * creases + 6 * uint64_t{needed_.vertices});
+    needed_.pieces = larger_count(needed_.pieces, clamped_count(creases + needed_.vertices));
   }
   if (status != Status::ok) return status;
   static_assert(8 * CreasedPatches::words_of_arc <= sizeof(BorderRoom));

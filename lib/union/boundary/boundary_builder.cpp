@@ -66,8 +66,9 @@ Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, co
   whole_ = whole;
   const uint32_t *chosen = nullptr;
   if (selected != nullptr) {
-    const BallSet &balls = grid.balls();
-    for (uint32_t i = 0; i < balls.n; ++i) selected_[i] = selected[balls.caller[i]];
+    const Span<const uint32_t> caller = grid.balls().caller;
+    const Span<uint32_t> of_grid = selected_;  // a copy: the compiler knows that it is not written to
+    for (uint32_t i = 0; i < needed_.balls; ++i) of_grid[i] = selected[caller[i]];
     chosen = selected_.data();
   }
   for (uint32_t w = 0; w < count_; ++w) workers_[w].start(share_of(grid, w, count_), chosen, joins, &executor);

@@ -140,8 +140,12 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
                           IdRange loops, uint32_t first, Caps &caps, const VertexFinder &finder, Span<uint32_t> scratch,
                           Patience &patience, BoundaryArrays &arrays) {
   uint32_t faces = first;
-  for (uint32_t i = range.first; i < range.last; ++i) {
-    const uint32_t first_face = arrays.first[i].face = faces;
+  const Span<FirstParts> parts = arrays.first;
+  const Span<const uint8_t> state = arrays.ball_state;
+  for (uint32_t i = range.first;; ++i) {
+    for (; i < range.last && state[i] == BoundaryArrays::left_out; ++i) parts[i].face = faces;
+    if (i == range.last) return faces;
+    const uint32_t first_face = parts[i].face = faces;
     const IdRange own{arrays.first[i].loop, i + 1 < range.last ? arrays.first[i + 1].loop : loops.last};
     if (own.empty()) {
       if (arrays.ball_state[i] == BoundaryArrays::without_caps) arrays.faces[faces++] = {i, own.first, no_id};
@@ -159,7 +163,6 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
       sort_loops_by_face(boundary, i, own, {first_face, faces}, scratch, arrays);
     }
   }
-  return faces;
 }
 
 // The general case: several clusters of caps and several faces on one sphere. For one cap of every cluster take the

@@ -31,25 +31,22 @@ void for_sides_on(BallRange range, const Record &record, Visit visit) {
 }
 
 // A counting sort of sides of records by their balls, in two steps. After the first one first[i].*part is the end of
-// the part of ball i, counted from the range's first one, and after the second its beginning.
+// the part of ball i, counted from the range's first one, and after the second its beginning. This counts those of
+// each ball.
 template <uint32_t FirstParts::*part, class Record>
-uint32_t count_sides(Span<const Record> records, BallRange range, Span<FirstParts> first, Patience &patience) {
-  for (uint32_t i = range.first; i < range.last; ++i) first[i].*part = 0;
+void count_sides(Span<const Record> records, BallRange range, Span<FirstParts> first, Patience &patience) {
   in_parts(patience, IdRange{0, records.size()}, 100, [&](IdRange some) {
     for (const uint32_t id : some) {
       const Record &record = records[id];
       for_sides_on(range, record, [&](uint32_t side) { ++(first[record.ball[side]].*part); });
     }
   });
-  uint32_t total = 0;
-  for (uint32_t i = range.first; i < range.last; ++i) first[i].*part = total += first[i].*part;
-  return total;
 }
 // In parts where it may be stopped, and not all then.
 template <uint32_t FirstParts::*part, class Record, class Put>
 void distribute_sides(Span<const Record> records, IdRange ids, BallRange range, uint32_t before, Span<FirstParts> first,
                       Patience &patience, Put put) {
-  for (uint32_t i = range.first; i < range.last; ++i) first[i].*part += before;
+  for (uint32_t i = range.first; before != 0 && i < range.last; ++i) first[i].*part += before;
   // From the last one on.
   in_parts(patience, ids, 100, [&](IdRange some) {
     for (uint32_t id = ids.last - (some.first - ids.first), end = ids.last - (some.last - ids.first); id-- > end;) {
@@ -189,8 +186,15 @@ HalfEdgeCounts count_half_edges(const TouchingRecords &touching, Patience &patie
   const auto [range, v, c] = touching;
   const Span<const VertexRecord> vertices = a.vertices.items().part(v.first, v.last);
   const Span<const CircleRecord> circles = a.circles.items().part(c.first, c.last);
-  return {count_sides<&FirstParts::half_edge>(vertices, range, a.first, patience),
-          count_sides<&FirstParts::closed_half_edge>(circles, range, a.first, patience)};
+  for (FirstParts &first : a.first.part(range.first, range.last)) first.half_edge = first.closed_half_edge = 0;
+  count_sides<&FirstParts::half_edge>(vertices, range, a.first, patience);
+  count_sides<&FirstParts::closed_half_edge>(circles, range, a.first, patience);
+  HalfEdgeCounts total;
+  for (FirstParts &first : a.first.part(range.first, range.last)) {
+    first.half_edge = total.half_edges += first.half_edge;
+    first.closed_half_edge = total.closed += first.closed_half_edge;
+  }
+  return total;
 }
 
 void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts before, Patience &patience,
@@ -216,11 +220,15 @@ void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts befor
 uint32_t link_half_edges(const BallSet &balls, BallRange range, const HalfEdgeChain &chain, uint32_t loops,
                          Patience &patience, BoundaryArrays &a) {
   BallLinker linker(balls, a, chain);
-  for (uint32_t i = range.first; i < range.last && patience.allows(1000); ++i) {
-    a.first[i].loop = loops;
-    if (a.ball_state[i] != BoundaryArrays::left_out) loops = linker.link(i, loops);
+  const Span<FirstParts> first = a.first;
+  const Span<const uint8_t> state = a.ball_state;
+  for (uint32_t i = range.first;; ++i) {
+    for (; i < range.last && state[i] == BoundaryArrays::left_out; ++i) first[i].loop = loops;
+    if (i == range.last) return loops;
+    first[i].loop = loops;
+    if (!patience.allows(1000)) return loops;
+    loops = linker.link(i, loops);
   }
-  return loops;
 }
 
 }  // namespace hsp

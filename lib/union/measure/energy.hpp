@@ -114,6 +114,12 @@ class EnergySum {
     volume_.add(share.volume);
     by_probe_.add(share.by_probe);
   }
+  // The same for so many shares that are zeros.
+  void add_zeros(const EnergyShare &share, uint32_t times) {
+    area_.add_zeros(share.area, times);
+    volume_.add_zeros(share.volume, times);
+    by_probe_.add_zeros(share.by_probe, times);
+  }
   EnergyShare sums(const EnergyShare &rest = {}) const {
     return {area_.total(rest.area), volume_.total(rest.volume), by_probe_.total(rest.by_probe)};
   }
@@ -125,20 +131,28 @@ class EnergySum {
   TreeSum area_, volume_, by_probe_;
 };
 
-// Calls sink(i, gradient, share) for every ball i of a range of the input.
+// Calls sink(i, gradient) for every ball i of a range of the input, or sink(run, gradient) for several that have the
+// same one, and adds the shares to the sum.
 template <class Sink>
 void differentiate_balls(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, IdRange range,
-                         Sink sink) {
+                         EnergySum &sum, Sink sink) {
   const BallSet &balls = grid.balls();
   const EnergyGradient of_none = gradient_of_energy(balls.lattice, terms, {});  // of balls without faces: with signs
-  visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
+  const EnergyShare no_share{0.0, 0.0, of_none.radius};
+  const auto differentiate = [&](uint32_t i, uint32_t ball) {
     if (!boundary.is_exposed(ball)) {
-      sink(i, of_none, EnergyShare{0.0, 0.0, of_none.radius});
+      sum.add(no_share);
+      sink(i, of_none);
       return;
     }
     const BallGradient own = gradient_of_ball(balls, boundary, terms.weights, ball);
     const EnergyGradient gradient = gradient_of_energy(balls.lattice, terms, own);
-    sink(i, gradient, share_of_energy(balls, terms, ball, own, gradient));
+    sum.add(share_of_energy(balls, terms, ball, own, gradient));
+    sink(i, gradient);
+  };
+  visit_in_input_order(grid, boundary, range, differentiate, [&](IdRange run) {
+    sum.add_zeros(no_share, run.size());
+    sink(run, of_none);
   });
 }
 
@@ -147,11 +161,14 @@ template <class Sink>
 Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, Sink sink) {
   const BallSet &balls = grid.balls();
   EnergySum sum;
-  differentiate_balls(grid, boundary, terms, {0, balls.n},
-                      [&](uint32_t i, const EnergyGradient &gradient, const EnergyShare &share) {
-                        sum.add(share);
-                        sink(i, gradient);
-                      });
+  struct {
+    Sink &sink;
+    void operator()(uint32_t i, const EnergyGradient &gradient) { sink(i, gradient); }
+    void operator()(IdRange run, const EnergyGradient &gradient) {
+      for (const uint32_t i : run) sink(i, gradient);
+    }
+  } each{sink};
+  differentiate_balls(grid, boundary, terms, {0, balls.n}, sum, each);
   return sum.total(balls.lattice, terms.tension, terms.pressure);
 }
 
@@ -165,16 +182,12 @@ bool sum_energy(const Executor &executor, uint32_t balls, const exact::Lattice &
   return each;
 }
 
-// Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor. False if that fails.
+// The same with a sink as differentiate_balls() has it, from the tasks of the executor. False if that fails.
 template <class Sink>
 bool differentiate_energy(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
                           const EnergyTerms &terms, Energy &energy, Sink sink) {
   const auto visit = [&](IdRange range, EnergySum &sum) {
-    differentiate_balls(grid, boundary, terms, range,
-                        [&](uint32_t i, const EnergyGradient &gradient, const EnergyShare &share) {
-                          sum.add(share);
-                          sink(i, gradient);
-                        });
+    differentiate_balls(grid, boundary, terms, range, sum, sink);
   };
   return sum_energy(executor, grid.balls().n, grid.balls().lattice, terms, visit, energy);
 }

@@ -9,25 +9,40 @@
 
 namespace hsp {
 
-// Calls visit(i, ball) for every ball i of a range of the input, with its index in the grid's order.
-template <class Visit>
-void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit) {
+// Calls visit(i, ball) for every ball i of a range of the input, with its index in the grid's order; but pass(run) for
+// balls that the boundary leaves out, as many at once as follow each other.
+template <class Visit, class Pass>
+void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit, Pass pass) {
   const BallSet &balls = grid.balls();
+  const bool is_far = !small_code && balls.n > ahead::few_balls;
   const uint32_t half_edges = range.empty() ? 0 : boundary.half_edges(grid.own_balls() - 1).last;
   for (uint32_t i = range.first; i < range.last; ++i) {
-    if (i + ahead::ranges < range.last) {
+    const uint32_t first = i;
+    while (i < range.last && boundary.is_left_out(grid.grid_index(i))) ++i;
+    if (first < i) pass(IdRange{first, i});
+    if (i == range.last) return;
+    if (is_far && i + ahead::ranges < range.last) {
       const uint32_t ball = grid.grid_index(i + ahead::ranges);
       boundary.prefetch_ranges(ball);
       balls.prefetch(ball);
     }
-    if (i + ahead::half_edges < range.last) boundary.prefetch_half_edges(grid.grid_index(i + ahead::half_edges));
-    if (!small_code && balls.n > ahead::few_balls && i + ahead::neighbours < range.last) {
+    if (is_far && i + ahead::half_edges < range.last)
+      boundary.prefetch_half_edges(grid.grid_index(i + ahead::half_edges));
+    if (is_far && i + ahead::neighbours < range.last) {
       const uint32_t ball = grid.grid_index(i + ahead::neighbours);
       boundary.prefetch_vertices(ball, half_edges);
       boundary.prefetch_neighbours(balls, ball, half_edges);
     }
     visit(i, grid.grid_index(i));
   }
+}
+
+// Calls visit(i, ball) for each of them.
+template <class Visit>
+void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit) {
+  visit_in_input_order(grid, boundary, range, visit, [&](IdRange run) {
+    for (const uint32_t i : run) visit(i, grid.grid_index(i));
+  });
 }
 
 // The same for all balls.

@@ -136,7 +136,7 @@ class WideFloatOf {
 
  private:
   using Wide = typename exact::DoubleLimb<Limb>::type;
-  static constexpr uint32_t limb_bits = sizeof(Limb) * 8;
+  static constexpr uint32_t limb_bits = sizeof(Limb) * 8, limbs_of_word = 64 / limb_bits;
   static constexpr int32_t hopeless = INT32_C(1) << 28;
   // So many bits are right where Newton's method starts, and so many may be wrong after its last step, with room.
   static constexpr uint32_t bits_of_start = 50;
@@ -209,12 +209,18 @@ class WideFloatOf {
     const uint32_t shift = static_cast<uint32_t>(large.exponent_ - small.exponent_);
     const uint32_t whole = shift / limb_bits, bits = shift % limb_bits;
     // Subtracted is the complement, and one. If that is more than there was, the difference is negated.
+    const uint32_t n = large.limbs(), reaching = whole < n ? n - whole : 0;
+    const Limb flip = subtract ? static_cast<Limb>(~Limb{0}) : Limb{0};
     Wide carry = subtract ? 1 : 0;
-    for (uint32_t k = 0; k < large.limbs(); ++k) {
-      const Limb low = k + whole < large.limbs() ? small.limb_[k + whole] : Limb{0};
-      const Limb high = k + whole + 1 < large.limbs() ? small.limb_[k + whole + 1] : Limb{0};
-      const Limb other = bits == 0 ? low : static_cast<Limb>(low >> bits | high << (limb_bits - bits));
-      carry += static_cast<Wide>(large.limb_[k]) + (subtract ? static_cast<Limb>(~other) : other);
+    for (uint32_t k = 0; k < reaching; ++k) {
+      const Limb low = small.limb_[k + whole], high = k + 1 < reaching ? small.limb_[k + whole + 1] : Limb{0};
+      const Limb other = static_cast<Limb>(low >> bits | static_cast<Limb>(high << 1) << (limb_bits - 1 - bits));
+      carry += static_cast<Wide>(large.limb_[k]) + static_cast<Limb>(other ^ flip);
+      result.limb_[k] = static_cast<Limb>(carry);
+      carry >>= limb_bits;
+    }
+    for (uint32_t k = reaching; k < n; ++k) {
+      carry += static_cast<Wide>(large.limb_[k]) + flip;
       result.limb_[k] = static_cast<Limb>(carry);
       carry >>= limb_bits;
     }
@@ -241,7 +247,9 @@ class WideFloatOf {
     return result;
   }
 
-  // Errors: |a| db, |b| da, da db, and less than the last bit for what is cut off.
+  // Errors: |a| db, |b| da, da db, and little more than the last bit for what is cut off: products of words whose
+  // places are too low are left out, together less than 2^-58 of that. Where da is as large as a, |b| da is far more
+  // than the last bit, else da db is at most half of |a| db: together less than 4 times the largest.
   [[gnu::noinline]] static WideFloatOf product(const WideFloatOf &a, const WideFloatOf &b) {
     WideFloatOf result;
     const int32_t inherited = larger(larger(a.size(), a.error_) + b.error_, b.size() + a.error_);
@@ -253,23 +261,24 @@ class WideFloatOf {
     const uint32_t n = a.limbs();
     Limb twice[2 * most_bits / limb_bits];
     for (uint32_t k = 0; k < 2 * n; ++k) twice[k] = 0;
-    Limb highest = 0;
     uint32_t first = 0;
     while (b.limb_[first] == 0) ++first;
     for (uint32_t i = 0; i < n; ++i) {
-      highest = 0;
-      if (a.limb_[i] == 0) continue;  // most of an integer's
-      Wide carry = 0;
-      for (uint32_t j = first; j < n; ++j) {
-        carry += static_cast<Wide>(a.limb_[i]) * b.limb_[j] + twice[i + j];
-        twice[i + j] = static_cast<Limb>(carry);
-        carry >>= limb_bits;
+      const Limb factor = a.limb_[i];
+      if (factor == 0) continue;  // most of an integer's
+      const uint32_t lower = (i / limbs_of_word + 2) * limbs_of_word, least = lower < n ? n - lower : 0;
+      Limb *const to = twice + i;
+      Limb carry = 0;
+      for (uint32_t j = first > least ? first : least; j < n; ++j) {
+        const Wide term = static_cast<Wide>(factor) * b.limb_[j] + to[j] + carry;
+        to[j] = static_cast<Limb>(term);
+        carry = static_cast<Limb>(term >> limb_bits);
       }
-      twice[i + n] = highest = static_cast<Limb>(carry);
+      to[n] = carry;
     }
     result.bits_ = a.bits_;
     result.sign_ = static_cast<int8_t>(a.sign_ * b.sign_);
-    const uint32_t bit = highest >> (limb_bits - 1) != 0 ? 0 : 1;
+    const uint32_t bit = twice[2 * n - 1] >> (limb_bits - 1) != 0 ? 0 : 1;
     for (uint32_t k = 0; k < n; ++k) result.limb_[k] = joined(twice[n + k], twice[n + k - 1], bit);
     result.exponent_ = a.exponent_ + b.exponent_ + a.bits_ - static_cast<int32_t>(bit);
     result.error_ = in_range(larger(inherited, result.exponent_) + 2);

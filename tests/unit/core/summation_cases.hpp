@@ -34,7 +34,34 @@ inline uint32_t errors_stay_small() {
   });
 }
 
+// Zeros before, between and behind other terms: as one by one, with their sign.
+struct ManyZeros {
+  uint32_t before, zeros, behind;
+  double zero;
+};
+constexpr ManyZeros many_zeros[] = {{0, 16, 0, -0.0}, {0, 100, 0, -0.0}, {1, 15, 3, 0.0},   {1, 16, 3, 0.0},
+                                    {5, 64, 40, 0.0}, {16, 33, 1, -0.0}, {40, 1000, 7, 0.0}};
+
+inline uint32_t zeros_at_once_are_zeros_one_by_one() {
+  return first_failing(many_zeros, [](const ManyZeros &c) {
+    hsp::TreeSum at_once, one_by_one;
+    const auto add = [&](uint32_t count) {
+      for (uint32_t k = 0; k < count; ++k) {
+        at_once.add(0.1 + k);
+        one_by_one.add(0.1 + k);
+      }
+    };
+    add(c.before);
+    at_once.add_zeros(c.zero, c.zeros);
+    for (uint32_t k = 0; k < c.zeros; ++k) one_by_one.add(c.zero);
+    add(c.behind);
+    const double a = at_once.total(-0.0), b = one_by_one.total(-0.0);
+    return a == b && std::signbit(a) == std::signbit(b);
+  });
+}
+
 inline constexpr Check core_summation[] = {{"adds_in_a_binary_tree", adds_in_a_binary_tree},
-                                           {"errors_stay_small", errors_stay_small}};
+                                           {"errors_stay_small", errors_stay_small},
+                                           {"zeros_at_once_are_zeros_one_by_one", zeros_at_once_are_zeros_one_by_one}};
 
 }  // namespace cases

@@ -212,6 +212,24 @@ TEST(WideFloat, QuotientsAndRoots) {
   }
 }
 
+// Of numbers that fill all of their bits, and are taken as exact: what is left out of a product is within its bound.
+TEST(WideFloat, ProductsOfWholeLengths) {
+  oracle::RandomSource random(5);
+  for (int turn = 0; turn < oracle::rounds(60, 20000); ++turn) {
+    const uint32_t bits = width(random);
+    Triple a = integer(draw(random), bits) / integer(draw(random), bits);
+    Triple b = integer(draw(random), bits) / integer(draw(random), bits);
+    a = {a.broad.exact_in(bits), a.narrow.exact_in(bits), {}, {}};
+    b = {b.broad.exact_in(bits), b.narrow.exact_in(bits), {}, {}};
+    ASSERT_NO_FATAL_FAILURE(expect_same_bits(a.broad * b.broad, a.narrow * b.narrow));
+    int64_t exponent = 0, other = 0;
+    const BigInteger product = mantissa(a.broad, exponent) * mantissa(b.broad, other);
+    const int64_t low = exponent + other;
+    ASSERT_NO_FATAL_FAILURE(expect_within_error(a.broad * b.broad, times_power(product, std::max(low, int64_t{0})),
+                                                times_power(BigInteger(1), std::max(-low, int64_t{0}))));
+  }
+}
+
 // Errors go into every result, and doubles say the same.
 TEST(WideFloat, ErrorsAreHandedOn) {
   oracle::RandomSource random(4);

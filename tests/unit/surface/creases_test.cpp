@@ -200,6 +200,30 @@ TEST(Creases, OfTiedFamilies) {
   }
 }
 
+// Points are kept as far as there is room for them: that must not be seen in the last bit of any patch.
+TEST(Creases, HaveTheSameBitsInAnyRoom) {
+  for (const support::TiedFamily &family : support::tied_families) {
+    for (uint64_t k = 0; k < 3; ++k) {
+      SCOPED_TRACE(family.name + std::to_string(k));
+      const support::TiedSet set = family.member(k);
+      const BuiltSurface built(set.balls, set.probe, 0.0);
+      const hsp::Boundary &boundary = built.boundary();
+      for (const uint32_t neighbours : {1U, 400U}) {
+        hsp::SurfaceLimits limits =
+            hsp::default_surface_limits(boundary.vertex_count(), boundary.face_count(), boundary.circle_count());
+        limits.neighbours = neighbours;
+        CarvedMemory memory;
+        hsp::SurfaceBuilder builder;
+        ASSERT_EQ(memory.build(builder, limits, built.balls(), boundary), hsp::Status::ok);
+        for (uint32_t v = 0; v < boundary.vertex_count(); ++v) {
+          EXPECT_EQ(builder.surface().patch(v).area, built.surface().patch(v).area) << v;
+          EXPECT_EQ(builder.surface().patch(v).vector_area.x, built.surface().patch(v).vector_area.x) << v;
+        }
+      }
+    }
+  }
+}
+
 // Probes of one circle whose coordinates are alike: a point of it has to be the same one for every question.
 TEST(Creases, OfBallsThatTouchWhereOthersPass) {
   const double sets[][6][3] = {{{0, 1, 0}, {.6, 0, -.8}, {0, -1, 0}, {0, -1, 0}, {0, 1, 0}},
