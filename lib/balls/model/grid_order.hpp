@@ -109,6 +109,9 @@ class CubeNumbers {
   uint64_t x(const exact::Vector &centre) const { return static_cast<uint64_t>(axis_.cube_at(centre.x) - first_.x); }
   uint64_t y(const exact::Vector &centre) const { return static_cast<uint64_t>(axis_.cube_at(centre.y) - first_.y); }
   uint64_t z(const exact::Vector &centre) const { return static_cast<uint64_t>(axis_.cube_at(centre.z) - first_.z); }
+  uint64_t along(int axis, const exact::Vector &centre) const {
+    return axis == 0 ? x(centre) : axis == 1 ? y(centre) : z(centre);
+  }
   bool same_cube(const exact::Vector &a, const exact::Vector &b) const { return axis_.cube_at(a) == axis_.cube_at(b); }
 
  private:
@@ -137,9 +140,9 @@ inline uint32_t passes_for(const DigitSort &sort, uint32_t bits) {
 
 // Entries first .. last - 1, and how often each value of their first digit is there. A call, so that this loop has its
 // registers. The first time the balls are in the order of their numbers.
-template <bool first_time, class Source, class Key>
-[[gnu::noinline]] void fill_entries(const DigitSort &sort, const Source source, uint32_t shift, const Key key,
-                                    uint32_t first, uint32_t last) {
+template <class Source, class Key>
+[[gnu::noinline]] void fill_entries(const DigitSort &sort, const Source source, bool first_time, uint32_t shift,
+                                    const Key key, uint32_t first, uint32_t last) {
   const Span<uint32_t> entries = sort.entries(), counts = sort.key_counts();
   const uint32_t first_shift = sort.first_shift(), mask = sort.mask();
   for (uint32_t k = first; k < last; ++k) {
@@ -162,11 +165,7 @@ void sort_by(DigitSort &sort, const Source &source, bool first_time, uint32_t bi
       constexpr uint32_t at_once = 1 << 16;
       if (!patience.allows(100 * at_once)) return;
       last = n - first < at_once ? n : first + at_once;
-      if (first_time) {
-        fill_entries<true>(sort, source, shift, key, first, last);
-      } else {
-        fill_entries<false>(sort, source, shift, key, first, last);
-      }
+      fill_entries(sort, source, first_time, shift, key, first, last);
     }
     sort.sort(patience);
     first_time = false;
@@ -222,15 +221,13 @@ BallRange run_around(uint32_t k, uint32_t n, const Alike &alike) {
 template <class Source>
 [[gnu::cold, gnu::noinline]] void sort_by_axes(DigitSort &sort, const Source &source, const CubeNumbers &numbers,
                                                Patience &patience) {
-  const uint32_t passes =
-      passes_for(sort, numbers.bits_x()) + passes_for(sort, numbers.bits_y()) + passes_for(sort, numbers.bits_z());
+  const uint32_t bits[] = {numbers.bits_x(), numbers.bits_y(), numbers.bits_z()};
+  const uint32_t passes = passes_for(sort, bits[0]) + passes_for(sort, bits[1]) + passes_for(sort, bits[2]);
   if (passes % 2 != 0) sort.exchange();
-  sort_by(
-      sort, source, true, numbers.bits_x(), [&](const exact::Vector &centre) { return numbers.x(centre); }, patience);
-  sort_by(
-      sort, source, false, numbers.bits_y(), [&](const exact::Vector &centre) { return numbers.y(centre); }, patience);
-  sort_by(
-      sort, source, false, numbers.bits_z(), [&](const exact::Vector &centre) { return numbers.z(centre); }, patience);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto along = [&, axis](const exact::Vector &centre) { return numbers.along(axis, centre); };
+    sort_by(sort, source, axis == 0, bits[axis], along, patience);
+  }
 }
 
 // Where keys do not tell cubes: balls of one cube that are not in order.
