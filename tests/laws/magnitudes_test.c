@@ -48,7 +48,7 @@ static void too_many_balls(const function *f, uint32_t capacity, int i) {
     call_prepare(&c, f, capacity);
     c.v[i].u = too_many[k];
     law_refused(&c, "too many", f->arguments[i].name,
-                strcmp(f->name, "hsp_model_set") == 0 ? HSP_E_CAPACITY : HSP_E_RANGE, "");
+                strncmp(f->name, "hsp_model_set", 13) == 0 ? HSP_E_CAPACITY : HSP_E_RANGE, "");
   }
 }
 

@@ -125,7 +125,7 @@ bool command_boundary(const struct request *request, const struct molecule *mole
   if (status != HSP_OK) return failure_in_library(failure, status);
   /* Only the list needs the topology: what hangs together is counted without. */
   const bool lists = counted.listed || (!request->json && !request->csv && counted.boundary.shells > 1);
-  if (lists && !(geometry_compute_topology(geometry, failure) &&
+  if (lists && !(geometry_topology_of_boundary(geometry, failure) &&
                  geometry_list_shells(geometry, &counted.shells, &counted.shell_count, failure))) {
     return false;
   }

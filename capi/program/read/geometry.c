@@ -101,7 +101,10 @@ bool geometry_measure(const struct geometry *geometry, uint32_t balls, const uin
 }
 
 bool geometry_compute_topology(struct geometry *geometry, struct failure *failure) {
-  if (!geometry_compute_boundary(geometry, failure)) return false;
+  return geometry_compute_boundary(geometry, failure) && geometry_topology_of_boundary(geometry, failure);
+}
+
+bool geometry_topology_of_boundary(struct geometry *geometry, struct failure *failure) {
   progress_show(&geometry->progress, "computing the topology");
   const int32_t status = hsp_workspace_topology(&geometry->work);
   return status == HSP_OK || failure_in_library(failure, status);

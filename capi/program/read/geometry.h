@@ -54,6 +54,8 @@ bool geometry_compute_boundary_of(struct geometry *geometry, const uint8_t *sele
 
 /* Compute the boundary and its topology. */
 bool geometry_compute_topology(struct geometry *geometry, struct failure *failure);
+/* The same of the boundary that is there. */
+bool geometry_topology_of_boundary(struct geometry *geometry, struct failure *failure);
 
 /* Compute the boundary and the contacts over it. */
 bool geometry_compute_contacts(struct geometry *geometry, struct failure *failure);

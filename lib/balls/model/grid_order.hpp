@@ -130,7 +130,7 @@ class CubeNumbers {
 namespace grid_order_parts {
 
 // Passes of sort_by().
-inline uint32_t passes_for(const DigitSort &sort, uint32_t bits) {
+[[gnu::noinline]] inline uint32_t passes_for(const DigitSort &sort, uint32_t bits) {
   uint32_t passes = 0;
   for (uint32_t shift = 0; shift < bits || shift == 0; shift += 32) {
     passes += sort.passes_for(bits - shift < 32 ? bits - shift : 32).count;

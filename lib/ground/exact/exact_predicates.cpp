@@ -45,7 +45,8 @@ struct Evaluation {
   static I192 D_of(const Sphere &sphere, const Vector &n, const LongVector &q) {
     return product<192>(dot128(n, n), I64::from(sphere.W)) - square<192>(q);
   }
-  static LongVector H_of(const Plane &P, const Plane &Q, const Plane &R, const Vector &n) {
+  // Out of line, too: questions of a vertex have it, and are asked where doubles are not sure.
+  [[gnu::noinline]] static LongVector H_of(const Plane &P, const Plane &Q, const Plane &R, const Vector &n) {
     const LongVector q = q_of(P, Q);
     const Vector &z = R.v;
     const auto minor = [](const I128 &a, int64_t b, const I128 &c, int64_t d) {
@@ -69,8 +70,8 @@ class Growth {
   // `alike`: if all of them grow by the same amount.
   Growth(const Sphere &sphere, const I192 &alike)
       : origin_(origin_plane(sphere)), weight_(sphere.W / 4), ball_{&origin_}, change_{alike} {}
-  // If the ball behind a plane grows alone. That of a virtual plane does not.
-  void add(const Plane &plane, const I192 &change) {
+  // If the ball behind a plane grows alone. That of a virtual plane does not. Out of line, as sign() is.
+  [[gnu::noinline]] void add(const Plane &plane, const I192 &change) {
     if (plane.perturbed == 0) return;
     ball_[balls_] = &plane;
     change_[balls_++] = change;
@@ -126,6 +127,11 @@ template <class Limb>
 WideInteger<Limb, 192> to_192_bits(const WideInteger<Limb, 128> &value) {
   return product<192>(value, WideInteger<Limb, 64>::from(1));
 }
+// How fast something changes as a ball grows, of ties alone.
+template <class Limb>
+[[gnu::noinline]] WideInteger<Limb, 192> rate(const Vector &a, const Vector &b) {
+  return to_192_bits(Evaluation<Limb>::dot128(a, b));
+}
 
 }  // namespace
 
@@ -171,39 +177,35 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
   const Vector qr = cross(Q.v, R.v);
   const Vector rp = cross(R.v, P.v);
 
-  // A = -H.n changes by (v x z).n with P, (z x u).n with Q and N > 0 with R.
   const int value_A = -E::dot192(H, n).sign();
-  const auto perturbed_A = [&]() {
-    if (value_A != 0) return value_A;
+  // Of four coplanar centres both points are on the same side of R.
+  bool tied[2] = {value_A == 0, value_A == 0};
+  if (sign_B != 0) {
+    int sign_F = E::F_of(sphere, H, B).sign();
+    tied[0] = tied[1] = false;
+    if (sign_F == 0) {
+      // A^2 = B^2 D: the point with A + s B sqrt(D) = 0 lies on R, both do if they coincide.
+      const int on = -value_A * sign_B;
+      tied[0] = on <= 0;
+      tied[1] = on >= 0;
+      const auto square = product<192>(B, B);
+      Growth<Limb> growth(sphere, square + square);
+      growth.add(P, E::dot192(H, qr));
+      growth.add(Q, E::dot192(H, rp));
+      growth.add(R, E::dot192(H, n));
+      sign_F = growth.sign(0);
+      if (sign_F == 0) sign_F = -1;
+    }
+    if (sign_F > 0) return {{-sign_B, sign_B}, {tied[0], tied[1]}};
+  }
+  int side = value_A;
+  if (side == 0) {  // A = -H.n changes by (v x z).n with P, (z x u).n with Q and N > 0 with R
     Growth<Limb> growth(sphere, {});
-    growth.add(P, to_192_bits(E::dot128(qr, n)));
-    growth.add(Q, to_192_bits(E::dot128(rp, n)));
-    growth.add(R, to_192_bits(E::dot128(n, n)));
-    return growth.sign();
-  };
-  if (sign_B == 0) {  // four coplanar centres: both points are on the same side of R
-    const int side = perturbed_A();
-    return {{side, side}, {value_A == 0, value_A == 0}};
+    growth.add(P, rate<Limb>(qr, n));
+    growth.add(Q, rate<Limb>(rp, n));
+    growth.add(R, rate<Limb>(n, n));
+    side = growth.sign();
   }
-
-  const int value_F = E::F_of(sphere, H, B).sign();
-  int sign_F = value_F;
-  bool tied[2] = {false, false};
-  if (value_F == 0) {
-    // A^2 = B^2 D: the point with A + s B sqrt(D) = 0 lies on R, both do if they coincide.
-    const int on = -value_A * sign_B;
-    tied[0] = on <= 0;
-    tied[1] = on >= 0;
-    const auto square = product<192>(B, B);
-    Growth<Limb> growth(sphere, square + square);
-    growth.add(P, E::dot192(H, qr));
-    growth.add(Q, E::dot192(H, rp));
-    growth.add(R, E::dot192(H, n));
-    sign_F = growth.sign(0);
-    if (sign_F == 0) sign_F = -1;
-  }
-  if (sign_F > 0) return {{-sign_B, sign_B}, {tied[0], tied[1]}};
-  const int side = perturbed_A();
   return {{side, side}, {tied[0], tied[1]}};
 }
 
@@ -217,9 +219,9 @@ Sign ExactPredicates<Limb>::near(const Sphere &sphere, const Plane &P, const Pla
   const int value = (product<192>(B, E::I64::from(S.h)) - E::dot192(H, S.v)).sign();
   if (value != 0) return {value * sign_B, false};
   Growth<Limb> growth(sphere, {});
-  growth.add(P, to_192_bits(E::dot128(cross(Q.v, R.v), S.v)));
-  growth.add(Q, to_192_bits(E::dot128(cross(R.v, P.v), S.v)));
-  growth.add(R, to_192_bits(E::dot128(n, S.v)));
+  growth.add(P, rate<Limb>(cross(Q.v, R.v), S.v));
+  growth.add(Q, rate<Limb>(cross(R.v, P.v), S.v));
+  growth.add(R, rate<Limb>(n, S.v));
   growth.add(S, -to_192_bits(B));
   return {growth.sign() > 0 ? sign_B : -sign_B, true};
 }

@@ -3,24 +3,31 @@
 // visits read avoids that; it affects nothing but time.
 #pragma once
 
+#include <type_traits>
+
 #include "boundary/boundary.hpp"
 #include "core/ahead.hpp"
 #include "core/small_code.hpp"
 
 namespace hsp {
 
-// Calls visit(i, ball) for every ball i of a range of the input, with its index in the grid's order; but pass(run) for
-// balls that the boundary leaves out, as many at once as follow each other.
-template <class Visit, class Pass>
-void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit, Pass pass) {
+// Balls that the boundary leaves out are visited as others are.
+struct PassNone {};
+
+// Calls visit(i, ball) for every ball i of a range of the input, with its index in the grid's order; but pass(run), if
+// it is given, for balls that the boundary leaves out, as many at once as follow each other.
+template <class Visit, class Pass = PassNone>
+void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit, Pass pass = {}) {
   const BallSet &balls = grid.balls();
   const bool is_far = !small_code && balls.n > ahead::few_balls;
   const uint32_t half_edges = range.empty() ? 0 : boundary.half_edges(grid.own_balls() - 1).last;
   for (uint32_t i = range.first; i < range.last; ++i) {
-    const uint32_t first = i;
-    while (i < range.last && boundary.is_left_out(grid.grid_index(i))) ++i;
-    if (first < i) pass(IdRange{first, i});
-    if (i == range.last) return;
+    if constexpr (!std::is_same_v<Pass, PassNone>) {
+      const uint32_t first = i;
+      while (i < range.last && boundary.is_left_out(grid.grid_index(i))) ++i;
+      if (first < i) pass(IdRange{first, i});
+      if (i == range.last) return;
+    }
     if (is_far && i + ahead::ranges < range.last) {
       const uint32_t ball = grid.grid_index(i + ahead::ranges);
       boundary.prefetch_ranges(ball);
@@ -35,14 +42,6 @@ void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRang
     }
     visit(i, grid.grid_index(i));
   }
-}
-
-// Calls visit(i, ball) for each of them.
-template <class Visit>
-void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit) {
-  visit_in_input_order(grid, boundary, range, visit, [&](IdRange run) {
-    for (const uint32_t i : run) visit(i, grid.grid_index(i));
-  });
 }
 
 // The same for all balls.
