@@ -39,4 +39,4 @@ hsp_part(space
     pockets/region_finder.cpp
     pockets/tunnel.cpp
   SHIMS hsp_cells hsp_paths hsp_pores hsp_pores_pockets
-  LEVELS shims -O2 cells -O2 paths -O2 tangents -O2 pores -O2 pockets -O2)
+  LEVELS paths -O2 tangents -O2)

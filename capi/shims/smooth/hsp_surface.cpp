@@ -99,14 +99,10 @@ int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *c
   return HSP_OK;
 }
 
-int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
-                            uint32_t capacity, uint32_t *needed) {
-  return hsp_surface_measure_with(surface, nullptr, totals, balls, capacity, needed);
-}
+namespace {
 
-int32_t hsp_surface_measure_with(const hsp_surface *surface, const hsp_surface_measure_request *request,
-                                 hsp_surface_totals *totals, hsp_surface_totals *balls, uint32_t capacity,
-                                 uint32_t *needed) {
+int32_t measure(const hsp_surface *surface, const hsp_surface_measure_request *request, hsp_surface_totals *totals,
+                hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
   hsp_surface_measure_request asked;
   Executor executor(arithmetic);
@@ -122,6 +118,19 @@ int32_t hsp_surface_measure_with(const hsp_surface *surface, const hsp_surface_m
   if (executor.is_stopped()) return HSP_E_STOPPED;
   if (totals != nullptr) *totals = to_c(total);
   return HSP_OK;
+}
+
+}  // namespace
+
+int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
+                            uint32_t capacity, uint32_t *needed) {
+  return measure(surface, nullptr, totals, balls, capacity, needed);
+}
+
+int32_t hsp_surface_measure_with(const hsp_surface *surface, const hsp_surface_measure_request *request,
+                                 hsp_surface_totals *totals, hsp_surface_totals *balls, uint32_t capacity,
+                                 uint32_t *needed) {
+  return measure(surface, request, totals, balls, capacity, needed);
 }
 
 int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,

@@ -1,5 +1,7 @@
 #include "core/executor.hpp"
 
+#include "core/patience.hpp"
+
 namespace hsp {
 namespace {
 
@@ -56,6 +58,13 @@ bool Executor::ask() const {
   if (proceed_(context_)) return true;
   __atomic_store_n(&stopped_, uint8_t{1}, __ATOMIC_RELAXED);
   return false;
+}
+
+bool Patience::still_allows(uint64_t instructions) {
+  spent_ += instructions;
+  if (spent_ < without_asking) return !executor_->is_stopped();
+  spent_ = 0;
+  return executor_->goes_on();
 }
 
 }  // namespace hsp

@@ -14,20 +14,14 @@ class Patience {
   // Whether the caller is asked at all.
   bool may_end() const { return !small_code && executor_ != nullptr; }
   // Whether to go on after work of about so many instructions. Once not, never again.
-  bool allows(uint64_t instructions) {
-    if (small_code || executor_ == nullptr) return true;
-    spent_ += instructions;
-    return spent_ < without_asking ? !executor_->is_stopped() : ask();
-  }
+  bool allows(uint64_t instructions) { return small_code || executor_ == nullptr || still_allows(instructions); }
 
  private:
   // Far less than the interface promises, as estimates may be far off.
   static constexpr uint64_t without_asking = 300000;
 
-  bool ask() {
-    spent_ = 0;
-    return executor_->goes_on();
-  }
+  // Out of line, as it is asked for in many places.
+  bool still_allows(uint64_t instructions);
 
   const Executor *executor_;
   uint64_t spent_ = 0;

@@ -17,6 +17,20 @@ class TreeSum {
     waiting_[count_ % block] = term;
     if (++count_ % block == 0) add_block(sum_of(waiting_, block));
   }
+  // The same of n terms one by one.
+  [[gnu::noinline]] void add(const double *terms, uint32_t n) {
+    while (n > 0) {
+      const uint32_t some = n < block || count_ % block != 0 ? 1 : block;
+      if (some == 1) {
+        add(*terms);
+      } else {
+        count_ += block;
+        add_block(sum_of(terms, block));
+      }
+      terms += some;
+      n -= some;
+    }
+  }
   // The same as add(zero) so many times, for a zero of either sign: sums of such are the zero itself.
   void add_zeros(double zero, uint32_t times) {
     while (times > 0) {
@@ -31,7 +45,7 @@ class TreeSum {
     }
   }
   // `rest`: what is added before the last of these terms, the sum of fewer terms than each of them stands for.
-  double total(double rest = 0.0) const {
+  [[gnu::noinline]] double total(double rest = 0.0) const {
     double sum = rest;
     uint32_t left = count_ % block;  // terms that wait, the complete subtrees of which come last
     for (uint32_t size = 1; size < block; size *= 2) {
@@ -49,8 +63,8 @@ class TreeSum {
   static constexpr int block_level = 4;
   static constexpr uint32_t block = 1U << block_level;
 
-  // A complete subtree of `size` terms.
-  static double sum_of(const double *terms, uint32_t size) {
+  // A complete subtree of `size` terms. A call: once for a block.
+  [[gnu::noinline]] static double sum_of(const double *terms, uint32_t size) {
     double sum[block];
     for (uint32_t k = 0; k < size; ++k) sum[k] = terms[k];
     for (; size > 1; size /= 2) {
@@ -59,7 +73,7 @@ class TreeSum {
     return sum[0];
   }
   // `term`: the sum of the block that is complete now.
-  void add_block(double term) {
+  [[gnu::noinline]] void add_block(double term) {
     // Level k holds the sum of a complete subtree of 2^k blocks whenever bit k of their number is set.
     int level = 0;
     for (uint32_t carry = count_ / block - 1; carry & 1U; carry >>= 1, ++level) term = partial_[level] + term;

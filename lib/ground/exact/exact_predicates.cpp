@@ -209,8 +209,10 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
   return {{side, side}, {tied[0], tied[1]}};
 }
 
+// Cold, so that it is small: it is asked of contacts, and of dense sets whose vertices tie.
 template <class Limb>
-Sign ExactPredicates<Limb>::near(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R, const Plane &S) {
+[[gnu::cold]] Sign ExactPredicates<Limb>::near(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R,
+                                               const Plane &S) {
   using E = Evaluation<Limb>;
   const Vector n = cross(P.v, Q.v);
   const auto H = E::H_of(P, Q, R, n);
@@ -271,8 +273,9 @@ int ExactPredicates<Limb>::cross_dot_cross_sign(const Vector &u, const Vector &v
   return Evaluation<Limb>::dot128(cross(u, v), cross(u, z)).sign();
 }
 
+// Cold: of vertices and arcs that doubles do not give.
 template <class Limb>
-void ExactPredicates<Limb>::radical_vector(const Plane &P, const Plane &Q, double q[3]) {
+[[gnu::cold]] void ExactPredicates<Limb>::radical_vector(const Plane &P, const Plane &Q, double q[3]) {
   const auto exact_q = Evaluation<Limb>::q_of(P, Q);
   q[0] = exact_q.x.to_double();
   q[1] = exact_q.y.to_double();

@@ -18,9 +18,14 @@ inline BallMeasure in_caller_units(const exact::Lattice &lattice, const BallMeas
 class MeasureSum {
  public:
   using Term = BallMeasure;
-  void add(const BallMeasure &measure) {
+  [[gnu::noinline]] void add(const BallMeasure &measure) {
     area_.add(measure.area);
     volume_.add(measure.volume);
+  }
+  // Those of n balls.
+  void add(const double *area, const double *volume, uint32_t n) {
+    area_.add(area, n);
+    volume_.add(volume, n);
   }
   BallMeasure sums(const BallMeasure &rest) const { return {area_.total(rest.area), volume_.total(rest.volume)}; }
   BallMeasure total() const { return sums({}); }
@@ -33,9 +38,9 @@ class MeasureSum {
 inline BallMeasure sum_and_convert(const BallSet &balls, double *area, double *volume) {
   const exact::Lattice &lattice = balls.lattice;
   MeasureSum sum;
+  sum.add(area, volume, balls.n);
   const auto convert = [&]<uint32_t n>(Wide<double, n>, uint32_t i) {
     using L = Wide<double, n>;
-    for (uint32_t k = i; k < i + n; ++k) sum.add({area[k], volume[k]});
     L::store(area + i, lattice.lengths(lattice.lengths(L::load(area + i))));
     L::store(volume + i, lattice.lengths(lattice.lengths(lattice.lengths(L::load(volume + i)))));
   };
