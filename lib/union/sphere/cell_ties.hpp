@@ -24,8 +24,8 @@ class CellTies {
   CellTies(const Caps &caps, double length_squared) : caps_(caps), predicates_(caps.sphere, length_squared) {}
 
   // Decides about the vertices of which `sides` is unsure, for a cap whose plane is no face, and finds those through
-  // which the plane goes before the inflation. False if one of them lies on a side of the cube. Cold: few sets get here,
-  // and nearly all of it is exact questions.
+  // which the plane goes before the inflation. False if one of them lies on a side of the cube. Cold: few sets get
+  // here, and nearly all of it is exact questions.
   [[gnu::cold]] bool decide(const OuterCell &cell, uint32_t cap, VertexSides &sides, VertexBits &on_plane) const;
 
  private:
