@@ -141,8 +141,8 @@ namespace grid_order_parts {
 // Entries first .. last - 1, and how often each value of their first digit is there. A call, so that this loop has its
 // registers. The first time the balls are in the order of their numbers.
 template <class Source, class Key>
-[[gnu::noinline]] void fill_entries(const DigitSort &sort, const Source source, bool first_time, uint32_t shift,
-                                    const Key key, uint32_t first, uint32_t last) {
+HSP_APART_UNLESS_SMALL void fill_entries(const DigitSort &sort, const Source source, bool first_time, uint32_t shift,
+                                         const Key key, uint32_t first, uint32_t last) {
   const Span<uint32_t> entries = sort.entries(), counts = sort.key_counts();
   const uint32_t first_shift = sort.first_shift(), mask = sort.mask();
   for (uint32_t k = first; k < last; ++k) {

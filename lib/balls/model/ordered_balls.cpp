@@ -133,6 +133,7 @@ void OrderedBalls::put(const Source &source, const CubeAxis &axis, BallRange par
                        Patience &patience) {
   constexpr uint32_t at_once = 32 * balls_in_block;
   const uint32_t n = order.size();
+  if (small_code) return put_some(source, axis, part, order, lift, {0, n});
   for (uint32_t first = 0, last = 0; first < n && patience.allows(200 * at_once); first = last) {
     last = n - first < at_once ? n : first + at_once;
     put_some(source, axis, part, order, lift, {first, last});
@@ -141,8 +142,8 @@ void OrderedBalls::put(const Source &source, const CubeAxis &axis, BallRange par
 
 // Some of these, behind those before. A call of its own, so that this loop has its registers.
 template <class Source>
-[[gnu::noinline]] void OrderedBalls::put_some(const Source &given, const CubeAxis &axis, BallRange part,
-                                              const GridOrder &order, int64_t lift, BallRange some) {
+HSP_APART_UNLESS_SMALL void OrderedBalls::put_some(const Source &given, const CubeAxis &axis, BallRange part,
+                                                   const GridOrder &order, int64_t lift, BallRange some) {
   const BallsFrom<Source> source{given, part.first};  // a copy: the compiler knows that it is not written to
   const uint32_t n = order.size();
   const bool is_far = !small_code && n > ahead::few_balls;

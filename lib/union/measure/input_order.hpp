@@ -15,14 +15,14 @@ namespace hsp {
 struct PassNone {};
 
 // Calls visit(i, ball) for every ball i of a range of the input, with its index in the grid's order; but pass(run), if
-// it is given, for balls that the boundary leaves out, as many at once as follow each other.
+// it is given and code is not small, for balls that the boundary leaves out, as many at once as follow each other.
 template <class Visit, class Pass = PassNone>
 void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit, Pass pass = {}) {
   const BallSet &balls = grid.balls();
   const bool is_far = !small_code && balls.n > ahead::few_balls;
   const uint32_t half_edges = range.empty() ? 0 : boundary.half_edges(grid.own_balls() - 1).last;
   for (uint32_t i = range.first; i < range.last; ++i) {
-    if constexpr (!std::is_same_v<Pass, PassNone>) {
+    if constexpr (!small_code && !std::is_same_v<Pass, PassNone>) {
       const uint32_t first = i;
       while (i < range.last && boundary.is_left_out(grid.grid_index(i))) ++i;
       if (first < i) pass(IdRange{first, i});

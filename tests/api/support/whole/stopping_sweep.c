@@ -380,7 +380,7 @@ static int32_t ask_brick(scene *s, const hsp_executor *executor) {
 }
 
 /* Balls so many that taking them asks; and none if it is stopped. */
-enum { MANY_BALLS = 5000 };
+enum { MANY_BALLS = 5000, MOST_PAIRS = 400 * MANY_BALLS };
 static int32_t ask_model(scene *s, const hsp_executor *executor) {
   static double xyz[3 * MANY_BALLS], radius[MANY_BALLS];
   const hsp_model_request request = {.struct_size = sizeof request, .executor = executor};
@@ -406,17 +406,17 @@ static int32_t read_model(scene *s, void *counts, size_t *bytes) {
   return status;
 }
 static int32_t ask_pairs(scene *s, const hsp_executor *executor) {
-  static uint32_t first[MANY_BALLS + 1], ids[64 * MANY_BALLS];
+  static uint32_t first[MANY_BALLS + 1], ids[MOST_PAIRS];
   const hsp_pairs_request request = {.struct_size = sizeof request, .executor = executor};
   uint32_t needed = 77;
-  const int32_t status = hsp_query_pairs_with(s->model, &request, first, ids, 64 * MANY_BALLS, &needed);
+  const int32_t status = hsp_query_pairs_with(s->model, &request, first, ids, MOST_PAIRS, &needed);
   CHECK(status == HSP_OK ? needed == first[MANY_BALLS] : status == HSP_E_STOPPED);
   return status;
 }
 static int32_t ask_pairs_once(scene *s, const hsp_executor *executor) {
-  static uint32_t first[MANY_BALLS + 1], ids[64 * MANY_BALLS];
+  static uint32_t first[MANY_BALLS + 1], ids[MOST_PAIRS];
   const hsp_pairs_request request = {.struct_size = sizeof request, .flags = HSP_PAIRS_ONCE, .executor = executor};
-  return hsp_query_pairs_with(s->model, &request, first, ids, 64 * MANY_BALLS, NULL);
+  return hsp_query_pairs_with(s->model, &request, first, ids, MOST_PAIRS, NULL);
 }
 static int32_t ask_body(scene *s, const hsp_executor *executor) {
   const hsp_body_request request = {.struct_size = sizeof request, .executor = executor};
