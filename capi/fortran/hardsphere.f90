@@ -323,7 +323,7 @@ module hardsphere
     ! NULL, or says whether to go on: 0 does, anything else stops. Also asked with workers 0 or 1. It is asked between
     ! balls and stages of the work, by the caller's thread and by those of tasks, several at a time, with a copy of the
     ! caller's floating-point environment; not by a library that is compiled for size. It must not call functions with
-    ! the handles of the function that asks. Of molecules of up to 50,000 balls fewer than 10 million instructions lie
+    ! the handles of the function that asks. Of molecules of up to 10,000 balls fewer than 10 million instructions lie
     ! between two questions, as a rule one million; where many balls tie in one place there may be more. Functions
     ! without an executor in their request or options do not ask. Those that compute have a sibling that does
     ! (splitting_the_work.md lists them), but for poses, which may be asked for less at a time, and for what measures,

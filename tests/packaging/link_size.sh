@@ -23,7 +23,7 @@ link() { # how, its source, bytes at most, what stands behind the source
   printf '%-18s %7d bytes of text, at most %d\n' "$how" "$text" "$most"
   [ "$text" -le "$most" ] || failed=1
 }
-sed '0,/^```c$/d' "$here/../../README.md" | sed '/^```/Q' >"$work/areas.c"
+awk '/^```/ { inside = $0 == "```c" && !found++; next } inside' "$here/../../README.md" >"$work/areas.c"
 query=$here/consumers/one_query.c
 link query-pkg-config "$query" 54500 "${package[@]}"
 link query-by-hand "$query" 101000 "${by_hand[@]}"
