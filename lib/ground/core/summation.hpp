@@ -19,30 +19,13 @@ class TreeSum {
   }
   // The same of n terms one by one.
   [[gnu::noinline]] void add(const double *terms, uint32_t n) {
-    while (n > 0) {
-      const uint32_t some = n < block || count_ % block != 0 ? 1 : block;
-      if (some == 1) {
-        add(*terms);
-      } else {
-        count_ += block;
-        add_block(sum_of(terms, block));
-      }
-      terms += some;
-      n -= some;
-    }
+    add_many(
+        n, [terms](uint32_t k) { return terms[k]; }, [terms](uint32_t k) { return sum_of(terms + k, block); });
   }
   // The same as add(zero) so many times, for a zero of either sign: sums of such are the zero itself.
   void add_zeros(double zero, uint32_t times) {
-    while (times > 0) {
-      if (times < block || count_ % block != 0) {
-        add(zero);
-        --times;
-      } else {
-        count_ += block;
-        times -= block;
-        add_block(zero);
-      }
-    }
+    const auto always = [zero](uint32_t) { return zero; };
+    add_many(times, always, always);
   }
   // `rest`: what is added before the last of these terms, the sum of fewer terms than each of them stands for.
   [[gnu::noinline]] double total(double rest = 0.0) const {
@@ -63,6 +46,19 @@ class TreeSum {
   static constexpr int block_level = 4;
   static constexpr uint32_t block = 1U << block_level;
 
+  // n terms, number k of them term(k), and block_at(k) the sum of a block of them that begins there.
+  template <class Term, class BlockAt>
+  void add_many(uint32_t n, Term term, BlockAt block_at) {
+    for (uint32_t k = 0; k < n;) {
+      if (n - k < block || count_ % block != 0) {
+        add(term(k++));
+      } else {
+        count_ += block;
+        add_block(block_at(k));
+        k += block;
+      }
+    }
+  }
   // A complete subtree of `size` terms. A call: once for a block.
   [[gnu::noinline]] static double sum_of(const double *terms, uint32_t size) {
     double sum[block];
