@@ -60,8 +60,26 @@ inline uint32_t zeros_at_once_are_zeros_one_by_one() {
   });
 }
 
+// A row of terms behind others that wait: as one by one.
+inline uint32_t rows_are_terms_one_by_one() {
+  constexpr uint32_t most = 80;
+  double term[most];
+  for (uint32_t k = 0; k < most; ++k) term[k] = 0.1 + k / 7.0;
+  for (uint32_t before = 0; before < 20; ++before) {
+    for (uint32_t last = before; last <= most; ++last) {
+      hsp::TreeSum row, one_by_one;
+      for (uint32_t k = 0; k < last; ++k) one_by_one.add(term[k]);
+      for (uint32_t k = 0; k < before; ++k) row.add(term[k]);
+      row.add(term + before, last - before);
+      if (row.total() != one_by_one.total()) return before;
+    }
+  }
+  return all_hold;
+}
+
 inline constexpr Check core_summation[] = {{"adds_in_a_binary_tree", adds_in_a_binary_tree},
                                            {"errors_stay_small", errors_stay_small},
-                                           {"zeros_at_once_are_zeros_one_by_one", zeros_at_once_are_zeros_one_by_one}};
+                                           {"zeros_at_once_are_zeros_one_by_one", zeros_at_once_are_zeros_one_by_one},
+                                           {"rows_are_terms_one_by_one", rows_are_terms_one_by_one}};
 
 }  // namespace cases
