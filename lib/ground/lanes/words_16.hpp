@@ -174,6 +174,10 @@ inline Doubles fused(Doubles a, Doubles b, Doubles c) {
 inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
   return fused(a, b, {-c.v});
 }
+// With either sign: that for which a may stay in a register.
+inline Floats distance(Floats a, Floats b) {
+  return b - a;
+}
 inline Floats square_root(Floats a) {
 #if defined(__SSE2__)
   return {Floats::Word::Real(_mm_sqrt_ps(__m128(a.v)))};

@@ -146,6 +146,10 @@ inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
 inline Doubles minus_fused(Doubles a, Doubles b, Doubles c) {
   return {_mm256_fnmadd_pd(a.v, b.v, c.v)};
 }
+// With either sign: that for which b may be read from memory.
+inline Floats distance(Floats a, Floats b) {
+  return a - b;
+}
 inline Floats square_root(Floats a) {
   return {_mm256_sqrt_ps(a.v)};
 }
