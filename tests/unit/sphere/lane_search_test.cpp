@@ -164,6 +164,23 @@ TEST(LaneSearch, SmallIntegers) {
   }
 }
 
+// Balls of the largest radii there are that touch, meet or are a little too far away: lanes take 32 bits of coordinates,
+// and from 2^31 on differences would be others.
+TEST(LaneSearch, LargestRadii) {
+  constexpr double most = 0x1p30 - 1;
+  for (const double radius : {most, 0x1p30 - 0x1p13, 0x1p30 - 0x1p14, 0x1p30 - 0x1p14 - 1, 0x1p30 - 0x1p15, 0x1p29}) {
+    for (const double gap : {-1e6, -1.0, 0.0, 1.0, 2.0, 3.0, 1e3, 3e3, 4e3, 5e3, 1e4, 1e5}) {
+      for (const double origin : {0.0, -0x1p50, 0x1p49 + 1}) {
+        support::BallList balls;
+        balls.add(origin, 0, 0, radius);
+        balls.add(origin + radius + most + gap, 0, 0, most);
+        balls.add(origin + 0x1p30, 0x1p29, 1, most);
+        expect_same_results("largest radii", balls, 0.0, 1.0);
+      }
+    }
+  }
+}
+
 // One large ball among small ones: blocks of cubes with more balls than there is room for.
 TEST(LaneSearch, MoreCandidatesThanRoom) {
   oracle::RandomSource random(813);
