@@ -116,8 +116,8 @@ struct BallSet {
     caller = workspace.take<uint32_t>(static_cast<uint64_t>(capacity) + read_behind);
   }
 
-  // For lanes, before the array of x: the lowest 32 bits of x, y, z and r of each ball side by side, for one instruction
-  // to read. Differences of balls that meet are below 2^31, so that those of the words are exact.
+  // For lanes, before the array of x: the lowest 32 bits of x, y, z and r of each ball side by side. One instruction
+  // reads them. Differences of balls that meet are below 2^31, so that those of the words are exact.
   int32_t *words() const { return reinterpret_cast<int32_t *>(x.data()) - 4 * uint64_t{x.size()}; }
 
   exact::LatticeBall ball(uint32_t i) const {

@@ -5,7 +5,7 @@ namespace hsp::HSP_TARGET {
 
 bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32_t count, const FloatCaps &caps) {
   Integers::all(i).store(near + count);
-  // Words have differences below 2^31. As far as floats leave in doubt centres may be 2^12 farther away than balls meet.
+  // Words have differences below 2^31. Where floats are in doubt centres may be 2^12 farther away than balls that meet.
   if (balls.r[i] >= 0x1p30 - 0x1p14) return false;
   const auto own = [&balls, i](uint32_t c) {
     return Integers::all(static_cast<uint32_t>(balls.words[4 * uint64_t{i} + c]));
