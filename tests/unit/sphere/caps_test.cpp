@@ -12,6 +12,24 @@ TEST(Caps, Cases) {
   expect_cases(cases::sphere_caps);
 }
 
+// Many of which come behind the ball that contains them.
+TEST(Caps, OfContainedBallsAreNone) {
+  oracle::RandomSource random(62);
+  oracle::Balls balls = oracle::balls_in_box(random, 600, 500, 600, 900);
+  balls.push_back({-600, -600, -600, 9000});
+  const BuiltGrid built(oracle::in_lengths(balls, 1));
+  CarvedMemory memory;
+  hsp::Caps caps;
+  memory.carve(caps, 600);
+  const uint32_t outer = built.grid().grid_index(600);
+  EXPECT_LT(outer, 128U);
+  for (uint32_t i = 0; i <= 600; ++i) {
+    caps.gather(built.grid().balls(), built.grid().block_around({0, 0, 0}), i, nullptr);
+    EXPECT_EQ(caps.contained, i != outer);
+    EXPECT_EQ(caps.count, 0U);
+  }
+}
+
 // Of a part of the balls around one, where small ones among large ones have an index of their own.
 TEST(Caps, OfLaterBallsAlone) {
   oracle::RandomSource random(61);
