@@ -141,8 +141,8 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
   return Status::ok;
 }
 
-// The second of the two arcs of a crease meets the first; the first of the three that start in a corner of creases gives
-// it its number.
+// The second of the two arcs of a crease meets the first. The first of the three that start in a corner of creases says
+// where it is numbered.
 void CreasedPatches::store_arc(const Inputs &in, uint32_t k, CutPatches &cut) {
   const BorderArc &arc = arcs_[k];
   const uint32_t stored = clamped_count(cut.required_arcs());
