@@ -43,7 +43,7 @@ struct hsp_boundary {
 
 namespace hsp::capi {
 
-// What is common to handles that are computed from a boundary.
+// The common part of handles that are computed from a boundary.
 template <class Build>
 struct FromBoundary {
   using Builder = Build;

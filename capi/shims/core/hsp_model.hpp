@@ -26,7 +26,7 @@ struct hsp_model {
 
 namespace hsp::capi {
 
-// What is common to handles that are computed from a model.
+// The common part of handles that are computed from a model.
 template <class Build>
 struct FromModel {
   using Builder = Build;
