@@ -72,6 +72,9 @@ class CutPatches {
   void begin_piece(uint32_t vertex, double area, double volume, const CreaseSums &creases = {});
   void add_arc(uint32_t across, double angle, bool last_of_loop);
   void finish(uint32_t vertices);
+  // Once creases have their twins, and arcs their corners; of three creases the sum of the first such number and that
+  // of the arc that the corner is numbered at.
+  void number_joints(uint32_t first_crease_corner);
 
   uint64_t required_pieces() const { return pieces_.required(); }
   uint64_t required_arcs() const { return arcs_.required(); }
@@ -104,8 +107,6 @@ class CutPatches {
   const RankedBits &creases() const { return creases_; }
   const RankedBits &crease_corners() const { return crease_corners_; }
   const RankedBits &extra_pieces() const { return extra_pieces_; }
-  RankedBits &creases() { return creases_; }
-  RankedBits &crease_corners() { return crease_corners_; }
 
  private:
   uint32_t first_arc(uint32_t piece) const { return piece < pieces_.size() ? pieces_[piece].first_arc : arcs_.size(); }
