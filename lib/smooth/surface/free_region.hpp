@@ -266,8 +266,8 @@ class FreeRegionFinder {
 };
 
 // The loops of the region, if it lies inside a spherical triangle, and the pieces that they bound: sets `loop` and
-// `piece` of all arcs, and the Euler characteristic. False if there are several pieces, and a hole in one of them, or if
-// doubles do not know a hole.
+// `piece` of all arcs, and the Euler characteristic. False if there are several pieces, and a hole in one of them, or
+// if doubles do not know a hole.
 //
 // A loop is the border of a piece or of a hole in one. Put K for the sum of its arcs' heights * angles, minus its
 // exterior angles: by Gauss and Bonnet what the loop leaves on its region's side has the area 2 pi + K. A piece is

@@ -20,8 +20,8 @@ class ProbeCaps {
   // For at most so many caps of other probes.
   void carve(Workspace &workspace, uint32_t neighbours);
 
-  // Finds the caps of the vertex; vertices come in order from the first on. False if there are none but the three sides, or doubles know too little of the place.
-  // If there is no room, met() tells how much would have sufficed.
+  // Finds the caps of the vertex; vertices come in order from the first on. False if there are none but the three
+  // sides, or doubles know too little of the place. If there is no room, met() tells how much would have sufficed.
   bool gather(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
               uint32_t vertex);
 

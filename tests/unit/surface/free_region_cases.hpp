@@ -28,8 +28,8 @@ inline uint32_t random_regions_by_sampling() {
   return all_hold;
 }
 
-// Three circles through one point, circles that touch, a cap beside a corner nearer than its error, and corners that are
-// known, but not which of the two comes first.
+// Three circles through one point, circles that touch, a cap beside a corner nearer than its error, and corners that
+// are known, but not which of two comes first.
 struct UnknownCase {
   uint32_t n;
   UnitCap cap[4];
