@@ -33,7 +33,7 @@ PatchState SphericalPatch::triangulate_pinched() {
   if (good) {
     sphere_.restore_all();
     linked_samples_ = samples_.size();
-    good = name_triangles(true) && close_wedges() && add_necks() && add_faces_without_extent();
+    good = name_triangles() && close_wedges() && add_necks() && add_faces_without_extent();
   }
   if (good) {
     add_corridors();
@@ -166,7 +166,12 @@ bool SphericalPatch::has_covered_point() const {
 }
 
 bool SphericalPatch::name_faces() {
-  waiting_ = 0;
+  if (!lay_strands()) return false;
+  if (loops_.size() == 0) {
+    for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) parts_[t].face = 0;
+    return true;
+  }
+  if (!find_covered()) return false;
   for (uint32_t first = 0; first < sphere_.triangle_count(); ++first) {
     for (const uint32_t strand : parts_[first].strand) {
       if (strand != no_id && parts_[first].face != no_id && !take(first, uncovered, links_[strand].face)) return false;

@@ -136,7 +136,7 @@ PatchState SphericalPatch::triangulate(bool pinched) {
   if (pinched) return triangulate_pinched();
   if (!link_loops() || !fix_borders()) return PatchState::too_coarse;
   sphere_.restore_all();
-  if (name_triangles(false) && name_corners() && has_right_numbers()) return PatchState::complete;
+  if (name_triangles() && name_corners() && has_right_numbers()) return PatchState::complete;
   all_coarse_ = !has_coarse_borders();
   return PatchState::too_coarse;
 }
@@ -169,7 +169,7 @@ void SphericalPatch::insert_points() {
 }
 
 void SphericalPatch::link_samples() {
-  border_samples_ = samples_.size();
+  border_samples_ = linked_samples_ = samples_.size();
   for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
     const uint32_t first = loops_[loop].first, last = end_of_loop(loop);
     for (uint32_t k = first; k < last; ++k) {
@@ -248,9 +248,8 @@ void SphericalPatch::mark_longest_borders() {
 
 // Says of every triangle which face it belongs to. Covered points that the chord of a border leaves on its left are
 // removed. Where there are too few others without them, borders are too coarse.
-bool SphericalPatch::name_triangles(bool pinched) {
-  const auto name = [&] { return pinched ? lay_strands() && find_covered() && name_faces() : spread_faces(); };
-  if (!name()) return false;
+bool SphericalPatch::name_triangles() {
+  if (!name_faces()) return false;
   // Other points keep off borders.
   uint32_t covered[SphereTriangulation::octahedron_points];
   uint32_t count = 0;
@@ -265,36 +264,7 @@ bool SphericalPatch::name_triangles(bool pinched) {
     return false;
   }
   sphere_.restore_all();
-  return name();
-}
-
-// Every face floods what lies to the left of its loops.
-bool SphericalPatch::spread_faces() {
-  const uint32_t triangles = sphere_.triangle_count();
-  for (uint32_t t = 0; t < triangles; ++t) parts_[t] = Part{};
-  waiting_ = 0;
-  if (loops_.size() == 0) take(0, no_id, 0);
-  for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
-    for (uint32_t k = loops_[loop].first; k < end_of_loop(loop); ++k) {
-      if (links_[k].next == no_id) continue;
-      TriangleEdge left;
-      if (!sphere_.find_edge(links_[k].point, links_[links_[k].next].point, left)) return false;
-      uint32_t &strand = parts_[left.triangle].strand[left.edge];
-      if (strand != no_id || !take(left.triangle, no_id, loops_[loop].face)) return false;
-      strand = k;
-    }
-  }
-  while (waiting_ > 0) {
-    const uint32_t t = queue_[--waiting_];
-    for (uint32_t e = 0; e < 3; ++e) {
-      if (sphere_.triangle(t).fixed[e]) {
-        if (parts_[t].strand[e] == no_id) return false;  // a border from behind
-      } else if (!take(sphere_.triangle(t).neighbour[e], no_id, parts_[t].face)) {
-        return false;
-      }
-    }
-  }
-  return true;
+  return name_faces();
 }
 
 // At a point where borders touch there are several vertices: each has the corners from its own border on, counter-

@@ -130,8 +130,7 @@ class SphericalPatch {
   void mark_coarse(uint32_t point);
   void mark_longest_borders();
   bool has_coarse_borders() const;
-  bool name_triangles(bool pinched);
-  bool spread_faces();
+  bool name_triangles();
   // Gives triangle t, which had none, a face to hand on. False if it has another one.
   bool take(uint32_t t, uint32_t none, uint32_t face) {
     if (parts_[t].face != none) return parts_[t].face == face;
@@ -159,7 +158,9 @@ class SphericalPatch {
   bool add_faces_without_extent();
   void add_detours();
   bool has_right_cells();
-  bool has_length(uint32_t sample) const { return links_[sample].point != links_[links_[sample].next].point; }
+  bool has_length(uint32_t sample) const {
+    return links_[sample].next != no_id && links_[sample].point != links_[links_[sample].next].point;
+  }
   uint32_t strand_back(const TriangleEdge &way) const;
   bool is_extra(uint32_t sample) const { return sample >= border_samples_; }
   uint32_t add_extra(uint32_t face, const Vec3 &direction);
