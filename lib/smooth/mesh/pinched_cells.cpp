@@ -190,14 +190,4 @@ void SphericalPatch::add_detours() {
   }
 }
 
-// As for patches that are not pinched (has_right_numbers), with everything added: 2 V - B - T = 2 (2 - loops).
-bool SphericalPatch::has_right_cells() {
-  const uint32_t faces = loops_[loops_.size() - 1].face + 1;
-  for (uint32_t face = 0; face < faces; ++face) balance_[face] = -4;
-  for (uint32_t loop = 0; loop < loops_.size(); ++loop) balance_[loops_[loop].face] += 2;
-  for (uint32_t k = 0; k < samples_.size(); ++k) balance_[links_[k].face] += is_extra(k) ? 2 : 1;
-  for (uint32_t k = 0; k < ears_.size(); ++k) --balance_[ears_[k].face];
-  return has_right_insides(faces);
-}
-
 }  // namespace hsp

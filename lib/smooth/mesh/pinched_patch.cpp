@@ -43,7 +43,7 @@ PatchState SphericalPatch::triangulate_pinched() {
   const uint64_t used = samples_.required() > ears_.required() ? samples_.required() : ears_.required();
   if (used > needed_points_) needed_points_ = used;
   if (samples_.overflowed() || ears_.overflowed()) return PatchState::capacity;
-  pinched_ = good && has_right_cells();
+  pinched_ = good && has_right_numbers();
   all_coarse_ = !pinched_ && !has_coarse_borders();
   return pinched_ ? PatchState::complete : PatchState::too_coarse;
 }

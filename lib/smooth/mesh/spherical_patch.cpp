@@ -289,19 +289,13 @@ bool SphericalPatch::name_corners() {
 }
 
 // V - E + T = 2 - loops for every face, where E = (3 T + B) / 2 and V = I + B, with B vertices and edges on its border
-// and I vertices inside: 2 I + B - T = 2 (2 - loops).
+// and I vertices inside: 2 I + B - T = 2 (2 - loops). Ears are triangles, too.
 bool SphericalPatch::has_right_numbers() {
   const uint32_t faces = loops_.size() == 0 ? 1 : loops_[loops_.size() - 1].face + 1;
   for (uint32_t face = 0; face < faces; ++face) balance_[face] = -4;
-  for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
-    int64_t &balance = balance_[loops_[loop].face];
-    balance += 2;
-    for (uint32_t k = loops_[loop].first; k < end_of_loop(loop); ++k) balance += links_[k].next != no_id ? 1 : 0;
-  }
-  return has_right_insides(faces);
-}
-
-bool SphericalPatch::has_right_insides(uint32_t faces) {
+  for (uint32_t loop = 0; loop < loops_.size(); ++loop) balance_[loops_[loop].face] += 2;
+  for (uint32_t k = 0; k < samples_.size(); ++k) balance_[links_[k].face] += is_extra(k) ? 2 : 1;
+  for (uint32_t k = 0; k < ears_.size(); ++k) --balance_[ears_[k].face];
   Span<uint32_t> face_of_point = queue_;
   for (uint32_t p = 0; p < sphere_.point_count(); ++p) face_of_point[p] = no_id;
   for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {

@@ -140,8 +140,6 @@ class SphericalPatch {
   }
   bool name_corners();
   bool has_right_numbers();
-  // Takes the triangles off the balances of their faces and adds twice the points inside: whether all are 0 then.
-  bool has_right_insides(uint32_t faces);
 
   // Pinched borders: pinched_patch.cpp.
   PatchState triangulate_pinched();
@@ -157,7 +155,6 @@ class SphericalPatch {
   bool add_necks();
   bool add_faces_without_extent();
   void add_detours();
-  bool has_right_cells();
   bool has_length(uint32_t sample) const {
     return links_[sample].next != no_id && links_[sample].point != links_[links_[sample].next].point;
   }
