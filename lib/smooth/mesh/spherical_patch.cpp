@@ -27,7 +27,7 @@ void SphericalPatch::carve(Workspace &workspace, uint32_t points) {
 void SphericalPatch::begin(double spacing) {
   spacing_ = spacing < largest_ring_spacing ? spacing : largest_ring_spacing;
   all_coarse_ = false;
-  pinched_ = false;
+  has_corridors_ = false;
   latest_cap_ = 0;
   samples_.clear();
   loops_.clear();
@@ -133,10 +133,25 @@ PatchState SphericalPatch::triangulate(bool pinched) {
   if (needed_points_ > inputs_.capacity()) return PatchState::capacity;
   sphere_.start(turn);
   insert_points();
-  if (pinched) return triangulate_pinched();
-  if (!link_loops() || !fix_borders()) return PatchState::too_coarse;
-  sphere_.restore_all();
-  if (name_triangles() && name_corners() && has_right_numbers()) return PatchState::complete;
+  link_samples();
+  bool good = route_strands(pinched);
+  if (good) {
+    sphere_.restore_all();
+    linked_samples_ = samples_.size();
+    good = name_triangles() && close_wedges() && add_necks() && add_faces_without_extent();
+  }
+  if (good) {
+    add_corridors();
+    add_detours();
+  }
+  // Also where there is room: what is needed does not depend on that.
+  const uint64_t used = samples_.required() > ears_.required() ? samples_.required() : ears_.required();
+  if (used > needed_points_) needed_points_ = used;
+  if (samples_.overflowed() || ears_.overflowed()) {
+    needed_points_ += needed_points_ / 2;  // it may want more than what it came to
+    return PatchState::capacity;
+  }
+  if (good && has_right_numbers()) return PatchState::complete;
   all_coarse_ = !has_coarse_borders();
   return PatchState::too_coarse;
 }
@@ -179,52 +194,9 @@ void SphericalPatch::link_samples() {
   }
 }
 
-bool SphericalPatch::link_loops() {
-  link_samples();
-  bool good = true;
-  for (uint32_t loop = 0; loop < loops_.size(); ++loop) good &= cut_ears(loop);
-  all_coarse_ |= !good;
-  return good;
-}
-
-// Consecutive points that coincide, ends of arcs without length, make triangles without area.
-bool SphericalPatch::cut_ears(uint32_t loop) {
-  const uint32_t first = loops_[loop].first;
-  const uint32_t last = end_of_loop(loop);
-  for (uint32_t k = first; k < last; ++k) {
-    const uint32_t next = links_[k].next;
-    if (links_[k].point != links_[next].point) continue;
-    const uint32_t previous = links_[k].previous;
-    if (links_[next].next == previous) return false;  // nothing would be left
-    if (samples_[previous].may_be_joined_elsewhere(samples_[next])) return false;
-    ears_.push({loops_[loop].face, {previous, k, next}});
-    links_[previous].next = next;
-    links_[next].previous = previous;
-    links_[k].next = no_id;
-    // The edge that now begins at `previous` may have no length either; it has been looked at before.
-    if (previous < k && links_[previous].point == links_[next].point) return false;
-  }
-  return true;
-}
-
 void SphericalPatch::mark_coarse(uint32_t point) {
   const uint32_t sample = sample_at_[point];
-  if (sample == no_id) return;
-  links_[sample].coarse = true;
-  if (links_[sample].next != no_id) links_[links_[sample].previous].coarse = true;
-}
-
-bool SphericalPatch::fix_borders() {
-  bool good = true;
-  for (uint32_t k = 0; k < samples_.size(); ++k) {
-    if (links_[k].next == no_id) continue;
-    uint32_t obstacle = no_id;
-    if (sphere_.fix_edge(links_[k].point, links_[links_[k].next].point, obstacle)) continue;
-    good = false;
-    links_[k].coarse = true;
-    mark_coarse(obstacle);
-  }
-  return good;
+  if (sample != no_id) links_[sample].coarse = links_[links_[sample].previous].coarse = true;
 }
 
 bool SphericalPatch::has_coarse_borders() const {
@@ -236,7 +208,6 @@ bool SphericalPatch::has_coarse_borders() const {
 // Those without length are none: more points on them would change nothing.
 void SphericalPatch::mark_longest_borders() {
   const auto square = [this](uint32_t k) {
-    if (links_[k].next == no_id) return 0.0;
     const Vec3 start = to_double(sphere_.point(links_[k].point));
     const Vec3 chord = to_double(sphere_.point(links_[links_[k].next].point)) - start;
     return dot(chord, chord);
@@ -265,27 +236,6 @@ bool SphericalPatch::name_triangles() {
   }
   sphere_.restore_all();
   return name_faces();
-}
-
-// At a point where borders touch there are several vertices: each has the corners from its own border on, counter-
-// clockwise, up to the next one.
-bool SphericalPatch::name_corners() {
-  for (uint32_t k = 0; k < samples_.size(); ++k) {
-    if (links_[k].next == no_id) continue;
-    const uint32_t p = links_[k].point;
-    TriangleEdge at;
-    if (!sphere_.find_edge(p, links_[links_[k].next].point, at)) return false;
-    uint32_t t = at.triangle;
-    for (;;) {
-      const uint32_t corner = sphere_.triangle(t).corner_of(p);
-      if (parts_[t].corner[corner] != no_id) return false;
-      parts_[t].corner[corner] = k;
-      const uint32_t edge = next_corner(corner);
-      if (sphere_.triangle(t).fixed[edge]) break;
-      t = sphere_.triangle(t).neighbour[edge];
-    }
-  }
-  return true;
 }
 
 // V - E + T = 2 - loops for every face, where E = (3 T + B) / 2 and V = I + B, with B vertices and edges on its border
