@@ -7,8 +7,8 @@
 // face is known beforehand; that the triangles agree is checked, with the number of triangles that Euler's formula
 // demands, so that a border sampled too coarsely is noticed and never yields a wrong mesh.
 //
-// Where borders touch, or run along each other, there are triangles without area between them (pinched_patch.cpp). Where
-// no number of points tells them apart `pinched` lets them make detours through each other's points.
+// Where borders touch, or run along each other, there are triangles without area between them (pinched_patch.cpp).
+// Where no number of points tells them apart `pinched` lets them make detours through each other's points.
 #pragma once
 
 #include "core/fixed_vector.hpp"
