@@ -24,6 +24,7 @@ sed -i "s/find_package(hardsphere $old_short /find_package(hardsphere $short /" 
 sed -i -E "s/^(## From [0-9.]+ to )$old_short$/\1$short/; s/^(\| [0-9.]+ \| )$old_short \|$/\1$short |/; s/Version $old_short has/Version $short has/" capi/guide/migration.md
 link=-to-${old_short/./}
 git grep -lz -- "#from-[0-9]*$link" '*.md' | xargs -0r sed -i -E "s/(#from-[0-9]+)$link/\1-to-${short/./}/"
+git mv "fuzz/record/$old.csv" "fuzz/record/$version.csv"
 bash capi/interface/generate.sh
 
 if [ "$major" -gt 0 ]; then

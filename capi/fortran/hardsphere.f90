@@ -1050,7 +1050,7 @@ module hardsphere
 
   type, bind(C) :: hsp_surface_edge
     real(c_double) :: centre(3)        ! of its circle, length
-    real(c_double) :: axis(3)          ! unit vector; 0 if the circle has no size
+    real(c_double) :: axis(3)          ! unit vector; 0 if the circle or the edge has no size
     real(c_double) :: radius           ! of its circle, length
     real(c_double) :: angle            ! counter-clockwise about the axis, in [0, 2 pi]
     integer(c_int32_t) :: patch(2)     ! on its left and on its right

@@ -352,7 +352,7 @@ typedef struct hsp_surface_patch {
 /** An edge: a piece of a circle. Frozen. */
 typedef struct hsp_surface_edge {
   double centre[3];     /**< of its circle, length */
-  double axis[3];       /**< unit vector; 0 if the circle has no size */
+  double axis[3];       /**< unit vector; 0 if the circle or the edge has no size */
   double radius;        /**< of its circle, length */
   double angle;         /**< counter-clockwise about the axis, in [0, 2 pi] */
   uint32_t patch[2];    /**< on its left and on its right */

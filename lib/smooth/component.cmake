@@ -18,7 +18,6 @@ hsp_part(smooth
     surface/patch_loops.cpp
     surface/probe_caps.cpp
     surface/probe_grid.cpp
-    surface/probe_positions.cpp
     surface/saddle.cpp
     surface/saddle_sums.kernel.cpp
     surface/surface_areas.cpp

@@ -18,7 +18,7 @@ use() { # name, options
   "$work/$name/user" || { echo "$name: no bytes" && exit 1; }
 }
 for installs in ON OFF; do
-  step cmake -S "$projects" -B "$work/$installs" -DHARDSPHERE_SOURCE="$source" -DHSP_INSTALL=$installs \
+  step cmake -S "$projects" -B "$work/$installs" -DHARDSPHERE_SOURCE="$source" -DHSP_INSTALL=$installs -DHSP_COMPONENTS= \
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx"
 done
 step cmake --build "$work/ON" --parallel 2

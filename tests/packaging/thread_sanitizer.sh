@@ -29,10 +29,11 @@ if [ "$part" = whole ]; then
   count=10
   options=()
 fi
-run cmake -S "$source" -B "$work/build" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+run cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
   -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_C_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" \
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" -DHSP_SANITIZE=thread -DHSP_TESTS=ON \
-  -DHSP_ALL_TESTS=ON -DHSP_SLOW_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_INSTALL=OFF \
+  -DHSP_ALL_TESTS=ON -DHSP_PRECOMPILED_GTEST=ON -DHSP_SLOW_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF \
+  -DHSP_INSTALL=OFF \
   "${options[@]}"
 run cmake --build "$work/build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-2}" --target "${targets[@]}"
 ctest --test-dir "$work/build" -R "^($tests)\$" --no-tests=error --output-on-failure | tee "$work/tests"

@@ -6,12 +6,11 @@
 
 namespace hsp::capi {
 
-// Computes what the request asks for by build(asked, executor), which names the source. The handle is without results
-// where that fails.
-template <class Handle, class Source, class Request, class Build>
-int32_t compute_from(Handle *handle, const Source *source, const Request *request, typename Handle::Given *limits,
-                     Build build) {
-  LibraryArithmetic arithmetic;
+// Computes what the request asks for by build(asked, executor), which names the source. check(asked) is the status of
+// further arguments. The handle is without results where that fails.
+template <class Handle, class Source, class Request, class Check, class Build>
+int32_t compute_from(LibraryArithmetic &arithmetic, Handle *handle, const Source *source, const Request *request,
+                     typename Handle::Given *limits, Check check, Build build) {
   if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
   handle->complete = false;
   Request asked;
@@ -20,8 +19,16 @@ int32_t compute_from(Handle *handle, const Source *source, const Request *reques
           first_failure(check_handle(source), check_struct(limits), read_request(request, asked, executor));
       status != HSP_OK)
     return status;
+  if (const int32_t status = check(asked); status != HSP_OK) return status;
   if (!source->has_results()) return HSP_E_STATE;
   return finish(*handle, build(asked, executor), limits);
+}
+template <class Handle, class Source, class Request, class Build>
+int32_t compute_from(Handle *handle, const Source *source, const Request *request, typename Handle::Given *limits,
+                     Build build) {
+  LibraryArithmetic arithmetic;
+  return compute_from(
+      arithmetic, handle, source, request, limits, [](const Request &) { return HSP_OK; }, build);
 }
 
 // From a boundary alone.

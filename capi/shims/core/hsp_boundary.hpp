@@ -40,3 +40,23 @@ struct hsp_boundary {
     }
   }
 };
+
+namespace hsp::capi {
+
+// The common part of handles that are computed from a boundary.
+template <class Build>
+struct FromBoundary {
+  using Builder = Build;
+
+  uintptr_t tag;
+  Builder builder;
+  Source<hsp_boundary> boundary{};
+  bool complete = false;
+
+  // Whether results may be read: computed, and neither the boundary nor the model has changed since.
+  bool has_results() const { return complete && boundary.is_unchanged(); }
+  const auto &structure() const { return builder.structure(); }
+  const BallSet &balls() const { return boundary->balls(); }
+};
+
+}  // namespace hsp::capi

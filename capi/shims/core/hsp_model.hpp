@@ -23,3 +23,23 @@ struct hsp_model {
   bool has_results() const { return complete; }
   const hsp::BallSet &balls() const { return grid.balls(); }
 };
+
+namespace hsp::capi {
+
+// The common part of handles that are computed from a model.
+template <class Build>
+struct FromModel {
+  using Builder = Build;
+
+  uintptr_t tag;
+  Builder builder;
+  Source<hsp_model> model{};
+  bool complete = false;
+
+  // Whether results may be read: computed, and the model unchanged since.
+  bool has_results() const { return complete && model.is_unchanged(); }
+  const auto &structure() const { return builder.structure(); }
+  const BallSet &balls() const { return model->balls(); }
+};
+
+}  // namespace hsp::capi

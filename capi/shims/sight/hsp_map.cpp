@@ -1,5 +1,6 @@
 #include "hsp_map.hpp"
 
+#include "compute_from.hpp"
 #include "maps/map_check.hpp"
 #include "maps/map_queries.hpp"
 #include "view_options.hpp"
@@ -19,19 +20,10 @@ const hsp::VisibilityMap *map_with(const hsp_map *map, uint32_t h) {
 HSP_HANDLE_BY_BALLS(hsp_map);
 
 int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(map); status != HSP_OK) return status;
-  map->complete = false;
-  hsp_view_options wanted;
-  Executor executor(arithmetic);
-  if (const int32_t status =
-          first_failure(check_handle(model), check_struct(limits), read_view_options(options, wanted, executor));
-      status != HSP_OK)
-    return status;
-  if (!model->has_results()) return HSP_E_STATE;
-  const hsp::Status status = map->builder.build(model->grid, direction_of(wanted), hsp::Patience(&executor));
-  map->model.set(model);
-  return finish(*map, status, limits);
+  return compute_from(map, model, options, limits, [&](const hsp_view_options &wanted, Executor &executor) {
+    map->model.set(model);
+    return map->builder.build(model->grid, direction_of(wanted), hsp::Patience(&executor));
+  });
 }
 
 uint32_t hsp_map_next(const hsp_map *map, uint32_t h) {

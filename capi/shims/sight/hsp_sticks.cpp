@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include "compute_from.hpp"
 #include "view_options.hpp"
 
 using namespace hsp::capi;
@@ -59,33 +60,29 @@ struct Given {
 int32_t compute(LibraryArithmetic &arithmetic, hsp_sticks *sticks, const hsp_model *model,
                 const hsp_view_options *options, const Given &given, hsp_sticks_conflict *conflict,
                 hsp_sticks_limits *limits) {
-  if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
-  sticks->complete = false;
-  hsp_view_options wanted;
-  Executor executor(arithmetic);
-  if (const int32_t status =
-          first_failure(check_handle(model), check_struct(limits), read_view_options(options, wanted, executor));
-      status != HSP_OK)
+  const auto check = [&](const hsp_view_options &) {
+    return are_valid(given.stick, given.count) ? HSP_OK : HSP_E_ARGUMENT;
+  };
+  const auto build = [&](const hsp_view_options &wanted, Executor &executor) {
+    if (!hsp::is_finite(given.radius)) return hsp::Status::not_finite;
+    if (given.radius < 0.0) return hsp::Status::negative;
+    if (given.radius == 0.0) return hsp::Status::range;
+    sticks->model.set(model);
+    const hsp::Status status = sticks->builder.build(
+        model->balls(), direction_of(wanted), given.count, model->balls().lattice.steps(given.radius), given.as_map,
+        [&given](uint32_t k) {
+          const hsp_stick &stick = given.stick[k];
+          return hsp::StickEnds{stick.ball[0], stick.ball[1], (stick.flags & HSP_STICK_WHOLE) != 0,
+                                strands_of(stick.flags)};
+        },
+        hsp::Patience(&executor));
+    if (conflict != nullptr && (status == hsp::Status::ok || status == hsp::Status::conflict)) {
+      const hsp::StickViolation &violation = sticks->builder.violation();
+      *conflict = {static_cast<uint32_t>(violation.conflict), violation.first, violation.second, 0};
+    }
     return status;
-  if (!are_valid(given.stick, given.count)) return HSP_E_ARGUMENT;
-  if (!model->has_results()) return HSP_E_STATE;
-  if (!hsp::is_finite(given.radius)) return HSP_E_NOT_FINITE;
-  if (given.radius < 0.0) return HSP_E_NEGATIVE;
-  if (given.radius == 0.0) return HSP_E_RANGE;
-  const hsp::Status status = sticks->builder.build(
-      model->balls(), direction_of(wanted), given.count, model->balls().lattice.steps(given.radius), given.as_map,
-      [&given](uint32_t k) {
-        const hsp_stick &stick = given.stick[k];
-        return hsp::StickEnds{stick.ball[0], stick.ball[1], (stick.flags & HSP_STICK_WHOLE) != 0,
-                              strands_of(stick.flags)};
-      },
-      hsp::Patience(&executor));
-  sticks->model.set(model);
-  if (conflict != nullptr && (status == hsp::Status::ok || status == hsp::Status::conflict)) {
-    const hsp::StickViolation &violation = sticks->builder.violation();
-    *conflict = {static_cast<uint32_t>(violation.conflict), violation.first, violation.second, 0};
-  }
-  return finish(*sticks, status, limits);
+  };
+  return compute_from(arithmetic, sticks, model, options, limits, check, build);
 }
 
 }  // namespace

@@ -4,25 +4,15 @@
 #include "hsp_model.hpp"
 #include "maps/stick_view_builder.hpp"
 
-struct hsp_sticks {
-  using Builder = hsp::StickViewBuilder;
+struct hsp_sticks : hsp::capi::FromModel<hsp::StickViewBuilder> {
   static constexpr auto kind = hsp::capi::HandleKind::sticks;
   using Given = hsp_sticks_limits;
   using Limits = hsp::capi::LimitFields<hsp::StickLimits, Given, offsetof(Given, balls), offsetof(Given, sticks),
                                         offsetof(Given, pairs), offsetof(Given, edges)>;
 
-  uintptr_t tag;
-  Builder builder;
-  hsp::capi::Source<hsp_model> model{};
-  bool complete = false;
-
-  // Whether results may be read: computed, and the model unchanged since.
-  bool has_results() const { return complete && model.is_unchanged(); }
-  const hsp::StickView &structure() const { return builder.structure(); }
   bool has_map() const { return has_results() && map().exist; }
   const hsp::StickMap &map() const { return builder.map(); }
   auto sight() const { return builder.sight(); }
-  const hsp::BallSet &balls() const { return model->balls(); }
   // Balls, and two halves of each stick.
   uint32_t bodies() const { return balls().n + 2 * structure().sticks.size(); }
   // The caller's number of a ball or half of a stick.

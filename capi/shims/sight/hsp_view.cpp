@@ -34,7 +34,7 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   Executor executor(arithmetic);
   if (const int32_t status =
           first_failure(check_handle(model), boundary == nullptr ? HSP_OK : check_handle(boundary),
-                        versions_first(check_struct(limits), read_view_options(options, wanted, executor)));
+                        versions_first(check_struct(limits), read_request(options, wanted, executor)));
       status != HSP_OK)
     return status;
   hsp::ViewRequest request;

@@ -15,7 +15,7 @@ constexpr hsp_view_options default_view_options() {
 }
 
 // Options as a program gives them, completed; null means defaults.
-inline int32_t read_view_options(const hsp_view_options *given, hsp_view_options &complete, Executor &executor) {
+inline int32_t read_request(const hsp_view_options *given, hsp_view_options &complete, Executor &executor) {
   complete = default_view_options();
   if (given == nullptr) return HSP_OK;
   if (const int32_t status = read_struct(given, default_view_options(), complete); status != HSP_OK) return status;

@@ -1,6 +1,6 @@
 #include "hsp_mesh.hpp"
 
-#include "caller_executor.hpp"
+#include "compute_from.hpp"
 
 using namespace hsp::capi;
 
@@ -39,20 +39,13 @@ template <class Source, class Build>
 int32_t compute(hsp_mesh *mesh, const Source *source, double edge_length, const hsp_mesh_request *request,
                 hsp_mesh_limits *limits, Build build) {
   LibraryArithmetic arithmetic(edge_length);
-  if (const int32_t status = check_handle(mesh); status != HSP_OK) return status;
-  mesh->complete = false;
-  hsp_mesh_request asked;
-  Executor executor(arithmetic);
-  if (const int32_t status =
-          first_failure(check_handle(source), check_struct(limits), read_request(request, asked, executor));
-      status != HSP_OK)
-    return status;
-  const int32_t edge_status = check_edge(edge_length);
-  if (edge_status == HSP_E_ARGUMENT) return edge_status;
-  if (!source->has_results()) return HSP_E_STATE;
-  if (edge_status != HSP_OK) return edge_status;
-  const hsp::Status status = build(balls_of(*source).lattice.steps(edge_length), hsp::Patience(&executor));
-  return finish(*mesh, status, limits);
+  const int32_t edge = check_edge(edge_length);
+  const auto check = [edge](const hsp_mesh_request &) { return edge == HSP_E_ARGUMENT ? edge : HSP_OK; };
+  return compute_from(arithmetic, mesh, source, request, limits, check,
+                      [&](const hsp_mesh_request &, Executor &executor) {
+                        if (edge != HSP_OK) return hsp::Status::not_finite;
+                        return build(balls_of(*source).lattice.steps(edge_length), hsp::Patience(&executor));
+                      });
 }
 
 hsp::Vec3 corner_of(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle, uint32_t k) {

@@ -4,20 +4,12 @@
 #include "hsp_boundary.hpp"
 #include "surface/surface_builder.hpp"
 
-struct hsp_surface {
-  using Builder = hsp::SurfaceBuilder;
+struct hsp_surface : hsp::capi::FromBoundary<hsp::SurfaceBuilder> {
   static constexpr auto kind = hsp::capi::HandleKind::surface;
   using Given = hsp_surface_limits;
   using Limits = hsp::capi::LimitFields<hsp::SurfaceLimits, Given, offsetof(Given, vertices), offsetof(Given, faces),
                                         offsetof(Given, neighbours), offsetof(Given, pieces), offsetof(Given, arcs),
                                         offsetof(Given, cusped_circles)>;
 
-  uintptr_t tag;
-  Builder builder;
-  hsp::capi::Source<hsp_boundary> boundary{};
-  bool complete = false;
-
   const hsp::Surface &structure() const { return builder.surface(); }
-  // Whether results may be read: computed, and neither the boundary nor the model has changed since.
-  bool has_results() const { return complete && boundary.is_unchanged(); }
 };

@@ -1,26 +1,27 @@
-#include "caller_executor.hpp"
+#include "compute_from.hpp"
 #include "core/sorting.hpp"
 #include "pore_records.hpp"
+
+namespace hsp::capi {
+
+static_assert(pore_outside == HSP_PORE_OUTSIDE);
+
+static hsp_pores_options default_options() {
+  return {sizeof(hsp_pores_options), 0, 0.0, nullptr, nullptr};
+}
+
+static int32_t read_request(const hsp_pores_options *given, hsp_pores_options &complete, Executor &executor) {
+  complete = default_options();
+  if (given == nullptr) return HSP_OK;
+  if (const int32_t status = read_struct(given, default_options(), complete); status != HSP_OK) return status;
+  return complete.reserved != 0 ? HSP_E_VERSION : executor.read(complete.executor);
+}
+
+}  // namespace hsp::capi
 
 using namespace hsp::capi;
 
 namespace {
-
-static_assert(hsp::pore_outside == HSP_PORE_OUTSIDE);
-
-hsp_pores_options default_options() {
-  return {sizeof(hsp_pores_options), 0, 0.0, nullptr, nullptr};
-}
-
-int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete, Executor &executor) {
-  complete = default_options();
-  if (given == nullptr) return HSP_OK;
-  if (const int32_t status = read_struct(given, default_options(), complete); status != HSP_OK) {
-    return status;
-  }
-  if (complete.reserved != 0) return HSP_E_VERSION;
-  return executor.read(complete.executor);
-}
 
 // Of other pores, or none, from which points may be taken.
 int32_t check_before(const hsp_pores &pores, const hsp_pores *before) {
@@ -95,23 +96,18 @@ int32_t get_images(const hsp_pores *pores, uint32_t record, hsp_image *images, u
   return status;
 }
 
-// Reads what is asked, computes, and notes the source.
-template <class Handle, class Compute>
-int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_options *options, hsp_pores_limits *limits,
-                     Compute compute) {
+// From a model or a box, which build(options, patience) notes.
+template <class Source, class Build>
+int32_t compute(hsp_pores *pores, const Source *source, const hsp_pores_options *options, hsp_pores_limits *limits,
+                Build build) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
-  pores->complete = false;
-  pores->narrow_steps = 0;
-  hsp_pores_options asked;
-  Executor executor(arithmetic);
-  const int32_t refused =
-      first_failure(check_handle(source), check_struct(limits), read_options(options, asked, executor));
-  if (refused != HSP_OK) return refused;
-  if (const int32_t status = check_before(*pores, asked.before); status != HSP_OK) return status;
-  if (!source->has_results()) return HSP_E_STATE;
-  if (!hsp::is_finite(asked.floor)) return HSP_E_NOT_FINITE;
-  return finish(*pores, compute(asked, hsp::Patience(&executor)), limits);
+  const auto check = [&](const hsp_pores_options &asked) { return check_before(*pores, asked.before); };
+  return compute_from(arithmetic, pores, source, options, limits, check,
+                      [&](const hsp_pores_options &asked, Executor &executor) {
+                        pores->narrow_steps = 0;
+                        if (!hsp::is_finite(asked.floor)) return hsp::Status::not_finite;
+                        return build(asked, hsp::Patience(&executor));
+                      });
 }
 
 hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined, uint32_t component) {
@@ -184,7 +180,7 @@ int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size)
 
 int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
                           hsp_pores_limits *limits) {
-  return compute_from(pores, model, options, limits, [&](const hsp_pores_options &asked, hsp::Patience patience) {
+  return compute(pores, model, options, limits, [&](const hsp_pores_options &asked, hsp::Patience patience) {
     pores->in_box = false;
     pores->model.set(model);
     return pores->builder.build(model->grid, floor_in_steps(model->balls().lattice, asked.floor), patience,
@@ -194,7 +190,7 @@ int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_po
 
 int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options *options,
                                    hsp_pores_limits *limits) {
-  return compute_from(pores, periodic, options, limits, [&](const hsp_pores_options &asked, hsp::Patience patience) {
+  return compute(pores, periodic, options, limits, [&](const hsp_pores_options &asked, hsp::Patience patience) {
     pores->in_box = true;
     pores->periodic.set(periodic);
     return pores->builder.build(periodic->builder.images(), floor_in_steps(periodic->lattice(), asked.floor), patience);

@@ -1,7 +1,5 @@
 #include "mesh/convex_outline.hpp"
 
-#include "surface/probe_positions.hpp"
-
 namespace hsp {
 
 void ConvexOutline::add_border(SphericalPatch &patch) const {
@@ -45,7 +43,7 @@ void ConvexOutline::add_arc(uint32_t h, uint32_t corner, SphericalPatch &patch) 
   const BallSet &balls = curves_.balls();
   const uint32_t c = h / 2;
   const MeshCurve &curve = curves_.curve(c);
-  const Position start = position_of_probe(balls, curves_.boundary(), corner / 3);
+  const Position start = position_of_vertex(balls, curves_.boundary(), corner / 3);
   patch.add({direction_from(balls, ball_, start), corner, c, {no_id, no_id}});
   if (curve.segments == 1) return;
   const SaddleBand band = curves_.band_of_arc(curves_.map().edge(c).source);

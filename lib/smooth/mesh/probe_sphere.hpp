@@ -2,14 +2,13 @@
 #pragma once
 
 #include "mesh/mesh_curve.hpp"
-#include "surface/probe_positions.hpp"
 
 namespace hsp {
 
 class ProbeSphere {
  public:
   ProbeSphere(const BallSet &balls, const Boundary &boundary, uint32_t vertex)
-      : balls_(balls), record_(boundary.vertex(vertex)), centre_(position_of_probe(balls, boundary, vertex)) {}
+      : balls_(balls), record_(boundary.vertex(vertex)), centre_(position_of_vertex(balls, boundary, vertex)) {}
 
   const Position &centre() const { return centre_; }
   // The way from a point to the centre, along the outward normal of the patch.

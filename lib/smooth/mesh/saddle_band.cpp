@@ -1,7 +1,6 @@
 #include "mesh/saddle_band.hpp"
 
 #include "sphere/arc_geometry.hpp"
-#include "surface/probe_positions.hpp"
 #include "surface/saddle.hpp"
 
 namespace hsp {
@@ -12,7 +11,7 @@ SaddleBand::SaddleBand(const BallSet &balls, const Boundary &boundary, uint32_t 
   angle_ = angle_of_arc(balls, boundary, half_edge);
   const uint32_t vertex[2] = {boundary.half_edge(half_edge).vertex, boundary.end_vertex(half_edge)};
   for (uint32_t end = 0; end < 2; ++end) {
-    const Vec3 arm = direction_from(balls, centre_.ball, position_of_probe(balls, boundary, vertex[end]));
+    const Vec3 arm = direction_from(balls, centre_.ball, position_of_vertex(balls, boundary, vertex[end]));
     end_[end] = unit(arm - centre_.offset, perpendicular_to(axis_));
   }
 }

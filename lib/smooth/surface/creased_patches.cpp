@@ -21,14 +21,13 @@ void CreasedPatches::add_sides(const Inputs &in, uint32_t v) {
     const SideOfPatch side = side_of_patch(record, slot);
     const uint32_t start = 3 * v + side.second, end = 3 * v + side.first;
     const uint32_t a = record.ball[side.first], b = record.ball[side.second];
-    const uint32_t k = a < b ? in.cusped.of_arc(a, b) : in.cusped.of_arc(b, a);
-    if (k == no_id) {
+    const uint32_t cusp_at_a = in.cusped.cusp(a, b, a);
+    if (cusp_at_a == no_id) {
       push(in, PatchArc::side(slot), start, end, no_id);
       continue;
     }
-    const auto cusp_of = [&](uint32_t ball) { return first_cusp + 2 * k + (ball == in.cusped.ball(k, 1) ? 1 : 0); };
-    push(in, PatchArc::side(slot), start, cusp_of(b), no_id);
-    push(in, PatchArc::side(slot), cusp_of(a), end, no_id);
+    push(in, PatchArc::side(slot), start, first_cusp + (cusp_at_a ^ 1), no_id);
+    push(in, PatchArc::side(slot), first_cusp + cusp_at_a, end, no_id);
   }
 }
 
@@ -64,7 +63,7 @@ Status CreasedPatches::fill(const Inputs &in, CutPatches &cut, Patience &patienc
     if (status != Status::ok) return status;
   }
   cut.finish(vertices);
-  if (!cut.overflowed()) number_corners(in, cut);
+  if (!cut.overflowed()) cut.number_joints(in.creases.first_corner());
   return Status::ok;
 }
 
@@ -80,15 +79,8 @@ void CreasedPatches::measure_piece(const PatchLoops &loops, uint32_t piece, doub
     steradians += loops.steradians(loop, figures) - 4 * pi;
     uint32_t k = loop;
     do {
-      const ArcFigures &arc = figures[k];
-      const double c = arc.height;
-      const Vec3 along = combine(c, cross(arc.axis, arc.chord), (1.0 - c) * (1.0 + c) * arc.angle, arc.axis);
-      vector_area = combine(1.0, vector_area, -0.5, along);
-      if (arcs[k].crease != no_id) {
-        sums.directions = combine(1.0, sums.directions, c * c * arc.angle, arc.axis);
-        sums.directions = combine(1.0, sums.directions, c, cross(arc.chord, arc.axis));
-        sums.angle += c * arc.angle;
-      }
+      vector_area = vector_area + figures[k].vector_area();
+      if (arcs[k].crease != no_id) sums.add(figures[k]);
       k = arcs[k].next;
     } while (k != loop);
   }
@@ -142,13 +134,19 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
   return Status::ok;
 }
 
-// The second of the two arcs of a crease meets the first.
+// The second of the two arcs of a crease meets the first. The first of the three that start in a corner of creases says
+// where it is numbered.
 void CreasedPatches::store_arc(const Inputs &in, uint32_t k, CutPatches &cut) {
   const BorderArc &arc = arcs_[k];
   const uint32_t stored = clamped_count(cut.required_arcs());
   cut.add_arc(arc.across, figures_[k].angle, arc.next == arc.loop);
   if (stored >= cut.arc_capacity()) return;
   cut.arc(stored).corner = arc.start;
+  if (!arc.is_whole() && arc.start >= in.creases.first_corner()) {
+    uint32_t &first = in.creases.corners()[arc.start - in.creases.first_corner()].arc;
+    if (first == no_id) first = stored;
+    cut.arc(stored).corner = in.creases.first_corner() + first;
+  }
   if (arc.crease == no_id) return;
   uint32_t &first = in.creases.creases()[arc.crease].arc;
   if (first == no_id) {
@@ -157,32 +155,6 @@ void CreasedPatches::store_arc(const Inputs &in, uint32_t k, CutPatches &cut) {
   }
   cut.arc(stored).twin = first;
   cut.arc(first).twin = stored;
-}
-
-// Corners of three creases get the numbers of the arcs that start there in the first patch.
-void CreasedPatches::number_corners(const Inputs &in, CutPatches &cut) {
-  const uint32_t first_corner = 3 * in.actual.boundary().vertex_count() + 2 * in.cusped.count();
-  const auto corner_at = [&](uint32_t arc) {
-    const uint32_t corner = cut.arc(arc).corner;
-    return corner == no_id || corner < first_corner ? no_id : corner - first_corner;
-  };
-  for (uint32_t v = 0; v < in.actual.boundary().vertex_count(); ++v) {
-    for (const uint32_t a : cut.arcs_of_vertex(v)) {
-      cut.creases().set_if(a, cut.arc(a).twin != no_id && cut.arc(a).twin > a);
-      const uint32_t corner = corner_at(a);
-      cut.crease_corners().set_if(a, corner != no_id && in.creases.corners()[corner].vertex[0] == v);
-    }
-  }
-  cut.creases().count();
-  cut.crease_corners().count();
-  const Span<CreaseCorner> corners = in.creases.corners();
-  for (uint32_t a = 0; a < cut.arc_count(); ++a) {
-    if (cut.crease_corners().has(a)) corners[corner_at(a)].number = cut.crease_corners().rank(a);
-  }
-  for (uint32_t a = 0; a < cut.arc_count(); ++a) {
-    const uint32_t corner = corner_at(a);
-    if (corner != no_id) cut.arc(a).corner = first_corner + corners[corner].number;
-  }
 }
 
 }  // namespace hsp

@@ -45,7 +45,6 @@ class CreasedPatches {
   Status store_patch(const Inputs &in, uint32_t v, CutPatches &cut);
   void measure_piece(const PatchLoops &loops, uint32_t piece, double &steradians, Vec3 &vector_area,
                      CreaseSums &sums) const;
-  void number_corners(const Inputs &in, CutPatches &cut);
 
   Span<uint64_t> memory_;
   uint32_t first_kept_ = 0;

@@ -111,7 +111,7 @@ bool Creases::add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w) {
     const uint32_t ball = record.ball[slot], e = boundary.half_edge_at(v, slot);
     const uint32_t circle = boundary.half_edge(e).circle;
     if (!other.has(ball) || !other.has(circle)) continue;
-    const uint32_t k = ball < circle ? cusped_->of_arc(ball, circle) : cusped_->of_arc(circle, ball);
+    const uint32_t k = cusped_->of_arc(ball, circle);
     if (k == no_id) continue;
     share = true;
     if (vertex_across_gap(actual_->balls(), boundary, chosen, ball, e) != w) continue;

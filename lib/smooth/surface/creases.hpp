@@ -15,7 +15,7 @@ namespace hsp {
 struct CreaseCorner {
   uint32_t vertex[3];  // ascending
   int32_t sign;
-  uint32_t number;  // written with the patches (creased_patches.hpp)
+  uint32_t arc;  // where it is numbered, written with the patches (creased_patches.hpp)
 };
 
 struct Crease {
@@ -54,6 +54,7 @@ class Creases {
   FixedVector<uint32_t> &near_list() { return near_; }
   // By its number.
   BorderPoint point(uint32_t corner) const;
+  uint32_t first_corner() const { return first_crease_corner_; }
 
  private:
   Status find_corners(NearVertices &near, Patience &patience);

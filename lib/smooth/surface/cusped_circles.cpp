@@ -58,9 +58,10 @@ bool CuspedCircles::find(const ActualBalls &actual, Patience &patience) {
 }
 
 uint32_t CuspedCircles::of_arc(uint32_t a, uint32_t b) const {
-  const uint32_t first = first_index(0, first_whole_, [this, a](uint32_t k) { return circle_[k].ball[0] >= a; });
-  for (uint32_t k = first; k < first_whole_ && circle_[k].ball[0] == a; ++k) {
-    if (circle_[k].ball[1] == b) return k;
+  const uint32_t low = a < b ? a : b, high = a < b ? b : a;
+  const uint32_t first = first_index(0, first_whole_, [this, low](uint32_t k) { return circle_[k].ball[0] >= low; });
+  for (uint32_t k = first; k < first_whole_ && circle_[k].ball[0] == low; ++k) {
+    if (circle_[k].ball[1] == high) return k;
   }
   return no_id;
 }

@@ -22,7 +22,7 @@ class CuspedCircles {
   uint32_t arcs() const { return arcs_; }
   uint32_t whole_circles() const { return clamped_count(required()) - first_whole_; }
 
-  // The number of the circle of two balls a < b that has arcs, of a whole free circle; no_id if it has no cusps.
+  // The number of the circle of two balls that has arcs, of a whole free circle; no_id if it has no cusps.
   uint32_t of_arc(uint32_t a, uint32_t b) const;
   uint32_t of_circle(uint32_t circle) const;
   // Whether circle k is that of two balls a < b, or this whole one; false for every k that there is not.
@@ -40,6 +40,11 @@ class CuspedCircles {
   uint32_t first_whole() const { return first_whole_; }
   // A half-edge of the boundary on one of these circles, or the whole circle that it is.
   LoopElement element(uint32_t k) const { return k < first_whole_ ? LoopElement::arc(circle_[k].element) : whole(k); }
+  // Number 2 k + s of the cusp of the circle of two balls on the side of one of them; no_id if it has none.
+  uint32_t cusp(uint32_t a, uint32_t b, uint32_t at) const {
+    const uint32_t k = of_arc(a, b);
+    return k == no_id ? no_id : 2 * k + (at == ball(k, 1) ? 1 : 0);
+  }
   // Its two balls, ascending.
   uint32_t ball(uint32_t k, uint32_t side) const { return circle_[k].ball[side]; }
 

@@ -46,6 +46,19 @@ void CutPatches::finish(uint32_t vertices) {
   extra_pieces_.count();
 }
 
+void CutPatches::number_joints(uint32_t first_crease_corner) {
+  for (uint32_t a = 0; a < arcs_.size(); ++a) {
+    creases_.set_if(a, arcs_[a].twin != no_id && arcs_[a].twin > a);
+    crease_corners_.set_if(a, arcs_[a].corner == first_crease_corner + a);
+  }
+  creases_.count();
+  crease_corners_.count();
+  for (PatchArc &arc : arcs_.items()) {
+    if (arc.corner == no_id || arc.corner < first_crease_corner) continue;
+    arc.corner = first_crease_corner + crease_corners_.rank(arc.corner - first_crease_corner);
+  }
+}
+
 // Loops are stored one after the other.
 uint32_t CutPatches::previous(uint32_t arc) const {
   if (arc > 0 && arcs_[arc - 1].next == arc) return arc - 1;

@@ -3,6 +3,10 @@
 namespace hsp {
 namespace {
 
+// A crease is measured in both of its patches, which have found its ends each on its own. They agree to this angle
+// where doubles know them well enough.
+constexpr double crease_tolerance = 1e-6;
+
 class Joiner {
  public:
   Joiner(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience, CutPatches &patches)
@@ -10,26 +14,15 @@ class Joiner {
         cusped_(cusped),
         patience_(patience),
         patches_(patches),
-        first_cusp_(3 * boundary.vertex_count()),
-        first_crease_corner_(first_cusp_ + 2 * cusped.count()) {}
+        first_crease_corner_(3 * boundary.vertex_count() + 2 * cusped.count()) {}
 
   uint32_t join() {
-    // A cusp is known by the corner at the other end of its side, so those come first; then the corners of three
-    // patches at the first of these, before the other two.
-    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_own_corner(v, before, after); });
-    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_cusp(v, before, after); });
-    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { find_owner(v, before, after); });
-    patches_.crease_corners().count();
-    const uint32_t corners = patches_.crease_corners().size();
-    for (uint32_t k = 0; k < corners; ++k) {
-      patches_.arc(patches_.crease_corners().member(k)).corner = first_crease_corner_ + k;
-    }
-    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { find_crease_corner(v, before, after); });
-    // Every arc of a cusped circle has two ends, with both cusps at each.
-    open_ += difference(cusps_, 4 * cusped_.arcs()) + difference(met_, 2 * corners);
+    // In the order of vertices: the first of the patches at a corner of three creases comes before the other two.
+    for_each_arc([this](uint32_t v, uint32_t a) { number_end(v, a); });
     for_each_arc([this](uint32_t v, uint32_t a) { find_twin(v, a); });
-    patches_.creases().count();
-    return open_;
+    patches_.number_joints(first_crease_corner_);
+    // Every arc of a cusped circle has two ends, with both cusps at each.
+    return open_ + difference(cusps_, 4 * cusped_.arcs()) + difference(met_, 2 * patches_.crease_corners().size());
   }
 
  private:
@@ -42,69 +35,39 @@ class Joiner {
       for (const uint32_t a : patches_.arcs(piece)) visit(patches_.piece(piece).vertex, a);
     }
   }
-  // Calls visit(vertex, arc, next arc), but not for whole circles.
-  template <class Visit>
-  void for_each_joint(Visit visit) {
-    for_each_arc([&](uint32_t v, uint32_t a) {
-      const uint32_t next = patches_.arc(a).next;
-      if (next != a) visit(v, a, next);
-    });
-  }
 
-  void number_own_corner(uint32_t v, uint32_t before, uint32_t after) {
-    PatchArc &arc = patches_.arc(after);
-    const PatchArc &last = patches_.arc(before);
-    if (last.is_side() && arc.is_side()) arc.corner = 3 * v + (3 - last.slot() - arc.slot());
-  }
-
-  void number_cusp(uint32_t v, uint32_t before, uint32_t after) {
-    PatchArc &arc = patches_.arc(after);
-    const PatchArc &last = patches_.arc(before);
-    if (last.is_side() == arc.is_side()) return;
-    const PatchArc &side = last.is_side() ? last : arc;
-    // The corner at the other end of this piece of the side.
-    const uint32_t corner = last.is_side() ? last.corner : patches_.arc(arc.next).corner;
-    const VertexRecord &vertex = boundary_.vertex(v);
-    const uint32_t a = side.slot() == 0 ? 1 : 0;
-    const uint32_t b = side.slot() == 2 ? 1 : 2;
-    const uint32_t circle = cusped_.of_arc(vertex.ball[a], vertex.ball[b]);
-    if (circle == no_id || corner >= first_cusp_) {
-      ++open_;
-      return;
+  // Where an arc ends the next one begins. A side comes from its second ball, and from the cusp at its first one on.
+  void number_end(uint32_t v, uint32_t a) {
+    const PatchArc &last = patches_.arc(a);
+    PatchArc &arc = patches_.arc(last.next);
+    if (last.next == a) return;
+    if (last.is_side() && arc.is_side()) {
+      arc.corner = 3 * v + (3 - last.slot() - arc.slot());
+    } else if (last.is_side() || arc.is_side()) {
+      const VertexRecord &vertex = boundary_.vertex(v);
+      const SideOfPatch side = side_of_patch(vertex, (last.is_side() ? last : arc).slot());
+      const uint32_t at = vertex.ball[last.is_side() ? side.second : side.first];
+      const uint32_t cusp = cusped_.cusp(vertex.ball[side.first], vertex.ball[side.second], at);
+      if (cusp != no_id) arc.corner = 3 * boundary_.vertex_count() + cusp;
+      ++(cusp != no_id ? cusps_ : open_);
+    } else if (v < arc.across && v < last.across) {
+      arc.corner = first_crease_corner_ + last.next;
+    } else {
+      arc.corner = corner_at_first(v, last.across, arc.across);
+      ++(arc.corner != no_id ? met_ : open_);
     }
-    arc.corner = first_cusp_ + 2 * circle + (corner == 3 * v + a ? 0 : 1);
-    ++cusps_;
-  }
-
-  bool is_crease_corner(uint32_t before, uint32_t after) const {
-    return !patches_.arc(before).is_side() && !patches_.arc(after).is_side();
-  }
-
-  void find_owner(uint32_t v, uint32_t before, uint32_t after) {
-    if (!is_crease_corner(before, after)) return;
-    if (v < patches_.arc(after).across && v < patches_.arc(before).across) patches_.crease_corners().set(after);
   }
 
   // Around the corner of three probes one comes after v and one before it: in the patch of v a loop arrives on the
   // crease to the one before and leaves on that to the one after. So it does, in this order, in all three patches.
-  void find_crease_corner(uint32_t v, uint32_t before, uint32_t after) {
-    PatchArc &arc = patches_.arc(after);
-    if (!is_crease_corner(before, after) || arc.corner != no_id) return;
-    const uint32_t following = arc.across;
-    const uint32_t preceding = patches_.arc(before).across;
-    const bool owner_follows = following < preceding;
-    const uint32_t owner = owner_follows ? following : preceding;
-    const uint32_t arrive = owner_follows ? v : following;
-    const uint32_t leave = owner_follows ? preceding : v;
-    for (const uint32_t a : patches_.arcs_of_vertex(owner)) {
-      const uint32_t next = patches_.arc(a).next;
-      if (patches_.arc(a).across == arrive && patches_.arc(next).across == leave) {
-        arc.corner = patches_.arc(next).corner;
-        ++met_;
-        return;
-      }
+  uint32_t corner_at_first(uint32_t v, uint32_t preceding, uint32_t following) const {
+    const bool is_following = following < preceding;
+    const uint32_t arrive = is_following ? v : following, leave = is_following ? preceding : v;
+    for (const uint32_t a : patches_.arcs_of_vertex(is_following ? following : preceding)) {
+      const PatchArc &next = patches_.arc(patches_.arc(a).next);
+      if (patches_.arc(a).across == arrive && next.across == leave) return next.corner;
     }
-    ++open_;
+    return no_id;
   }
 
   // A crease runs the other way in the patch across it.
@@ -118,7 +81,6 @@ class Joiner {
         continue;
       arc.twin = b;
       other.twin = a;
-      patches_.creases().set(a);
       const double off = arc.angle - other.angle;
       if (!(off <= crease_tolerance && -off <= crease_tolerance)) ++open_;
       return;
@@ -130,10 +92,8 @@ class Joiner {
   const CuspedCircles &cusped_;
   Patience &patience_;
   CutPatches &patches_;
-  const uint32_t first_cusp_, first_crease_corner_;
-  uint32_t cusps_ = 0;
-  uint32_t met_ = 0;
-  uint32_t open_ = 0;
+  const uint32_t first_crease_corner_;
+  uint32_t cusps_ = 0, met_ = 0, open_ = 0;
 };
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include "core/rows.hpp"
 #include "core/sorting.hpp"
 #include "sphere/caps.hpp"
-#include "surface/probe_positions.hpp"
 
 namespace hsp {
 namespace {
@@ -15,8 +14,6 @@ constexpr uint32_t spare_probes = 7;
 constexpr uint32_t least_buckets = 128;
 // Probes in one bucket whose cubes are not that of the first of them.
 constexpr uint32_t most_of_others = 64;
-// The view of a probe beside a point where two of its balls touch (probe_positions.hpp).
-constexpr double lune_of_touching = pi;
 
 // B and C above: in steps of 1 the rows are far enough apart within 128 buckets, and high bits spread them.
 constexpr uint64_t step_y = (UINT64_C(0x9E3779B97F4A7C15) & ~UINT64_C(127)) + 5;
@@ -113,10 +110,6 @@ void measure_triangles(const BallSet &balls, const Boundary &boundary, const Pro
     triangles.offset[2][lane] = offset.z;
   }
   measure_triangles(boundary.target(), arrays_of(balls), triangles);
-  for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
-    if ((positions.order[vertices[lane]] & ProbePositions::touching_bit) != 0)
-      triangles.steradians[lane] = lune_of_touching;
-  }
 }
 
 void aim(const ProbeTriangles &triangles, uint32_t lane, ProbeSearch &search) {
@@ -248,10 +241,6 @@ bool ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary, Patien
       const Position position =
           x == x ? Position{triangles.ball[0][lane], {x, triangles.offset[1][lane], triangles.offset[2][lane]}}
                  : position_of_vertex(balls, boundary, v);
-      if (triangles.root_discriminant[lane] == 0.0) [[unlikely]] {
-        place_touching(balls, boundary, v);
-        continue;
-      }
       position_.ball[v] = position.ball;
       position_.offset[v] = position.offset;
     }
@@ -259,17 +248,8 @@ bool ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary, Patien
   return true;
 }
 
-void ProbeGrid::place_touching(const BallSet &balls, const Boundary &boundary, uint32_t v) {
-  const Position position = position_of_probe(balls, boundary, v);
-  const Vec3 way = way_off_touching_point(balls, boundary, v);
-  if (dot(way, way) > 0.0) position_.order[v] = static_cast<uint8_t>(position_.order[v] | ProbePositions::touching_bit);
-  position_.ball[v] = position.ball;
-  position_.offset[v] = position.offset;
-}
-
 bool ProbeGrid::build(const BallSet &balls, const Boundary &boundary, Patience &patience) {
   const uint32_t n = boundary.vertex_count();
-  ++builds_;
   choose_units(balls);
   if (!place_all(balls, boundary, patience)) return false;
   lay_out(n);

@@ -21,12 +21,10 @@ struct ProbePositions {
   Span<uint32_t> ball;
   Span<Vec3> offset;
   // The slots of the three balls in the record of the vertex, by rank, in two bits each, and above them whether the
-  // vertex is p- of the circles of balls 1 and 2 on ball 0, and whether it stands off the point where two balls touch
-  // (probe_positions.hpp).
+  // vertex is p- of the circles of balls 1 and 2 on ball 0.
   Span<uint8_t> order;
 
   static constexpr uint32_t negative_bit = UINT32_C(1) << 6;
-  static constexpr uint32_t touching_bit = UINT32_C(1) << 7;
 
   Position operator[](uint32_t vertex) const { return {ball[vertex], offset[vertex]}; }
 };
@@ -45,9 +43,6 @@ class ProbeGrid {
   // False if that is stopped.
   bool build(const BallSet &balls, const Boundary &boundary, Patience &patience);
 
-  // Changes with every build.
-  uint32_t builds() const { return builds_; }
-
   const ProbePositions &positions() const { return position_; }
   Position position(uint32_t vertex) const { return position_[vertex]; }
   // From one vertex to another. The reverse is the negative, bit for bit.
@@ -64,7 +59,6 @@ class ProbeGrid {
   void choose_units(const BallSet &balls);
   void lay_out(uint32_t vertices);
   bool place_all(const BallSet &balls, const Boundary &boundary, Patience &patience);
-  void place_touching(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
   Vec3 in_units(const BallSet &balls, const Position &position) const;
   uint32_t bucket_of(const Vec3 &at) const;
   CubeCoordinates cube_of(const BallSet &balls, uint32_t vertex) const;
@@ -80,7 +74,6 @@ class ProbeGrid {
   Span<uint32_t> vertex_;  // as these
   uint32_t buckets_ = 1;   // a power of two; 0 if probes are sorted by their cubes
   uint32_t probes_ = 0;
-  uint32_t builds_ = 0;
   Vec3 centre_{0, 0, 0};  // in lattice steps, integers
   double inverse_side_ = 0.0;
   float square_of_reach_ = 0.0F, inverse_square_of_reach_ = 0.0F, margin_ = 0.0F;

@@ -2,7 +2,6 @@
 
 #include "measure/areas.hpp"
 #include "sphere/arc_geometry.hpp"
-#include "surface/probe_positions.hpp"
 #include "surface/surface_areas.hpp"
 #include "surface/surface_patches.hpp"
 #include "surface/surface_positions.hpp"
@@ -225,7 +224,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
       centre = {boundary_.face(record.source).ball, {0.0, 0.0, 0.0}};
       radius = balls_.r[centre.ball] - p;
     } else {
-      centre = position_of_probe(balls_, boundary_, record.source);
+      centre = position_of_vertex(balls_, boundary_, record.source);
       radius = -p;
     }
     const Vec3 arm = from_origin(centre);

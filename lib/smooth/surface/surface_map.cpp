@@ -21,9 +21,7 @@ uint32_t SurfaceMap::half_edge_of(uint32_t arc, uint32_t side) const {
 uint32_t SurfaceMap::cusped_circle_of(uint32_t half_edge) const {
   const CuspedCircles &cusped = surface_.cusped_circles();
   if (cusped.count() == 0) return no_id;
-  const uint32_t a = boundary_.ball_of(half_edge);
-  const uint32_t b = boundary_.half_edge(half_edge).circle;
-  return a < b ? cusped.of_arc(a, b) : cusped.of_arc(b, a);
+  return cusped.of_arc(boundary_.ball_of(half_edge), boundary_.half_edge(half_edge).circle);
 }
 
 // Its circle must have cusps.

@@ -3,7 +3,6 @@
 #include "core/sorting.hpp"
 #include "sphere/arc_geometry.hpp"
 #include "surface/actual_balls.hpp"
-#include "surface/probe_positions.hpp"
 #include "surface/saddle.hpp"
 #include "surface/surface_areas.hpp"
 
@@ -47,7 +46,7 @@ struct ProbeCap {
   // That of an arc of the patch of a vertex at a position; a side's is the half of the sphere beyond it.
   ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, const PatchArc &arc) {
     if (!arc.is_side()) {
-      const Vec3 to = difference(balls, from, position_of_probe(balls, boundary, arc.across));
+      const Vec3 to = difference(balls, from, position_of_vertex(balls, boundary, arc.across));
       *this = ProbeCap(to, static_cast<double>(balls.probe_steps));
       return;
     }
@@ -94,7 +93,7 @@ Position position_of_crease_corner(const BallSet &balls, const Boundary &boundar
                                    uint32_t arc) {
   const CutPatches &cut = surface.cut_patches();
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
-  const Position centre = position_of_probe(balls, boundary, vertex);
+  const Position centre = position_of_vertex(balls, boundary, vertex);
   if (surface.is_of_actual_balls()) {
     Vec3 way;
     if (ActualBalls(balls, boundary).find_way(vertex, name_of_start(surface, vertex, arc), way))
@@ -115,7 +114,7 @@ ArcPosition position_of_rim(const BallSet &balls, uint32_t own, uint32_t other, 
 
 ArcPosition position_of_side(const BallSet &balls, const Boundary &boundary, const SurfaceMap &map,
                              const SurfaceEdge &edge) {
-  const Position centre = position_of_probe(balls, boundary, boundary.half_edge(edge.source).vertex);
+  const Position centre = position_of_vertex(balls, boundary, boundary.half_edge(edge.source).vertex);
   const uint32_t own = boundary.ball_of(edge.source);
   const uint32_t other = boundary.half_edge(edge.source).circle;
   const bool first = map.side_of(edge.source) == 0;
@@ -147,7 +146,7 @@ Position position_of_corner(const BallSet &balls, const Boundary &boundary, cons
     const uint32_t cusp = corner - map.first_cusp();
     return position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
   }
-  const Position vertex = position_of_probe(balls, boundary, corner / 3);
+  const Position vertex = position_of_vertex(balls, boundary, corner / 3);
   const uint32_t ball = boundary.vertex(corner / 3).ball[corner % 3];
   return {vertex.ball, vertex.offset + static_cast<double>(balls.probe_steps) * towards(balls, vertex, ball)};
 }
@@ -167,9 +166,9 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
   const CutPatches &cut = surface.cut_patches();
   const PatchArc &arc = cut.arc(record.source);
   const uint32_t vertex = cut.piece(cut.piece_of_arc(record.source)).vertex;
-  const Position centre = position_of_probe(balls, boundary, vertex);
+  const Position centre = position_of_vertex(balls, boundary, vertex);
   const double p = static_cast<double>(balls.probe_steps);
-  Vec3 to = difference(balls, centre, position_of_probe(balls, boundary, arc.across));
+  Vec3 to = difference(balls, centre, position_of_vertex(balls, boundary, arc.across));
   if (surface.is_of_actual_balls()) ActualBalls(balls, boundary).find_way_to_vertex(vertex, arc.across, to);
   const ProbeCap cap(to, p);
   return {{centre.ball, centre.offset + p * cap.height * cap.axis},
@@ -179,15 +178,19 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
 }
 
 // In doubles, as it is asked by tasks, which have little stack.
-CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
+SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
-  const Position centre = position_of_probe(balls, boundary, vertex);
+  const Position centre = position_of_vertex(balls, boundary, vertex);
   const ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
-  if (2 * own.height < coincident_distance) return {own.axis, 0.0, {0.0, 0.0, 0.0}};
+  SphereArc crease{own.axis, own.height, cut.arc(arc).angle, {0.0, 0.0, 0.0}};
   const uint32_t next = cut.arc(arc).next;
-  if (next == arc) return {own.axis, own.height, {0.0, 0.0, 0.0}};
-  const Vec3 start = start_of_arc(balls, boundary, cut, centre, vertex, arc);
-  return {own.axis, own.height, start_of_arc(balls, boundary, cut, centre, vertex, next) - start};
+  if (2 * own.height < coincident_distance) {
+    crease.height = 0.0;
+  } else if (next != arc) {
+    const Vec3 start = start_of_arc(balls, boundary, cut, centre, vertex, arc);
+    crease.chord = start_of_arc(balls, boundary, cut, centre, vertex, next) - start;
+  }
+  return crease;
 }
 
 }  // namespace hsp

@@ -67,8 +67,7 @@ struct TriangleKernel {
   // With the directions d, and their cosines, which are exact but for rounding, and the discriminant
   //   tan(area / 2) = det(d0, d1, d2) / (1 + d0.d1 + d1.d2 + d2.d0)        (Van Oosterom, Strackee 1983)
   // where 2 R0 R1 R2 det = sqrt(D); the vector area is half the sum over the sides of angle times normal. Where two
-  // directions are opposite and both terms 0 there is no area; that of probes beside balls that touch is put there
-  // afterwards (probe_grid.cpp).
+  // directions are opposite and both terms 0 there is no area.
   static void measure(const BallArrays &balls, ProbeTriangles &t) {
     for (uint32_t s = 0; s < ProbeTriangles::lanes; s += n) {
       Vector from_first[3], corner[3];

@@ -1,7 +1,35 @@
+#include "built_surface.hpp"
+#include "expect_cases.hpp"
+#include "lattice_lengths.hpp"
+#include "surface/surface_check.hpp"
 #include "surface_builder_cases.hpp"
 
-#include "expect_cases.hpp"
+namespace {
 
 TEST(SurfaceBuilder, Cases) {
   expect_cases(cases::surface_surface_builder);
 }
+
+// Balls 0 and 1 touch in the origin; spheres of others pass through it, and are seen along the axis in other
+// directions. Areas differ by about the radius of the circle where inflated balls meet; a lune has 1.5 or more.
+TEST(SurfaceBuilder, AreasOfTouchingBallsAreThoseOfInflatedOnes) {
+  const oracle::Balls sets[] = {{{-2, -3, 6, 6}, {2, 3, -6, 6}, {2, -3, 6, 6}},
+                                {{-2, -3, 6, 6}, {2, 3, -6, 6}, {2, -3, 6, 6}, {-2, 3, 6, 6}},
+                                {{-2, -3, 6, 6}, {2, 3, -6, 6}, {2, -3, 6, 6}, {-2, 3, 6, 6}, {2, 3, 6, 6}},
+                                {{-4, -6, 12, 13}, {2, 3, -6, 6}, {2, -3, 6, 6}, {-2, 3, 6, 6}}};
+  constexpr double probe = 1.0, inflation = 0x1p-20;
+  for (const oracle::Balls &balls : sets) {
+    support::BallList list = oracle::in_lengths(balls, 1);
+    const BuiltSurface built(list, probe);
+    for (double &radius : list.radius) radius += inflation;
+    const BuiltSurface inflated(list, probe, inflation);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    ASSERT_EQ(inflated.status(), hsp::Status::ok);
+    EXPECT_NEAR(built.total().area(), inflated.total().area(), 0.1);
+    EXPECT_NEAR(built.total().concave, inflated.total().concave, 0.1);
+    EXPECT_EQ(hsp::check_surface(built.balls(), built.boundary(), built.surface()).invariant,
+              hsp::SurfaceInvariant::none);
+  }
+}
+
+}  // namespace
