@@ -222,6 +222,8 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
   // As the ball before: what lies around the next one is not known yet.
   const uint64_t before = caps.met;
   if (!patience_.allows(2000 + (500 + before) * before)) return;
+  // Once a ball has more neighbours than there is room for, nothing but the largest number is asked for.
+  if (in_lanes && neighbours_ > caps.capacity() && lanes.certainly_meets_few(i, neighbours_)) return;
   const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, components, selected_);
   if (!by_lanes) caps.gather(balls, block, i, components);
   if (!by_lanes && selected_ != nullptr) caps.put_selected_first(selected_);
