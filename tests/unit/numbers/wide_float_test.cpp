@@ -83,7 +83,7 @@ void expect_within_error(const Broad &ours, const BigInteger &numerator, const B
   int64_t exponent = 0;
   const BigInteger m = mantissa(ours, exponent);
   if (ours.words() == 0) exponent = 0;
-  // What is exact but for a factor of 0 has an error of some bits more than none.
+  // A product with an exact 0 has an error of some bits more than none.
   const bool exact = ours.error_exponent() <= Broad::exact / 2;
   const int64_t error = exact ? 0 : ours.error_exponent();
   ASSERT_LT(error, 10000);
