@@ -107,6 +107,10 @@ static void refused(void) {
   CHECK_EQUAL(hsp_areas_bytes(HSP_MAX_BALLS / 8, &bytes), HSP_E_RANGE);
   CHECK_EQUAL(hsp_areas_bytes(THREE_BALLS, NULL), HSP_E_ARGUMENT);
   CHECK(totals.area == -7 && totals.volume == -7 && bytes == sizeof memory);
+  bytes = 1;
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, 0, NULL, &bytes, &totals, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(bytes, 1);
+  bytes = sizeof memory;
   CHECK_EQUAL(hsp_areas(0, NULL, NULL, 0, memory, &bytes, &totals, NULL), HSP_OK);
   CHECK(totals.area == 0 && totals.volume == 0);
 }

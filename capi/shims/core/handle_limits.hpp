@@ -22,7 +22,7 @@ struct LimitFields {
 
  private:
   static constexpr uint8_t offsets[] = {offset...};
-  static constexpr LimitTable table{size_of_struct<Given>, sizeof...(offset), offsets};
+  static constexpr LimitTable table{size_of_struct<Given>, {offsets, sizeof...(offset)}};
 };
 
 }  // namespace hsp::capi

@@ -37,21 +37,23 @@ int32_t write_versioned(const void *value, StructSize known, void *out, uint32_t
 int32_t read_limits(const void *given, LimitTable table, void *limits) {
   unsigned char complete[largest_limits] = {};
   if (const int32_t status = read_versioned(given, table.known, complete); status != HSP_OK) return status;
-  auto *const to = static_cast<unsigned char *>(limits);
-  for (uint32_t k = 0; k < table.count; ++k) {
+  auto *to = static_cast<unsigned char *>(limits);
+  for (const uint8_t offset : table.offsets) {
     uint32_t limit = 0;
-    std::memcpy(&limit, complete + table.offset[k], sizeof limit);
+    std::memcpy(&limit, complete + offset, sizeof limit);
     if (limit > HSP_MAX_BALLS) return HSP_E_RANGE;
-    std::memcpy(to + k * sizeof limit, &limit, sizeof limit);
+    std::memcpy(to, &limit, sizeof limit);
+    to += sizeof limit;
   }
   return HSP_OK;
 }
 
 int32_t write_limits(const void *limits, LimitTable table, void *given, uint32_t struct_size) {
   unsigned char complete[largest_limits] = {};
-  const auto *const from = static_cast<const unsigned char *>(limits);
-  for (uint32_t k = 0; k < table.count; ++k) {
-    std::memcpy(complete + table.offset[k], from + k * sizeof(uint32_t), sizeof(uint32_t));
+  const auto *from = static_cast<const unsigned char *>(limits);
+  for (const uint8_t offset : table.offsets) {
+    std::memcpy(complete + offset, from, sizeof(uint32_t));
+    from += sizeof(uint32_t);
   }
   return write_versioned(complete, table.known, given, struct_size);
 }

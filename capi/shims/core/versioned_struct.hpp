@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/span.hpp"
 #include "hardsphere.h"
 
 namespace hsp::capi {
@@ -33,8 +34,7 @@ int32_t write_versioned(const void *value, StructSize known, void *out, uint32_t
 // in the order of those of a struct of lib.
 struct LimitTable {
   StructSize known;
-  uint32_t count;
-  const uint8_t *offset;
+  Span<const uint8_t> offsets;
 };
 inline constexpr uint32_t largest_limits = 64;
 // HSP_E_RANGE if one is larger than any count.

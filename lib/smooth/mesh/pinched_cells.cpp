@@ -156,61 +156,23 @@ bool SphericalPatch::add_necks() {
   return true;
 }
 
-// Faces that are there and have no extent, as those of a ball that is a point: all of the border is at one point. One
-// way leads around all loops, from the first one to every other one and back. Beside it runs another one, with a point
-// of its own for every step, and that one closes around a point.
+// Faces that are there and have no extent, as those of a ball that is a point: all of the border is at one point.
 bool SphericalPatch::add_faces_without_extent() {
   uint32_t last = 0;
   for (uint32_t first = 0; first < loops_.size(); first = last) {
-    last = first;
     bool any = false;
     bool all = true;
-    while (last < loops_.size() && loops_[last].face == loops_[first].face) {
+    for (last = first; last < loops_.size() && loops_[last].face == loops_[first].face; ++last) {
       bool has_some = false;
       for (uint32_t k = loops_[last].first; k < end_of_loop(last); ++k) has_some = has_some || has_length(k);
       any = any || has_some;
       all = all && has_some;
-      ++last;
     }
     if (any != all) return false;
-    if (any) continue;
-    add_face_without_extent(first, last);
+    if (!any) cut_off_corners(ring_beside(first, last));
     if (samples_.overflowed()) return false;
   }
   return true;
-}
-
-void SphericalPatch::add_face_without_extent(uint32_t first_loop, uint32_t last_loop) {
-  const uint32_t start = loops_[first_loop].first;
-  const uint32_t face = loops_[first_loop].face;
-  const Vec3 direction = direction_of(start);
-  const uint32_t centre = add_extra(face, direction);
-  const uint32_t inner_start = add_extra(face, direction);
-  uint32_t at = start;
-  uint32_t inner = inner_start;
-  const auto step = [&](uint32_t to, bool closes) {
-    const uint32_t inner_to = closes ? inner_start : add_extra(face, direction);
-    ears_.push({face, {at, to, inner_to}});
-    ears_.push({face, {at, inner_to, inner}});
-    ears_.push({face, {centre, inner, inner_to}});
-    at = to;
-    inner = inner_to;
-  };
-  for (uint32_t loop = first_loop; loop < last_loop; ++loop) {
-    uint32_t bridge = no_id;
-    if (loop > first_loop) {
-      bridge = add_extra(face, direction);
-      step(bridge, false);
-      step(loops_[loop].first, false);
-    }
-    for (uint32_t k = loops_[loop].first; k < end_of_loop(loop); ++k) {
-      step(links_[k].next, loop == first_loop && last_loop == first_loop + 1 && links_[k].next == start);
-    }
-    if (loop > first_loop) {
-      step(bridge, false);
-      step(start, loop + 1 == last_loop);
-    }
-  }
 }
 
 void SphericalPatch::add_detours() {

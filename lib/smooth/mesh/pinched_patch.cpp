@@ -48,19 +48,6 @@ PatchState SphericalPatch::triangulate_pinched() {
   return pinched_ ? PatchState::complete : PatchState::too_coarse;
 }
 
-void SphericalPatch::link_samples() {
-  border_samples_ = samples_.size();
-  for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
-    const uint32_t first = loops_[loop].first;
-    const uint32_t last = last_sample(loop);
-    for (uint32_t k = first; k < last; ++k) {
-      const uint32_t next = k + 1 < last ? k + 1 : first;
-      const uint32_t previous = k > first ? k - 1 : last - 1;
-      links_[k] = {next, previous, links_[k].point, false, false, loops_[loop].face, no_id, no_id};
-    }
-  }
-}
-
 // A sample that belongs to no border. Without room for it, any.
 uint32_t SphericalPatch::add_extra(uint32_t face, const Vec3 &direction) {
   samples_.push({direction, no_id, samples_[0].curve, {no_id, no_id}});

@@ -168,18 +168,21 @@ void SphericalPatch::insert_points() {
   }
 }
 
-bool SphericalPatch::link_loops() {
-  bool good = true;
+void SphericalPatch::link_samples() {
+  border_samples_ = samples_.size();
   for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
-    const uint32_t first = loops_[loop].first;
-    const uint32_t last = last_sample(loop);
+    const uint32_t first = loops_[loop].first, last = end_of_loop(loop);
     for (uint32_t k = first; k < last; ++k) {
-      links_[k].next = k + 1 < last ? k + 1 : first;
-      links_[k].previous = k > first ? k - 1 : last - 1;
-      links_[k].coarse = false;
+      const uint32_t next = k + 1 < last ? k + 1 : first, previous = k > first ? k - 1 : last - 1;
+      links_[k] = {next, previous, links_[k].point, false, false, loops_[loop].face, no_id, no_id};
     }
-    good &= cut_ears(loop);
   }
+}
+
+bool SphericalPatch::link_loops() {
+  link_samples();
+  bool good = true;
+  for (uint32_t loop = 0; loop < loops_.size(); ++loop) good &= cut_ears(loop);
   all_coarse_ |= !good;
   return good;
 }
@@ -187,7 +190,7 @@ bool SphericalPatch::link_loops() {
 // Consecutive points that coincide, ends of arcs without length, make triangles without area.
 bool SphericalPatch::cut_ears(uint32_t loop) {
   const uint32_t first = loops_[loop].first;
-  const uint32_t last = last_sample(loop);
+  const uint32_t last = end_of_loop(loop);
   for (uint32_t k = first; k < last; ++k) {
     const uint32_t next = links_[k].next;
     if (links_[k].point != links_[next].point) continue;
@@ -272,7 +275,7 @@ bool SphericalPatch::spread_faces() {
   waiting_ = 0;
   if (loops_.size() == 0) take(0, no_id, 0);
   for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
-    for (uint32_t k = loops_[loop].first; k < last_sample(loop); ++k) {
+    for (uint32_t k = loops_[loop].first; k < end_of_loop(loop); ++k) {
       if (links_[k].next == no_id) continue;
       TriangleEdge left;
       if (!sphere_.find_edge(links_[k].point, links_[links_[k].next].point, left)) return false;
@@ -323,7 +326,7 @@ bool SphericalPatch::has_right_numbers() {
   for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
     int64_t &balance = balance_[loops_[loop].face];
     balance += 2;
-    for (uint32_t k = loops_[loop].first; k < last_sample(loop); ++k) balance += links_[k].next != no_id ? 1 : 0;
+    for (uint32_t k = loops_[loop].first; k < end_of_loop(loop); ++k) balance += links_[k].next != no_id ? 1 : 0;
   }
   return has_right_insides(faces);
 }

@@ -113,8 +113,8 @@ class SphericalPatch {
     uint32_t strand[3] = {no_id, no_id, no_id};
   };
 
-  uint32_t last_sample(uint32_t loop) const {
-    return loop + 1 < loops_.size() ? loops_[loop + 1].first : samples_.size();
+  uint32_t end_of_loop(uint32_t loop) const {
+    return loop + 1 < loops_.size() ? loops_[loop + 1].first : border_samples_;
   }
   bool is_near_cap(const Vec3 &direction);
   bool is_covered(const Vec3 &direction) const;
@@ -124,6 +124,7 @@ class SphericalPatch {
   void add_inner_points();
   void insert_points();
   bool link_loops();
+  void link_samples();
   bool cut_ears(uint32_t loop);
   bool fix_borders();
   void mark_coarse(uint32_t point);
@@ -145,7 +146,6 @@ class SphericalPatch {
 
   // Pinched borders: pinched_patch.cpp.
   PatchState triangulate_pinched();
-  void link_samples();
   bool route_strands();
   bool add_detour(uint32_t sample, uint32_t obstacle);
   bool lay_strands();
@@ -157,12 +157,8 @@ class SphericalPatch {
   void add_corridors();
   bool add_necks();
   bool add_faces_without_extent();
-  void add_face_without_extent(uint32_t first_loop, uint32_t last_loop);
   void add_detours();
   bool has_right_cells();
-  uint32_t end_of_loop(uint32_t loop) const {
-    return loop + 1 < loops_.size() ? loops_[loop + 1].first : border_samples_;
-  }
   bool has_length(uint32_t sample) const { return links_[sample].point != links_[links_[sample].next].point; }
   uint32_t strand_back(const TriangleEdge &way) const;
   bool is_extra(uint32_t sample) const { return sample >= border_samples_; }
@@ -181,7 +177,7 @@ class SphericalPatch {
   double spacing_ = 1.0;
   bool all_coarse_ = false;
   bool pinched_ = false;
-  uint32_t border_samples_ = 0;  // if pinched; those behind belong to no border
+  uint32_t border_samples_ = 0;  // those behind belong to no border
   uint32_t linked_samples_ = 0;  // of these, those behind are linked to nothing
   uint64_t needed_points_ = 0;
   uint32_t waiting_ = 0;      // in the queue

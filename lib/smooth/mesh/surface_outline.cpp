@@ -1,7 +1,5 @@
 #include "mesh/surface_outline.hpp"
 
-#include "measure/areas.hpp"
-
 namespace hsp {
 
 double SurfaceOutline::spacing(uint32_t sphere, double edge) const {
@@ -67,19 +65,15 @@ Status SurfaceOutline::expected_limits(double edge, MeshLimits &limits) const {
   for (uint32_t s = 0; s < sphere_count(); ++s) {
     if (!has_patches(s)) continue;
     double border = 0.0;
-    double steradians = 0.0;
     if (s < balls()) {
       for (const uint32_t face : boundary.faces(s)) border += segments_around(face, edge);
-      const double R = curves_.balls().r[s];
-      steradians = measure_ball(curves_.balls(), boundary, s).area / (R * R);
     } else {
       const uint32_t v = s - balls();
       const IdRange pieces = curves_.surface().cut_patches().pieces(v);
       const uint32_t count = pieces.empty() ? 1 : pieces.size();
       for (uint32_t k = 0; k < count; ++k) border += segments_around(map().concave_patch(v, pieces.first + k), edge);
-      steradians = curves_.surface().patch(v).area / (curves_.probe() * curves_.probe());
     }
-    sizes.add_sphere(border, steradians, spacing(s, edge));
+    sizes.add_sphere(border, steradians(s), spacing(s, edge));
   }
   SaddleGrids(curves_).add_sizes(edge, sizes);
   return sizes.limits(sphere_count(), curve_count(), limits);

@@ -39,4 +39,10 @@ inline uint32_t face_at_vertex(const Boundary &boundary, uint32_t vertex) {
   return boundary.face_of(boundary.half_edge_at(vertex, 0));
 }
 
+// Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
+inline bool may_cut(const Boundary &boundary, const ChosenFaces &chosen, uint32_t vertex, uint32_t other) {
+  return boundary.component(boundary.vertex(other).ball[0]) == boundary.component(boundary.vertex(vertex).ball[0]) &&
+         (chosen.all() || chosen.together(face_at_vertex(boundary, other), face_at_vertex(boundary, vertex)));
+}
+
 }  // namespace hsp

@@ -79,15 +79,8 @@ void CreasedPatches::measure_piece(const PatchLoops &loops, uint32_t piece, doub
     steradians += loops.steradians(loop, figures) - 4 * pi;
     uint32_t k = loop;
     do {
-      const ArcFigures &arc = figures[k];
-      const double c = arc.height;
-      const Vec3 along = combine(c, cross(arc.axis, arc.chord), (1.0 - c) * (1.0 + c) * arc.angle, arc.axis);
-      vector_area = combine(1.0, vector_area, -0.5, along);
-      if (arcs[k].crease != no_id) {
-        sums.directions = combine(1.0, sums.directions, c * c * arc.angle, arc.axis);
-        sums.directions = combine(1.0, sums.directions, c, cross(arc.chord, arc.axis));
-        sums.angle += c * arc.angle;
-      }
+      vector_area = vector_area + figures[k].vector_area();
+      if (arcs[k].crease != no_id) sums.add(figures[k]);
       k = arcs[k].next;
     } while (k != loop);
   }

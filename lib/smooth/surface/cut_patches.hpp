@@ -22,11 +22,31 @@
 
 namespace hsp {
 
+// An arc of a circle of a unit sphere, counter-clockwise about its axis.
+struct SphereArc {
+  Vec3 axis;      // unit vector
+  double height;  // of its circle
+  double angle;   // (0, 2 pi]
+  Vec3 chord;     // from its start to its end; 0 for a whole circle
+
+  // Its term in the integral of the direction over what lies below its circle.
+  Vec3 vector_area() const {
+    return -0.5 * combine(height, cross(axis, chord), (1.0 - height) * (1.0 + height) * angle, axis);
+  }
+};
+
 // Over the creases of a piece, each on the circle with axis a at height c of the unit sphere, from w to w' over the
 // angle phi: what the derivatives of the surface's area ask of them (surface_gradients.hpp).
 struct CreaseSums {
   Vec3 directions{0.0, 0.0, 0.0};  // of c times the integral of the direction: c (c phi a + (w' - w) x a)
   double angle = 0.0;              // of c phi
+
+  void add(const SphereArc &crease) {
+    const double c = crease.height;
+    directions = combine(1.0, directions, c * c * crease.angle, crease.axis);
+    directions = combine(1.0, directions, c, cross(crease.chord, crease.axis));
+    angle += c * crease.angle;
+  }
 };
 
 // The rest of the concave patch of a vertex.

@@ -21,6 +21,7 @@
 #include "core/small_code.hpp"
 #include "sphere/arc_geometry.hpp"
 #include "sphere/caps.hpp"
+#include "surface/cut_patches.hpp"
 
 namespace hsp {
 
@@ -34,7 +35,6 @@ struct RegionCorner {
   double root;  // of the discriminant
   Vec3 point;
   double error;          // of axis.point - height for any cap
-  bool taken;            // as the end of an arc
   double turn = 0.0;     // exterior angle
   uint32_t arc = no_id;  // that starts here
 
@@ -56,17 +56,12 @@ struct RegionArc {
 };
 
 struct FreeRegion {
-  double curvature = 0.0;           // sum over arcs of height * angle, minus the exterior angles at corners
+  // Sum over arcs of height * angle, minus the exterior angles at corners. The area is this plus 2 pi times the Euler
+  // characteristic (Gauss-Bonnet).
+  double curvature = 0.0;
   Vec3 vector_area{0.0, 0.0, 0.0};  // integral of the point over the region
   uint32_t arcs = 0;                // free arcs, whole circles included
   uint32_t cutting_arcs = 0;        // of these, on circles from `sides` on
-
-  // The area is this plus 2 pi times the Euler characteristic (Gauss-Bonnet), so this modulo 2 pi if it is smaller.
-  double steradians() const {
-    const double turns = curvature / (2 * pi);
-    const double whole = static_cast<double>(static_cast<int64_t>(turns));
-    return curvature - 2 * pi * (whole > turns ? whole - 1 : whole);
-  }
 };
 
 class FreeRegionFinder {
@@ -134,14 +129,11 @@ class FreeRegionFinder {
     const double certain = 32 * error_;
     return above > certain ? Answer::yes : above < -certain ? Answer::no : Answer::unknown;
   }
-  double turn(uint32_t k, const RegionCorner &from, const RegionCorner &to) const {
-    const Vec3 centre = caps_.b[k] * caps_.axis(k);
-    return turn_about(caps_.axis(k), from.point - centre, to.point - centre);
-  }
   // Seen from the circle's centre each end is uncertain by its error over the circle's radius. Negative if the angle
   // may be 0 or 2 pi.
   double arc_angle(uint32_t k, const RegionCorner &exit, const RegionCorner &entry) const {
-    const double angle = turn(k, exit, entry);
+    const Vec3 centre = caps_.b[k] * caps_.axis(k);
+    const double angle = turn_about(caps_.axis(k), exit.point - centre, entry.point - centre);
     const double radius_squared = (1.0 - caps_.b[k]) * (1.0 + caps_.b[k]);
     const double error = 2 * (exit.error + entry.error);
     const double margin = angle < pi ? angle : 2 * pi - angle;
@@ -166,29 +158,28 @@ class FreeRegionFinder {
       }
       if (covered == Answer::unknown) return false;
       if (covered == Answer::no) {
-        corners_.push({j, k, sign, crossing.root, crossing.point[sign > 0 ? 1 : 0], crossing.error, false});
-      };
+        corners_.push({j, k, sign, crossing.root, crossing.point[sign > 0 ? 1 : 0], crossing.error});
+      }
     }
     return true;
   }
 
-  // Every exit takes an entry of its own. As there are as many entries as exits of all circles together, none is left
-  // over if this succeeds for all of them.
+  // From every exit to the next entry: where all corners are certain the two take turns.
   bool add_arcs(uint32_t k) {
     bool has_exits = false;
     bool good = true;
     for_each_corner(k, true, [&](RegionCorner &exit) {
       has_exits = true;
-      if (!good) return;
-      RegionCorner *end = nullptr;
-      for_each_corner(k, false, [&](RegionCorner &entry) {
-        if (end == nullptr || turn(k, exit, entry) < turn(k, exit, *end)) end = &entry;
+      double angle = 7.0;
+      const RegionCorner *end = nullptr;
+      for_each_corner(k, false, [&](const RegionCorner &entry) {
+        const double own = arc_angle(k, exit, entry);
+        good = good && own >= 0.0;
+        if (own >= angle) return;
+        angle = own;
+        end = &entry;
       });
-      good = end != nullptr && !end->taken;
-      if (!good) return;
-      end->taken = true;
-      const double angle = arc_angle(k, exit, *end);
-      good = !(angle < 0.0);
+      good = good && end != nullptr;
       if (!good) return;
       exit.arc = clamped_count(arcs_.required());
       arcs_.push({k, number_of(exit), number_of(*end), no_id, angle, -exit.turn, {}});
@@ -243,15 +234,12 @@ class FreeRegionFinder {
   }
 
   void add_arc(uint32_t k, double angle, const Vec3 &chord) {
-    const double c = caps_.b[k];
-    const Vec3 u = caps_.axis(k);
-    region_.curvature += c * angle;
-    const Vec3 along = combine(c, cross(u, chord), (1.0 - c) * (1.0 + c) * angle, u);
-    region_.vector_area = combine(1.0, region_.vector_area, -0.5, along);
+    const Vec3 vector_area = SphereArc{caps_.axis(k), caps_.b[k], angle, chord}.vector_area();
+    region_.curvature += caps_.b[k] * angle;
+    region_.vector_area = region_.vector_area + vector_area;
     if (region_.arcs < arcs_.size()) {
-      RegionArc &arc = arcs_[region_.arcs];
-      arc.curvature += c * angle;
-      arc.vector_area = -0.5 * along;
+      arcs_[region_.arcs].curvature += caps_.b[k] * angle;
+      arcs_[region_.arcs].vector_area = vector_area;
     }
     ++region_.arcs;
     region_.cutting_arcs += k >= sides_ ? 1U : 0U;
@@ -278,13 +266,16 @@ class FreeRegionFinder {
 };
 
 // The loops of the region, if it lies inside a spherical triangle, and the pieces that they bound: sets `loop` and
-// `piece` of all arcs. False if there are several pieces, and a hole in one of them.
+// `piece` of all arcs, and the Euler characteristic. False if there are several pieces, and a hole in one of them, or
+// if doubles do not know a hole.
 //
 // A loop is the border of a piece or of a hole in one. Put K for the sum of its arcs' heights * angles, minus its
 // exterior angles: by Gauss and Bonnet what the loop leaves on its region's side has the area 2 pi + K. A piece is
 // smaller than the triangle, so K < 0; the outside of a hole is larger than a half sphere, so K > 0.
-inline bool find_pieces(Span<RegionArc> arcs) {
-  uint32_t pieces = 0, holes = 0, last_piece = no_id;
+inline bool find_pieces(Span<RegionArc> arcs, int32_t &characteristic) {
+  constexpr double margin = 1e-3;
+  int32_t pieces = 0, holes = 0;
+  uint32_t last_piece = no_id;
   for (uint32_t first = 0; first < arcs.size(); ++first) {
     if (arcs[first].loop != no_id) continue;
     double K = 0.0;
@@ -294,9 +285,11 @@ inline bool find_pieces(Span<RegionArc> arcs) {
       arcs[a].loop = arcs[a].piece = first;
       a = arcs[a].next;
     } while (a != first);
+    if (!(K < -margin || K > margin)) return false;
     ++(K < 0.0 ? pieces : holes);
     if (K < 0.0) last_piece = first;
   }
+  characteristic = pieces - holes;
   if (holes == 0) return true;
   for (RegionArc &arc : arcs) arc.piece = last_piece;
   return pieces == 1;

@@ -51,4 +51,14 @@ struct ProbeSearch {
 // found [room + spare].
 HSP_KERNEL(uint32_t, find_near_probes, (ProbeSearch & search, uint32_t *found), (search, found))
 
+// Calls visit(vertex) for all of them.
+template <class Visit>
+void for_each_near_probe(Target target, ProbeSearch &search, Visit visit) {
+  uint32_t found[ProbeSearch::room + ProbeSearch::spare];
+  while (!search.done()) {
+    const uint32_t count = find_near_probes(target, search, found);
+    for (uint32_t k = 0; k < count; ++k) visit(found[k]);
+  }
+}
+
 }  // namespace hsp

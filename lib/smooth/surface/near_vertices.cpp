@@ -13,13 +13,6 @@ constexpr float no_limit = 16.0F;
 
 }  // namespace
 
-// Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
-bool NearVertices::may_cut(uint32_t vertex, uint32_t other) const {
-  return boundary_.component(boundary_.vertex(other).ball[0]) ==
-             boundary_.component(boundary_.vertex(vertex).ball[0]) &&
-         (chosen_.all() || chosen_.together(face_at_vertex(boundary_, other), face_at_vertex(boundary_, vertex)));
-}
-
 bool NearVertices::find(uint32_t vertex) {
   ProbeTriangles triangles;
   measure_triangles(balls_, boundary_, grid_.positions(), {vertex, vertex, vertex, vertex}, triangles);
@@ -31,13 +24,9 @@ bool NearVertices::find(uint32_t vertex) {
       triangles.steradians[0] >= 0.0 && boundary_.root_discriminant(vertex) > 0.0 && error <= most_side_error;
   if (!has_sides) search.margin = no_limit;
   list_.clear();
-  uint32_t found[ProbeSearch::room + ProbeSearch::spare];
-  while (!search.done()) {
-    const uint32_t count = find_near_probes(boundary_.target(), search, found);
-    for (uint32_t k = 0; k < count; ++k) {
-      if (found[k] != vertex && may_cut(vertex, found[k])) list_.push(found[k]);
-    }
-  }
+  for_each_near_probe(boundary_.target(), search, [&](uint32_t other) {
+    if (other != vertex && may_cut(boundary_, chosen_, vertex, other)) list_.push(other);
+  });
   if (list_.overflowed()) return false;
   sort_in_place(list_.items(), [](uint32_t a, uint32_t b) { return a < b; });
   return true;

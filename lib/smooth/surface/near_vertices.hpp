@@ -20,8 +20,6 @@ class NearVertices {
   bool has(uint32_t vertex) const;
 
  private:
-  bool may_cut(uint32_t vertex, uint32_t other) const;
-
   const BallSet &balls_;
   const Boundary &boundary_;
   const ChosenFaces &chosen_;

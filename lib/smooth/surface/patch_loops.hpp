@@ -4,6 +4,7 @@
 
 #include "core/fixed_vector.hpp"
 #include "surface/actual_balls.hpp"
+#include "surface/cut_patches.hpp"
 
 namespace hsp {
 
@@ -22,11 +23,7 @@ struct BorderArc {
 };
 
 // Of an arc on the unit sphere about the vertex.
-struct ArcFigures {
-  Vec3 axis;        // unit vector
-  double height;    // of its circle
-  double angle;     // (0, 2 pi]
-  Vec3 chord;       // from its start to its end
+struct ArcFigures : SphereArc {
   double exterior;  // angle at its end, positive to the right; 0 of a whole circle
 };
 

@@ -30,20 +30,17 @@ bool ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, const Cho
   const double error = vertex_error * static_cast<double>(balls.largest_radius);
   merge_distance_ = 4 * error;
   measure_sides(balls, boundary, grid);
-  doubtful_ = boundary.root_discriminant(vertex) == 0.0 || whole_steradians_ == 0.0;
-  if (whole_steradians_ == 0.0) return false;
+  const bool has_area = triangles_.steradians[lane_] > 0.0;
+  doubtful_ = boundary.root_discriminant(vertex) == 0.0 || !has_area;
+  if (!has_area) return false;
 
   ProbeSearch search;
   grid.start_search(balls, vertex, search);
   aim(triangles_, lane_, search);
-  uint32_t found[ProbeSearch::room + ProbeSearch::spare];
-  while (!search.done()) {
-    const uint32_t count = find_near_probes(boundary.target(), search, found);
-    found_ += count;
-    for (uint32_t k = 0; k < count; ++k) {
-      if (found[k] != vertex) take(balls, boundary, grid, found[k]);
-    }
-  }
+  for_each_near_probe(boundary.target(), search, [&](uint32_t other) {
+    ++found_;
+    if (other != vertex) take(balls, boundary, grid, other);
+  });
   if (doubtful_ || others_.required() == 0) return false;
   if (others_.overflowed()) return true;
 
@@ -68,11 +65,11 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   const double overlap = diameter * diameter - square;
   const double rounding = 8 * diameter * vertex_error * static_cast<double>(balls.largest_radius);
   if (overlap <= rounding) {
-    touches_ = touches_ || (overlap >= -rounding && may_cut(boundary, other) &&
+    touches_ = touches_ || (overlap >= -rounding && may_cut(boundary, *chosen_, vertex_, other) &&
                             touches(balls, boundary, other, (1.0 / std::sqrt(square)) * to));
     return;
   }
-  if (!may_cut(boundary, other)) return;
+  if (!may_cut(boundary, *chosen_, vertex_, other)) return;
   if (square < coincident * coincident) {
     doubtful_ = doubtful_ || square > merge_distance_ * merge_distance_ || may_be_pinched(balls, boundary, other);
     return;
@@ -84,12 +81,6 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   if (misses(axis, height, error + side_error_ + 0x1p-30)) return;
   if (!counts_on_circle(balls, boundary, other)) return;
   others_.push({axis, height, distance, other});
-}
-
-// Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
-bool ProbeCaps::may_cut(const Boundary &boundary, uint32_t other) const {
-  return boundary.component(boundary.vertex(other).ball[0]) == boundary.component(boundary.vertex(vertex_).ball[0]) &&
-         (chosen_->all() || chosen_->together(face_at_vertex(boundary, other), face_at_vertex(boundary, vertex_)));
 }
 
 // Of probes whose centres are a diameter apart, up to rounding: they do not cut each other, as if the radius of the
@@ -131,18 +122,12 @@ bool ProbeCaps::misses(const Vec3 &axis, double height, double error) const {
 
 void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid) {
   lane_ = vertex_ % ProbeTriangles::lanes;
-  const uint32_t first = vertex_ - lane_;
-  if (measured_ != first || grid_ != &grid || build_ != grid.builds()) {
+  if (lane_ == 0) {
     const uint32_t last = boundary.vertex_count() - 1;
     FourVertices four;
-    for (uint32_t k = 0; k < ProbeTriangles::lanes; ++k) four[k] = first + k < last ? first + k : last;
+    for (uint32_t k = 0; k < ProbeTriangles::lanes; ++k) four[k] = vertex_ + k < last ? vertex_ + k : last;
     measure_triangles(balls, boundary, grid.positions(), four, triangles_);
-    measured_ = first;
-    grid_ = &grid;
-    build_ = grid.builds();
   }
-  const double steradians = triangles_.steradians[lane_];
-  whole_steradians_ = steradians > 0.0 ? steradians : 0.0;
   side_error_ = vertex_error * static_cast<double>(balls.largest_radius) * triangles_.side_error[lane_];
 }
 

@@ -20,8 +20,8 @@ class ProbeCaps {
   // For at most so many caps of other probes.
   void carve(Workspace &workspace, uint32_t neighbours);
 
-  // Finds the caps of the vertex. False if there are none but the three sides, or doubles know too little of the place.
-  // If there is no room, met() tells how much would have sufficed.
+  // Finds the caps of the vertex; vertices come in order from the first on. False if there are none but the three
+  // sides, or doubles know too little of the place. If there is no room, met() tells how much would have sufficed.
   bool gather(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
               uint32_t vertex);
 
@@ -38,19 +38,13 @@ class ProbeCaps {
   bool is_doubtful() const { return doubtful_; }
   const Caps &caps() const { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2
-  uint32_t vertex() const { return vertex_; }
-  // Unit vectors towards the balls that the sides are opposite to, and whether these are counter-clockwise seen from
-  // outside.
+  // Unit vectors towards the balls that the sides are opposite to.
   Vec3 corner(uint32_t side) const { return in_lane(triangles_.corner[side]); }
-  bool is_counter_clockwise() const { return triangles_.sign[lane_] < 0.0; }
   // The ball of the vertex that a side is opposite to.
   uint32_t ball_opposite(uint32_t side) const { return triangles_.ball[side][lane_]; }
 
   // How much larger the errors of the caps are than sphere/caps.hpp has them.
   double amplification() const { return amplification_; }
-  // Of the whole triangle, in units of p^2.
-  double whole_steradians() const { return whole_steradians_; }
-  Vec3 whole_vector_area() const { return in_lane(triangles_.vector_area); }
 
  private:
   struct Other {
@@ -64,7 +58,6 @@ class ProbeCaps {
   Vec3 inward(uint32_t k) const { return in_lane(triangles_.inward[k]); }
   void measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid);
   void take(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t other);
-  bool may_cut(const Boundary &boundary, uint32_t other) const;
   bool touches(const BallSet &balls, const Boundary &boundary, uint32_t other, const Vec3 &axis);
   bool misses(const Vec3 &axis, double height, double error) const;
   bool counts_on_circle(const BallSet &balls, const Boundary &boundary, uint32_t other);
@@ -77,7 +70,6 @@ class ProbeCaps {
   uint32_t kept_ = 0;  // of these, after merging
   double merge_distance_ = 0.0;
   double amplification_ = 1.0;
-  double whole_steradians_ = 0.0;
 
   // Of the vertex at hand.
   uint32_t vertex_ = no_id;
@@ -90,11 +82,7 @@ class ProbeCaps {
   bool gap_known_[3];   // of the half-edge on ball k of the vertex's record
   uint32_t across_[3];  // the vertex at the other end of the gap behind it
 
-  // Of four vertices from `measured_` on, of this grid.
-  ProbeTriangles triangles_;
-  const ProbeGrid *grid_ = nullptr;
-  uint32_t build_ = 0;
-  uint32_t measured_ = no_id;
+  ProbeTriangles triangles_;  // of four vertices
 };
 
 }  // namespace hsp

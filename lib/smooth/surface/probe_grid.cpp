@@ -250,7 +250,6 @@ bool ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary, Patien
 
 bool ProbeGrid::build(const BallSet &balls, const Boundary &boundary, Patience &patience) {
   const uint32_t n = boundary.vertex_count();
-  ++builds_;
   choose_units(balls);
   if (!place_all(balls, boundary, patience)) return false;
   lay_out(n);

@@ -43,9 +43,6 @@ class ProbeGrid {
   // False if that is stopped.
   bool build(const BallSet &balls, const Boundary &boundary, Patience &patience);
 
-  // Changes with every build.
-  uint32_t builds() const { return builds_; }
-
   const ProbePositions &positions() const { return position_; }
   Position position(uint32_t vertex) const { return position_[vertex]; }
   // From one vertex to another. The reverse is the negative, bit for bit.
@@ -77,7 +74,6 @@ class ProbeGrid {
   Span<uint32_t> vertex_;  // as these
   uint32_t buckets_ = 1;   // a power of two; 0 if probes are sorted by their cubes
   uint32_t probes_ = 0;
-  uint32_t builds_ = 0;
   Vec3 centre_{0, 0, 0};  // in lattice steps, integers
   double inverse_side_ = 0.0;
   float square_of_reach_ = 0.0F, inverse_square_of_reach_ = 0.0F, margin_ = 0.0F;

@@ -14,6 +14,11 @@ constexpr uint32_t arcs_for_crease = 4, arcs_for_corner = 8;
 // that are asked for at once, rather than after all corners are found.
 constexpr uint32_t tied_arcs = 24, most_tied_arcs = 1024, tied_pieces = 4, most_tied_pieces = 192;
 
+// Of memory, for each arc that there may be around a patch, in doubles and of the actual set.
+constexpr uint32_t words_in_doubles = words_of<RegionCorner>(1) + words_of<RegionArc>(1);
+constexpr uint32_t words_for_arc =
+    words_in_doubles < CreasedPatches::words_of_arc ? CreasedPatches::words_of_arc : words_in_doubles;
+
 }  // namespace
 
 // The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph; so many
@@ -32,7 +37,7 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   surface_.first_half_edges_.carve(workspace, 3 * uint64_t{limits.vertices});
   surface_.touching_.carve(workspace, limits.vertices);
   const uint64_t caps = uint64_t{limits.neighbours} + ProbeCaps::sides;
-  border_room_ = workspace.take<BorderRoom>(6 * caps);
+  border_room_ = workspace.take<uint64_t>(6 * caps * words_for_arc);
   use_for_doubles();
   creases_.carve(workspace, limits.neighbours, limits.arcs / arcs_for_crease, limits.arcs / arcs_for_corner);
 }
@@ -133,11 +138,9 @@ bool SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary,
 }
 
 void SurfaceBuilder::use_for_doubles() {
-  const uint32_t n = border_room_.size();
-  const Span<uint64_t> words = begin_array<uint64_t>(border_room_);
-  const uint32_t corners = words_of<RegionCorner>(n);
-  corners_ = FixedVector(begin_array<RegionCorner>(words.part(0, corners)).part(0, n));
-  arcs_ = FixedVector(begin_array<RegionArc>(words.part(corners, words.size())).part(0, n));
+  const uint32_t n = border_room_.size() / words_for_arc, corners = words_of<RegionCorner>(n);
+  corners_ = FixedVector(begin_array<RegionCorner>(border_room_.part(0, corners)).part(0, n));
+  arcs_ = FixedVector(begin_array<RegionArc>(border_room_.part(corners, border_room_.size())).part(0, n));
 }
 
 Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &patience) {
@@ -160,7 +163,6 @@ Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &p
     needed_.pieces = larger_count(needed_.pieces, clamped_count(creases + needed_.vertices));
   }
   if (status != Status::ok) return status;
-  static_assert(8 * CreasedPatches::words_of_arc <= sizeof(BorderRoom));
   creased_.use(begin_array<uint64_t>(border_room_));
   status = creased_.fill({actual, surface_.chosen_, grid_, surface_.cusped_circles_, creases_}, cut, patience);
   actual.keep_vertices({});
@@ -185,78 +187,57 @@ void SurfaceBuilder::number_arcs(const Boundary &boundary) {
   first.count();
 }
 
-// Loops that bound one piece one after the other, that around the piece first. False if doubles are not certain which
-// piece has a hole, or the pieces are not the whole patch.
-bool SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole) {
+// Loops that bound one piece one after the other, that around the piece first.
+void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale) {
   CutPatches &cut = surface_.cut_patches_;
-  const Span<RegionArc> arcs = arcs_.items();
-  if (!find_pieces(arcs)) return false;
-  double left = whole;
-  double terms = 2 * pi;
+  const Caps &caps = probe_.caps();
+  const Span<const RegionArc> arcs = arcs_.items();
   for (uint32_t piece = 0; piece < arcs.size(); ++piece) {
     if (arcs[piece].piece != piece) continue;
     double steradians = 0.0;
     Vec3 vector_area{0.0, 0.0, 0.0};
     CreaseSums creases;
-    for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
-      if (arcs[loop].piece != piece) continue;
-      add_crease(arcs[loop], creases);
-      steradians += arcs[loop].curvature;
-      terms += std::fabs(arcs[loop].curvature) + 2 * pi;
-      if (arcs[loop].loop == loop) steradians += loop == piece ? 2 * pi : -2 * pi;
-      vector_area = vector_area + arcs[loop].vector_area;
+    for (uint32_t k = 0; k < arcs.size(); ++k) {
+      const RegionArc &arc = arcs[k];
+      if (arc.piece != piece) continue;
+      Vec3 chord{0.0, 0.0, 0.0};
+      if (arc.end != no_id) chord = corners_[arc.end].point - corners_[arc.start].point;
+      if (arc.circle >= ProbeCaps::sides) creases.add({caps.axis(arc.circle), caps.b[arc.circle], arc.angle, chord});
+      steradians += arc.curvature;
+      if (arc.loop == k) steradians += k == piece ? 2 * pi : -2 * pi;
+      vector_area = vector_area + arc.vector_area;
     }
-    if (!(steradians > 0.0)) steradians = 0.0;
-    left -= steradians;
-    const ConcavePatch measured = scale.patch(steradians, vector_area);
+    const ConcavePatch measured = scale.patch(steradians > 0.0 ? steradians : 0.0, vector_area);
     cut.begin_piece(vertex, measured.area, measured.volume, creases);
     for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
       if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
       uint32_t a = loop;
       do {
         const uint32_t circle = arcs[a].circle;
-        const bool last = arcs[a].next == loop;
         const uint32_t across = circle < ProbeCaps::sides
                                     ? PatchArc::side(boundary.vertex(vertex).slot_of(probe_.ball_opposite(circle)))
-                                    : probe_.caps().ball[circle];
-        cut.add_arc(across, arcs[a].angle, last);
+                                    : caps.ball[circle];
+        cut.add_arc(across, arcs[a].angle, arcs[a].next == loop);
         a = arcs[a].next;
       } while (a != loop);
     }
   }
-  // Sums of one set of terms in two orders: the arcs', each a sum of two, and a whole turn for each loop. Each of the
-  // additions, with those that reduce the whole modulo 2 pi, rounds by no more than all terms together.
-  const double rounding = (4 * arcs.size() + 8) * unit_roundoff * (terms + 2 * pi * arcs.size());
-  return left <= rounding && -left <= rounding;
 }
 
-void SurfaceBuilder::add_crease(const RegionArc &arc, CreaseSums &creases) const {
-  if (arc.circle < ProbeCaps::sides) return;
-  const Caps &caps = probe_.caps();
-  const double height = caps.b[arc.circle];
-  const Vec3 axis = caps.axis(arc.circle);
-  Vec3 chord{0.0, 0.0, 0.0};
-  if (arc.end != no_id) chord = corners_[arc.end].point - corners_[arc.start].point;
-  creases.directions = combine(1.0, creases.directions, height * height * arc.angle, axis);
-  creases.directions = combine(1.0, creases.directions, height, cross(chord, axis));
-  creases.angle += height * arc.angle;
-}
-
-// False if doubles are not certain. The area is known modulo 2 pi, and it is between 0 and that of the whole triangle.
+// False if doubles are not certain.
 bool SurfaceBuilder::cut_in_doubles(const BallSet &balls, const Boundary &boundary, uint32_t vertex) {
-  constexpr double tolerance = 1e-7;
   FreeRegion region;
+  int32_t characteristic = 0;
   FreeRegionFinder finder(probe_.caps(), probe_.amplification(), corners_, arcs_, ProbeCaps::sides);
   if (!finder.find(region) || region.arcs == 0) return false;
-  double steradians = region.steradians();
-  if (steradians > probe_.whole_steradians() + tolerance && steradians > 2 * pi - tolerance) steradians = 0.0;
-  if (!(steradians <= probe_.whole_steradians() + tolerance)) return false;
   if (region.cutting_arcs == 0) return true;
+  if (!find_pieces(arcs_.items(), characteristic)) return false;
   ++surface_.counts_.cut_patches;
   const ConcaveScale scale(balls, boundary, grid_.position(vertex));
-  const bool certain = store_pieces(boundary, vertex, scale, steradians);
-  surface_.cut_patches_.set_patch(vertex, scale.patch(steradians, region.vector_area));
-  return certain;
+  const double steradians = region.curvature + 2 * pi * characteristic;
+  store_pieces(boundary, vertex, scale);
+  surface_.cut_patches_.set_patch(vertex, scale.patch(steradians > 0.0 ? steradians : 0.0, region.vector_area));
+  return true;
 }
 
 }  // namespace hsp

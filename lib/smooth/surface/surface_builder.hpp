@@ -29,25 +29,18 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
   Status find_patches(const ActualBalls &actual, Patience &patience);
   bool cut_patches(const BallSet &balls, const Boundary &boundary, Patience &patience);
   Status cut_actual_patches(const ActualBalls &actual, Patience &patience);
-  // For each arc that there may be around a patch.
-  struct BorderRoom {
-    RegionCorner corner;
-    RegionArc arc;
-  };
-
   void use_for_doubles();
   bool fits() const;
   void need_arcs(uint64_t arcs) { needed_.arcs = larger_count(needed_.arcs, clamped_count(arcs)); }
   bool cut_in_doubles(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
   void number_arcs(const Boundary &boundary);
-  bool store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole);
-  void add_crease(const RegionArc &arc, CreaseSums &creases) const;
+  void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale);
 
   Surface surface_;
   ProbeGrid grid_;
   ProbeCaps probe_;
   // Of the patch at hand; and the same memory for those of the actual set.
-  Span<BorderRoom> border_room_;
+  Span<uint64_t> border_room_;
   FixedVector<RegionCorner> corners_;
   FixedVector<RegionArc> arcs_;
   CreasedPatches creased_;

@@ -178,15 +178,19 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
 }
 
 // In doubles, as it is asked by tasks, which have little stack.
-CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
+SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_vertex(balls, boundary, vertex);
   const ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
-  if (2 * own.height < coincident_distance) return {own.axis, 0.0, {0.0, 0.0, 0.0}};
+  SphereArc crease{own.axis, own.height, cut.arc(arc).angle, {0.0, 0.0, 0.0}};
   const uint32_t next = cut.arc(arc).next;
-  if (next == arc) return {own.axis, own.height, {0.0, 0.0, 0.0}};
-  const Vec3 start = start_of_arc(balls, boundary, cut, centre, vertex, arc);
-  return {own.axis, own.height, start_of_arc(balls, boundary, cut, centre, vertex, next) - start};
+  if (2 * own.height < coincident_distance) {
+    crease.height = 0.0;
+  } else if (next != arc) {
+    const Vec3 start = start_of_arc(balls, boundary, cut, centre, vertex, arc);
+    crease.chord = start_of_arc(balls, boundary, cut, centre, vertex, next) - start;
+  }
+  return crease;
 }
 
 }  // namespace hsp

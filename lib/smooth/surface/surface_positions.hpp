@@ -16,13 +16,8 @@ struct ArcPosition {
 };
 ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t edge);
 
-// An arc of a cut patch that is a crease, on the unit sphere about the vertex of its patch: counter-clockwise about the
-// axis, which points to the vertex across. Found from the arcs before and after it.
-struct CreaseArc {
-  Vec3 axis;
-  double height;
-  Vec3 chord;  // from its start to its end; 0 for a whole circle
-};
-CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc);
+// An arc of a cut patch that is a crease, on the unit sphere about the vertex of its patch; its axis points to the
+// vertex across. Found from the arcs before and after it.
+SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc);
 
 }  // namespace hsp

@@ -138,16 +138,16 @@ Vec3 WeightedJoints::concave_part(uint32_t vertex, double mean) const {
     if (arc.is_side()) continue;
     const double across = weight_of_vertex(arc.across);
     if (across == weight_ && mean == weight_) continue;
-    const CreaseArc crease = crease_on_probe(balls_, boundary_, cut, a);
+    const SphereArc crease = crease_on_probe(balls_, boundary_, cut, a);
     const double c = crease.height;
     const double square_of_radius = (1.0 - c) * (1.0 + c);
     const Vec3 radial = cross(crease.chord, crease.axis);
     const double half_sum = 0.5 * (mean + across) - weight_;
     const double half_difference = 0.5 * (mean - across);
-    sum = combine(1.0, sum, -p_ * half_sum * c, combine(c * arc.angle, crease.axis, 1.0, radial));
+    sum = combine(1.0, sum, -p_ * half_sum * c, combine(c * crease.angle, crease.axis, 1.0, radial));
     // Where vertices are in one place there is no derivative.
     const double slope = c > 0.0 ? 1.0 / c : 0.0;
-    sum = combine(1.0, sum, p_ * half_difference * square_of_radius, combine(arc.angle, crease.axis, slope, radial));
+    sum = combine(1.0, sum, p_ * half_difference * square_of_radius, combine(crease.angle, crease.axis, slope, radial));
   }
   return sum;
 }

@@ -72,7 +72,7 @@ struct ContactArrays {
   Span<uint32_t> row;           // [2 contacts] the contacts of each ball, by the caller's index of the other ball
   Span<uint32_t> first_in_row;  // [balls + 1]
   Span<double> share_volume;    // [balls]
-  Span<double> contact_area;    // [balls] of all contacts of a ball
+  Span<double> contact_area;    // [balls] of all contacts of a ball; those of boxes ask for none
   SimplexCounts simplices;
   uint32_t balls = 0;
 

@@ -304,7 +304,6 @@ class ContactsBuilder : public Limited<ContactLimits> {
     if (lost_across_ > 0) a.contacts.set_count(a.contacts.required() + lost_across_);
     for (uint32_t image = own_balls_; image < a.balls; ++image) {
       a.share_volume[images.ball_of(image)] += a.share_volume[image];
-      a.contact_area[images.ball_of(image)] += a.contact_area[image];
     }
     return true;
   }

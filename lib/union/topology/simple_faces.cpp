@@ -154,16 +154,17 @@ class SimpleFaceBuilder {
   }
 
   // A piece of a cut arc that leaves a pole, by its direction in the plane z = 0: about the normal m of its plane the
-  // arc passes the highest point in the direction m x z and the lowest one in the opposite direction.
+  // arc passes the highest point in the direction m x z. It passes the lowest one in the opposite direction, but that
+  // turns all rays there by half a turn, and they follow each other as before.
   struct Ray {
     int64_t x, y;
     uint32_t q;
   };
-  Ray ray_of(uint32_t q, uint32_t lowest) const {
+  Ray ray_of(uint32_t q) const {
     const CutArc &arc = topology_.cut_arcs[topology_.edge_source[edge_of(q)]];
     const exact::Vector m = plane_of_cut(balls_, arc.ball, arc.ball, arc.cap).v;
     const bool arrives = (q & 2U) != 0;
-    return arrives == (lowest == 0) ? Ray{-m.y, m.x, q} : Ray{m.y, -m.x, q};
+    return arrives ? Ray{-m.y, m.x, q} : Ray{m.y, -m.x, q};
   }
   static bool lies_below(const Ray &a) { return a.y < 0 || (a.y == 0 && a.x < 0); }
   static bool turns_before(const Ray &a, const Ray &b) {
@@ -173,7 +174,7 @@ class SimpleFaceBuilder {
   // The rays of a pole are a list, whose links are where faces will be numbered.
   uint32_t &next_ray(uint32_t q) { return quads_.start[rot(q)]; }
   // Sorts the list counter-clockwise, by merging runs of one, two, four rays (Knuth, TAOCP 3, section 5.2.4).
-  uint32_t sorted_rays(uint32_t list, uint32_t lowest) {
+  uint32_t sorted_rays(uint32_t list) {
     for (uint32_t length = 1, runs = 2; runs > 1; length *= 2) {
       uint32_t rest = list, last = no_id;
       list = no_id;
@@ -183,8 +184,7 @@ class SimpleFaceBuilder {
         for (;;) {
           if (run[1] == no_id) left[1] = 0;
           if (left[0] + left[1] == 0) break;
-          const uint32_t from =
-              left[0] == 0 || (left[1] > 0 && turns_before(ray_of(run[1], lowest), ray_of(run[0], lowest))) ? 1 : 0;
+          const uint32_t from = left[0] == 0 || (left[1] > 0 && turns_before(ray_of(run[1]), ray_of(run[0]))) ? 1 : 0;
           (last == no_id ? list : next_ray(last)) = run[from];
           last = run[from];
           run[from] = next_ray(last);
@@ -239,7 +239,7 @@ class SimpleFaceBuilder {
       next_ray(arriving + 4) = sym(arriving);
       list = arriving + 4;
     }
-    list = sorted_rays(list, lowest);
+    list = sorted_rays(list);
     for (uint32_t before = list; before != no_id;) {
       const uint32_t following = next_ray(before), ray = following != no_id ? following : list;
       if (lowest == 0) {

@@ -25,12 +25,13 @@ Answers answers_of(const hsp_boundary *boundary, const std::vector<uint8_t> &sel
                    const std::vector<double> &sigma) {
   const size_t n = selected.size();
   Answers found;
-  found.area.resize(n);
-  found.d_centre.resize(3 * n);
-  found.d_radius.resize(n);
-  found.area_centre.resize(3 * n);
-  found.area_radius.resize(n);
-  found.flags.resize(n);
+  constexpr double not_written = -7.0;
+  found.area.resize(n, not_written);
+  found.d_centre.resize(3 * n, not_written);
+  found.d_radius.resize(n, not_written);
+  found.area_centre.resize(3 * n, not_written);
+  found.area_radius.resize(n, not_written);
+  found.flags.resize(n, 7);
   hsp_totals totals{};
   hsp_measure_request measuring{};
   measuring.struct_size = sizeof measuring;

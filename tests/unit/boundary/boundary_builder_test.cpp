@@ -64,6 +64,20 @@ TEST(BoundaryMemory, ArraysAreAsLongAsTheirIndices) {
   }
 }
 
+// Of a set that has too many balls nothing else is known, and the answer has nothing of the set before.
+TEST(BoundaryBuilder, NeedsNothingOfTheSetBefore) {
+  const BuiltGrid three(oracle::in_lengths({{0, 0, 0, 1000}, {1000, 0, 0, 1000}, {500, 800, 0, 1000}}, 1));
+  const BuiltGrid row(oracle::in_lengths(long_row(40), 1));
+  CarvedMemory memory;
+  hsp::BoundaryBuilder builder;
+  ASSERT_EQ(memory.build(builder, BoundaryLimits{3, 8, 8, 8, 0}, three.grid()), hsp::Status::ok);
+  EXPECT_EQ(builder.needed().vertices, 2U);
+  EXPECT_EQ(builder.build(row.grid()), hsp::Status::capacity);
+  EXPECT_EQ(builder.needed().balls, 40U);
+  EXPECT_EQ(builder.needed().neighbours, 0U);
+  EXPECT_EQ(builder.needed().vertices, 0U);
+}
+
 TEST(BoundaryBuilder, StopsAtTheLastQuestions) {
   const BuiltGrid built(oracle::in_lengths(long_row(6500), 1));
   CarvedMemory memory;

@@ -56,7 +56,30 @@ uint32_t points_of_integer_coordinates() {
   });
 }
 
+// 2 x + 3 y = 13 and z = 6 touch in (2, 3, 6): of a third plane that goes through it both points are on it.
+constexpr HalfSpace through_the_point[] = {{{1, 0, 0}, 2}, {{0, -1, 0}, -3}, {{1, 1, 1}, 11}, {{3, -2, 1}, 6}};
+
+template <class Limb>
+uint32_t circles_that_touch_on_a_third_one() {
+  return first_failing(through_the_point, [](const HalfSpace &c) {
+    const hsp::exact::PointStatus status = hsp::exact::ExactPredicates<Limb>::point_status(
+        sphere_of_radius_7, HalfSpace{{2, 3, 0}, 13}.plane(), HalfSpace{{0, 0, 1}, 6}.plane(), c.plane());
+    return status.tied[0] && status.tied[1];
+  });
+}
+
+// Of the sphere with W = 1 and planes across two axes through its centre it is 1.
+template <class Limb>
+uint32_t the_least_discriminant() {
+  const HalfSpace P{{1, 0, 0}, 0}, Q{{0, 1, 0}, 0};
+  return hsp::exact::ExactPredicates<Limb>::discriminant({1, 0}, P.plane(), Q.plane()) == 1.0 ? all_hold : 0;
+}
+
 inline constexpr Check exact_exact_predicates[] = {
+    {"circles_that_touch_on_a_third_one, fast limbs", circles_that_touch_on_a_third_one<hsp::exact::FastLimb>},
+    {"circles_that_touch_on_a_third_one, portable limbs", circles_that_touch_on_a_third_one<uint32_t>},
+    {"the_least_discriminant, fast limbs", the_least_discriminant<hsp::exact::FastLimb>},
+    {"the_least_discriminant, portable limbs", the_least_discriminant<uint32_t>},
     {"circles_across_two_axes, fast limbs", circles_across_two_axes<hsp::exact::FastLimb>},
     {"circles_across_two_axes, portable limbs", circles_across_two_axes<uint32_t>},
     {"points_of_integer_coordinates, fast limbs", points_of_integer_coordinates<hsp::exact::FastLimb>},

@@ -65,6 +65,11 @@ TEST(PackingStatistics, OfVeryUnequalRadiiAreThoseOfAllPairs) {
     apart.back() = {12000, 12000, 100000, 75000};  // meets none
     expect_those_of_all_pairs(apart);
   }
+  oracle::Balls far;
+  for (int64_t k = 0; k < 1728; ++k)
+    far.push_back({k % 12 * 100, k / 12 % 12 * 100, k / 144 * 100 + random.in(0, 9), 1});
+  far.push_back({400000, 0, 0, 2000});
+  expect_those_of_all_pairs(far);
   oracle::Balls copies = with_large(oracle::balls_in_box(random, 1200, 30000, 500, 1500), 2);
   copies.push_back(copies[17]);
   expect_those_of_all_pairs(copies);

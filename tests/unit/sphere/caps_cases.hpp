@@ -71,6 +71,7 @@ inline uint32_t caps_are_found_dropped_and_added() {
   if (caps.count != 4) return 4;
   for (uint32_t k = 0; k < 4; ++k) {
     if (set.x[caps.ball[k]] != 0.0 || caps.ux[k] != 0.0 || caps.plane(k).v.x != 0) return 5;
+    if ((k >= caps.first_later) != (caps.ball[k] > caps.origin)) return 9;
   }
   caps.add_half_sphere({0, 0, 3000});
   const bool half = caps.count == 5 && caps.ball[4] == hsp::no_id && caps.uz[4] == 1.0 && caps.b[4] == 0.0 &&

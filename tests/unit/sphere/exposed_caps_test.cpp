@@ -179,6 +179,35 @@ TEST(ExposedCapsOfCopies, AreFew) {
   }
 }
 
+// So many caps that floats order a sample of them alone.
+TEST(ExposedCapsOfCopies, AreFewOfManyCopies) {
+  if (!hsp::has_lanes) GTEST_SKIP();
+  RandomSource random(9);
+  support::BallList balls;
+  for (int copy = 0; copy < 200; ++copy) {
+    for (const int place : {-12000, 0, 12000}) {
+      const auto at = [&](int x) { return static_cast<double>(x + random.in(-3000, 3000)); };
+      const double x = at(place), y = at(0), z = at(0);
+      balls.add(x, y, z, 16000);
+    }
+  }
+  const BuiltGrid built(balls);
+  Search search(balls.size());
+  uint32_t compared = 0;
+  for (uint32_t i = 0; i < balls.size(); i += 7) {
+    const auto gather = [&] { search.gather(built.grid(), i, runnable_targets().back(), true); };
+    gather();
+    if (search.caps().contained) continue;
+    EXPECT_GT(search.caps().count, 512U);
+    const std::string expected = search.found(built.grid().balls());
+    gather();
+    const bool some = search.keep_exposed(true, hsp::ExposedCaps::fewest);
+    EXPECT_EQ(some ? search.found(built.grid().balls()) : "", expected) << "ball " << i;
+    compared += some ? 1U : 0U;
+  }
+  EXPECT_GT(compared, 10U);
+}
+
 // All spheres go through one point, and radii are of one size or not: caps that meet the cell in that point alone go,
 // but one that shows the tie.
 TEST(ExposedCapsThroughOnePoint, AreFew) {

@@ -219,6 +219,28 @@ TEST(GreatCircles, OfBallsWithVeryManyCaps) {
   EXPECT_GE(by_place, 2);
 }
 
+// Caps all along a meridian but for one gap, whose two ends alone are free.
+TEST(GreatCircles, OfAChainOfCaps) {
+  oracle::RandomSource random(7);
+  Seen seen;
+  for (int round = 0; round < 6; ++round) {
+    Balls balls = {{0, 0, 0, 1000000}};
+    const int first = static_cast<int>(random.in(0, 59));
+    for (int k = first; k < first + 56; ++k) {
+      const double angle = std::numbers::pi / 30 * k;
+      balls.push_back({std::llround(8e5 * std::sin(angle)), std::llround(6e5 * std::sin(angle)),
+                       std::llround(1e6 * std::cos(angle)), 90000});
+    }
+    BuiltTopology built(balls);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    Gathered gathered(static_cast<uint32_t>(balls.size()));
+    gathered.ball.gather(built.grid(), built.grid_index(0));
+    ASSERT_NO_FATAL_FAILURE(
+        check_circle(balls, TiedBalls(balls), gathered.ball, built, hsp::meridian_through({4, 3, 0}), seen));
+  }
+  EXPECT_EQ(seen.one_arc, 6);
+}
+
 // Every way in which two caps can lie to the poles: two balls on the upright great circle across y, at all pairs of
 // directions of a compass that knows the poles, the equator and all between.
 TEST(GreatCircles, TwoCapsInAllDirections) {

@@ -123,10 +123,20 @@ TEST(MeridianSectors, LookAtFew) {
     looked_at += bumpy.visited(std::cos(angle), std::sin(angle)).size();
   }
   EXPECT_LT(looked_at, 200U * bumpy.caps.count / 32);
-  // Stopped after the first.
-  int visits = 0;
-  bumpy.sectors.visit(1.0, 0.0, [&](uint32_t) { return ++visits < 1; });
-  EXPECT_EQ(visits, 1);
+}
+
+// After any of them, small or wide.
+TEST(MeridianSectors, StopAfterAnyCap) {
+  oracle::RandomSource random(74);
+  const Bumps of_small(bumps(random, 1500, 0.01, 0.9)), of_wide(bumps(random, 100, 0.6, 0.9));
+  for (const Bumps *bumpy : {&of_small, &of_wide}) {
+    const size_t all = bumpy->visited(1.0, 0.0).size();
+    for (size_t last = 1; last <= all; ++last) {
+      size_t visits = 0;
+      bumpy->sectors.visit(1.0, 0.0, [&](uint32_t) { return ++visits < last; });
+      ASSERT_EQ(visits, last);
+    }
+  }
 }
 
 }  // namespace

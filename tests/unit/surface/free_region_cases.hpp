@@ -23,12 +23,13 @@ inline uint32_t random_regions_by_sampling() {
       continue;
     }
     const hsp::Vec3 off = region.vector_area - expected;
-    if (!near_modulo_turn(region.steradians(), area, 0.03) || std::sqrt(dot(off, off)) > 0.03) return seed;
+    if (!near_modulo_turn(region.curvature, area, 0.03) || std::sqrt(dot(off, off)) > 0.03) return seed;
   }
   return all_hold;
 }
 
-// Three circles through one point, circles that touch, and a cap beside a corner nearer than its error.
+// Three circles through one point, circles that touch, a cap beside a corner nearer than its error, and corners that
+// are known, but not which of two comes first.
 struct UnknownCase {
   uint32_t n;
   UnitCap cap[4];
@@ -42,6 +43,8 @@ constexpr UnknownCase unknown_cases[] = {
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {0, 0, 1, 0.5}}, 1, true},
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6}}, 1, false},  // through (1, 0, 0)
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6 + 1e-9}}, 1, true},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6 + 1e-9}}, 5e3, true},
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6 + 1e-9}}, 2e4, false},  // an arc too short
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6 + 1e-9}}, 1e9, false},
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {0.6, 0.64, 0.48, 0.8}}, 1, false},  // touches a side
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 0, 4, 0.8}}, 1, false},          // through (0, 0, 1)
@@ -65,7 +68,7 @@ inline uint32_t almost_the_same_circle() {
     hsp::FreeRegion of_both;
     hsp::FreeRegion of_one;
     return found_in_doubles(both, of_both) && found_in_doubles(one, of_one) && of_both.arcs > of_one.arcs &&
-           near_modulo_turn(of_both.steradians(), of_one.steradians(), 2 * e);
+           near_modulo_turn(of_both.curvature, of_one.curvature, 2 * e);
   });
 }
 
@@ -115,8 +118,7 @@ inline uint32_t regions_in_closed_form() {
     hsp::FreeRegion region;
     if (!found_in_doubles(caps, region)) return false;
     if (region.arcs != c.arcs || region.cutting_arcs != c.cutting_arcs) return false;
-    if (!near_modulo_turn(region.steradians(), c.steradians, 1e-13)) return false;
-    if (region.steradians() < 0 || region.steradians() >= 2 * hsp::pi) return false;
+    if (!near_modulo_turn(region.curvature, c.steradians, 1e-13)) return false;
     const hsp::Vec3 off = region.vector_area - c.vector_area;
     return c.vector_area.y == 0 || dot(off, off) < 1e-26;
   });
@@ -177,8 +179,11 @@ inline uint32_t pieces_and_loops() {
     hsp::FreeRegion region;
     if (!found_in_doubles(caps, region)) return false;
     const hsp::Span<hsp::RegionArc> arcs = caps.arcs.items();
-    if (hsp::find_pieces(arcs) != c.known) return false;
+    int32_t characteristic = 0;
+    if (hsp::find_pieces(arcs, characteristic) != c.known) return false;
     if (!c.known) return true;
+    const double area = region.curvature + 2 * hsp::pi * characteristic;
+    if (!(area >= 0.0 && area <= octant + 1e-14)) return false;
     uint32_t pieces = 0;
     uint32_t loops = 0;
     uint32_t most_loops = 0;

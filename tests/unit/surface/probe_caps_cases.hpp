@@ -45,15 +45,6 @@ inline uint32_t whole_triangles() {
   if (!scene.build(octant_balls) || small_union().boundary().vertex_count() != 2) return 0;
   for (uint32_t v = 0; v < 2; ++v) {
     if (scene.gather(v) || scene.probe.is_doubtful() || scene.probe.met() != 0) return 1 + v;
-    const hsp::Vec3 position =
-        hsp::offset_from_origin(small_union().balls(), small_union().boundary(), scene.grid.position(v).ball) +
-        scene.grid.position(v).offset;
-    const hsp::Vec3 area = scene.probe.whole_vector_area();
-    // The origin of the component is the ball on the z axis, whose x and y are 0.
-    const double sign = near(position.z, -3000, 1) ? 1 : -1;
-    if (!near(scene.probe.whole_steradians(), hsp::pi / 2, 1e-14)) return 3 + v;
-    if (!near(area.x, sign * hsp::pi / 4, 1e-14)) return 5 + v;
-    if (!near(area.x, area.y, 1e-14) || !near(area.x, area.z, 1e-14)) return 7 + v;
   }
   return all_hold;
 }
@@ -78,9 +69,10 @@ inline uint32_t probes_that_overlap() {
         return false;
       }
       // The sides face away from the three directions, the fourth cap faces the other vertex.
-      const hsp::Vec3 area = probe_scene().probe.whole_vector_area();
+      const hsp::ProbeCaps &probe = probe_scene().probe;
+      const hsp::Vec3 middle = probe.corner(0) + probe.corner(1) + probe.corner(2);
       for (uint32_t k = 0; k < 4; ++k) {
-        if ((dot(caps.axis(k), area) < 0) != (k < 3)) return false;
+        if ((dot(caps.axis(k), middle) < 0) != (k < 3)) return false;
       }
       if (!(probe_scene().probe.amplification() >= 1)) return false;
     }

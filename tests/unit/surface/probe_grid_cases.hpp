@@ -32,16 +32,6 @@ inline uint32_t positions_and_differences() {
   return all_hold;
 }
 
-// Contents of one build do not outlive the next.
-inline uint32_t builds_are_told_apart() {
-  Random random(1);
-  if (!searched_probes().build(random, 0)) return 0;
-  const uint32_t before = searched_probes().grid().builds();
-  if (!searched_probes().build(random, 1)) return 1;
-  return searched_probes().grid().builds() != before ? all_hold : 2;
-}
-
-inline constexpr Check surface_probe_grid[] = {{"positions_and_differences", positions_and_differences},
-                                               {"builds_are_told_apart", builds_are_told_apart}};
+inline constexpr Check surface_probe_grid[] = {{"positions_and_differences", positions_and_differences}};
 
 }  // namespace cases
