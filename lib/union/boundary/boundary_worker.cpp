@@ -192,7 +192,7 @@ void BoundaryWorker::order_balls_of_records(uint32_t first_vertex, uint32_t firs
   const auto before = [](uint32_t p, uint32_t q) { return p < q; };
   for (uint32_t v = first_vertex; v < vertices_.size(); ++v) {
     VertexRecord &vertex = vertices_[v];
-    if (before(vertex.ball[0], vertex.ball[1]) && before(vertex.ball[1], vertex.ball[2])) continue;  // as most are
+    if (before(vertex.ball[0], vertex.ball[1])) continue;  // as most are: later balls ascend
     const OrderedVertex ordered = in_order(vertex, before);
     const uint32_t tied = vertex.code & VertexRecord::tied_bit;
     vertex = {{ordered.ball[0], ordered.ball[1], ordered.ball[2]},
@@ -222,6 +222,8 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
   // As the ball before: what lies around the next one is not known yet.
   const uint64_t before = caps.met;
   if (!patience_.allows(2000 + (500 + before) * before)) return;
+  // Once a ball has more neighbours than there is room for, nothing but the largest number is asked for.
+  if (in_lanes && neighbours_ > caps.capacity() && lanes.certainly_meets_few(i, neighbours_)) return;
   const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, components, selected_);
   if (!by_lanes) caps.gather(balls, block, i, components);
   if (!by_lanes && selected_ != nullptr) caps.put_selected_first(selected_);

@@ -30,7 +30,9 @@ HSP_KERNEL(void, end_candidates, (CandidateBlock & block), (block))
 HSP_KERNEL(uint32_t, near_candidates,
            (const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most, uint32_t &earlier),
            (block, own, near, most, earlier))
-// The same of the candidates behind `own` alone.
+// How many these are, with `own` itself.
+HSP_KERNEL(uint32_t, count_candidates, (const CandidateBlock &block, uint32_t own), (block, own))
+// The same as near_candidates, of the candidates behind `own` alone.
 HSP_KERNEL(uint32_t, later_candidates, (const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most),
            (block, own, near, most))
 

@@ -73,6 +73,13 @@ uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t *ne
   return around.found();
 }
 
+uint32_t count_candidates(const CandidateBlock &block, uint32_t own) {
+  const NearLanes around(block, own, nullptr, 0);
+  uint32_t found = 0;
+  for (uint32_t c = 0; c < block.count; c += Floats::lanes) found += ones(around.lanes(c));
+  return found;
+}
+
 uint32_t later_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most) {
   NearLanes around(block, own, near, most);
   around.keep_near(own + 1, block.count);

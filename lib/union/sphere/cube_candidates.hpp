@@ -28,6 +28,7 @@ class CandidatesInLanes {
   uint32_t near(uint32_t i, uint32_t *ids, uint32_t most, uint32_t &earlier) const {
     return near_candidates(target_, block_, slot(i), ids, most, earlier);
   }
+  uint32_t count(uint32_t i) const { return count_candidates(target_, block_, slot(i)) - 1; }
   uint32_t later(uint32_t i, uint32_t *ids, uint32_t most) const {
     return later_candidates(target_, block_, slot(i), ids, most);
   }

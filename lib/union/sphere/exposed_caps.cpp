@@ -215,6 +215,14 @@ class ExposedCaps::Cutting {
 Span<uint32_t> ExposedCaps::in_states(uint32_t count, uint8_t first, uint8_t last) {
   uint32_t found = 0;
   for (uint32_t k = 0; k < count; ++k) {
+    uint64_t eight = 0;
+    if (count - k >= sizeof eight) {
+      std::memcpy(&eight, &state_[k], sizeof eight);
+      if ((eight & UINT64_C(0x8080808080808080)) == 0) {
+        k += sizeof eight - 1;
+        continue;
+      }
+    }
     if (state_[k] >= first && state_[k] <= last) order_[found++] = k;
   }
   return order_.part(0, found);
@@ -225,7 +233,7 @@ Span<uint32_t> ExposedCaps::in_states(uint32_t count, uint8_t first, uint8_t las
 void ExposedCaps::keep_planes_of_ties(const Caps &caps, TiedSets &sets) {
   const Span<const uint32_t> others = in_states(caps.count, has_cut, near_vertex);
   for (uint32_t k = 0; k < caps.count; ++k) {
-    if (state_[k] < tied || state_[k] >= not_tried) continue;
+    if (state_[k] < tied) continue;
     const uint32_t set = state_[k] - tied;
     bool drops = sets.is_kept(set);
     for (uint32_t n = 0; n < others.size() && !drops; ++n) {
@@ -246,19 +254,19 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
   } else {
     // The largest ones of some first; then floats tell which of the others are worth their doubles: few, once the
     // deepest have cut.
-    constexpr uint32_t first = 2 * CapBatch::most, sample = 16 * CapBatch::most;
+    constexpr uint32_t first = 2 * CapBatch::most, sample = 8 * CapBatch::most;
     const Span<const uint32_t> largest = order_by_size(floats->b, count, count / sample + 1);
     if (!cutting.cut_by(largest.part(0, largest.size() < first ? largest.size() : first), deep)) return false;
     uint32_t near = 0, deepest = 0;
     for (uint32_t cuts = 0; cuts < 4; ++cuts) {
       near = float_caps_that_may_cut(caps.target, cutting.cell(), *floats, count, order_.data(), deepest);
-      if (near <= first || state_[deepest] < not_tried) break;
+      if (near <= first || is_tried(deepest)) break;
       if (!cutting.cut_by({&deepest, 1}, 0.0)) return false;
     }
     uint32_t left = 0;
     for (const uint32_t k : order_.part(0, near)) {
       order_[left] = k;
-      left += state_[k] >= not_tried ? 1U : 0U;
+      left += is_tried(k) ? 0U : 1U;
     }
     if (!cutting.cut_by(without_copies(caps, order_.part(0, left)), deep)) return false;
   }

@@ -36,11 +36,13 @@ class ExposedCaps {
   uint32_t fewest_ties = fewest;
 
  private:
-  // States of a cap. Its plane cuts less deep than others do, and waits; it has cut; that is in doubt, and it stays; it
-  // is in doubt as it is near a vertex; it goes through a set of vertices: that and the number of the set; or it is not
-  // looked at yet: that and its class of size.
-  static constexpr uint8_t dropped = 0, waits = 1, has_cut = 2, stays = 3, near_vertex = 4, tied = 5,
-                           not_tried = tied + TiedSets::most;
+  // States of a cap. It is dropped; it is not looked at yet: that and its class of size; its plane cuts less deep than
+  // others do, and waits; it has cut; that is in doubt, and it stays; it is in doubt as it is near a vertex; or it goes
+  // through a set of vertices: that and the number of the set. Those from `waits` on are few and have a bit of their
+  // own.
+  static constexpr uint8_t dropped = 0, not_tried = 1, waits = 0x80, has_cut = waits + 1, stays = waits + 2,
+                           near_vertex = waits + 3, tied = waits + 4;
+  bool is_tried(uint32_t k) const { return state_[k] == dropped || state_[k] >= waits; }
   class Cutting;
 
   template <class Real>

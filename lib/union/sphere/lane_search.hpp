@@ -27,6 +27,10 @@ class SearchInLanes {
   // The caps of ball i of that cube: their balls, and floats. False if that is left to Caps::gather. selected: null, or
   // as for Caps::put_selected_first.
   bool gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components, const uint32_t *selected);
+  // Whether no more than so many balls meet ball i. If not, that is left to gather.
+  bool certainly_meets_few(uint32_t i, uint32_t most) const {
+    return levels_ == nullptr && candidates_.count(i) <= most;
+  }
   // After gather: as VertexFinder::find; of `idle` the memory is used. Returns the number of clusters of the caps, 0 if
   // they were not counted.
   uint32_t find(const BallSet &balls, Caps &caps, VertexFinder &finder, const FreeIntervals &idle,
@@ -69,6 +73,7 @@ class NoSearchInLanes {
   bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
   bool start_block(const BallSet &, const CubeBlock &, uint32_t, const double (&)[3], double) { return false; }
   bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *, const uint32_t *) { return false; }
+  bool certainly_meets_few(uint32_t, uint32_t) const { return false; }
   uint32_t find(const BallSet &, Caps &, VertexFinder &, const FreeIntervals &, FixedVector<VertexRecord> &,
                 FixedVector<CircleRecord> &) {
     return 0;

@@ -109,6 +109,26 @@ void expect_same_for_all_splits(const support::BallList &balls, double probe, co
   }
 }
 
+// Once a ball has more neighbours than there is room for, the others are only counted, and mostly not exactly.
+TEST(BoundaryWorker, MostNeighboursAreKnownWithRoomForFewer) {
+  const support::BallList balls =
+      with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
+  const uint32_t n = balls.size();
+  for (const double probe : {0.0, 1.4}) {
+    const BuiltGrid built(balls, probe, 0.0);
+    const auto needed = [&](uint32_t room) {
+      CarvedMemory memory;
+      hsp::BoundaryBuilder builder;
+      memory.carve(builder, hsp::BoundaryLimits{n, room, 8 * n, 2 * n, 0});
+      builder.build(built.grid());
+      return builder.needed().neighbours;
+    };
+    const uint32_t most = needed(200);
+    ASSERT_GT(most, 10U);
+    for (uint32_t room = 0; room < most; ++room) EXPECT_EQ(needed(room), most) << room;
+  }
+}
+
 TEST(BoundaryWorker, SplitMolecules) {
   for (const char *file : {"caffeine.pdb", "crambin.pdb", "felix_model.pdb"}) {
     const support::BallList balls =

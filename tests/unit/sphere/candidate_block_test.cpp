@@ -111,6 +111,7 @@ TEST_P(CandidateBlock, NoneThatMeetsIsLeftOut) {
     uint32_t earlier = 0;
     const uint32_t found = hsp::near_candidates(target, candidates.block, own, near.data(), n, earlier);
     ASSERT_LT(found, n);
+    ASSERT_EQ(hsp::count_candidates(target, candidates.block, own), found + 1);
     ASSERT_TRUE(std::is_sorted(near.begin(), near.begin() + found));
     ASSERT_EQ(earlier, std::lower_bound(near.begin(), near.begin() + found, own) - near.begin());
     ASSERT_FALSE(std::binary_search(near.begin(), near.begin() + found, own));
