@@ -5169,7 +5169,7 @@ contains
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
     integer(c_size_t) :: bytes
-    bytes = 65536_c_size_t + 196_c_size_t*int(balls, c_size_t) + 392_c_size_t*int(maxima, c_size_t) &
+    bytes = 65536_c_size_t + 212_c_size_t*int(balls, c_size_t) + 392_c_size_t*int(maxima, c_size_t) &
       + 148_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
       + 168_c_size_t*int(neighbours, c_size_t) + 144_c_size_t*int(points, c_size_t)
   end function
