@@ -48,7 +48,7 @@ typedef struct hsp_pores_limits {
   uint32_t points;      /**< of a tunnel, with those that are left out as they are near to others */
 } hsp_pores_limits;
 
-/** Limits that suffice for most molecules of `balls` atoms, about 1.8 kB for each: maxima 2 balls + 64, gates 4 balls +
+/** Limits that suffice for most molecules of `balls` atoms, about 1.9 kB for each: maxima 2 balls + 64, gates 4 balls +
  *  128, tied balls + 256, candidates 4 balls + 2048, neighbours balls + 16, points balls + 4096.
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
