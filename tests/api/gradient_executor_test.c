@@ -19,16 +19,19 @@ static hsp_gradient_outputs outputs_into(uint32_t n, gradients *g) {
   return outputs;
 }
 
-static void every_number_of_workers(const ball_set *set) {
+/* selected: or NULL for all balls. */
+static void every_number_of_workers(const ball_set *set, const uint8_t *selected) {
   static gradients alone, shared;
   static double sigma[BALL_SET_MOST];
   const uint32_t n = set->n;
-  hsp_gradient_request request = {
-      .struct_size = sizeof request, .tangency = HSP_TANGENT_OVERLAP, .tension = 0.7, .pressure = -1.3};
+  const hsp_boundary_request of_some = {.struct_size = sizeof of_some, .selected = selected};
+  hsp_gradient_request request = {.struct_size = sizeof request, .tangency = HSP_TANGENT_OVERLAP, .tension = 0.7};
   computed c;
   uint32_t workers, i;
+  request.pressure = selected == NULL ? -1.3 : 0;
   for (i = 0; i < n; ++i) sigma[i] = i % 4 == 1 ? 0 : 0.75 * i - 2;
-  if (CHECK_EQUAL(computed_make(n, set->xyz, set->radius, NULL, &c), HSP_OK)) {
+  if (CHECK_EQUAL(computed_make(n, set->xyz, set->radius, NULL, &c), HSP_OK) &&
+      CHECK_EQUAL(hsp_boundary_compute_with(c.boundary, c.model, &of_some, NULL), HSP_OK)) {
     for (workers = 0; workers <= 9; ++workers) {
       loop own = loop_of(LOOP_SHUFFLED);
       hsp_executor executor = executor_of(&own, workers);
@@ -82,14 +85,17 @@ static void refused(const ball_set *set) {
 
 int main(void) {
   static ball_set set;
-  uint32_t which;
+  static uint8_t selected[BALL_SET_MOST];
+  uint32_t which, i;
   for (which = 0; which < ball_set_count(); which += 5) {
     ball_set_make(which, &set);
-    every_number_of_workers(&set);
+    every_number_of_workers(&set, NULL);
   }
   ball_set_start(&set, "chain", 1e-8);
   ball_set_add_chain(&set, BALL_SET_MOST, 77);
-  every_number_of_workers(&set);
+  every_number_of_workers(&set, NULL);
+  for (i = 0; i < set.n; ++i) selected[i] = i / 3 % 5 != 1;
+  every_number_of_workers(&set, selected);
   refused(&set);
   return check_report();
 }

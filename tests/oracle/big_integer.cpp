@@ -75,6 +75,7 @@ BigInteger operator*(const BigInteger &a, const BigInteger &b) {
   if (a.limbs_.empty() || b.limbs_.empty()) return product;
   product.limbs_.assign(a.limbs_.size() + b.limbs_.size(), 0);
   for (size_t i = 0; i < a.limbs_.size(); ++i) {
+    if (a.limbs_[i] == 0) continue;
     uint64_t carry = 0;
     for (size_t k = 0; k < b.limbs_.size(); ++k) {
       carry += uint64_t{a.limbs_[i]} * b.limbs_[k] + product.limbs_[i + k];
@@ -89,10 +90,19 @@ BigInteger operator*(const BigInteger &a, const BigInteger &b) {
 }
 
 BigInteger BigInteger::times_power_of_two(unsigned bits) const {
-  BigInteger power;
-  power.limbs_.assign(bits / 32 + 1, 0);
-  power.limbs_.back() = uint32_t{1} << (bits % 32);
-  return *this * power;
+  BigInteger result;
+  if (limbs_.empty()) return result;
+  result.negative_ = negative_;
+  result.limbs_.assign(bits / 32, 0);
+  uint64_t carry = 0;
+  for (const uint32_t limb : limbs_) {
+    carry += uint64_t{limb} << (bits % 32);
+    result.limbs_.push_back(static_cast<uint32_t>(carry));
+    carry >>= 32;
+  }
+  result.limbs_.push_back(static_cast<uint32_t>(carry));
+  drop_leading_zeros(result.limbs_);
+  return result;
 }
 
 std::string BigInteger::to_string() const {

@@ -20,16 +20,18 @@ complain() { # message, lines
   failed=1
 }
 
-# Number, value, size, type, binding, visibility, section, name: visibility, section and name of what is not local.
-symbols=$(readelf -sW "$archive" | awk '$5 ~ /^(GLOBAL|WEAK|UNIQUE)$/ {print $6, $7, $8}')
+# Number, value, size, type, binding, visibility, section, name: visibility, section and name of what is not local. Of
+# PowerPC's functions it says in brackets where calls from near begin.
+symbols=$(readelf -sW "$archive" | sed 's/ \[<[^]]*\]//' | awk '$5 ~ /^(GLOBAL|WEAK|UNIQUE)$/ {print $6, $7, $8}')
 offered=$(echo "$symbols" | awk '$2 != "UND" && $3 !~ /^_Z/ {print $3}' | sort)
 inner=$(echo "$symbols" | awk '$2 != "UND" && $3 ~ /^_Z/ {print $1, $3}' | sort -u)
 
 allowed='^(memcpy|memmove|memset|sqrt'
-# libgcc: integer and floating-point arithmetic that the machine lacks. _gp_disp is where tables of MIPS begin.
+# libgcc: integer and floating-point arithmetic that the machine lacks. Tables of MIPS and PowerPC begin at _gp_disp and
+# at .TOC.
 allowed+='|__u?(div|mod|mul|divmod)[dts]i[34]|__(ash|lsh|ash?l|ash?r|lshr)[dt]i3|__(clz|ctz|popcount|ffs|parity|bswap)[dst]i2'
 allowed+='|__(float|floatun|fix|fixuns)[a-z]+|__aeabi_[a-z0-9_]+|__aarch64_[a-z]+[1248]_[a-z_]+'
-allowed+='|_GLOBAL_OFFSET_TABLE_|_gp_disp)$'
+allowed+='|_GLOBAL_OFFSET_TABLE_|_gp_disp|\.TOC\.)$'
 asked=$(echo "$symbols" | awk '$2 == "UND" {print $3}' | sort -u | comm -23 - <(printf '%s\n' "$offered" "${inner//HIDDEN /}" | sort -u))
 refused=$(echo "$asked" | grep -vE "$allowed" | grep -v '^$' || true)
 [ -z "$refused" ] || complain "the archive asks for symbols that are not allowed:" "$refused"
@@ -43,9 +45,10 @@ others=$(echo "$inner" | c++filt | grep -vE '^HIDDEN (_ZNK?3hsp|.*(hsp(_[a-z]+)?
 [ -z "$others" ] || complain "the archive has inner symbols that are not hidden, or not the library's own:" "$others"
 objects=$(ar t "$archive" | wc -l)
 if [ "$objects" -eq 1 ] && [ -n "$inner" ]; then complain "one object, and inner symbols:" "$inner"; fi
-# Name, type, address, offset, size, size of an entry, flags. Tables of pointers are written to by the loader only.
+# Name, type, address, offset, size, size of an entry, flags. Tables of pointers are written to by the loader only,
+# such as PowerPC's .toc.
 written=$(readelf -SW "$archive" | sed -n 's/^ *\[ *[0-9]*\] *//p' |
-  awk '$7 ~ /W/ && $5 !~ /^0+$/ && $1 !~ /^\.data\.rel\.ro/ {print $1, "of size 0x" $5}')
+  awk '$7 ~ /W/ && $5 !~ /^0+$/ && $1 !~ /^\.(data\.rel\.ro|toc$)/ {print $1, "of size 0x" $5}')
 [ -z "$written" ] || complain "the archive has sections that are written to at run time:" "$written"
 [ $failed -eq 0 ] && echo "asks for: $(echo $asked); offers $(echo "$offered" | wc -l) functions," \
   "hides $(echo "$inner" | grep -c .); $objects objects"

@@ -57,7 +57,7 @@ readelf -h arm64/usr/bin/hardsphere arm64/usr/lib/aarch64-linux-gnu/libhardspher
 
 # A user's machine.
 cp -r "$release" "$work/user/release"
-tar -C "$work/user/release" -xf "$release"/hardsphere-[0-9.]*[0-9].tar.gz --strip-components 1
+tar -C "$work/user/release" -xf "$release"/hardsphere_*.orig.tar.gz --strip-components 1
 in_user() { chroot "$work/user" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C DEBIAN_FRONTEND=noninteractive AUTOPKGTEST_TMP=/tmp "$@"; }
 run in_user sh -c 'cd /release && apt-get install -y -qq --no-install-recommends ./libhardsphere[0-9]*_amd64.deb ./hardsphere_*_amd64.deb'
 in_user hardsphere measure /release/bench/molecules/crambin.pdb | grep -F 4247.656211

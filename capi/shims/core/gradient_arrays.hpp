@@ -83,13 +83,12 @@ struct GradientArrays {
     if (area != nullptr) area[i] = lattice.area(gradient.area);
     put(i, gradient);
   }
-  // The same for several balls.
+  // The same for several balls, whose flags the caller clears.
   void put(IdRange run, const EnergyGradient &gradient, const exact::Lattice &lattice) const {
     const double own_area = lattice.area(gradient.area);
     for (uint32_t i = run.first; area != nullptr && i < run.last; ++i) area[i] = own_area;
     for (uint32_t i = run.first; d_centre != nullptr && i < run.last; ++i) put_vector(gradient.centre, d_centre, i);
-    const GradientArrays others{nullptr, d_radius, flags};
-    for (uint32_t i = run.first; others.any() && i < run.last; ++i) others.put(i, gradient);
+    for (uint32_t i = run.first; d_radius != nullptr && i < run.last; ++i) d_radius[i] = gradient.radius;
   }
   void put(uint32_t i, const EnergyGradient &gradient) const {
     put_vector(gradient.centre, d_centre, i);

@@ -12,6 +12,7 @@
 #include "core/workspace.hpp"
 #include "exact/lattice.hpp"
 #include "exact/lattice_ball.hpp"
+#include "lanes/target.hpp"
 
 namespace hsp {
 
@@ -103,15 +104,21 @@ struct BallSet {
   // Room for so many balls.
   void carve(Workspace &workspace, uint32_t capacity) {
     // In one array, so that what is read behind the last ball of one coordinate is of the next.
-    const auto numbers = workspace.take<double>(4 * static_cast<uint64_t>(capacity) + read_behind);
+    const uint32_t words = has_lanes ? 2 * capacity : 0;
+    const auto numbers = workspace.take<double>(words + 4 * static_cast<uint64_t>(capacity) + read_behind);
     if (!numbers.empty()) {
-      x = numbers.part(0, capacity);
-      y = numbers.part(capacity, 2 * capacity);
-      z = numbers.part(2 * capacity, 3 * capacity);
-      r = numbers.part(3 * capacity, 4 * capacity);
+      const auto coordinate = numbers.part(words, numbers.size());
+      x = coordinate.part(0, capacity);
+      y = coordinate.part(capacity, 2 * capacity);
+      z = coordinate.part(2 * capacity, 3 * capacity);
+      r = coordinate.part(3 * capacity, 4 * capacity);
     }
     caller = workspace.take<uint32_t>(static_cast<uint64_t>(capacity) + read_behind);
   }
+
+  // For lanes, before the array of x: the lowest 32 bits of x, y, z and r of each ball side by side. One instruction
+  // reads them. Differences of balls that meet are below 2^31, so that those of the words are exact.
+  int32_t *words() const { return reinterpret_cast<int32_t *>(x.data()) - 4 * uint64_t{x.size()}; }
 
   exact::LatticeBall ball(uint32_t i) const {
     return {{static_cast<int64_t>(x[i]), static_cast<int64_t>(y[i]), static_cast<int64_t>(z[i])},
@@ -140,6 +147,13 @@ struct BallSet {
     y[i] = static_cast<double>(ball.centre.y);
     z[i] = static_cast<double>(ball.centre.z);
     r[i] = static_cast<double>(ball.radius);
+    if constexpr (has_lanes) {
+      int32_t *const word = words() + 4 * uint64_t{i};
+      word[0] = static_cast<int32_t>(ball.centre.x);
+      word[1] = static_cast<int32_t>(ball.centre.y);
+      word[2] = static_cast<int32_t>(ball.centre.z);
+      word[3] = static_cast<int32_t>(ball.radius);
+    }
     caller[i] = ball.index;
   }
 

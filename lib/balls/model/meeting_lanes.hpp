@@ -14,7 +14,7 @@ struct FloatBall {
 
   // d^2 - t^2 of each of the others.
   Floats excess(Floats other_x, Floats other_y, Floats other_z, Floats other_r) const {
-    const Floats dx = other_x - x, dy = other_y - y, dz = other_z - z, sum = other_r + r;
+    const Floats dx = distance(x, other_x), dy = distance(y, other_y), dz = distance(z, other_z), sum = r + other_r;
     return fused(dz, dz, fused(dy, dy, fused_minus(dx, dx, sum * sum)));
   }
 };

@@ -84,8 +84,12 @@ struct FourOfEach {
     using Real = Floats::Word::Real;
     return {{Real(apart.val[0])}, {Real(apart.val[1])}, {Real(apart.val[2])}, {Real(apart.val[3])}};
 #else
-    const auto first = Floats::load(p).v, second = Floats::load(p + 4).v, third = Floats::load(p + 8).v,
-               fourth = Floats::load(p + 12).v;
+    return of(Floats::load(p).v, Floats::load(p + 4).v, Floats::load(p + 8).v, Floats::load(p + 12).v);
+#endif
+  }
+  // Of one thing after the other.
+  static FourOfEach of(Floats::Word::Real first, Floats::Word::Real second, Floats::Word::Real third,
+                       Floats::Word::Real fourth) {
     const auto ab01 = __builtin_shufflevector(first, second, 0, 4, 1, 5);
     const auto cd01 = __builtin_shufflevector(first, second, 2, 6, 3, 7);
     const auto ab23 = __builtin_shufflevector(third, fourth, 0, 4, 1, 5);
@@ -94,7 +98,6 @@ struct FourOfEach {
             {__builtin_shufflevector(ab01, ab23, 2, 3, 6, 7)},
             {__builtin_shufflevector(cd01, cd23, 0, 1, 4, 5)},
             {__builtin_shufflevector(cd01, cd23, 2, 3, 6, 7)}};
-#endif
   }
 };
 
@@ -126,6 +129,25 @@ struct Integers {
   friend Integers operator|(Integers a, Integers b) { return {a.v | b.v}; }
   friend Integers operator^(Integers a, Integers b) { return {a.v ^ b.v}; }
 };
+// Four integers of each of four things, as FourOfEach: of the things with these numbers.
+struct FourIntegersOfEach {
+  Integers a, b, c, d;
+
+  static FourIntegersOfEach at(const int32_t *p, const uint32_t *thing) {
+    const auto bits_of = [p, thing](int k) {
+      Floats::Word::Real bits;
+      std::memcpy(&bits, p + 4 * uint64_t{thing[k]}, sizeof bits);
+      return bits;
+    };
+    const FourOfEach bits = FourOfEach::of(bits_of(0), bits_of(1), bits_of(2), bits_of(3));
+    const auto integers = [](Floats part) { return Integers{reinterpret_cast<Integers::Bits>(part.v)}; };
+    return {integers(bits.a), integers(bits.b), integers(bits.c), integers(bits.d)};
+  }
+};
+// Integers with a sign, rounded to nearest.
+inline Floats to_floats(Integers a) {
+  return {__builtin_convertvector(a.with_sign(), Floats::Word::Real)};
+}
 // a in lanes whose bits are all set, b in those where none is.
 inline Integers chosen(Integers all_or_none, Integers a, Integers b) {
   return {b.v ^ ((a.v ^ b.v) & all_or_none.v)};
@@ -173,6 +195,10 @@ inline Doubles fused(Doubles a, Doubles b, Doubles c) {
 }
 inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
   return fused(a, b, {-c.v});
+}
+// With either sign: that for which a may stay in a register.
+inline Floats distance(Floats a, Floats b) {
+  return b - a;
 }
 inline Floats square_root(Floats a) {
 #if defined(__SSE2__)

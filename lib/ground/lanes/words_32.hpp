@@ -89,8 +89,14 @@ struct FourOfEach {
   Floats a, b, c, d;
 
   static FourOfEach load(const float *p) {
-    const auto things = [p](int k) {  // k in the lower half, k + 4 in the upper one
-      return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p + 4 * k)), _mm_loadu_ps(p + 4 * k + 16), 1);
+    return of([p](int k) { return _mm_loadu_ps(p + 4 * k); });
+  }
+
+  // Thing number k is the four numbers of_thing(k).
+  template <class OfThing>
+  static FourOfEach of(OfThing of_thing) {
+    const auto things = [of_thing](int k) {  // k in the lower half, k + 4 in the upper one
+      return _mm256_insertf128_ps(_mm256_castps128_ps256(of_thing(k)), of_thing(k + 4), 1);
     };
     const __m256 first = things(0), second = things(1), third = things(2), fourth = things(3);
     const __m256 ab01 = _mm256_unpacklo_ps(first, second), cd01 = _mm256_unpackhi_ps(first, second);
@@ -122,6 +128,24 @@ struct Integers {
   friend Integers operator|(Integers a, Integers b) { return {_mm256_or_si256(a.v, b.v)}; }
   friend Integers operator^(Integers a, Integers b) { return {_mm256_xor_si256(a.v, b.v)}; }
 };
+
+// Four integers of each of eight things, as FourOfEach: of the things with these numbers.
+struct FourIntegersOfEach {
+  Integers a, b, c, d;
+
+  static FourIntegersOfEach at(const int32_t *p, const uint32_t *thing) {
+    const FourOfEach bits = FourOfEach::of(
+        [p, thing](int k) { return _mm_loadu_ps(reinterpret_cast<const float *>(p + 4 * uint64_t{thing[k]})); });
+    return {{_mm256_castps_si256(bits.a.v)},
+            {_mm256_castps_si256(bits.b.v)},
+            {_mm256_castps_si256(bits.c.v)},
+            {_mm256_castps_si256(bits.d.v)}};
+  }
+};
+// Integers with a sign, rounded to nearest.
+inline Floats to_floats(Integers a) {
+  return {_mm256_cvtepi32_ps(a.v)};
+}
 // a in lanes whose bits are all set, b in those where none is.
 inline Integers chosen(Integers all_or_none, Integers a, Integers b) {
   return {_mm256_blendv_epi8(b.v, a.v, all_or_none.v)};
@@ -145,6 +169,10 @@ inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
 }
 inline Doubles minus_fused(Doubles a, Doubles b, Doubles c) {
   return {_mm256_fnmadd_pd(a.v, b.v, c.v)};
+}
+// With either sign: that for which b may be read from memory.
+inline Floats distance(Floats a, Floats b) {
+  return a - b;
 }
 inline Floats square_root(Floats a) {
   return {_mm256_sqrt_ps(a.v)};

@@ -118,11 +118,7 @@ void BallGroup::gather_around(const MovingRecords &records, const BallCells &cel
                   });
   for (uint32_t k = count; k < n; ++k) {
     const uint32_t j = near_ball_[k];
-    near_.x[k] = balls.x[j];
-    near_.y[k] = balls.y[j];
-    near_.z[k] = balls.z[j];
-    near_.r[k] = balls.r[j];
-    near_.caller[k] = balls.caller[j];
+    near_.store(k, balls.ball(j));
   }
   near_.n = n;
   for (uint32_t k = 0; k < count; ++k) in_group_[near_ball_[k]] = 0;

@@ -26,8 +26,7 @@ PatchState SphericalPatch::triangulate_from_loops() {
   const uint64_t used = samples_.required() > ears_.required() ? samples_.required() : ears_.required();
   if (used > needed_points_) needed_points_ = used;
   if (samples_.overflowed() || ears_.overflowed()) return PatchState::capacity;
-  pinched_ = true;
-  return has_right_cells() ? PatchState::complete : PatchState::too_coarse;
+  return has_right_numbers() ? PatchState::complete : PatchState::too_coarse;
 }
 
 // The ring beside these loops, all of one face: one of its points.

@@ -54,6 +54,7 @@ bool SphericalPatch::close_wedge(uint32_t sample, const TriangleEdge &way) {
   if (parts_[way.triangle].face == no_id) {
     strand = strand_back(way);
     if (strand == no_id) return false;
+    has_corridors_ = true;
     links_[sample].closing = links_[strand].next;
     links_[sample].middle = middle_of_wedge(sample);
     return true;
@@ -94,7 +95,7 @@ bool SphericalPatch::close_wedge(uint32_t sample, const TriangleEdge &way) {
 }
 
 void SphericalPatch::add_corridors() {
-  for (uint32_t a = 0; a < linked_samples_; ++a) {
+  for (uint32_t a = 0; has_corridors_ && a < linked_samples_; ++a) {
     TriangleEdge way;
     if (!has_length(a) || !sphere_.find_edge(links_[a].point, links_[links_[a].next].point, way)) continue;
     if (parts_[way.triangle].face != no_id) continue;
@@ -131,7 +132,7 @@ void SphericalPatch::for_each_of_neck(uint32_t sample, Visit visit) const {
 // Once for every neck, from its first sample where a wedge begins.
 bool SphericalPatch::add_necks() {
   for (uint32_t k = 0; k < linked_samples_; ++k) {
-    if (!has_length(k)) continue;
+    if (!has_length(k) || links_[k].closing == k) continue;
     uint32_t count = 0;
     uint32_t corner[3] = {no_id, no_id, no_id};
     bool is_first = true;
@@ -188,16 +189,6 @@ void SphericalPatch::add_detours() {
     if (before != no_id) ears_.push({links_[k].face, {first, at, before}});
     ears_.push({links_[k].face, {first, k, at}});
   }
-}
-
-// As for patches that are not pinched (has_right_numbers), with everything added: 2 V - B - T = 2 (2 - loops).
-bool SphericalPatch::has_right_cells() {
-  const uint32_t faces = loops_[loops_.size() - 1].face + 1;
-  for (uint32_t face = 0; face < faces; ++face) balance_[face] = -4;
-  for (uint32_t loop = 0; loop < loops_.size(); ++loop) balance_[loops_[loop].face] += 2;
-  for (uint32_t k = 0; k < samples_.size(); ++k) balance_[links_[k].face] += is_extra(k) ? 2 : 1;
-  for (uint32_t k = 0; k < ears_.size(); ++k) --balance_[ears_[k].face];
-  return has_right_insides(faces);
 }
 
 }  // namespace hsp

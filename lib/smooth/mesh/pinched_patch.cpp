@@ -1,7 +1,7 @@
-// Patches whose borders touch or run along each other. No number of points tells such borders apart, but how they hang
-// together is known: every border leads from one of its points to the next, with the patch on its left.
+// Patches whose borders may touch or run along each other. No number of points tells such borders apart, but how they
+// hang together is known: every border leads from one of its points to the next, with the patch on its left.
 //
-// Borders may lie on each other here. Where the straight way to the next point crosses another border it makes a detour
+// Borders may lie on each other. Where the straight way to the next point crosses another border it makes a detour
 // through a point of that one. Then what lies between borders is cells without area (pinched_cells.cpp):
 //   detour    between the straight way and the detour
 //   corridor  between two ways along the same edge, there and back, with the patch between them
@@ -27,27 +27,6 @@ constexpr uint32_t uncovered = no_id - 2;
 
 }  // namespace
 
-PatchState SphericalPatch::triangulate_pinched() {
-  link_samples();
-  bool good = route_strands();
-  if (good) {
-    sphere_.restore_all();
-    linked_samples_ = samples_.size();
-    good = name_triangles(true) && close_wedges() && add_necks() && add_faces_without_extent();
-  }
-  if (good) {
-    add_corridors();
-    add_detours();
-  }
-  // Also where there is room: what is needed does not depend on that.
-  const uint64_t used = samples_.required() > ears_.required() ? samples_.required() : ears_.required();
-  if (used > needed_points_) needed_points_ = used;
-  if (samples_.overflowed() || ears_.overflowed()) return PatchState::capacity;
-  pinched_ = good && has_right_cells();
-  all_coarse_ = !pinched_ && !has_coarse_borders();
-  return pinched_ ? PatchState::complete : PatchState::too_coarse;
-}
-
 // A sample that belongs to no border. Without room for it, any.
 uint32_t SphericalPatch::add_extra(uint32_t face, const Vec3 &direction) {
   samples_.push({direction, no_id, samples_[0].curve, {no_id, no_id}});
@@ -59,7 +38,9 @@ uint32_t SphericalPatch::add_extra(uint32_t face, const Vec3 &direction) {
 
 // ---- ways ----
 
-bool SphericalPatch::route_strands() {
+// Without detours what is in the way is too coarse, and so is the way.
+bool SphericalPatch::route_strands(bool with_detours) {
+  bool good = true;
   for (uint32_t k = 0; k < border_samples_; ++k) {
     const uint32_t end = links_[k].next;
     uint32_t detours = 0;
@@ -71,10 +52,17 @@ bool SphericalPatch::route_strands() {
         at = next;
         continue;
       }
-      if (++detours > most_detours || !add_detour(at, obstacle)) return false;
+      if (with_detours) {
+        if (++detours > most_detours || !add_detour(at, obstacle)) return false;
+        continue;
+      }
+      good = false;
+      links_[k].coarse = true;
+      mark_coarse(obstacle);
+      break;
     }
   }
-  return true;
+  return good;
 }
 
 // Through the nearer end of what is in the way, if it lies between.
@@ -145,7 +133,8 @@ bool SphericalPatch::find_covered() {
   while (waiting_ > 0) {
     const uint32_t t = queue_[--waiting_];
     for (uint32_t e = 0; e < 3; ++e) {
-      const bool balanced = (parts_[t].strand[e] == no_id) == (strand_back({t, e}) == no_id);
+      const bool balanced =
+          !sphere_.triangle(t).fixed[e] || (parts_[t].strand[e] == no_id) == (strand_back({t, e}) == no_id);
       if (balanced && !take(sphere_.triangle(t).neighbour[e], unknown, parts_[t].face)) return false;
     }
   }
@@ -166,7 +155,12 @@ bool SphericalPatch::has_covered_point() const {
 }
 
 bool SphericalPatch::name_faces() {
-  waiting_ = 0;
+  if (!lay_strands()) return false;
+  if (loops_.size() == 0) {
+    for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) parts_[t].face = 0;
+    return true;
+  }
+  if (!find_covered()) return false;
   for (uint32_t first = 0; first < sphere_.triangle_count(); ++first) {
     for (const uint32_t strand : parts_[first].strand) {
       if (strand != no_id && parts_[first].face != no_id && !take(first, uncovered, links_[strand].face)) return false;
@@ -174,8 +168,8 @@ bool SphericalPatch::name_faces() {
     while (waiting_ > 0) {
       const uint32_t t = queue_[--waiting_];
       for (uint32_t e = 0; e < 3; ++e) {
-        const bool is_open = parts_[t].strand[e] == no_id && strand_back({t, e}) == no_id;
-        if (is_open && !take(sphere_.triangle(t).neighbour[e], uncovered, parts_[t].face)) return false;
+        const SphereTriangle &own = sphere_.triangle(t);
+        if (!own.fixed[e] && !take(own.neighbour[e], uncovered, parts_[t].face)) return false;
       }
     }
   }

@@ -27,7 +27,7 @@ void SphericalPatch::carve(Workspace &workspace, uint32_t points) {
 void SphericalPatch::begin(double spacing) {
   spacing_ = spacing < largest_ring_spacing ? spacing : largest_ring_spacing;
   all_coarse_ = false;
-  pinched_ = false;
+  has_corridors_ = false;
   latest_cap_ = 0;
   samples_.clear();
   loops_.clear();
@@ -133,10 +133,25 @@ PatchState SphericalPatch::triangulate(bool pinched) {
   if (needed_points_ > inputs_.capacity()) return PatchState::capacity;
   sphere_.start(turn);
   insert_points();
-  if (pinched) return triangulate_pinched();
-  if (!link_loops() || !fix_borders()) return PatchState::too_coarse;
-  sphere_.restore_all();
-  if (name_triangles(false) && name_corners() && has_right_numbers()) return PatchState::complete;
+  link_samples();
+  bool good = route_strands(pinched);
+  if (good) {
+    sphere_.restore_all();
+    linked_samples_ = samples_.size();
+    good = name_triangles() && close_wedges() && add_necks() && add_faces_without_extent();
+  }
+  if (good) {
+    add_corridors();
+    add_detours();
+  }
+  // Also where there is room: what is needed does not depend on that.
+  const uint64_t used = samples_.required() > ears_.required() ? samples_.required() : ears_.required();
+  if (used > needed_points_) needed_points_ = used;
+  if (samples_.overflowed() || ears_.overflowed()) {
+    needed_points_ += needed_points_ / 2;  // it may want more than what it came to
+    return PatchState::capacity;
+  }
+  if (good && has_right_numbers()) return PatchState::complete;
   all_coarse_ = !has_coarse_borders();
   return PatchState::too_coarse;
 }
@@ -169,7 +184,7 @@ void SphericalPatch::insert_points() {
 }
 
 void SphericalPatch::link_samples() {
-  border_samples_ = samples_.size();
+  border_samples_ = linked_samples_ = samples_.size();
   for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
     const uint32_t first = loops_[loop].first, last = end_of_loop(loop);
     for (uint32_t k = first; k < last; ++k) {
@@ -179,52 +194,9 @@ void SphericalPatch::link_samples() {
   }
 }
 
-bool SphericalPatch::link_loops() {
-  link_samples();
-  bool good = true;
-  for (uint32_t loop = 0; loop < loops_.size(); ++loop) good &= cut_ears(loop);
-  all_coarse_ |= !good;
-  return good;
-}
-
-// Consecutive points that coincide, ends of arcs without length, make triangles without area.
-bool SphericalPatch::cut_ears(uint32_t loop) {
-  const uint32_t first = loops_[loop].first;
-  const uint32_t last = end_of_loop(loop);
-  for (uint32_t k = first; k < last; ++k) {
-    const uint32_t next = links_[k].next;
-    if (links_[k].point != links_[next].point) continue;
-    const uint32_t previous = links_[k].previous;
-    if (links_[next].next == previous) return false;  // nothing would be left
-    if (samples_[previous].may_be_joined_elsewhere(samples_[next])) return false;
-    ears_.push({loops_[loop].face, {previous, k, next}});
-    links_[previous].next = next;
-    links_[next].previous = previous;
-    links_[k].next = no_id;
-    // The edge that now begins at `previous` may have no length either; it has been looked at before.
-    if (previous < k && links_[previous].point == links_[next].point) return false;
-  }
-  return true;
-}
-
 void SphericalPatch::mark_coarse(uint32_t point) {
   const uint32_t sample = sample_at_[point];
-  if (sample == no_id) return;
-  links_[sample].coarse = true;
-  if (links_[sample].next != no_id) links_[links_[sample].previous].coarse = true;
-}
-
-bool SphericalPatch::fix_borders() {
-  bool good = true;
-  for (uint32_t k = 0; k < samples_.size(); ++k) {
-    if (links_[k].next == no_id) continue;
-    uint32_t obstacle = no_id;
-    if (sphere_.fix_edge(links_[k].point, links_[links_[k].next].point, obstacle)) continue;
-    good = false;
-    links_[k].coarse = true;
-    mark_coarse(obstacle);
-  }
-  return good;
+  if (sample != no_id) links_[sample].coarse = links_[links_[sample].previous].coarse = true;
 }
 
 bool SphericalPatch::has_coarse_borders() const {
@@ -236,7 +208,6 @@ bool SphericalPatch::has_coarse_borders() const {
 // Those without length are none: more points on them would change nothing.
 void SphericalPatch::mark_longest_borders() {
   const auto square = [this](uint32_t k) {
-    if (links_[k].next == no_id) return 0.0;
     const Vec3 start = to_double(sphere_.point(links_[k].point));
     const Vec3 chord = to_double(sphere_.point(links_[links_[k].next].point)) - start;
     return dot(chord, chord);
@@ -248,9 +219,8 @@ void SphericalPatch::mark_longest_borders() {
 
 // Says of every triangle which face it belongs to. Covered points that the chord of a border leaves on its left are
 // removed. Where there are too few others without them, borders are too coarse.
-bool SphericalPatch::name_triangles(bool pinched) {
-  const auto name = [&] { return pinched ? lay_strands() && find_covered() && name_faces() : spread_faces(); };
-  if (!name()) return false;
+bool SphericalPatch::name_triangles() {
+  if (!name_faces()) return false;
   // Other points keep off borders.
   uint32_t covered[SphereTriangulation::octahedron_points];
   uint32_t count = 0;
@@ -265,73 +235,17 @@ bool SphericalPatch::name_triangles(bool pinched) {
     return false;
   }
   sphere_.restore_all();
-  return name();
-}
-
-// Every face floods what lies to the left of its loops.
-bool SphericalPatch::spread_faces() {
-  const uint32_t triangles = sphere_.triangle_count();
-  for (uint32_t t = 0; t < triangles; ++t) parts_[t] = Part{};
-  waiting_ = 0;
-  if (loops_.size() == 0) take(0, no_id, 0);
-  for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
-    for (uint32_t k = loops_[loop].first; k < end_of_loop(loop); ++k) {
-      if (links_[k].next == no_id) continue;
-      TriangleEdge left;
-      if (!sphere_.find_edge(links_[k].point, links_[links_[k].next].point, left)) return false;
-      uint32_t &strand = parts_[left.triangle].strand[left.edge];
-      if (strand != no_id || !take(left.triangle, no_id, loops_[loop].face)) return false;
-      strand = k;
-    }
-  }
-  while (waiting_ > 0) {
-    const uint32_t t = queue_[--waiting_];
-    for (uint32_t e = 0; e < 3; ++e) {
-      if (sphere_.triangle(t).fixed[e]) {
-        if (parts_[t].strand[e] == no_id) return false;  // a border from behind
-      } else if (!take(sphere_.triangle(t).neighbour[e], no_id, parts_[t].face)) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-// At a point where borders touch there are several vertices: each has the corners from its own border on, counter-
-// clockwise, up to the next one.
-bool SphericalPatch::name_corners() {
-  for (uint32_t k = 0; k < samples_.size(); ++k) {
-    if (links_[k].next == no_id) continue;
-    const uint32_t p = links_[k].point;
-    TriangleEdge at;
-    if (!sphere_.find_edge(p, links_[links_[k].next].point, at)) return false;
-    uint32_t t = at.triangle;
-    for (;;) {
-      const uint32_t corner = sphere_.triangle(t).corner_of(p);
-      if (parts_[t].corner[corner] != no_id) return false;
-      parts_[t].corner[corner] = k;
-      const uint32_t edge = next_corner(corner);
-      if (sphere_.triangle(t).fixed[edge]) break;
-      t = sphere_.triangle(t).neighbour[edge];
-    }
-  }
-  return true;
+  return name_faces();
 }
 
 // V - E + T = 2 - loops for every face, where E = (3 T + B) / 2 and V = I + B, with B vertices and edges on its border
-// and I vertices inside: 2 I + B - T = 2 (2 - loops).
+// and I vertices inside: 2 I + B - T = 2 (2 - loops). Ears are triangles, too.
 bool SphericalPatch::has_right_numbers() {
   const uint32_t faces = loops_.size() == 0 ? 1 : loops_[loops_.size() - 1].face + 1;
   for (uint32_t face = 0; face < faces; ++face) balance_[face] = -4;
-  for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
-    int64_t &balance = balance_[loops_[loop].face];
-    balance += 2;
-    for (uint32_t k = loops_[loop].first; k < end_of_loop(loop); ++k) balance += links_[k].next != no_id ? 1 : 0;
-  }
-  return has_right_insides(faces);
-}
-
-bool SphericalPatch::has_right_insides(uint32_t faces) {
+  for (uint32_t loop = 0; loop < loops_.size(); ++loop) balance_[loops_[loop].face] += 2;
+  for (uint32_t k = 0; k < samples_.size(); ++k) balance_[links_[k].face] += is_extra(k) ? 2 : 1;
+  for (uint32_t k = 0; k < ears_.size(); ++k) --balance_[ears_[k].face];
   Span<uint32_t> face_of_point = queue_;
   for (uint32_t p = 0; p < sphere_.point_count(); ++p) face_of_point[p] = no_id;
   for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {

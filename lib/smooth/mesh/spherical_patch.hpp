@@ -7,8 +7,8 @@
 // face is known beforehand; that the triangles agree is checked, with the number of triangles that Euler's formula
 // demands, so that a border sampled too coarsely is noticed and never yields a wrong mesh.
 //
-// Where borders touch, or run along each other, no number of points tells them apart. Then `pinched` asks for triangles
-// without area between them (pinched_patch.cpp), checked in the same way.
+// Where borders touch, or run along each other, there are triangles without area between them (pinched_patch.cpp).
+// Where no number of points tells them apart `pinched` lets them make detours through each other's points.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -88,13 +88,12 @@ class SphericalPatch {
     double cosine;
     double inside, near;  // the cosines of what lies well inside and of what lies near
   };
-  // Links of a sample as long as it is part of its loop.
+  // Links of a sample.
   struct Link {
-    uint32_t next, previous;  // samples; no_id if it is cut off
+    uint32_t next, previous;  // samples; no_id beside borders
     uint32_t point;
     bool coarse;
-    // Where borders are pinched:
-    bool closed;
+    bool closed;  // a wedge ends here
     uint32_t face;
     uint32_t closing;  // the sample at the same point where the next border ends, counter-clockwise from the way to the
                        // next one on; no_id if there is no such way
@@ -123,15 +122,11 @@ class SphericalPatch {
   uint32_t choose_octahedron() const;
   void add_inner_points();
   void insert_points();
-  bool link_loops();
   void link_samples();
-  bool cut_ears(uint32_t loop);
-  bool fix_borders();
   void mark_coarse(uint32_t point);
   void mark_longest_borders();
   bool has_coarse_borders() const;
-  bool name_triangles(bool pinched);
-  bool spread_faces();
+  bool name_triangles();
   // Gives triangle t, which had none, a face to hand on. False if it has another one.
   bool take(uint32_t t, uint32_t none, uint32_t face) {
     if (parts_[t].face != none) return parts_[t].face == face;
@@ -139,14 +134,10 @@ class SphericalPatch {
     queue_[waiting_++] = t;
     return true;
   }
-  bool name_corners();
   bool has_right_numbers();
-  // Takes the triangles off the balances of their faces and adds twice the points inside: whether all are 0 then.
-  bool has_right_insides(uint32_t faces);
 
-  // Pinched borders: pinched_patch.cpp.
-  PatchState triangulate_pinched();
-  bool route_strands();
+  // Borders and what lies between them: pinched_patch.cpp, pinched_cells.cpp.
+  bool route_strands(bool with_detours);
   bool add_detour(uint32_t sample, uint32_t obstacle);
   bool lay_strands();
   bool find_covered();
@@ -158,7 +149,6 @@ class SphericalPatch {
   bool add_necks();
   bool add_faces_without_extent();
   void add_detours();
-  bool has_right_cells();
   bool has_length(uint32_t sample) const { return links_[sample].point != links_[links_[sample].next].point; }
   uint32_t strand_back(const TriangleEdge &way) const;
   bool is_extra(uint32_t sample) const { return sample >= border_samples_; }
@@ -176,7 +166,7 @@ class SphericalPatch {
 
   double spacing_ = 1.0;
   bool all_coarse_ = false;
-  bool pinched_ = false;
+  bool has_corridors_ = false;
   uint32_t border_samples_ = 0;  // those behind belong to no border
   uint32_t linked_samples_ = 0;  // of these, those behind are linked to nothing
   uint64_t needed_points_ = 0;
@@ -198,14 +188,10 @@ class SphericalPatch {
 
 template <class NewVertex, class NewTriangle>
 void SphericalPatch::emit(NewVertex new_vertex, NewTriangle triangle) {
-  if (pinched_) {
-    for (uint32_t k = border_samples_; k < samples_.size(); ++k) {
-      samples_[k].vertex = new_vertex(samples_[k].direction);
-    }
-    for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
-      for (uint32_t &middle : parts_[t].middle) {
-        if (middle != no_id) middle = samples_[middle].vertex;
-      }
+  for (uint32_t k = border_samples_; k < samples_.size(); ++k) samples_[k].vertex = new_vertex(samples_[k].direction);
+  for (uint32_t t = 0; border_samples_ < samples_.size() && t < sphere_.triangle_count(); ++t) {
+    for (uint32_t &middle : parts_[t].middle) {
+      if (middle != no_id) middle = samples_[middle].vertex;
     }
   }
   // Points inside: a point has one number, whichever triangle names it first.

@@ -12,48 +12,35 @@ Vec3 to_vector(const double (&a)[3]) {
   return {a[0], a[1], a[2]};
 }
 
-// The concave patches at ball i's vertices.
-class ConcaveDerivatives {
- public:
-  ConcaveDerivatives(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i)
-      : balls_(balls), boundary_(boundary), surface_(surface), ball_(i), p_(static_cast<double>(balls.probe_steps)) {}
-
-  // `offset` from the ball's centre to the vertex.
-  void add(uint32_t vertex, const Vec3 &offset, SurfaceGradient &result) const {
-    const ConcavePatch patch = surface_.patch(vertex);
-    result.measure.concave += patch.area / 3;
-    result.measure.volume += patch.volume / 3;
-    const VertexRecord &record = boundary_.vertex(vertex);
-    const double root = boundary_.root_discriminant(vertex);
-    result.degenerate = result.degenerate || record.tied() || root == 0.0;
-    CreaseSums creases;
-    for (const uint32_t piece : surface_.cut_patches().pieces(vertex)) {
-      const CreaseSums &own = surface_.cut_patches().piece(piece).creases;
-      creases.directions = creases.directions + own.directions;
-      creases.angle += own.angle;
-    }
-    result.area_offset += (2 * patch.area / p_ - p_ * creases.angle) / 3;
-    if (root == 0.0) return;
-
-    const Vec3 q_volume = -p_ * p_ * patch.vector_area;
-    const Vec3 q_area = combine(2 * p_, patch.vector_area, -p_, creases.directions);
-    const VertexContacts contacts(balls_, boundary_, vertex, ball_, offset);
-    const Vec3 n = contacts.normal[0];
-    const double z_area = dot(q_area, contacts.share);
-    const double z_volume = dot(q_volume, contacts.share);
-    result.area_centre = combine(1.0, result.area_centre, z_area, n);
-    result.area_radius += z_area;
-    result.volume_centre = combine(1.0, result.volume_centre, z_volume, n);
-    result.volume_radius += z_volume;
+// The concave patch at a vertex of ball i, at this offset from the ball's centre.
+void add_concave(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i, uint32_t vertex,
+                 const Vec3 &offset, SurfaceGradient &result) {
+  const double p = static_cast<double>(balls.probe_steps);
+  const ConcavePatch patch = surface.patch(vertex);
+  result.measure.concave += patch.area / 3;
+  result.measure.volume += patch.volume / 3;
+  const double root = boundary.root_discriminant(vertex);
+  result.degenerate = result.degenerate || boundary.vertex(vertex).tied() || root == 0.0;
+  CreaseSums creases;
+  for (const uint32_t piece : surface.cut_patches().pieces(vertex)) {
+    const CreaseSums &own = surface.cut_patches().piece(piece).creases;
+    creases.directions = creases.directions + own.directions;
+    creases.angle += own.angle;
   }
+  result.area_offset += (2 * patch.area / p - p * creases.angle) / 3;
+  if (root == 0.0) return;
 
- private:
-  const BallSet &balls_;
-  const Boundary &boundary_;
-  const Surface &surface_;
-  const uint32_t ball_;
-  const double p_;
-};
+  const Vec3 q_volume = -p * p * patch.vector_area;
+  const Vec3 q_area = combine(2 * p, patch.vector_area, -p, creases.directions);
+  const VertexContacts contacts(balls, boundary, vertex, i, offset);
+  const Vec3 n = contacts.normal[0];
+  const double z_area = dot(q_area, contacts.share);
+  const double z_volume = dot(q_volume, contacts.share);
+  result.area_centre = combine(1.0, result.area_centre, z_area, n);
+  result.area_radius += z_area;
+  result.volume_centre = combine(1.0, result.volume_centre, z_volume, n);
+  result.volume_radius += z_volume;
+}
 
 // Of one of a ball's faces, or of all.
 SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary, const Surface &surface,
@@ -67,7 +54,6 @@ SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary
   FreeSurface face(boundary, R);
   ArcBatches arcs(balls, boundary, i, one);
   SaddlePatches saddles(balls, boundary, i);
-  const ConcaveDerivatives concave(balls, boundary, surface, i);
   const bool weighted = weights.weight != nullptr;
   WeightedJoints joints(balls, boundary, surface, weights, i);
   double triple_volume = 0.0;
@@ -78,7 +64,7 @@ SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary
       if (batch.arc[s] == 0) continue;
       const uint32_t vertex = boundary.half_edge(arcs.half_edge(s)).vertex;
       const Vec3 offset = 0.5 * Vec3{batch.px[s], batch.py[s], batch.pz[s]};
-      concave.add(vertex, offset, result);
+      add_concave(balls, boundary, surface, i, vertex, offset, result);
       if (weighted && boundary.root_discriminant(vertex) > 0.0) joints.add_vertex(vertex, offset);
     }
     // Without a probe an arc is what its saddle becomes in the limit, a circle of radius 0 is not.

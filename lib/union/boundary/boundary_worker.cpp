@@ -192,7 +192,7 @@ void BoundaryWorker::order_balls_of_records(uint32_t first_vertex, uint32_t firs
   const auto before = [](uint32_t p, uint32_t q) { return p < q; };
   for (uint32_t v = first_vertex; v < vertices_.size(); ++v) {
     VertexRecord &vertex = vertices_[v];
-    if (before(vertex.ball[0], vertex.ball[1]) && before(vertex.ball[1], vertex.ball[2])) continue;  // as most are
+    if (before(vertex.ball[0], vertex.ball[1])) continue;  // as most are: later balls ascend
     const OrderedVertex ordered = in_order(vertex, before);
     const uint32_t tied = vertex.code & VertexRecord::tied_bit;
     vertex = {{ordered.ball[0], ordered.ball[1], ordered.ball[2]},

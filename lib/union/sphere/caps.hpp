@@ -15,7 +15,7 @@ namespace hsp {
 
 // For the code for wide registers.
 inline BallArrays arrays_of(const BallSet &balls) {
-  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data()};
+  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data(), balls.words()};
 }
 
 // Of two balls, or of one, which does not lie inside itself.

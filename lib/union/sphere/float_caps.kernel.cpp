@@ -2,19 +2,15 @@
 #include "lanes/words.hpp"
 
 namespace hsp::HSP_TARGET {
-namespace {
-
-// As many numbers as there are lanes, less one of them, exact before they are rounded.
-Floats differences(const double *p, const uint32_t *id, Doubles from) {
-  return to_floats(Doubles::at(p, id) - from, Doubles::at(p, id + Doubles::lanes) - from);
-}
-
-}  // namespace
 
 bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32_t count, const FloatCaps &caps) {
   Integers::all(i).store(near + count);
-  const Doubles own[4] = {Doubles::all_of(balls.x + i), Doubles::all_of(balls.y + i), Doubles::all_of(balls.z + i),
-                          Doubles::all_of(balls.r + i)};
+  // Words have differences below 2^31. Where floats are in doubt centres may be 2^12 farther away than balls that meet.
+  if (balls.r[i] >= 0x1p30 - 0x1p14) return false;
+  const auto own = [&balls, i](uint32_t c) {
+    return Integers::all(static_cast<uint32_t>(balls.words[4 * uint64_t{i} + c]));
+  };
+  const Integers own_x = own(0), own_y = own(1), own_z = own(2), own_r = own(3);
   const float radius = static_cast<float>(balls.r[i]);
   const Floats half_inverse = Floats::all(0.5F / radius);
   const Floats far = Floats::all(16.0F * radius * radius);
@@ -23,12 +19,10 @@ bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32
   const Floats one = Floats::all(1.0F), nothing = Floats::all(4.0F);
   LaneBits unsure = 0;
   for (uint32_t k = 0; k < count; k += Floats::lanes) {
-    const uint32_t *const ids = near + k;
-    const Floats dx = differences(balls.x, ids, own[0]), dy = differences(balls.y, ids, own[1]),
-                 dz = differences(balls.z, ids, own[2]);
-    const Doubles r_low = Doubles::at(balls.r, ids), r_high = Doubles::at(balls.r, ids + Doubles::lanes);
-    const Floats difference = to_floats(r_low - own[3], r_high - own[3]);
-    const Floats sum = to_floats(r_low + own[3], r_high + own[3]);
+    // Exact before they are rounded.
+    const FourIntegersOfEach other = FourIntegersOfEach::at(balls.words, near + k);
+    const Floats dx = to_floats(other.a - own_x), dy = to_floats(other.b - own_y), dz = to_floats(other.c - own_z);
+    const Floats difference = to_floats(other.d - own_r), sum = to_floats(other.d + own_r);
     const Floats squared = fused(dx, dx, fused(dy, dy, dz * dz));
     const LaneBits circles =
         greater(sum * sum * below, squared) & greater(squared, difference * difference * above) & greater(far, squared);

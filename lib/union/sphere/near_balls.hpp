@@ -10,6 +10,7 @@ namespace hsp {
 // The arrays of a BallSet.
 struct BallArrays {
   const double *x, *y, *z, *r;
+  const int32_t *words = nullptr;
 };
 // The arrays of Caps, from some cap on.
 struct CapArrays {

@@ -23,6 +23,13 @@ CapPointers<float> pointers(const FloatCaps &caps) {
   return {caps.x, caps.y, caps.z, caps.b};
 }
 
+void store(const FloatCaps &to, uint32_t slot, const SomeCaps &caps) {
+  caps.x.store(to.x + slot);
+  caps.y.store(to.y + slot);
+  caps.z.store(to.z + slot);
+  caps.b.store(to.b + slot);
+}
+
 void store_chosen(const FloatCaps &to, uint32_t slot, const SomeCaps &caps, const FrontOrder &order) {
   store_front(to.x + slot, caps.x, order);
   store_front(to.y + slot, caps.y, order);
@@ -30,24 +37,25 @@ void store_chosen(const FloatCaps &to, uint32_t slot, const SomeCaps &caps, cons
   store_front(to.b + slot, caps.b, order);
 }
 
+// The second class waits where exposed circles will be, until it is known where the first one ends.
 void sort_by_size(PairSweep &sweep) {
-  const CapPointers<float> from = pointers(sweep.caps);
+  const CapPointers<float> from = pointers(sweep.caps), waiting = pointers(sweep.exposed);
   const FloatCaps to = sweep.by_size;
   const uint32_t count = sweep.count;
-  Floats least = Floats::all(-4.0F);
-  uint32_t end = 0;
-  for (uint32_t c = 0; c < PairSweep::size_classes; ++c) {
-    const Floats limit = Floats::all(class_limits[c]);
-    // Lanes after the last cap belong to no class.
-    for (uint32_t k = 0; k < count; k += Floats::lanes) {
-      const SomeCaps caps = SomeCaps::load(from, k);
-      const LaneBits members = greater(limit, caps.b) & not_greater(least, caps.b);
-      store_chosen(to, end, caps, FrontOrder::of(members));
-      end += ones(members);
-    }
-    sweep.class_end[c] = end;
-    least = limit;
+  const Floats first_limit = Floats::all(class_limits[0]), last_limit = Floats::all(class_limits[last_class]);
+  uint32_t first_class = 0, second_class = 0;
+  // Lanes after the last cap belong to no class.
+  for (uint32_t k = 0; k < count; k += Floats::lanes) {
+    const SomeCaps caps = SomeCaps::load(from, k);
+    const LaneBits first = greater(first_limit, caps.b), second = greater(last_limit, caps.b) & ~first;
+    store_chosen(to, first_class, caps, FrontOrder::of(first));
+    store_chosen(sweep.exposed, second_class, caps, FrontOrder::of(second));
+    first_class += ones(first);
+    second_class += ones(second);
   }
+  for (uint32_t k = 0; k < second_class; k += Floats::lanes) store(to, first_class + k, SomeCaps::load(waiting, k));
+  sweep.class_end[0] = first_class;
+  sweep.class_end[last_class] = first_class + second_class;
 }
 
 void store_large(PairSweep &sweep) {

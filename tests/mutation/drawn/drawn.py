@@ -16,6 +16,7 @@ import concurrent.futures
 import hashlib
 import json
 import os
+import pathlib
 import re
 import resource
 import shutil
@@ -41,16 +42,9 @@ NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n
 Mistake = collections.namedtuple("Mistake", "hash file begin end value old new line")
 ROOMS = "lanes|core|exact|model|sphere|boundary|topology|measure|contacts"
 NOUNS = f"header|version|status|element|query|handle_every|gradient|{ROOMS}"
+text_of = lambda path: pathlib.Path(path).read_text(encoding="utf-8")
+plain = lambda text: " ".join(text.split())
 TESTS = re.compile(rf"(laws|unit_({ROOMS})|api_({NOUNS})|differential_(query|degenerate|scans|gradient|{ROOMS}))_")
-
-
-def text_of(path):
-    with open(path, encoding="utf-8") as file:
-        return file.read()
-
-
-def plain(text):
-    return re.sub(r"\s+", " ", text).strip()
 
 
 def end_of(code, at, stop):
@@ -62,7 +56,6 @@ def end_of(code, at, stop):
         depth += (code[k] in "([{") - (code[k] in ")]}")
         if depth < 0:
             return None
-    return None
 
 
 def statements(code):
@@ -134,8 +127,8 @@ def write(drawn, refused):
                 text = f"{text[:m.begin]}(hsp_mutant_is({number}) ? ({m.new}) : ({m.old})){text[m.end:]}"
             else:
                 text = f"{text[:m.begin]}{{ if (hsp_mutant_is({number})) {{ {m.new}; }} else {{ {m.old}; }} }}{text[m.end + 1:]}"
-        with open(f"{COPY}/{file}", "w", encoding="utf-8") as out:
-            out.write(re.sub(r"(#pragma once\n|\A(?!.*#pragma once))", r'\1#include "mutant.hpp"\n', text, count=1, flags=re.S))
+        text = re.sub(r"(#pragma once\n|\A(?!.*#pragma once))", r'\1#include "mutant.hpp"\n', text, count=1, flags=re.S)
+        pathlib.Path(f"{COPY}/{file}").write_text(text, encoding="utf-8")
 
 
 def refused_by_the_compiler():
@@ -186,24 +179,20 @@ def passes(test, variable, value, seconds):
 
 def reached_by(test):
     """Its seconds, and the numbers of the mistakes that it comes to: none if it fails without a mistake, or takes a minute."""
-    marks = f"{FOLDER}/marks_{test['name']}"
-    with open(marks, "wb") as file:
-        file.truncate(1 << 16)
+    marks = pathlib.Path(f"{FOLDER}/marks_{test['name']}")
+    marks.write_bytes(bytes(1 << 16))
     well, seconds = passes(test, "HSP_REACHED", marks, 14)
-    with open(marks, "rb") as file:
-        numbers = [number for number, mark in enumerate(file.read()) if mark]
-    os.remove(marks)
+    numbers = [number for number, mark in enumerate(marks.read_bytes()) if mark]
+    marks.unlink()
     if not well:
         print(f"fails, or takes too long: {test['name']}", flush=True)
     return seconds, numbers if well else []
 
 
 def kept(name, make):
-    path = f"{FOLDER}/{name}.json"
-    if not os.path.exists(path):
-        made = make()
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump(made, file)
+    path = pathlib.Path(f"{FOLDER}/{name}.json")
+    if not path.exists():
+        path.write_text(json.dumps(make()), encoding="utf-8")
     return json.loads(text_of(path))
 
 

@@ -325,27 +325,6 @@ TEST(Contacts, OfNearlyTiedSetsCloseTheirCells) {
   }
 }
 
-// Centres near one plane, and a power vertex near the origin: of planes nearly parallel to one line.
-TEST(Contacts, OfNearlyParallelPlanesCloseTheirCells) {
-  oracle::RandomSource random(77);
-  uint32_t tetrahedra = 0;
-  for (int k = 0; k < 200; ++k) {
-    const int64_t wide = int64_t{1} << random.in(6, 20), size = int64_t{1} << 29;
-    oracle::Balls balls;
-    for (int n = 0; n < 4; ++n) {
-      const int64_t x = random.in(-size, size), y = random.in(-size, size), z = random.in(-wide, wide);
-      const auto X = static_cast<double>(x), Y = static_cast<double>(y), R = static_cast<double>(size / 4);
-      balls.push_back({x, y, z, std::llround(std::sqrt(X * X + Y * Y + R * R))});
-    }
-    const BuiltContacts built(oracle::in_lengths(balls, 1), 0.0, 1.0, all_simplices);
-    ASSERT_EQ(built.status(), hsp::Status::ok);
-    const hsp::ContactViolation violation = hsp::check_contacts(built.balls(), built.boundary(), built.contacts());
-    EXPECT_EQ(violation.invariant, hsp::ContactInvariant::none) << oracle::to_text(balls) << " ball " << violation.id;
-    tetrahedra += built.contacts().tetrahedra().size();
-  }
-  EXPECT_GT(tetrahedra, 50U);
-}
-
 TEST(Contacts, FlagWhatTouchesAndWhatIsWhole) {
   support::BallList balls;
   balls.add(0, 0, 0, 5);

@@ -56,6 +56,24 @@ TEST(MeshBuilder, PointsOnABall) {
   EXPECT_EQ(mesh.euler(), built.boundary().euler());
 }
 
+// Spheres through one point: where a curve has too many points, others that wanted more of them do not get them later.
+TEST(MeshBuilder, SpheresThroughOnePoint) {
+  support::BallList points;
+  points.add(0, -3, 0, 0);
+  points.add(-2, 2, 1, 0);
+  points.add(-3, 0, 0, 0);
+  points.add(0, 3, 0, 0);
+  points.add(2, -2, 1, 0);
+  const BuiltSurface built(points, 3, 0);
+  const double edge = 0.7 * static_cast<double>(built.balls().largest_radius);
+  const BuiltMesh boundary(edge, built.balls(), built.boundary());
+  const BuiltMesh smooth(edge, built.balls(), built.boundary(), built.surface());
+  EXPECT_EQ(boundary.status(), hsp::Status::ok);
+  EXPECT_EQ(smooth.status(), hsp::Status::ok);
+  EXPECT_TRUE(boundary.is_closed());
+  EXPECT_TRUE(smooth.is_closed());
+}
+
 TEST(MeshBuilder, NamesWhatSuffices) {
   oracle::RandomSource random(3);
   const BuiltBoundary built(oracle::loose_balls(random, 10));

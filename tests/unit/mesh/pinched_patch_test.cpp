@@ -128,7 +128,7 @@ TEST(PinchedPatch, OfBordersApart) {
 // wrong side of the other, which is noticed.
 TEST(PinchedPatch, ABeltWithoutWidth) {
   const Pinched belt({circle(0.5, 24, true), circle(0.5, 24, false)}, 0.5, 0.5);
-  EXPECT_EQ(belt.unpinched, PatchState::too_coarse);
+  EXPECT_EQ(belt.unpinched, PatchState::complete);
   expect_patch(belt, 2, 0.0, 1e-6);
   EXPECT_EQ(Pinched({circle(0.5, 24, true), circle(0.5, 23, false, 0.1)}, 0.5, 0.5).state, PatchState::too_coarse);
 }
@@ -163,7 +163,7 @@ TEST(PinchedPatch, CapsThatTouch) {
   }
   const double outside = 4 * hsp::pi - 2 * 2 * hsp::pi * (1 - std::sqrt(1 - r * r));
   const Pinched annulus({right, left}, 0.4);
-  EXPECT_EQ(annulus.unpinched, PatchState::too_coarse);
+  EXPECT_EQ(annulus.unpinched, PatchState::complete);
   expect_patch(annulus, 2, outside, 0.8);
   Loop both = right;
   both.insert(both.end(), left.begin(), left.end());

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "carved_memory.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -20,20 +21,12 @@ hsp::Span<uint32_t> span_of(std::vector<uint32_t> &entries) {
 
 struct Set {
   explicit Set(const std::vector<hsp::exact::LatticeBall> &given) : n(static_cast<uint32_t>(given.size())) {
-    for (std::vector<double> *values : {&x, &y, &z, &r}) values->resize(n);
-    caller.resize(n);
-    const auto span = [this](std::vector<double> &values) { return hsp::Span<double>(values.data(), n); };
-    balls.x = span(x);
-    balls.y = span(y);
-    balls.z = span(z);
-    balls.r = span(r);
-    balls.caller = span_of(caller);
+    memory.carve(balls, n);
     balls.n = n;
     for (uint32_t i = 0; i < n; ++i) balls.store(i, given[i]);
   }
   uint32_t n;
-  std::vector<double> x, y, z, r;
-  std::vector<uint32_t> caller;
+  CarvedMemory memory;
   hsp::BallSet balls;
 };
 

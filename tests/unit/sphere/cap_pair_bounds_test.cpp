@@ -135,8 +135,8 @@ class InLanes {
       for (const hsp::exact::LatticeBall &ball : four.ball) balls.add(ball);
       uint32_t near[3 + hsp::spare_ids] = {1, 2, 3};
       const hsp::BallSet &set = balls.set();
-      is_sure_ = hsp::make_float_caps(target, {set.x.data(), set.y.data(), set.z.data(), set.r.data()}, 0, near, 3,
-                                      {x_, y_, z_, b_});
+      is_sure_ = hsp::make_float_caps(target, {set.x.data(), set.y.data(), set.z.data(), set.r.data(), set.words()}, 0,
+                                      near, 3, {x_, y_, z_, b_});
     } else {
       const Caps &caps = maker.of(four);
       for (uint32_t k = 0; k < 3; ++k) {

@@ -20,7 +20,7 @@ TEST(Caps, OfContainedBallsAreNone) {
   const BuiltGrid built(oracle::in_lengths(balls, 1));
   CarvedMemory memory;
   hsp::Caps caps;
-  memory.carve(caps, 600);
+  memory.carve(caps, 600U);
   const uint32_t outer = built.grid().grid_index(600);
   EXPECT_LT(outer, 128U);
   for (uint32_t i = 0; i <= 600; ++i) {

@@ -11,6 +11,7 @@
 #include "boundary/boundary_builder.hpp"
 #include "built_grid.hpp"
 #include "degenerate_set.hpp"
+#include "gridless_balls.hpp"
 #include "lattice_lengths.hpp"
 #include "molecule_file.hpp"
 #include "random_balls.hpp"
@@ -161,6 +162,42 @@ TEST(LaneSearch, SmallIntegers) {
       balls.add(x, y, z, whole(2 + k % 4));
     }
     expect_same_results("integers " + std::to_string(k), balls, 0.0, 1.0);
+  }
+}
+
+// Balls of the largest radii there are, that touch or nearly do.
+TEST(LaneSearch, LargestRadii) {
+  constexpr double most = 0x1p30 - 1;
+  for (const double radius : {most, 0x1p30 - 0x1p14 - 1, 0x1p29}) {
+    for (const double gap : {-1.0, 0.0, 1.0, 1e3}) {
+      for (const double origin : {-0x1p50, 0x1p49 + 1}) {
+        support::BallList balls;
+        balls.add(origin, 0, 0, radius);
+        balls.add(origin + radius + most + gap, 0, 0, most);
+        balls.add(origin + 0x1p30, 0x1p29, 1, most);
+        expect_same_results("largest radii", balls, 0.0, 1.0);
+      }
+    }
+  }
+}
+
+// Candidates may be farther away than the sum of their radii by what floats leave in doubt. From 2^31 on the difference
+// of their words is another.
+TEST(LaneSearch, WordsOfTheLargestRadii) {
+  constexpr int64_t most = (1 << 30) - 1;
+  for (const hsp::Target target : runnable_targets()) {
+    for (const int64_t below : {0, 1, 1 << 13, 1 << 14, 1 << 15, 1 << 20}) {
+      for (int64_t gap = -(1 << 15); gap < 1 << 12; gap += 97) {
+        GridlessBalls<2> balls;
+        balls.add(0, 0, 0, most - below);
+        balls.add(-(2 * most - below + gap), 0, 0, most);
+        uint32_t near[1 + hsp::spare_ids] = {1};
+        float x[16], y[16], z[16], b[16];
+        const bool is_sure = make_float_caps(target, hsp::arrays_of(balls.set()), 0, near, 1, {x, y, z, b});
+        const bool may_be = gap < 0 && below >= 1 << 14, must_be = may_be && gap < -(1 << 12);
+        EXPECT_TRUE(is_sure ? may_be : !must_be) << below << ", " << gap;
+      }
+    }
   }
 }
 

@@ -16,14 +16,9 @@ namespace {
 // Balls with some caps of each, found both ways.
 class BothWays {
  public:
-  BothWays(hsp::Target target, const std::vector<hsp::exact::LatticeBall> &balls, uint32_t capacity)
-      : x_(balls.size()), y_(balls.size()), z_(balls.size()), r_(balls.size()), caller_(balls.size()) {
+  BothWays(hsp::Target target, const std::vector<hsp::exact::LatticeBall> &balls, uint32_t capacity) {
     const uint32_t n = static_cast<uint32_t>(balls.size());
-    set_.x = {x_.data(), n};
-    set_.y = {y_.data(), n};
-    set_.z = {z_.data(), n};
-    set_.r = {r_.data(), n};
-    set_.caller = {caller_.data(), n};
+    set_memory_.carve(set_, n);
     set_.n = n;
     for (uint32_t i = 0; i < n; ++i) set_.store(i, balls[i]);
     for (int way = 0; way < 2; ++way) {
@@ -75,9 +70,8 @@ class BothWays {
  private:
   static bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (a != a && b != b); }
 
-  std::vector<double> x_, y_, z_, r_;
-  std::vector<uint32_t> caller_;
   hsp::BallSet set_;
+  CarvedMemory set_memory_;
   hsp::Caps caps_[2];
   hsp::DisjointSets components_[2];
   std::vector<uint32_t> parent_[2];

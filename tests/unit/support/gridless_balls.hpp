@@ -9,10 +9,11 @@ template <uint32_t most>
 class GridlessBalls {
  public:
   GridlessBalls() {
-    set_.x = {x_, most};
-    set_.y = {y_, most};
-    set_.z = {z_, most};
-    set_.r = {r_, most};
+    // Behind the words of lanes.
+    set_.x = {numbers_ + 2 * most, most};
+    set_.y = {numbers_ + 3 * most, most};
+    set_.z = {numbers_ + 4 * most, most};
+    set_.r = {numbers_ + 5 * most, most};
     set_.caller = {caller_, most};
   }
   GridlessBalls(const GridlessBalls &) = delete;
@@ -26,7 +27,7 @@ class GridlessBalls {
   const hsp::BallSet &set() const { return set_; }
 
  private:
-  double x_[most], y_[most], z_[most], r_[most];
+  double numbers_[6 * most];
   uint32_t caller_[most];
   hsp::BallSet set_;
 };

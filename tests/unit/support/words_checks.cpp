@@ -36,6 +36,8 @@ const char *check_floats() {
   if (!lanes_are(x - y, of([](float u, float v) { return u - v; }))) return "-";
   if (!lanes_are(x * y, of([](float u, float v) { return u * v; }))) return "*";
   if (!lanes_are(x / y, of([](float u, float v) { return u / v; }))) return "/";
+  const Floats apart = distance(x, y);
+  if (!lanes_are(apart * apart, of([](float u, float v) { return (u - v) * (u - v); }))) return "distance";
   if (!lanes_are(-x, of([](float u, float) { return -u; }))) return "minus";
   if (!lanes_are(fused(x, y, three), of([](float u, float v) { return u * v + 3; }))) return "fused";
   if (!lanes_are(fused_minus(x, y, three), of([](float u, float v) { return u * v - 3; }))) return "fused_minus";
@@ -155,6 +157,18 @@ const char *check_integers() {
   const Floats numbers[4] = {each.a, each.b, each.c, each.d};
   for (uint32_t number = 0; number < 4; ++number) {
     if (!lanes_are(numbers[number], [&](uint32_t k) { return things[4 * k + number]; })) return "four of each";
+  }
+  int32_t words[32];
+  for (int32_t k = 0; k < 32; ++k) words[k] = (k % 2 == 0 ? 16777217 : -33554434) + k;
+  const uint32_t thing[8] = {6, 0, 3, 3, 7, 1, 5, 2};
+  const FourIntegersOfEach four = FourIntegersOfEach::at(words, thing);
+  const Integers integers[4] = {four.a, four.b, four.c, four.d};
+  for (uint32_t number = 0; number < 4; ++number) {
+    const auto word = [&](uint32_t k) { return words[4 * thing[k] + number]; };
+    if (!integers_are(integers[number], [&](uint32_t k) { return static_cast<uint32_t>(word(k)); }))
+      return "four words";
+    if (!lanes_are(to_floats(integers[number]), [&](uint32_t k) { return static_cast<float>(word(k)); }))
+      return "as floats";
   }
   return lowest(0x50) == 4 ? nullptr : "lowest";
 }

@@ -11,6 +11,7 @@
 #include "built_topology.hpp"
 #include "long_vectors.hpp"
 #include "random_balls.hpp"
+#include "set_arrangements.hpp"
 
 namespace {
 
@@ -213,6 +214,39 @@ TEST(Subdivision, AreInOrderInSetsWithTies) {
         check(oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(2, 12))), 0.0L, seen));
   }
   EXPECT_GT(seen.points, 500);
+}
+
+// A small ball on a very large one, whose cut arcs end in one point of their circle, from both sides: numbers that no
+// double holds do not change what is found. Found by a search.
+TEST(Subdivision, IsTheSameOfEnlargedSets) {
+  const std::pair<std::int64_t, Balls> sets[] = {{66469,
+                                                  {{0, 0, 0, 50},
+                                                   {0, 6000, 2550, 6500},
+                                                   {0, 0, -10, 5},
+                                                   {0, 0, 25, 20},
+                                                   {0, 6000, 550, 50},
+                                                   {-40, -30, -10, 25},
+                                                   {-5, -5, -15, 25}}},
+                                                 {67129,
+                                                  {{0, 0, 0, 20},
+                                                   {960, 0, 420, 1040},
+                                                   {0, 0, 0, 4},
+                                                   {288, 0, 420, 24},
+                                                   {1440, 0, 20, 32},
+                                                   {-14, -6, -10, 8},
+                                                   {6, 20, -12, 2}}}};
+  for (const auto &[factor, balls] : sets) {
+    BuiltTopology small(balls), large(oracle::scaled(balls, factor));
+    ASSERT_EQ(small.status(), hsp::Status::ok);
+    ASSERT_EQ(large.status(), hsp::Status::ok);
+    const hsp::QuadEdges &expected = small.structure().quads, &found = large.structure().quads;
+    ASSERT_EQ(found.edges, expected.edges);
+    EXPECT_GE(expected.edges, 8U);
+    for (uint32_t q = 0; q < 4 * expected.edges; ++q) {
+      ASSERT_EQ(found.next[q], expected.next[q]);
+      ASSERT_EQ(found.start[q], expected.start[q]);
+    }
+  }
 }
 
 // Spheres that touch each other in one point, with their centres in an upright plane: circles that are free but for
