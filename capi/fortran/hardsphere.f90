@@ -5078,7 +5078,7 @@ contains
   pure function hsp_moving_bytes_bound(balls, neighbours) result(bytes)
     integer(c_int32_t), intent(in) :: balls, neighbours
     integer(c_size_t) :: bytes
-    bytes = 196608_c_size_t + 640_c_size_t*int(balls, c_size_t) + 1280_c_size_t*int(neighbours, c_size_t)
+    bytes = 196608_c_size_t + 672_c_size_t*int(balls, c_size_t) + 1280_c_size_t*int(neighbours, c_size_t)
   end function
 
   ! ---- contacts.h: which balls touch and by how much, shares of the union, the dual complex --------------------------
@@ -5169,9 +5169,9 @@ contains
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
     integer(c_size_t) :: bytes
-    bytes = 65536_c_size_t + 180_c_size_t*int(balls, c_size_t) + 392_c_size_t*int(maxima, c_size_t) &
+    bytes = 65536_c_size_t + 212_c_size_t*int(balls, c_size_t) + 392_c_size_t*int(maxima, c_size_t) &
       + 148_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
-      + 160_c_size_t*int(neighbours, c_size_t) + 144_c_size_t*int(points, c_size_t)
+      + 168_c_size_t*int(neighbours, c_size_t) + 144_c_size_t*int(points, c_size_t)
   end function
 
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------

@@ -68,7 +68,7 @@ HSP_API int32_t HSP_CALL hsp_moving_bytes(const hsp_moving_limits *limits, size_
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_MOVING_BYTES(balls, neighbours) \
-  ((size_t)196608 + (size_t)640 * (size_t)(balls) + (size_t)1280 * (size_t)(neighbours))
+  ((size_t)196608 + (size_t)672 * (size_t)(balls) + (size_t)1280 * (size_t)(neighbours))
 
 /** Make a handle without balls in caller memory of any alignment; sets *moving.
  *  @retval HSP_E_ARGUMENT  a null pointer

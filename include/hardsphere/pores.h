@@ -66,8 +66,8 @@ HSP_API int32_t HSP_CALL hsp_pores_bytes(const hsp_pores_limits *limits, size_t 
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
-  ((size_t)65536 + (size_t)180 * (size_t)(balls) + (size_t)392 * (size_t)(maxima) + (size_t)148 * (size_t)(gates) + \
-   (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)160 * (size_t)(neighbours) +           \
+  ((size_t)65536 + (size_t)212 * (size_t)(balls) + (size_t)392 * (size_t)(maxima) + (size_t)148 * (size_t)(gates) + \
+   (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)168 * (size_t)(neighbours) +           \
    (size_t)144 * (size_t)(points))
 
 /** Make pores without results in caller memory of any alignment; sets *pores.
