@@ -1,5 +1,6 @@
-// Sets of more and more neighbours a ball, beside CGAL and FreeSASA: balls at random places, and copies of one
-// molecule, each atom moved a little, as models of an ensemble are. All take turns.
+// Sets of more and more neighbours a ball, beside CGAL and FreeSASA: balls at random places, copies of one molecule,
+// each atom moved a little, as models of an ensemble are, or hardly at all; a swept ball, balls of one centre, and a
+// large ball in its solvent. All take turns.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -33,20 +34,50 @@ Balls random_balls(uint32_t n, double neighbours) {
   return balls;
 }
 
-// The first 60 atoms of crambin so many times, each coordinate moved by a normal of 0.5.
-Balls ensemble(uint32_t models) {
+// The first 60 atoms of crambin so many times, each coordinate moved by a normal number.
+Balls ensemble(uint32_t models, double deviation) {
   constexpr uint32_t atoms = 60;
   const std::vector<Molecule> molecules = paper_molecules();
   const auto crambin =
       std::find_if(molecules.begin(), molecules.end(), [](const Molecule &one) { return one.name == "crambin"; });
   const Balls whole = with_radii(*crambin, Radii::van_der_waals);
   std::mt19937_64 random(7);
-  std::normal_distribution<double> moved(0, 0.5);
+  std::normal_distribution<double> moved(0, deviation);
   Balls balls;
   for (uint32_t k = 0; k < models * atoms; ++k) {
     const double *const xyz = &whole.xyz[3 * size_t{k % atoms}];
     const double x = xyz[0] + moved(random), y = xyz[1] + moved(random);
     balls.add(x, y, xyz[2] + moved(random), whole.radius[k % atoms]);
+  }
+  return balls;
+}
+
+// Of radius 1, on a line.
+Balls swept_ball(uint32_t n) {
+  Balls balls;
+  for (uint32_t k = 0; k < n; ++k) balls.add(k * 1e-4, 0, 0, 1);
+  return balls;
+}
+
+Balls of_one_centre(uint32_t n) {
+  Balls balls;
+  for (uint32_t k = 0; k < n; ++k) balls.add(0, 0, 0, 1 + 1e-4 * k);
+  return balls;
+}
+
+// Balls of radius 1.6 on a lattice of 27 a side, each moved a little, and in the middle a large one, which takes the
+// place of those that it meets; of radius 0 none.
+Balls solvent(double large) {
+  constexpr uint32_t side = 27;
+  constexpr double step = 3.1, middle = side * step / 2;
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> moved(-0.4, 0.4);
+  Balls balls;
+  if (large > 0) balls.add(middle, middle, middle, large);
+  for (uint32_t k = 0; k < side * side * side; ++k) {
+    const double x = step * (k % side) + moved(random), y = step * (k / side % side) + moved(random);
+    const double z = step * (k / side / side) + moved(random);
+    if (large == 0 || std::hypot(x - middle, y - middle, z - middle) > large + 1.4) balls.add(x, y, z, 1.6);
   }
   return balls;
 }
@@ -95,13 +126,17 @@ void register_set(const std::string &kind, uint32_t size, std::function<Balls()>
 }  // namespace
 
 void register_suite() {
-  for (const uint32_t neighbours : {10, 30, 100, 300, 1000, 3000, 10000}) {
+  for (const uint32_t neighbours : {10, 30, 100, 300, 1000, 3000, 10000, 25000}) {
     const uint32_t n = neighbours < 5000 ? 5000 : 20000;
     register_set("random", neighbours, [n, neighbours] { return random_balls(n, neighbours); });
   }
   for (const uint32_t models : {1, 3, 10, 30, 80, 250}) {
-    register_set("ensemble", models, [models] { return ensemble(models); });
+    register_set("ensemble", models, [models] { return ensemble(models, 0.5); });
   }
+  register_set("copies", 80, [] { return ensemble(80, 0.001); });
+  for (const uint32_t n : {400, 4000}) register_set("line", n, [n] { return swept_ball(n); });
+  for (const uint32_t n : {2000, 8000}) register_set("centre", n, [n] { return of_one_centre(n); });
+  for (const uint32_t large : {0, 20}) register_set("solvent", large, [large] { return solvent(large); });
 }
 
 }  // namespace bench
