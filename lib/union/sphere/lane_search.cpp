@@ -1,8 +1,9 @@
 // One ball's search with several caps at a time.
 //
 // As an example of the memory, for 100 neighbours: rows of 100 numbers and some spare ones, up to a multiple of 8,
-// behind each other in one array. Four rows x, y, z and b are caps. There are four such sets, caps, by_size, large and
-// exposed, and two rows of numbers of caps: 18 rows in all.
+// behind each other in one array:
+//   caps, by_size, large, exposed      four rows each, x, y, z and b
+//   exposed_cap, crossed               one each, of numbers of caps: 18 rows in all
 #include "sphere/lane_search.hpp"
 
 namespace hsp {
