@@ -80,9 +80,8 @@
  *   volume_term   [n]     double    length^3  each ball's term of the volume: no volume of an atom
  *   share_volume  [n]     double    length^3  volume of each ball's share: the volume of an atom
  * Lengths are in whatever unit the caller uses, and results are in the same unit. Angles are in radians.
- * Arrays and structs are aligned as their types are; memory for handles need not be. Outputs overlap nothing
- * else that a call is given. No call keeps a pointer to arrays, structs or executors: they may change or go when it
- * returns.
+ * Arrays and structs are aligned as their types are; memory for handles need not be. Outputs overlap nothing else that
+ * a call is given. No call keeps a pointer to arrays, structs or executors: they may change or go when it returns.
  *
  * EXACTNESS
  *   Coordinates and radii are rounded once, to a decimal lattice: the nearest multiple of a step that is a power of
