@@ -235,15 +235,15 @@
  *
  * STATUS
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
- *   function's comment names is written. Treat an unknown negative number as a general failure. Every function that
- *   takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the pointer is not NULL, and there
- *   is no live handle of that kind. Nothing is written then, not even what comments name, such as *first_bad. A handle
- *   that is NULL is HSP_E_ARGUMENT, like every pointer that must not be NULL. Functions that return an id, such as
- *   hsp_topology_onext, return HSP_NONE for both. Texts that functions return are constants. Where more than one status
- *   fits, the first of these comes back: what is wrong with the handles, in the order of arguments; HSP_E_VERSION;
- *   HSP_E_ARGUMENT; HSP_E_STATE; what is wrong with values, such as HSP_E_ID, HSP_E_NOT_FINITE, HSP_E_NEGATIVE and
- *   HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. A model that has no room for all balls is HSP_E_CAPACITY before these
- *   are looked at.
+ *   function's comment or the line of the status names is written. Treat an unknown negative number as a general
+ *   failure. Every function that takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the
+ *   pointer is not NULL, and there is no live handle of that kind. Nothing is written then, not even what comments
+ *   name, such as *first_bad. A handle that is NULL is HSP_E_ARGUMENT, like every pointer that must not be NULL.
+ *   Functions that return an id, such as hsp_topology_onext, return HSP_NONE for both. Texts that functions return are
+ *   constants. Where more than one status fits, the first of these comes back: what is wrong with the handles, in the
+ *   order of arguments; HSP_E_VERSION; HSP_E_ARGUMENT; HSP_E_STATE; what is wrong with values, such as HSP_E_ID,
+ *   HSP_E_NOT_FINITE, HSP_E_NEGATIVE and HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. A model that has no room for all
+ *   balls is HSP_E_CAPACITY before values are looked at.
  *
  * HANDLES AFTER A FAILURE
  *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for whatever

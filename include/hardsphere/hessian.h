@@ -64,7 +64,7 @@ HSP_API int32_t HSP_CALL hsp_boundary_get_hessian_rows(const hsp_boundary *bound
                                                        uint32_t *ball, double *block, uint32_t *flags,
                                                        uint32_t capacity, uint32_t *needed);
 
-/** product [n][3] becomes H times direction [n][3], without storage; the two may not overlap. Each row comes from the
+/** product [n][3] becomes H times direction [n][3], without storage. Each row comes from the
  *  arcs on its own ball alone, so of a boundary of selected balls there are their rows, and zeros for the others:
  *  direction holds all balls then. flags [n] may be NULL and else is as above, of each ball. request may be NULL: all
  *  defaults, and the product is 0. *needed becomes n.
