@@ -25,7 +25,10 @@
 !                                hsp_boundary_get_gradient(b, tension=1.0_c_double, d_centre=g, capacity=n)
 !   const char *title            character(kind=c_char) :: title(*); a string that ends with c_null_char may be passed
 !   hsp_sink                     type(c_funptr) from c_funloc of a function with the interface hsp_sink
-!   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it
+!   run, proceed of an executor  type(c_funptr) likewise, c_null_funptr for none: integer(c_int32_t) functions with
+!                                bind(C) and arguments by value; run calls what c_f_procpointer makes of its third one,
+!                                a type(c_funptr), with the interface hsp_task
+!   void *context                type(c_ptr), as it will be handed to the function; c_null_ptr if that has no use for it
 module hardsphere
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
                                          c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t
@@ -38,8 +41,9 @@ module hardsphere
   ! ---- version.h: the version of the header and of the library -------------------------------------------------------
 
   character(*), parameter :: HSP_VERSION_STRING = '0.3.0'
-  integer(c_int32_t), parameter :: HSP_VERSION_MAJOR = 0_c_int32_t  ! 0 until the interface is frozen
-  ! raised when something is added, and until 1.0 when something changes
+  ! raised when a stable header changes or loses something
+  integer(c_int32_t), parameter :: HSP_VERSION_MAJOR = 0_c_int32_t
+  ! raised when something is added, or a provisional header changes
   integer(c_int32_t), parameter :: HSP_VERSION_MINOR = 3_c_int32_t
   integer(c_int32_t), parameter :: HSP_VERSION_PATCH = 0_c_int32_t  ! raised when only mistakes were mended
   ! Version of this header: 10000 * major + 100 * minor + patch.

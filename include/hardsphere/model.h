@@ -122,7 +122,7 @@ typedef struct hsp_model_request {
 HSP_API int32_t HSP_CALL hsp_model_set_with(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                                             const hsp_model_request *request, uint32_t *first_bad);
 
-/** A description of the model. Frozen. */
+/** A description of the model. table_slots and longest_probe may be others with a minor version. Frozen. */
 typedef struct hsp_model_info {
   uint32_t balls;         /**< number of balls */
   uint32_t cubes;         /**< cubes of side 2 r_max that hold a centre (Section 3) */
