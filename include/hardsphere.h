@@ -143,12 +143,12 @@
  *   The library never allocates. For a handle X: hsp_X_bytes tells the size, hsp_X_init carves the handle out of memory
  *   of any alignment that the caller owns. A handle dies with its memory; there is nothing to free; initialising the
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
- *   be read by any number of threads at a time. Not const is the handle of what makes, moves or drops results, of names
- *   with _set, _compute, _find, _move, _undo; and that of these, which work in its own memory: hsp_model_get_packing;
- *   hsp_boundary_check, hsp_topology_check, hsp_contacts_check, hsp_periodic_check, hsp_surface_check, hsp_cells_check,
- *   hsp_map_check, hsp_sticks_check; hsp_contacts_group; hsp_periodic_group_contacts; hsp_pores_get_channels,
- *   _measure_pockets, _measure_pockets_with; hsp_picture_write, _write_map, _write_sticks. These leave results as they
- *   are, but that those of pockets find mouths.
+ *   be read by any number of threads at a time. It is not const where results are made, moved or dropped, by functions
+ *   with _set, _compute, _find, _move or _undo in their names; nor in these, which work in its own memory:
+ *   hsp_model_get_packing; hsp_boundary_check, hsp_topology_check, hsp_contacts_check, hsp_periodic_check,
+ *   hsp_surface_check, hsp_cells_check, hsp_map_check, hsp_sticks_check; hsp_contacts_group;
+ *   hsp_periodic_group_contacts; hsp_pores_get_channels, _measure_pockets, _measure_pockets_with; hsp_picture_write,
+ *   _write_map, _write_sticks. These leave results as they are, but that those of pockets find mouths.
  *   HSP_X_BYTES, at least as much as hsp_X_bytes of the library of this header, is for static arrays of a program that
  *   links the archive. It may grow with a minor version: a program that loads a shared library asks hsp_X_bytes.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
@@ -177,13 +177,13 @@
  *   in that of the caller.
  *
  * COST
- *   What says nothing of its cost takes O(1), and O(1) for each record that it writes. In what functions of the stable
- *   tier say, n is the number of balls, m the most balls that meet one ball, and c the most centres in 27 cubes of side
- *   2 r_max: m times a constant where radii are of one size, and n where one ball is as large as all others together.
- *   "Expected" is where no coordinates were chosen to collide in hash tables; where they were, a search looks at up to
- *   194 slots instead of some two (hsp_model_set). "At worst" is a bound for every set, and a set that comes near it is
- *   named. Of m it is that of each ball, and added up. Logarithms of what is sorted are left out where they are those
- *   of one ball's records.
+ *   Functions that state no cost take O(1), and O(1) for each record that they write. In costs of the stable tier n is
+ *   the number of balls, m the most balls that meet one ball, and c the most centres in 27 cubes of side 2 r_max: m
+ *   times a constant where radii are of one size, and n where one ball is as large as all others together. "Expected"
+ *   is where no coordinates were chosen to collide in hash tables; where they were, a search looks at up to 194 slots
+ *   instead of some two (hsp_model_set). "At worst" is a bound for every set, and a set that comes near it is named. A
+ *   bound in m is that of one ball; those of all balls add up. Logarithms of what is sorted are left out where they are
+ *   those of one ball's records.
  *
  * LIMITS
  *   Limits fix the memory of a handle: of models and bodies a number of balls, of all others an hsp_X_limits. That is
@@ -235,15 +235,15 @@
  *
  * STATUS
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
- *   function's comment names is written. Treat an unknown negative number as a general failure. Every function that
- *   takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the pointer is not NULL, and there
- *   is no live handle of that kind. Nothing is written then, not even what comments name, such as *first_bad. A handle
- *   that is NULL is HSP_E_ARGUMENT, like every pointer that must not be NULL. Functions that return an id, such as
- *   hsp_topology_onext, return HSP_NONE for both. Texts that functions return are constants. Where more than one status
- *   fits, the first of these comes back: what is wrong with the handles, in the order of arguments; HSP_E_VERSION;
- *   HSP_E_ARGUMENT; HSP_E_STATE; what is wrong with values, such as HSP_E_ID, HSP_E_NOT_FINITE, HSP_E_NEGATIVE and
- *   HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. A model that has no room for all balls is HSP_E_CAPACITY before these
- *   are looked at.
+ *   function's comment or the line of the status names is written. Treat an unknown negative number as a general
+ *   failure. Every function that takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the
+ *   pointer is not NULL, and there is no live handle of that kind. Nothing is written then, not even what comments
+ *   name, such as *first_bad. A handle that is NULL is HSP_E_ARGUMENT, like every pointer that must not be NULL.
+ *   Functions that return an id, such as hsp_topology_onext, return HSP_NONE for both. Texts that functions return are
+ *   constants. Where more than one status fits, the first of these comes back: what is wrong with the handles, in the
+ *   order of arguments; HSP_E_VERSION; HSP_E_ARGUMENT; HSP_E_STATE; what is wrong with values, such as HSP_E_ID,
+ *   HSP_E_NOT_FINITE, HSP_E_NEGATIVE and HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. A model that has no room for all
+ *   balls is HSP_E_CAPACITY before values are looked at.
  *
  * HANDLES AFTER A FAILURE
  *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for whatever

@@ -117,8 +117,8 @@ typedef struct hsp_boundary_request {
  *  d_radius, and those of other balls are 0. So d_centre is not the gradient of value, and adds up to that of the
  *  whole.
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
- *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but of a
- *    selected ball and an equal one that is not the flag may be set without need.
+ *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but
+ *    the flag of a selected ball that equals one that is not selected may be set without need.
  *
  *  Cost: that of hsp_boundary_compute; with selected, of the selected balls, and O(n).
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL; an executor with several workers and without run

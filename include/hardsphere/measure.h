@@ -23,7 +23,7 @@ typedef struct hsp_totals {
   uint64_t reserved[2]; /**< 0 */
 } hsp_totals;
 
-/** Bytes of memory that suffice hsp_areas for most molecules of n balls: a model, and a boundary with the limits of
+/** Bytes of memory that suffice for hsp_areas of most molecules of n balls: a model, and a boundary with the limits of
  *  hsp_boundary_limits_init.
  *  - Property 1: at most HSP_AREAS_BYTES(n).
  *

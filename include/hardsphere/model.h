@@ -68,8 +68,8 @@ HSP_API int32_t HSP_CALL hsp_model_options_init(hsp_model_options *options, uint
 /** Take n balls: round them to the lattice, hash them into cubes. May be called any number of times (frames of a
  *  trajectory); results of other contents cannot be read then (RESULTS in hardsphere.h).
  *  xyz [n][3] and radius [n], in length units, may be NULL only if n is 0; options may be NULL (defaults);
- *  first_bad may be NULL, else it is set to the index of the first ball that is refused, or HSP_NONE if none is, or if
- *  the options are at fault: a step that is too small for every radius, too; or if all lengths are too small.
+ *  first_bad may be NULL, else it is set to the index of the first ball that is refused, or to HSP_NONE: if none is, if
+ *  the options are at fault, also by a step that is too small for every radius, or if all lengths are too small.
  *
  *  The lattice: coordinate x becomes the integer nearest to x/step, radius r becomes the integer nearest to r/step
  *  plus the integer nearest to probe/step. The default step is a power of ten between 1e-22 and 1e22 chosen from
