@@ -85,6 +85,8 @@ HSP_API int32_t HSP_CALL hsp_model_options_init(hsp_model_options *options, uint
  *
  *  On failure the model holds nothing, and all questions to it but hsp_model_get_info are HSP_E_STATE, until balls are
  *  taken again.
+ *  Areas, volumes and energies are doubles in units of the caller's: with steps below 1e-100 or above 1e90 they may be
+ *  0, infinite or NaN, where the structure is still right.
  *  - Property 1: the order of the balls has no effect but on the ids.
  *
  *  Cost: O(n) expected, whatever the radii and wherever the balls are; O(n log n) at worst, with many centres in one
