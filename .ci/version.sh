@@ -18,12 +18,12 @@ sed -i -E "s/^(#define HSP_VERSION_MAJOR) [0-9]+ /\1 $major /; s/^(#define HSP_V
   s/^(#define HSP_VERSION_PATCH) [0-9]+ /\1 $patch /; s/^(#define HSP_VERSION_STRING) \"$old\"/\1 \"$version\"/" include/hardsphere/version.h
 sed -i "s/^## $old, not released yet$/## $version, $day/; s/^\(| [0-9.]* | \)$old |$/\1$version |/" .github/CHANGELOG.md
 sed -i "s/ $old / $version /" capi/abi/since.txt
-sed -i "s/{$old}/{$version}/" README.md
+sed -i -E "s/(version = )\{[0-9.]+\}/\1{$version}/" README.md
 sed -i "s/\<$old\>/$version/" tests/program/transcripts/usage.txt
-sed -i "s/find_package(hardsphere $old_short /find_package(hardsphere $short /" capi/guide/building.md tests/packaging/consumers/find_package/CMakeLists.txt
+sed -i -E "s/(find_package\(hardsphere) [0-9.]+ /\1 $short /" capi/guide/building.md tests/packaging/consumers/find_package/CMakeLists.txt
 sed -i -E "s/^(## From [0-9.]+ to )$old_short$/\1$short/; s/^(\| [0-9.]+ \| )$old_short \|$/\1$short |/; s/Version $old_short has/Version $short has/" capi/guide/migration.md
 link=-to-${old_short/./}
-git grep -lz -- "#from-[0-9]*$link" '*.md' | xargs -0r sed -i -E "s/(#from-[0-9]+)$link/\1-to-${short/./}/"
+{ git grep -lz -- "#from-[0-9]*$link" '*.md' || true; } | xargs -0r sed -i -E "s/(#from-[0-9]+)$link/\1-to-${short/./}/"
 git mv "fuzz/record/$old.csv" "fuzz/record/$version.csv"
 bash capi/interface/generate.sh
 

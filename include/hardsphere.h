@@ -64,12 +64,12 @@
  *   selected, uint8_t, as other codes keep these. The counts of hsp_moving_info are uint64_t, as no limit bounds them.
  *
  * TIERS
- *   Each header says at its head which of two tiers it is of. Stable are those of the union of balls and its numbers:
- *   version, status, executor, element, model, query, boundary, measure, gradient, contacts, regions, topology. From
- *   1.0 on they stay as they are, and are only added to; HSP_ABI_NUMBER is theirs. All others are provisional: what
- *   stands there may change with any minor version, with a line in the changelog and HSP_PROVISIONAL_NUMBER
- *   (version.h). So are hardsphere_workspace.h, hardsphere.hpp and the Fortran modules, which are source that a program
- *   compiles and have no part in the binary interface. Results are as well tested in either.
+ *   Each header with functions says at its head which of two tiers it is of. Stable are those of the union of balls and
+ *   its numbers: version, status, executor, element, model, query, boundary, measure, gradient, contacts, regions,
+ *   topology. From 1.0 on they stay as they are, and are only added to; HSP_ABI_NUMBER is theirs. All others are
+ *   provisional: what stands there may change with any minor version, with a line in the changelog and
+ *   HSP_PROVISIONAL_NUMBER (version.h). So are hardsphere_workspace.h, hardsphere.hpp and the Fortran modules, which
+ *   are source that a program compiles and have no part in the binary interface. Results are as well tested in either.
  *
  * ARRAYS
  *   name          shape   type      unit      meaning
@@ -80,6 +80,8 @@
  *   volume_term   [n]     double    length^3  each ball's term of the volume: no volume of an atom
  *   share_volume  [n]     double    length^3  volume of each ball's share: the volume of an atom
  * Lengths are in whatever unit the caller uses, and results are in the same unit. Angles are in radians.
+ * Arrays and structs are aligned as their types are; memory for handles need not be. Outputs overlap nothing else that
+ * a call is given. No call keeps a pointer to arrays, structs or executors: they may change or go when it returns.
  *
  * EXACTNESS
  *   Coordinates and radii are rounded once, to a decimal lattice: the nearest multiple of a step that is a power of
@@ -104,8 +106,9 @@
  *   curvature   multiples of pi/3 at vertices      mean curvature, derivatives      -
  *   hessian     what is flagged; which blocks      second derivatives               -
  *               there are
- *   bricks      counts of the whole                areas, volumes: sums of integers, the  -
- *                                                  same bits in any order
+ *   bricks      counts of the whole                areas, volumes: sums of          -
+ *                                                  integers, the same bits in any
+ *                                                  order
  *   contacts    pairs, the dual complex, its       areas, distances, shares         -
  *               Betti numbers
  *   periodic    as boundary and contacts,          the box, once, to the lattice;   -
@@ -140,12 +143,12 @@
  *   The library never allocates. For a handle X: hsp_X_bytes tells the size, hsp_X_init carves the handle out of memory
  *   of any alignment that the caller owns. A handle dies with its memory; there is nothing to free; initialising the
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
- *   be read by any number of threads at a time. Not const is the handle of what makes, moves or drops results, of names
- *   with _set, _compute, _find, _move, _undo; and that of these, which work in its own memory: hsp_model_get_packing;
- *   hsp_boundary_check, hsp_topology_check, hsp_contacts_check, hsp_periodic_check, hsp_surface_check, hsp_cells_check,
- *   hsp_map_check, hsp_sticks_check; hsp_contacts_group; hsp_periodic_group_contacts; hsp_pores_get_channels,
- *   _measure_pockets, _measure_pockets_with; hsp_picture_write, _write_map, _write_sticks. These leave results as they
- *   are, but that those of pockets find mouths.
+ *   be read by any number of threads at a time. It is not const where results are made, moved or dropped, by functions
+ *   with _set, _compute, _find, _move or _undo in their names; nor in these, which work in its own memory:
+ *   hsp_model_get_packing; hsp_boundary_check, hsp_topology_check, hsp_contacts_check, hsp_periodic_check,
+ *   hsp_surface_check, hsp_cells_check, hsp_map_check, hsp_sticks_check; hsp_contacts_group;
+ *   hsp_periodic_group_contacts; hsp_pores_get_channels, _measure_pockets, _measure_pockets_with; hsp_picture_write,
+ *   _write_map, _write_sticks. These leave results as they are, but that those of pockets find mouths.
  *   HSP_X_BYTES, at least as much as hsp_X_bytes of the library of this header, is for static arrays of a program that
  *   links the archive. It may grow with a minor version: a program that loads a shared library asks hsp_X_bytes.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
@@ -168,30 +171,31 @@
  *   sets the default environment for its thread, to nearest with neither flushing nor traps, and puts back the caller's
  *   with the flags that it had; so does every task of an executor in its thread. Functions of the caller's, such as the
  *   loop of an executor and a sink, run in the caller's environment, and what they change of it stays; proceed of an
- *   executor, which any thread may call, runs in a copy of it. It is in MXCSR on x86, FPCR and FPSR on 64-bit Arm,
- *   FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC on s390x, FCSR on MIPS. WebAssembly and arithmetic in software
- *   have none; on other processors the library computes in that of the caller.
+ *   executor, which any thread may call, runs in a copy of it. They return: none is left by longjmp or an exception.
+ *   The environment is in MXCSR on x86, FPCR and FPSR on 64-bit Arm, FPSCR on 32-bit Arm and POWER, fcsr on RISC-V, FPC
+ *   on s390x, FCSR on MIPS. WebAssembly and arithmetic in software have none; on other processors the library computes
+ *   in that of the caller.
  *
  * COST
- *   What says nothing of its cost takes O(1), and O(1) for each record that it writes. In what functions of the stable
- *   tier say, n is the number of balls, m the most balls that meet one ball, and c the most centres in 27 cubes of side
- *   2 r_max: m times a constant where radii are of one size, and n where one ball is as large as all others together.
- *   "Expected" is where no coordinates were chosen to collide in hash tables; where they were, a search looks at up to
- *   194 slots instead of some two (hsp_model_set). "At worst" is a bound for every set, and a set that comes near it is
- *   named. Of m it is that of each ball, and added up. Logarithms of what is sorted are left out where they are those
- *   of one ball's records.
+ *   Functions that state no cost take O(1), and O(1) for each record that they write. In costs of the stable tier n is
+ *   the number of balls, m the most balls that meet one ball, and c the most centres in 27 cubes of side 2 r_max: m
+ *   times a constant where radii are of one size, and n where one ball is as large as all others together. "Expected"
+ *   is where no coordinates were chosen to collide in hash tables; where they were, a search looks at up to 194 slots
+ *   instead of some two (hsp_model_set). "At worst" is a bound for every set, and a set that comes near it is named. A
+ *   bound in m is that of one ball; those of all balls add up. Logarithms of what is sorted are left out where they are
+ *   those of one ball's records.
  *
  * LIMITS
- *   All handles but models take in what some numbers allow, which fix their memory. Every hsp_X_limits is an array of
- *   uint32_t, of which struct_size is the first, and grows at its end: so programs in any language may take it.
- *   hsp_X_compute hands such limits back, if its argument of that name is not NULL. Their struct_size has to be set,
- *   which hsp_X_limits_init does.
+ *   Limits fix the memory of a handle: of models and bodies a number of balls, of all others an hsp_X_limits. That is
+ *   an array of uint32_t, of which struct_size is the first, and grows at its end: so programs in any language may take
+ *   it. hsp_X_compute hands such limits back, if its argument of that name is not NULL. Their struct_size has to be
+ *   set, which hsp_X_limits_init does.
  *   On HSP_E_CAPACITY they are limits to retry with: none is smaller than the handle's own, and one at least is larger.
  *   A limit not known yet stays as it was, so that a few retries may be necessary. On HSP_OK they are what was needed,
- *   exactly. On any other status they stay as they are. So memory grows until it suffices in three lines:
+ *   exactly. On any other status they stay as they are. So memory grows until it suffices:
  *     while ((status = hsp_X_compute(x, ..., &limits)) == HSP_E_CAPACITY) {
- *       hsp_X_bytes(&limits, &bytes);
- *       memory = realloc(memory, bytes);
+ *       if (hsp_X_bytes(&limits, &bytes) != HSP_OK || (larger = realloc(memory, bytes)) == NULL) break;
+ *       memory = larger;
  *       hsp_X_init(memory, bytes, &limits, &x);
  *     }
  *
@@ -231,14 +235,15 @@
  *
  * STATUS
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
- *   function's comment names is written. Treat an unknown negative number as a general failure.
- *   Every function that takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the pointer is
- *   not NULL, and there is no live handle of that kind. Nothing is written then, not even what comments name, such as
- *   *first_bad. A handle that is NULL is HSP_E_ARGUMENT, like every pointer that must not be NULL. Where more than one
- *   status fits, the first of these comes back: what is wrong with the handles, in the order of arguments;
- *   HSP_E_VERSION; HSP_E_ARGUMENT; HSP_E_STATE; what is wrong with values, such as HSP_E_ID, HSP_E_NOT_FINITE,
- *   HSP_E_NEGATIVE and HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. A model that has no room for all balls is
- *   HSP_E_CAPACITY before these are looked at.
+ *   function's comment or the line of the status names is written. Treat an unknown negative number as a general
+ *   failure. Every function that takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the
+ *   pointer is not NULL, and there is no live handle of that kind. Nothing is written then, not even what comments
+ *   name, such as *first_bad. A handle that is NULL is HSP_E_ARGUMENT, like every pointer that must not be NULL.
+ *   Functions that return an id, such as hsp_topology_onext, return HSP_NONE for both. Texts that functions return are
+ *   constants. Where more than one status fits, the first of these comes back: what is wrong with the handles, in the
+ *   order of arguments; HSP_E_VERSION; HSP_E_ARGUMENT; HSP_E_STATE; what is wrong with values, such as HSP_E_ID,
+ *   HSP_E_NOT_FINITE, HSP_E_NEGATIVE and HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. A model that has no room for all
+ *   balls is HSP_E_CAPACITY before values are looked at.
  *
  * HANDLES AFTER A FAILURE
  *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for whatever

@@ -25,21 +25,25 @@
 !                                hsp_boundary_get_gradient(b, tension=1.0_c_double, d_centre=g, capacity=n)
 !   const char *title            character(kind=c_char) :: title(*); a string that ends with c_null_char may be passed
 !   hsp_sink                     type(c_funptr) from c_funloc of a function with the interface hsp_sink
-!   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it
+!   run, proceed of an executor  type(c_funptr) likewise, none by default: integer(c_int32_t) functions with
+!                                bind(C) and arguments by value; run calls what c_f_procpointer makes of its third one,
+!                                a type(c_funptr), with the interface hsp_task
+!   void *context                type(c_ptr), as it will be handed to the function; c_null_ptr if that has no use for it
 module hardsphere
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
-                                         c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t
+                                         c_loc, c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
   implicit none
   private :: quad_turned
-  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_loc, c_null_char, c_null_ptr
-  private :: c_ptr, c_size_t
+  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_loc, c_null_char
+  private :: c_null_funptr, c_null_ptr, c_ptr, c_size_t
   integer(c_int32_t), parameter, private :: pointer_bytes = storage_size(c_null_ptr) / 8
 
   ! ---- version.h: the version of the header and of the library -------------------------------------------------------
 
   character(*), parameter :: HSP_VERSION_STRING = '0.3.0'
-  integer(c_int32_t), parameter :: HSP_VERSION_MAJOR = 0_c_int32_t  ! 0 until the interface is frozen
-  ! raised when something is added, and until 1.0 when something changes
+  ! raised when a stable header changes or loses something
+  integer(c_int32_t), parameter :: HSP_VERSION_MAJOR = 0_c_int32_t
+  ! raised when something is added, or a provisional header changes
   integer(c_int32_t), parameter :: HSP_VERSION_MINOR = 3_c_int32_t
   integer(c_int32_t), parameter :: HSP_VERSION_PATCH = 0_c_int32_t  ! raised when only mistakes were mended
   ! Version of this header: 10000 * major + 100 * minor + patch.
@@ -312,14 +316,14 @@ module hardsphere
 
   type, bind(C) :: hsp_executor
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_executor)
-    integer(c_int32_t) :: workers                                        ! how many threads there are for the tasks
-    type(c_ptr) :: context                                               ! or NULL: handed to run and proceed
+    integer(c_int32_t) :: workers = 0_c_int32_t                          ! how many threads there are for the tasks
+    type(c_ptr) :: context = c_null_ptr                                  ! or NULL: handed to run and proceed
     ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads with 16 KiB of stack or
     ! more, and returns 0 when all have returned, or anything else if it could not call them all. Their results must be
     ! visible to the caller's thread then, as after a join. tasks may be larger than workers, HSP_MAX_WORKERS at most.
     ! Not NULL with more than one worker. The loop runs in the caller's floating-point environment, and tasks in the
     ! library's, whatever that of their thread is (FLOATING POINT in hardsphere.h).
-    type(c_funptr) :: run
+    type(c_funptr) :: run = c_null_funptr
     ! NULL, or says whether to go on: 0 does, anything else stops. Also asked with workers 0 or 1. It is asked between
     ! balls and stages of the work, by the caller's thread and by those of tasks, several at a time, with a copy of the
     ! caller's floating-point environment; not by a library that is compiled for size. It must not call functions with
@@ -328,7 +332,7 @@ module hardsphere
     ! without an executor in their request or options do not ask. Those that compute have a sibling that does
     ! (splitting_the_work.md lists them), but for poses, which may be asked for less at a time, and for what measures,
     ! checks or copies what was computed: up to 4,000 instructions a ball, and more for self-checks.
-    type(c_funptr) :: proceed
+    type(c_funptr) :: proceed = c_null_funptr
   end type
 
   ! ---- residue.h: radii by the names of residues and atoms -----------------------------------------------------------

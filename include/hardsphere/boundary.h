@@ -85,7 +85,9 @@ HSP_API int32_t HSP_CALL hsp_boundary_init(void *memory, size_t bytes, const hsp
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(c) for each ball, and about O(m) for one with m neighbours where many balls
  *  are nearly the same or on a line; O(m log m) with m small balls that stud one; O(m f) with all spheres through one
- *  point, where f others bound a ball's power cell there; O(m^3) at worst, which no set is known to reach.
+ *  point, where f others bound a ball's power cell there; O(m^2) with all spheres through two points, exactly, as of
+ *  balls of one size around points of the lattice on a circle: 100 of them take half a second; O(m^3) at worst, which
+ *  no set is known to reach.
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small
@@ -115,8 +117,8 @@ typedef struct hsp_boundary_request {
  *  d_radius, and those of other balls are 0. So d_centre is not the gradient of value, and adds up to that of the
  *  whole.
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
- *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but of a
- *    selected ball and an equal one that is not the flag may be set without need.
+ *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but
+ *    the flag of a selected ball that equals one that is not selected may be set without need.
  *
  *  Cost: that of hsp_boundary_compute; with selected, of the selected balls, and O(n).
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL; an executor with several workers and without run

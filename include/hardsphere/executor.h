@@ -23,7 +23,7 @@ typedef void HSP_CALL hsp_task(void *data, uint32_t task);
  *  or 1; results are the same bits either way and for any number of workers, and the cost that functions state is that
  *  of all workers together. Nothing is final before that function returns: tasks may write to output arrays what later
  *  ones still change.
- *  A loop that fails, leaves a task out, does one twice or one that there is not makes that function return
+ *  If the loop fails, leaves a task out, or calls one twice or one that does not exist, that function returns
  *  HSP_E_EXECUTOR: it has no results then, and all handles may be used as before. A task that is called twice is done
  *  once. A function that is stopped returns HSP_E_STOPPED, likewise. */
 typedef struct hsp_executor {

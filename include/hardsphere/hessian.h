@@ -64,15 +64,15 @@ HSP_API int32_t HSP_CALL hsp_boundary_get_hessian_rows(const hsp_boundary *bound
                                                        uint32_t *ball, double *block, uint32_t *flags,
                                                        uint32_t capacity, uint32_t *needed);
 
-/** product [n][3] becomes H times direction [n][3], without storage; the two may not overlap. Each row comes from the
+/** product [n][3] becomes H times direction [n][3], without storage. Each row comes from the
  *  arcs on its own ball alone, so of a boundary of selected balls there are their rows, and zeros for the others:
  *  direction holds all balls then. flags [n] may be NULL and else is as above, of each ball. request may be NULL: all
  *  defaults, and the product is 0. *needed becomes n.
  *  - Property 1: it is the product with the rows of hsp_boundary_get_hessian_rows, up to rounding, but of balls that
  *    are flagged as singular.
  *  - Property 2: product and flags do not depend on the order of the balls but for equal ones, nor on the executor, nor
- *    on which other balls are selected, bit for bit; but of a selected ball and an equal one that is not the flag may
- *    be set without need.
+ *    on which other balls are selected, bit for bit; but the flag of a selected ball that equals one that is not
+ *    selected may be set without need.
  *
  *  Cost: O(n + vertices + circles); three and a half gradients.
  *  @retval HSP_E_ARGUMENT    boundary or direction is NULL, or product with a capacity above 0; unknown tangency; an

@@ -23,7 +23,7 @@ typedef struct hsp_totals {
   uint64_t reserved[2]; /**< 0 */
 } hsp_totals;
 
-/** Bytes of memory that suffice hsp_areas for most molecules of n balls: a model, and a boundary with the limits of
+/** Bytes of memory that suffice for hsp_areas of most molecules of n balls: a model, and a boundary with the limits of
  *  hsp_boundary_limits_init.
  *  - Property 1: at most HSP_AREAS_BYTES(n).
  *
@@ -55,7 +55,7 @@ HSP_API int32_t HSP_CALL hsp_areas(uint32_t n, const double *xyz, const double *
 /** Area and volume of the union, and each ball's terms of both, or those of some balls while the others only block.
  *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. Other balls count 0, and the rest is
  *  the same bit for bit. totals may be NULL; area [n] and volume_term [n] may each be NULL, else capacity >= n; they
- *  are in the caller's order and do not overlap; needed may be NULL and else becomes n.
+ *  are in the caller's order; needed may be NULL and else becomes n.
  *  area[i] is the free area of ball i. volume_term[i] is ball i's term of the divergence theorem,
  *  (r_i area[i] + (c_i - o) . N_i) / 3 with N_i the vector area of its faces and o a centre of its component that does
  *  not depend on the order of the balls: the terms sum to the volume, single terms may be negative. The volume of an

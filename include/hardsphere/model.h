@@ -68,8 +68,8 @@ HSP_API int32_t HSP_CALL hsp_model_options_init(hsp_model_options *options, uint
 /** Take n balls: round them to the lattice, hash them into cubes. May be called any number of times (frames of a
  *  trajectory); results of other contents cannot be read then (RESULTS in hardsphere.h).
  *  xyz [n][3] and radius [n], in length units, may be NULL only if n is 0; options may be NULL (defaults);
- *  first_bad may be NULL, else it is set to the index of the first ball that is refused, or HSP_NONE if none is, or if
- *  the options are at fault: a step that is too small for every radius, too; or if all lengths are too small.
+ *  first_bad may be NULL, else it is set to the index of the first ball that is refused, or to HSP_NONE: if none is, if
+ *  the options are at fault, also by a step that is too small for every radius, or if all lengths are too small.
  *
  *  The lattice: coordinate x becomes the integer nearest to x/step, radius r becomes the integer nearest to r/step
  *  plus the integer nearest to probe/step. The default step is a power of ten between 1e-22 and 1e22 chosen from
@@ -85,6 +85,8 @@ HSP_API int32_t HSP_CALL hsp_model_options_init(hsp_model_options *options, uint
  *
  *  On failure the model holds nothing, and all questions to it but hsp_model_get_info are HSP_E_STATE, until balls are
  *  taken again.
+ *  Areas, volumes and energies are doubles in units of the caller's: with steps below 1e-100 or above 1e90 they may be
+ *  0, infinite or NaN, where the structure is still right.
  *  - Property 1: the order of the balls has no effect but on the ids.
  *
  *  Cost: O(n) expected, whatever the radii and wherever the balls are; O(n log n) at worst, with many centres in one
@@ -122,7 +124,7 @@ typedef struct hsp_model_request {
 HSP_API int32_t HSP_CALL hsp_model_set_with(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                                             const hsp_model_request *request, uint32_t *first_bad);
 
-/** A description of the model. Frozen. */
+/** A description of the model. table_slots and longest_probe may be others with a minor version. Frozen. */
 typedef struct hsp_model_info {
   uint32_t balls;         /**< number of balls */
   uint32_t cubes;         /**< cubes of side 2 r_max that hold a centre (Section 3) */

@@ -13,7 +13,7 @@
  *   numerics     which bits come out of what stable headers declare. Two libraries of one numerics number give the same
  *                bits for the same calls, on every machine; it is raised with the first release in which a last bit of
  *                any of these results may differ. Structure, which is ids, order, counts and flags, changes from 1.0 on
- *                with the major version alone, unless it was wrong.
+ *                with the major version alone, unless it was wrong or a header excepts it (topology.h, model.h).
  *   provisional numerics  the same of what all other headers declare.
  * A program may run with a library if
  *   hsp_abi() == HSP_ABI_NUMBER && hsp_version() >= HSP_VERSION_NUMBER
@@ -32,8 +32,8 @@
 extern "C" {
 #endif
 
-#define HSP_VERSION_MAJOR 0        /**< 0 until the interface is frozen */
-#define HSP_VERSION_MINOR 3        /**< raised when something is added, and until 1.0 when something changes */
+#define HSP_VERSION_MAJOR 0        /**< raised when a stable header changes or loses something */
+#define HSP_VERSION_MINOR 3        /**< raised when something is added, or a provisional header changes */
 #define HSP_VERSION_PATCH 0        /**< raised when only mistakes were mended */
 #define HSP_VERSION_STRING "0.3.0" /**< the three of them */
 

@@ -275,6 +275,31 @@ static void no_balls(void) {
   CHECK_EQUAL(hsp_contacts_get_simplices(contacts, 2, NULL, 0, &needed), HSP_OK);
 }
 
+/* Two small balls at the surface of one that is 10^8 times as large, in steps of the lattice. The large one's plane
+ * cuts the disk between them near its centre. */
+static void beside_a_large_ball(void) {
+  static const double centres[9] = {-6, 0, 0, 6, 0, 0, 0, 600000003, 799999996}, radii[3] = {10, 10, 999999999};
+  const hsp_model_options steps = {.struct_size = (uint32_t)sizeof steps, .step = 1};
+  const double length = sqrt(centres[7] * centres[7] + centres[8] * centres[8]); /* of its centre from 0 */
+  /* length^2 - 10^18, and below 10^18 less the squared radius: integers that doubles hold. */
+  const double of_centre = 3 * (2 * 6e8 + 3) - 4 * (2 * 8e8 - 4);
+  const double from_origin = (of_centre + (2e9 - 1) + 64) / (2 * length);
+  const double in_disk = sqrt(64 - from_origin * from_origin);
+  const double area = 64 * (pi / 2 + asin(from_origin / 8)) + from_origin * in_disk;
+  hsp_contact found[3];
+  double share[3];
+  uint32_t needed = 0;
+  CHECK_EQUAL(hsp_model_set(model, 3, centres, radii, &steps, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  check_has_results();
+  CHECK_EQUAL(hsp_contacts_get_pairs(contacts, found, 3, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 3);
+  CHECK(from_origin > -8 && from_origin < 8);
+  CHECK_NEAR(found[0].area, area, 1e-14 * area);
+  CHECK_EQUAL(hsp_contacts_measure(contacts, NULL, share, NULL, 3, &needed), HSP_OK);
+  CHECK_NEAR(share[0], share[1], 1e-14 * share[0]);
+}
+
 int main(void) {
   make();
   default_limits();
@@ -285,5 +310,6 @@ int main(void) {
   curvature();
 #endif
   no_balls();
+  beside_a_large_ball();
   return check_report();
 }

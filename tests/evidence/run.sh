@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Evidence for the core: runs the tests that show each promise of requirements.txt, and says how many, and how many checks
 # they count.
-#   run.sh [--write] [NAME...]        all rows, or those of these names; --write makes lib/EVIDENCE.md, of all
+#   run.sh [--write] [NAME...]   all rows, or those of these names; --write puts them into lib/EVIDENCE.md
 # Builds what it needs in build/dev.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -11,12 +11,16 @@ if [ "${1:-}" = --write ]; then write=yes && shift; fi
 cmake --preset dev >/dev/null
 cmake --build --preset dev >/dev/null
 rows=$(grep -v '^#' tests/evidence/requirements.txt)
-table=""
 failed=no
+table=""
+now="$(date -u +%Y-%m-%d) at $(git rev-parse --short HEAD)"
 while IFS='|' read -r name promise how tests; do
   name=${name// /}
   tests=${tests# }
-  if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then continue; fi
+  if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then
+    table+=$(grep "^| $name |" lib/EVIDENCE.md || true)$'\n'
+    continue
+  fi
   log=$(mktemp)
   start=$(date +%s)
   status="holds"
@@ -30,15 +34,15 @@ while IFS='|' read -r name promise how tests; do
     END { print passed + 0, skipped + 0, checks + 0 }' "$log")
   rm -f "$log"
   if [ "$passed" -eq 0 ]; then status="FAILS" && failed=yes; fi
-  row="| $name |$promise|$how| $passed tests$([ "$skipped" -eq 0 ] || echo ", $skipped left out here")$([ "$checks" -eq 0 ] || echo ", $checks cases") | $seconds s | $status |"
+  row="| $name |$promise|$how| $passed tests$([ "$skipped" -eq 0 ] || echo ", $skipped left out here")$([ "$checks" -eq 0 ] || echo ", $checks cases") | $seconds s | $now | $status |"
   echo "$row"
   table+=$row$'\n'
 done <<<"$rows"
 if [ "$write" = yes ]; then
   {
     sed '/^| row /,$d' lib/EVIDENCE.md
-    printf '| row | promise | how it is known | shown by | time | |\n|---|---|---|---|---|---|\n%s\n' "$table"
-    echo "Run on $(date -u +%Y-%m-%d) at commit $(git rev-parse --short HEAD), $("${CXX:-g++}" --version | head -n 1), $(uname -m)."
+    printf '| row | promise | how it is known | shown by | time | run | |\n|---|---|---|---|---|---|---|\n%s\n' "$table"
+    echo "Compiled by $("${CXX:-g++}" --version | head -n 1) for $(uname -m), run on $(nproc) cores."
   } >lib/EVIDENCE.now
   mv lib/EVIDENCE.now lib/EVIDENCE.md
 fi

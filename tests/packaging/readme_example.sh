@@ -82,5 +82,5 @@ MAIN
   done
   "$work/surface_fortran"
   cmp <("$work/page_fortran") "$work"/languages/*.text
-  "$work/tasks_fortran" | head -n 1 | cmp - <(grep '^in a box' "$work"/tasks/*.text)
+  "$work/tasks_fortran" | sed -n 1p | cmp - <(grep '^in a box' "$work"/tasks/*.text)
 fi

@@ -62,8 +62,8 @@ def type_rows(struct, sizes=()):
     """`sizes`: its bytes with pointers of 8 bytes and of 4, for the default of struct_size."""
     declared = [f"    {kind_of_field(f)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}" for f in struct.fields]
     if struct.sized and sizes:
-        # Zero means default in requests and outputs.
-        if struct.name.endswith(("_request", "_outputs")):
+        # Zero means default in requests and outputs, and none in executors.
+        if struct.name.endswith(("_request", "_outputs", "_executor")):
             declared = [row + initial(f) for row, f in zip(declared, struct.fields)]
         pointers = (sizes[0] - sizes[1]) // 4
         more = f" + {pointers} * pointer_bytes" if pointers else ""
@@ -78,8 +78,8 @@ def initial(field):
     kind = kind_of_field(field)
     if field.name == "struct_size":
         return ""
-    return " = " + ("c_null_ptr" if field.stars else f"0.0_{kind[5:-1]}" if kind.startswith("real")
-                    else f"0_{kind[8:-1]}")
+    return " = " + ("c_null_funptr" if kind == "type(c_funptr)" else "c_null_ptr" if field.stars
+                    else f"0.0_{kind[5:-1]}" if kind.startswith("real") else f"0_{kind[8:-1]}")
 
 
 def function_rows(function):

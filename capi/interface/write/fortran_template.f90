@@ -25,14 +25,17 @@
 !                                hsp_boundary_get_gradient(b, tension=1.0_c_double, d_centre=g, capacity=n)
 !   const char *title            character(kind=c_char) :: title(*); a string that ends with c_null_char may be passed
 !   hsp_sink                     type(c_funptr) from c_funloc of a function with the interface hsp_sink
-!   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it
+!   run, proceed of an executor  type(c_funptr) likewise, none by default: integer(c_int32_t) functions with
+!                                bind(C) and arguments by value; run calls what c_f_procpointer makes of its third one,
+!                                a type(c_funptr), with the interface hsp_task
+!   void *context                type(c_ptr), as it will be handed to the function; c_null_ptr if that has no use for it
 module hardsphere
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
-                                         c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t
+                                         c_loc, c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
   implicit none
   private :: quad_turned
-  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_loc, c_null_char, c_null_ptr
-  private :: c_ptr, c_size_t
+  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_loc, c_null_char
+  private :: c_null_funptr, c_null_ptr, c_ptr, c_size_t
   integer(c_int32_t), parameter, private :: pointer_bytes = storage_size(c_null_ptr) / 8
 
   ! <constants>

@@ -1183,8 +1183,7 @@ class Boundary(Handle):
     def get_hessian_product(self, direction: Rows, *, tangency: int | None = None, tension: float | None = None,
                             pressure: float | None = None, sigma: Values | None = None, threads: int | None = None,
                             only: Any | None = None) -> Any:
-        """product [n][3] becomes H times direction [n][3], without storage; the two may not overlap. Gives .product,
-        .flags."""
+        """product [n][3] becomes H times direction [n][3], without storage. Gives .product, .flags."""
         return call("hsp_boundary_get_hessian_product", self, direction=direction, tangency=tangency, tension=tension,
                     pressure=pressure, sigma=sigma, threads=threads, only=only)
 

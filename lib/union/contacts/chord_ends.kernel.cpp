@@ -5,6 +5,7 @@ namespace hsp::HSP_TARGET {
 namespace {
 
 constexpr double least_square = 0x1p-10;
+constexpr double most_ratio = 8.0;
 
 template <uint32_t n>
 struct EndKernel {
@@ -74,8 +75,12 @@ struct EndKernel {
     L::store(b.part[4] + s, d * RP.third() + e * ST.alpha);
     L::store(b.part[5] + s, c * QR.third() + e * ST.third());
     const Real square = B * B;
-    return L::both(square >= least_square * (P.U * Q.U * R.U), square >= least_square * (P.U * S.U * T.U));
+    return L::both(are_alike(L::smaller(L::smaller(first.r, second.r), L::smaller(third.r, fourth.r)),
+                             L::larger(L::larger(first.r, second.r), L::larger(third.r, fourth.r))),
+                   L::both(square >= least_square * (P.U * Q.U * R.U), square >= least_square * (P.U * S.U * T.U)));
   }
+
+  static Mask are_alike(const Real &smallest, const Real &largest) { return largest <= most_ratio * smallest; }
 
   static uint32_t measure_all(const BallArrays &balls, PowerVertexBatch &batch, uint32_t count) {
     uint32_t served = 0;
@@ -85,7 +90,7 @@ struct EndKernel {
   }
 
   // An arc begins at the vertex of its slot, on the circles of this and the previous one, and ends at that of the next.
-  static bool measure_arcs(const ArcBatch &batch, double (&parts)[ArcBatch::room]) {
+  static bool measure_arcs(const ArcBatch &batch, double radius, double (&parts)[ArcBatch::room]) {
     double before[ArcBatch::room] = {};  // at a slot's vertex, for the circle of the previous slot
     for (uint32_t s = 0; s < batch.count; s += n) {
       const ArcBatch &b = by_one_register(batch);
@@ -94,7 +99,10 @@ struct EndKernel {
                     L::gather(b.scaled_height, previous));
       const Plane Q({L::load(b.vx + s), L::load(b.vy + s), L::load(b.vz + s)}, L::load(b.scaled_height + s));
       const Line line(P, Q);
-      const Real scale = L::valid(line.N >= least_square * (P.U * Q.U), line.scale(L::load(b.root_discriminant + s)));
+      const Real own = L::all(radius), r = L::gather(b.other_radius, previous), next_r = L::load(b.other_radius + s);
+      const Mask alike = are_alike(L::smaller(own, L::smaller(r, next_r)), L::larger(own, L::larger(r, next_r)));
+      const Real scale =
+          L::valid(L::both(alike, line.N >= least_square * (P.U * Q.U)), line.scale(L::load(b.root_discriminant + s)));
       L::store(before + s, scale * line.beta);
       L::store(parts + s, scale * line.alpha);
     }
@@ -114,8 +122,8 @@ struct EndKernel {
 uint32_t measure_power_vertices(const BallArrays &balls, PowerVertexBatch &batch, uint32_t count) {
   return EndKernel<register_lanes>::measure_all(balls, batch, count);
 }
-bool measure_free_ends(const ArcBatch &batch, double (&parts)[ArcBatch::room]) {
-  return EndKernel<register_lanes>::measure_arcs(batch, parts);
+bool measure_free_ends(const ArcBatch &batch, double radius, double (&parts)[ArcBatch::room]) {
+  return EndKernel<register_lanes>::measure_arcs(batch, radius, parts);
 }
 
 }  // namespace hsp::HSP_TARGET

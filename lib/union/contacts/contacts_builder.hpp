@@ -243,7 +243,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
       const ArcBatch &batch = arcs.batch();
       surface.add(batch);
       double ends[ArcBatch::room];
-      const bool all_served = measure_free_ends(boundary.target(), batch, ends);
+      const bool all_served = measure_free_ends(boundary.target(), batch, radius, ends);
       for (uint32_t s = 0; s < batch.count; ++s) {
         const uint32_t other = batch.other[s];
         if (other < i || !batch.has_piece(s)) continue;

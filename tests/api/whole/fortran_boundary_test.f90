@@ -32,7 +32,7 @@ end module
 
 program fortran_interface_test
   use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
-                                         c_null_funptr, c_size_t, c_sizeof, c_associated, c_null_char
+                                         c_size_t, c_sizeof, c_associated, c_null_char
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   use fortran_checks
   use fortran_loops
@@ -245,7 +245,7 @@ contains
     call expect(hsp_boundary_compute(boundary, model, needed_limits), HSP_OK, 'hsp_boundary_compute')
     call check(needed_limits%neighbours == 2 .and. needed_limits%vertices == 2 .and. needed_limits%circles == 0, 'needed')
     ! by more workers than there is room for, and then by two
-    executor = hsp_executor(int(c_sizeof(executor), c_int32_t), 2, c_loc(runs), c_funloc(run_backwards), c_null_funptr)
+    executor = hsp_executor(workers=2, context=c_loc(runs), run=c_funloc(run_backwards))
     request = hsp_boundary_request(int(c_sizeof(request), c_int32_t), 0, c_loc(executor), c_null_ptr)
     call expect(hsp_boundary_compute_with(boundary, model, request, limits), HSP_E_CAPACITY, 'room for one')
     call check(limits%workers == 2 .and. limits%vertices == 96 .and. runs == 0, 'limits for two workers')

@@ -141,6 +141,27 @@ TEST(PowerVertices, OfBallsOnASmallLattice) {
   EXPECT_GT(vertices.served(), vertices.all() / 10 * 9);
 }
 
+// The contacts of small balls are small beside the square of the largest radius.
+TEST(PowerVertices, OfUnlikeBalls) {
+  oracle::RandomSource random(56);
+  for (const int64_t large : {800, 801}) {
+    PowerVertices vertices;
+    for (int64_t k = 0; k < 20000; ++k) {
+      LatticeBall ball[4];
+      const auto number = [&] { return random.in(-100, 100); };
+      for (LatticeBall &b : ball) {
+        const int64_t x = number(), y = number();
+        b = {{x, y, number()}, random.in(100, 300), 0};
+      }
+      ball[k % 4].radius = 100;
+      ball[(k + 1) % 4] = {{ball[k % 4].centre.x + large, 0, 0}, large, 0};
+      vertices.add(ball, 15);
+    }
+    EXPECT_GT(vertices.all(), 100U);
+    EXPECT_EQ(vertices.served() > 0, large == 800);
+  }
+}
+
 struct FreeEnds {
   uint32_t arcs = 0, served = 0, batches = 0;
 };
@@ -154,7 +175,7 @@ void compare_free_ends(const oracle::Balls &balls, FreeEnds &seen) {
       const hsp::ArcBatch &batch = arcs.batch();
       ++seen.batches;
       double first[hsp::ArcBatch::room];
-      const bool all_served = hsp::measure_free_ends(hsp::Target::baseline, batch, first);
+      const bool all_served = hsp::measure_free_ends(hsp::Target::baseline, batch, r, first);
       bool any_unserved = false;
       for (uint32_t s = 0; s < batch.count; ++s) {
         any_unserved = any_unserved || first[s] != first[s];
@@ -165,6 +186,7 @@ void compare_free_ends(const oracle::Balls &balls, FreeEnds &seen) {
         ++seen.arcs;
         if (first[s] != first[s]) continue;
         ++seen.served;
+        EXPECT_LE(std::fmax(r, batch.other_radius[s]), 8 * std::fmin(r, batch.other_radius[s]));
         const hsp::Vec3 v = built.balls().difference(i, batch.other[s]);
         EXPECT_NEAR(first[s], hsp::free_ends_in_integers(built.balls(), i, batch, s),
                     most_error * r * r * std::sqrt(dot(v, v)));
@@ -172,7 +194,7 @@ void compare_free_ends(const oracle::Balls &balls, FreeEnds &seen) {
       EXPECT_EQ(all_served, !any_unserved);
       for (const hsp::Target target : runnable_targets()) {
         double found[hsp::ArcBatch::room];
-        EXPECT_EQ(hsp::measure_free_ends(target, batch, found), all_served);
+        EXPECT_EQ(hsp::measure_free_ends(target, batch, r, found), all_served);
         for (uint32_t s = 0; s < batch.count; ++s) {
           EXPECT_TRUE(found[s] == first[s] || (found[s] != found[s] && first[s] != first[s]));
         }
@@ -207,7 +229,7 @@ TEST(FreeEnds, OfManyBatches) {
       const double x = number(), y = number(), z = number();
       const double scale = 100000 / std::sqrt(x * x + y * y + z * z + 1);
       balls.push_back({static_cast<int64_t>(scale * x), static_cast<int64_t>(scale * y),
-                       static_cast<int64_t>(scale * z), random.in(6000, 14000)});
+                       static_cast<int64_t>(scale * z), random.in(12500, 18000)});
     }
     compare_free_ends(balls, seen);
   }
