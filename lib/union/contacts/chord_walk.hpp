@@ -40,8 +40,8 @@ class ChordWalk {
   // Whether the next ball has no other chords than such with two free ends, as far as it can be seen at once. Then it
   // need not come, and `ends` are the vertices of these chords, two after two.
   bool has_whole_chords(const Boundary &boundary, uint32_t ball, IdRange &ends);
-  // Of many caps keeps those whose planes may touch the ball's power cell: the same is found with these. Where one chord
-  // is searched for among all pairs, fewer are many.
+  // Of many caps keeps those whose planes may touch the ball's power cell: the same is found with these. Where one
+  // chord is searched for among all pairs, fewer are many.
   void keep_exposed(const Boundary &boundary, Caps &caps) const {
     constexpr uint32_t many_of_pairs = 32;
     const uint32_t many = asks_for_all_caps(boundary, caps.origin) ? many_of_pairs : ExposedCaps::fewest;

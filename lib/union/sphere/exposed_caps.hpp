@@ -14,8 +14,8 @@ namespace hsp {
 
 class ExposedCaps {
  public:
-  // Fewer are searched as they are: that is as quick, and where it turns out not to be, these are found after all. Small
-  // code does without: where flash counts, balls have few caps.
+  // Fewer are searched as they are: that is as quick, and where it turns out not to be, these are found after all.
+  // Small code does without: where flash counts, balls have few caps.
   static constexpr uint32_t fewest = 160;
   static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest; }
 
@@ -28,8 +28,8 @@ class ExposedCaps {
   bool find(Part part, const Caps &caps, const FloatCaps *floats = nullptr);
   // After find: the numbers of those that stay, ascending.
   Span<const uint32_t> kept() const { return order_.part(0, kept_); }
-  // Of so many caps or more keeps these. False if nothing is left. Of fewer it keeps one of each of equal balls, if there
-  // are such.
+  // Of so many caps or more keeps these. False if nothing is left. Of fewer it keeps one of each of equal balls, if
+  // there are such.
   bool keep(Part part, Caps &caps, uint32_t many = fewest);
 
   // For tests: of how many caps that doubles leave in doubt at vertices integers are asked.

@@ -42,7 +42,7 @@ class Search {
   }
   const hsp::Caps &caps() const { return caps_; }
 
-  // All that is found of the free part, as text; with caps that matter alone, where the search finds that it takes long.
+  // All that is found of the free part, as text. may_cull: with caps that matter alone, where it takes long.
   std::string found(const hsp::BallSet &balls, bool may_cull = false) {
     hsp::FixedVector<hsp::VertexRecord> vertices(
         hsp::Span<hsp::VertexRecord>(vertices_.data(), static_cast<uint32_t>(vertices_.size())));
