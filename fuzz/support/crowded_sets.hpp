@@ -49,7 +49,7 @@ class CrowdedSet {
   static int64_t rounded(double x) { return std::llround(x); }
 
   void add_piece() {
-    const uint32_t kind = bytes_.below(9);
+    const uint32_t kind = bytes_.below(10);
     const int64_t count = 1 + int64_t{bytes_.below(most_)};
     const int64_t radius = length(), spacing = length(), more = growth(radius);
     const oracle::LatticeBall way = direction();
@@ -110,6 +110,17 @@ class CrowdedSet {
           add(at, to.radius * spacing);
         }
         break;
+      case 9: {  // of one size around points of the lattice on a circle: all spheres through two points
+        const int64_t squared = int64_t{5} * 5 * 13 * 13 * 17 * 29 * 37, step = 1 + int64_t{bytes_.below(16)};
+        const auto largest = static_cast<int64_t>(std::sqrt(static_cast<double>(squared)));
+        for (int64_t x = -largest, left = count; x <= largest && left > 0; ++x) {
+          const int64_t y = rounded(std::sqrt(static_cast<double>(squared - x * x)));
+          if (x * x + y * y != squared) continue;
+          for (const int64_t side : {y, -y}) add({x * step, side * step, 0}, radius * step);
+          left -= 2;
+        }
+        break;
+      }
       default: {  // copies of all so far, exact or not, here or aside, of the same radii or larger ones
         const uint32_t there = set_.n();
         const oracle::LatticePoint aside = offset_;

@@ -85,9 +85,7 @@ HSP_API int32_t HSP_CALL hsp_boundary_init(void *memory, size_t bytes, const hsp
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(c) for each ball, and about O(m) for one with m neighbours where many balls
  *  are nearly the same or on a line; O(m log m) with m small balls that stud one; O(m f) with all spheres through one
- *  point, where f others bound a ball's power cell there; O(m^2) with all spheres through two points, exactly, as of
- *  balls of one size around points of the lattice on a circle: 100 of them take half a second; O(m^3) at worst, which
- *  no set is known to reach.
+ *  point or two, where f others bound a ball's power cell there; O(m^3) at worst, which no set is known to reach.
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small

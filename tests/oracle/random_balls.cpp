@@ -201,6 +201,30 @@ Balls balls_through_circle(RandomSource &random, size_t n) {
   return balls;
 }
 
+Balls balls_around_circle(RandomSource &random, size_t n) {
+  // Of the 36 points with x^2 + y^2 = 5^2 13^2 17, in a plane across any axis.
+  constexpr int64_t squared = 71825;
+  std::vector<std::array<int64_t, 2>> points;
+  for (int64_t x = -267; x <= 267; ++x) {
+    for (int64_t y = -267; y <= 267; ++y) {
+      if (x * x + y * y == squared) points.push_back({x, y});
+    }
+  }
+  const int64_t axis = random.in(0, 2), radius = random.in(100, 900), height = random.in(-9, 9);
+  const uint64_t other = static_cast<uint64_t>(random.in(3, 12));
+  Balls balls;
+  while (balls.size() < n) {
+    const auto &[x, y] = points[static_cast<size_t>(random.in(0, static_cast<int64_t>(points.size()) - 1))];
+    LatticeBall ball = {x, y, height, radius};
+    if (random.one_in(other))
+      ball =
+          random.one_in(2) ? ball_in_box(random, 300, 1, 600) : LatticeBall{x, y, height, radius + random.in(-50, 9)};
+    for (int64_t turn = 0; turn < axis; ++turn) ball = {ball.y, ball.z, ball.x, ball.radius};
+    balls.push_back(ball);
+  }
+  return balls;
+}
+
 Balls tangent_balls(RandomSource &random, size_t n) {
   Balls balls = {{0, 0, 0, random.in(1, 6)}};
   while (balls.size() < n) {

@@ -2,11 +2,14 @@
 #include <type_traits>
 
 #include "exact/exact_predicates.cpp"
+#include "exact/power_vertex.cpp"
 
 #if defined(__SIZEOF_INT128__)
 namespace hsp::exact {
 
-template struct ExactPredicates<std::conditional_t<sizeof(FastLimb) == 8, uint32_t, uint64_t>>;
+using OtherLimb = std::conditional_t<sizeof(FastLimb) == 8, uint32_t, uint64_t>;
+template struct ExactPredicates<OtherLimb>;
+template class PowerVertexOf<OtherLimb>;
 
 }  // namespace hsp::exact
 #endif

@@ -11,6 +11,7 @@
 #include "exact/exact_predicates.hpp"
 
 #include "exact/discriminant.hpp"
+#include "exact/last_amount.hpp"
 
 namespace hsp::exact {
 namespace {
@@ -28,7 +29,7 @@ struct Evaluation {
   };
 
   static I128 times(int64_t a, int64_t b) { return product<128>(I64::from(a), I64::from(b)); }
-  static I128 dot128(const Vector &a, const Vector &b) { return times(a.x, b.x) + times(a.y, b.y) + times(a.z, b.z); }
+  static I128 dot128(const Vector &a, const Vector &b) { return exact::dot128<Limb>(a, b); }
   // Out of line, as Growth::sign(): most calls are for ties.
   [[gnu::noinline]] static I192 dot192(const LongVector &a, const Vector &b) {
     return product<192>(a.x, I64::from(b.x)) + product<192>(a.y, I64::from(b.y)) + product<192>(a.z, I64::from(b.z));
@@ -83,7 +84,7 @@ class Growth {
 
   // If they grow by the amounts of a level. Out of line: all predicates have it, in several places.
   [[gnu::noinline]] int sign(int level) const {
-    return level == levels - 1 ? sign_of_sum([](const Plane &ball) { return last_amount(ball); })
+    return level == levels - 1 ? sign_of_sum([](const Plane &ball) { return last_amount<Limb>(ball.v); })
                                : sign_of_sum([&](const Plane &ball) { return amount(level, ball); });
   }
   // At the first level where they change it, which decides what is linear in the weights. For balls alone the sums
@@ -114,10 +115,6 @@ class Growth {
   WideInteger<Limb, 64> amount(int level, const Plane &ball) const {
     const int64_t amounts[] = {weight_ + dot(ball.v, ball.v) - ball.h, 1, ball.v.x, ball.v.y, ball.v.z};
     return WideInteger<Limb, 64>::from(amounts[level]);
-  }
-  static I128 last_amount(const Plane &ball) {
-    const auto &[x, y, z] = ball.v;
-    return Evaluation<Limb>::dot128({1009 * x + 757 * y + 499 * z, 331 * y + 211 * z, 113 * z}, ball.v);
   }
 
   Plane origin_;

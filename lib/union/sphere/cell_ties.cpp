@@ -5,26 +5,70 @@
 // nearby, which the fourth plane leaves out or not.
 #include "sphere/cell_ties.hpp"
 
-namespace hsp {
+#include "exact/power_vertex.hpp"
 
-void CellTies::decide(const OuterCell &cell, uint32_t cap, VertexSides &sides, VertexBits &on_plane) const {
-  const exact::Plane plane = caps_.plane(cap);
-  const auto plane_of = [&](uint32_t face) {
-    if (cell.cap[face] != no_id) return caps_.plane(cell.cap[face]);
-    const auto part = [](double u) { return static_cast<int64_t>(u) * OuterCell::side_denominator; };
-    return exact::virtual_plane({part(cell.ux[face]), part(cell.uy[face]), part(cell.uz[face])},
-                                2 * caps_.balls().ball(caps_.origin).radius * OuterCell::side_numerator);
-  };
-  for (uint32_t word = 0; word < 2; ++word) {
-    for (uint64_t left = sides.unsure[word]; left != 0; left &= left - 1) {
-      const uint64_t bit = left & (~left + 1);
-      const uint8_t *const face = cell.face[64 * word + static_cast<uint32_t>(__builtin_ctzll(left))];
-      const exact::Sign nearer = predicates_.near(plane_of(face[0]), plane_of(face[1]), plane_of(face[2]), plane);
-      if (nearer.sign < 0) sides.outside[word] |= bit;
-      if (nearer.tied) on_plane.word[word] |= bit;
+namespace hsp {
+namespace {
+
+uint64_t has(const uint64_t (&bits)[2], uint32_t vertex) {
+  return bits[vertex / 64] >> vertex % 64 & 1U;
+}
+
+// Of a vertex on a side of the cube, one before it among those on the line of its other two planes. v if there is none.
+// Planes of spheres through two points go along the line and have all of it on one side.
+uint32_t other_end(const OuterCell &cell, uint32_t v, const uint64_t (&among)[2]) {
+  const uint8_t *const face = cell.face[v];
+  uint32_t side = 0;
+  while (side < 3 && cell.cap[face[side]] != no_id) ++side;
+  if (side == 3) return v;
+  const uint32_t p = face[(side + 1) % 3], q = face[(side + 2) % 3];
+  for (uint32_t u = 0; u < v; ++u) {
+    if (!has(among, u)) continue;
+    const uint8_t *const of = cell.face[u];
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (of[k] == q && of[(k + 1) % 3] == p) return u;
     }
-    sides.unsure[word] = 0;
   }
+  return v;
+}
+
+}  // namespace
+
+exact::Plane CellTies::plane_of(const OuterCell &cell, uint32_t face) const {
+  if (cell.cap[face] != no_id) return caps_.plane(cell.cap[face]);
+  const auto part = [](double u) { return static_cast<int64_t>(u) * OuterCell::side_denominator; };
+  return exact::virtual_plane({part(cell.ux[face]), part(cell.uy[face]), part(cell.uz[face])},
+                              2 * caps_.balls().ball(caps_.origin).radius * OuterCell::side_numerator);
+}
+
+void CellTies::decide(const OuterCell &cell, Span<const uint32_t> numbers, VertexSides *sides,
+                      VertexBits *on_plane) const {
+  const uint32_t count = numbers.size();
+  uint64_t unsure[2] = {0, 0};
+  for (uint32_t k = 0; k < count; ++k) {
+    for (uint32_t word = 0; word < 2; ++word) unsure[word] |= sides[k].unsure[word];
+  }
+  for (uint32_t v = 0; v < cell.vertices; ++v) {
+    if (!has(unsure, v)) continue;
+    const uint8_t *const face = cell.face[v];
+    const uint32_t end = other_end(cell, v, unsure);
+    const exact::PowerVertex vertex(caps_.sphere, plane_of(cell, face[0]), plane_of(cell, face[1]),
+                                    plane_of(cell, face[2]));
+    for (uint32_t k = 0; k < count; ++k) {
+      if (!has(sides[k].unsure, v)) continue;
+      const exact::Plane plane = caps_.plane(numbers[k]);
+      if (end < v && has(sides[k].unsure, end) && vertex.moves_along(plane)) {
+        sides[k].outside[v / 64] |= has(sides[k].outside, end) << v % 64;
+        on_plane[k].word[v / 64] |= has(on_plane[k].word, end) << v % 64;
+        continue;
+      }
+      const exact::Sign nearer = vertex.near(plane);
+      exact::count_answer(exact::Question::near, nearer.tied ? exact::Stage::perturbation : exact::Stage::exact);
+      if (nearer.sign < 0) sides[k].outside[v / 64] |= uint64_t{1} << v % 64;
+      if (nearer.tied) on_plane[k].word[v / 64] |= uint64_t{1} << v % 64;
+    }
+  }
+  for (uint32_t k = 0; k < count; ++k) sides[k].unsure[0] = sides[k].unsure[1] = 0;
 }
 
 uint32_t TiedSets::number_of(const VertexBits &set) {

@@ -20,19 +20,18 @@ struct VertexBits {
 
 class CellTies {
  public:
-  // All |v|^2 of the caps are at most so large.
-  CellTies(const Caps &caps, double length_squared)
-      : caps_(caps), predicates_(caps.sphere, length_squared > of_sides ? length_squared : of_sides) {}
+  explicit CellTies(const Caps &caps) : caps_(caps) {}
 
-  // Decides about the vertices of which `sides` is unsure, for a cap whose plane is no face, and finds those through
-  // which the plane goes before the inflation. Cold: few sets get here, and nearly all of it is exact questions.
-  [[gnu::cold]] void decide(const OuterCell &cell, uint32_t cap, VertexSides &sides, VertexBits &on_plane) const;
+  // Decides about the vertices of which `sides` is unsure, for each of some caps whose planes are no faces, and finds
+  // those through which the planes go before the inflation. Cold: few sets get here, and nearly all of it is exact
+  // questions.
+  [[gnu::cold]] void decide(const OuterCell &cell, Span<const uint32_t> numbers, VertexSides *sides,
+                            VertexBits *on_plane) const;
 
  private:
-  static constexpr double of_sides = OuterCell::side_numerator * OuterCell::side_numerator;  // then h <= L^2, too
+  exact::Plane plane_of(const OuterCell &cell, uint32_t face) const;
 
   const Caps &caps_;
-  exact::Predicates predicates_;
 };
 
 // The sets of vertices that planes go through.

@@ -127,35 +127,53 @@ class ExposedCaps::Cutting {
     }
   }
 
-  // Cuts by caps whose planes are near vertices, by integers. False if nothing is left.
+  // Cuts by caps whose planes are near vertices, by integers. False if nothing is left. Many are asked about together,
+  // but few behind one that cuts, since the next may, too.
   bool cut_by_integers(Span<const uint32_t> numbers, const CellTies &ties) {
-    for (const uint32_t number : numbers) {
-      VertexSides sides;
-      VertexBits on_plane;
-      if (!find_sides(number, ties, sides, on_plane)) continue;
-      const OuterCell::Cut cut = cell_.cut(plane_of(number, 0), sides.outside);
-      if (cut == OuterCell::Cut::buries) return false;
-      if (cut != OuterCell::Cut::cuts) continue;
-      state_[number] = has_cut;
-      if (leaves_nothing()) return false;
+    for (uint32_t t = 0, together = 1; t < numbers.size();) {
+      Sides found;
+      const uint32_t end = together < numbers.size() - t ? t + together : numbers.size();
+      const uint32_t asked = find_sides(numbers.part(t, end), ties, found);
+      together = together < CapBatch::most ? 2 * together : together;
+      uint32_t k = 0;
+      while (k < asked) {
+        const uint32_t number = numbers[t + k];
+        const OuterCell::Cut cut = cell_.cut(plane_of(number, k), found.sides[k].outside);
+        ++k;
+        if (cut == OuterCell::Cut::buries) return false;
+        if (cut != OuterCell::Cut::cuts) continue;
+        state_[number] = has_cut;
+        if (leaves_nothing()) return false;
+        together = 1;
+        break;
+      }
+      t += asked > 0 ? k : 1;
     }
     return true;
   }
 
   // Drops those of them that miss what is left, but for the planes that go through vertices.
-  void drop_by_integers(Span<const uint32_t> numbers, const CellTies &ties, TiedSets &sets) {
+  void drop_by_integers(Span<uint32_t> numbers, const CellTies &ties, TiedSets &sets) {
+    uint32_t others = 0;
     for (const uint32_t number : numbers) {
-      VertexSides sides;
-      VertexBits on_plane;
       if (is_face(number)) continue;
       state_[number] = stays;
-      if (!find_sides(number, ties, sides, on_plane) || (sides.outside[0] | sides.outside[1]) != 0) continue;
-      const uint32_t set = on_plane.empty() ? TiedSets::most : sets.number_of(on_plane);
-      if (set < TiedSets::most) {
-        state_[number] = static_cast<uint8_t>(tied + set);
-      } else if (on_plane.empty()) {
-        state_[number] = dropped;
+      numbers[others++] = number;
+    }
+    for (uint32_t t = 0; t < others;) {
+      Sides found;
+      const uint32_t asked = find_sides(numbers.part(t, others), ties, found);
+      for (uint32_t k = 0; k < asked; ++k) {
+        if ((found.sides[k].outside[0] | found.sides[k].outside[1]) != 0) continue;
+        const VertexBits &on_plane = found.on_plane[k];
+        const uint32_t set = on_plane.empty() ? TiedSets::most : sets.number_of(on_plane);
+        if (set < TiedSets::most) {
+          state_[numbers[t + k]] = static_cast<uint8_t>(tied + set);
+        } else if (on_plane.empty()) {
+          state_[numbers[t + k]] = dropped;
+        }
       }
+      t += asked > 0 ? asked : 1;
     }
   }
 
@@ -176,11 +194,18 @@ class ExposedCaps::Cutting {
     return false;
   }
 
-  bool find_sides(uint32_t number, const CellTies &ties, VertexSides &sides, VertexBits &on_plane) {
-    if (!load({&number, 1})) return false;
-    sides = sides_of_vertices(caps_.target, cell_, plane_of(number, 0));
-    ties.decide(cell_, number, sides, on_plane);
-    return true;
+  struct Sides {
+    VertexSides sides[CapBatch::most];
+    VertexBits on_plane[CapBatch::most];
+  };
+  // Of the first ones, a batch at most: of how many. 0 if the first is not certain to be a circle.
+  uint32_t find_sides(Span<const uint32_t> numbers, const CellTies &ties, Sides &found) {
+    if (!load(numbers)) return 0;
+    for (uint32_t k = 0; k < batch_.count; ++k) {
+      found.sides[k] = sides_of_vertices(caps_.target, cell_, plane_of(numbers[k], k));
+    }
+    ties.decide(cell_, numbers.part(0, batch_.count), found.sides, found.on_plane);
+    return batch_.count;
   }
 
   uint32_t may_cut(uint32_t asked) { return caps_that_may_cut(caps_.target, cell_, batch_, asked); }
@@ -273,10 +298,9 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
   }
   if (cutting.some_wait() && !cutting.cut_by(in_states(count, waits, waits), 0.0)) return false;
   cutting.drop(in_states(count, has_cut, near_vertex));
-  const Span<const uint32_t> near = in_states(count, near_vertex, near_vertex);
+  const Span<uint32_t> near = in_states(count, near_vertex, near_vertex);
   if (near.size() >= fewest_ties) {
-    // Caps that floats have are of balls no more than four radii away.
-    const CellTies ties(caps, floats != nullptr ? 5.0 * static_cast<double>(caps.sphere.W) : caps.length_squared);
+    const CellTies ties(caps);
     TiedSets sets;
     if (!cutting.cut_by_integers(near, ties)) return false;
     cutting.drop_by_integers(near, ties, sets);

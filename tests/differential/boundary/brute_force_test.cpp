@@ -46,6 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"collinear", oracle::collinear_balls, 500, 2, 9},
         Kind{"through_point", oracle::balls_through_point, 1000, 2, 11},
         Kind{"through_circle", oracle::balls_through_circle, 500, 2, 9},
+        Kind{"around_circle", oracle::balls_around_circle, 8, 28, 34},
         Kind{"tangent", oracle::tangent_balls, 1000, 2, 11}, Kind{"lattice", oracle::lattice_balls, 500, 4, 16},
         Kind{"repeated", oracle::repeated_balls, 500, 2, 12}, Kind{"crowned", oracle::crowned_balls, 500, 9, 34},
         Kind{"colliding", oracle::colliding_balls, 8, 200, 300}, Kind{"mixed", oracle::degenerate_balls, 1000, 4, 12}),

@@ -1,5 +1,6 @@
-// Predicate near: a power vertex of four balls against a fifth. The exact stage against a naive determinant for balls
-// that are really inflated by tiny amounts, with both limb widths; the filter against the exact stage; the filter's
+// Predicate near: a power vertex of four balls against a fifth. The exact stage, of one question and of a vertex of which
+// many are asked, against a naive determinant for balls that are really inflated by tiny amounts, with both limb widths;
+// the filter against the exact stage; the filter's
 // error and the largest value at the worst inputs that a search finds, in units of their bounds.
 //
 // G is linear in the weights. They become w + sum of a_k 2^-192k with the amounts w, 1, the centre's coordinates, a
@@ -17,6 +18,7 @@
 
 #include "exact/chord_line.hpp"
 #include "exact/filter.hpp"
+#include "exact/power_vertex.hpp"
 #include "filter_bounds_search.hpp"
 
 namespace {
@@ -28,12 +30,15 @@ using perturbation::Int128;
 using perturbation::Integer;
 using Narrow = exact::ExactPredicates<uint32_t>;
 using NarrowLine = exact::ChordLine<uint32_t>;
+using NarrowVertex = exact::PowerVertexOf<uint32_t>;
 #if defined(__SIZEOF_INT128__)
 using Wide = exact::ExactPredicates<uint64_t>;
 using WideLine = exact::ChordLine<uint64_t>;
+using WideVertex = exact::PowerVertexOf<uint64_t>;
 #else
 using Wide = Narrow;
 using WideLine = NarrowLine;
+using WideVertex = NarrowVertex;
 #endif
 
 using FiveBalls = std::array<LatticeBall, 5>;
@@ -100,6 +105,15 @@ double length_squared(const FiveBalls &balls) {
   return largest;
 }
 
+// A vertex of which many questions are asked answers as one question does.
+void expect_same(const exact::Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R, const Plane &S,
+                 const exact::Sign &expected) {
+  for (const exact::Sign &sign : {WideVertex(sphere, P, Q, R).near(S), NarrowVertex(sphere, P, Q, R).near(S)}) {
+    EXPECT_EQ(sign.sign, expected.sign);
+    EXPECT_EQ(sign.tied, expected.tied);
+  }
+}
+
 struct Tally {
   uint32_t asked = 0, tied = 0, sure = 0;
 };
@@ -117,6 +131,7 @@ void compare(const FiveBalls &balls, Tally &tally) {
   EXPECT_EQ(wide.tied, given.sign() == 0);
   EXPECT_EQ(narrow.sign, wide.sign);
   EXPECT_EQ(narrow.tied, wide.tied);
+  expect_same(sphere, P, Q, R, S, wide);
   tally.tied += wide.tied ? 1 : 0;
   const exact::FilterBounds bounds = exact::FilterBounds::for_length_squared(length_squared(balls));
   const int filtered = exact::filter_near(bounds, P, Q, R, S);
@@ -176,6 +191,41 @@ TEST(PowerVertex, RanksDecideWhatNoLevelDoes) {
     if (all_meet_the_first(balls)) compare(balls, tally);
   }
   EXPECT_GT(tally.tied, 300U);
+}
+
+// One or two of the planes are sides of a cube, which do not grow; balls are of one size around points of a circle, so
+// that the planes of all go through its axis, or any.
+TEST(PowerVertex, IsNearAsOneQuestionSaysBesidePlanesThatDoNotGrow) {
+  oracle::RandomSource random(607);
+  constexpr int64_t circle[][2] = {{7, 4}, {8, 1}, {8, -1}, {4, -7}, {1, -8}, {-4, -7}, {-8, 1}, {-7, 4}, {-1, 8}};
+  uint32_t tied[2] = {0, 0}, others = 0;
+  for (int k = 0; k < 6000; ++k) {
+    const int64_t scale = random.one_in(2) ? 1 : int64_t{1} << 26;
+    FiveBalls balls = tied_balls(random, scale);
+    const bool along_axis = random.one_in(2);
+    for (uint32_t b = 0; along_axis && b < 5; ++b) {
+      const auto &point = circle[(random.below(2) + 2 * b) % std::size(circle)];
+      balls[b] = {{scale * point[0], scale * point[1], 0}, 9 * scale, b};
+    }
+    const exact::Sphere sphere = exact::sphere_of(balls[0]);
+    const auto side = [&](size_t axis) {
+      const int64_t way = random.one_in(2) ? 8 : -8;
+      return exact::virtual_plane({axis == 0 ? way : 0, axis == 1 ? way : 0, axis == 2 ? way : 0},
+                                  18 * balls[0].radius);
+    };
+    const bool two = random.one_in(4);
+    Plane planes[3] = {plane(balls, 1), two ? side(random.below(2)) : plane(balls, 2), side(2)};
+    std::rotate(planes, planes + random.below(3), planes + 3);
+    const auto &[P, Q, R] = planes;
+    const Plane S = plane(balls, 4);
+    if (Wide::triple_product_sign(P.v, Q.v, R.v) == 0) continue;
+    const exact::Sign expected = Wide::near(sphere, P, Q, R, S);
+    expect_same(sphere, P, Q, R, S, expected);
+    ++(expected.tied ? tied[along_axis ? 1 : 0] : others);
+  }
+  std::cout << "  tied " << tied[0] << " and on the axis " << tied[1] << ", others " << others << '\n';
+  EXPECT_GT(tied[1], 500U);
+  EXPECT_GT(others, 500U);
 }
 
 // A hill climb over five balls: the first four by the search of the other filters' tests, the fifth beside them.

@@ -43,12 +43,12 @@ TEST(CellTies, AreDecidedAsByTheInflatedBalls) {
     OuterCell cell;
     cell.start();
     const auto plane = [&](uint32_t k) { return OuterCell::Plane{caps.ux[k], caps.uy[k], caps.uz[k], caps.b[k], k}; };
-    const CellTies ties(caps, caps.length_squared);
+    const CellTies ties(caps);
     for (uint32_t k = 0; k < caps.count; ++k) {
       VertexSides sides = sides_of_vertices(caps.target, cell, plane(k));
       const VertexSides before = sides;
       VertexBits on_plane;
-      ties.decide(cell, k, sides, on_plane);
+      ties.decide(cell, {&k, 1}, &sides, &on_plane);
       EXPECT_EQ(sides.unsure[0] | sides.unsure[1], 0U);
       for (uint32_t v = 0; v < cell.vertices; ++v) {
         const uint8_t *const face = cell.face[v];
@@ -70,7 +70,7 @@ TEST(CellTies, AreDecidedAsByTheInflatedBalls) {
       VertexSides sides{{0, 0}, {0xFF, 0}};
       const VertexSides expected = sides_of_vertices(caps.target, cell, plane(k));
       VertexBits on_plane;
-      ties.decide(cell, k, sides, on_plane);
+      ties.decide(cell, {&k, 1}, &sides, &on_plane);
       EXPECT_EQ(expected.unsure[0], 0U);
       EXPECT_EQ(sides.outside[0], expected.outside[0]);
       EXPECT_TRUE(on_plane.empty());

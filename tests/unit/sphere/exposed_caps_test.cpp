@@ -156,9 +156,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"collinear", oracle::collinear_balls, 20},
                     Kind{"through_point", oracle::balls_through_point, 20},
                     Kind{"through_circle", oracle::balls_through_circle, 20},
-                    Kind{"tangent", oracle::tangent_balls, 30}, Kind{"lattice", oracle::lattice_balls, 30},
-                    Kind{"repeated", oracle::repeated_balls, 30}, Kind{"crowned", oracle::crowned_balls, 34},
-                    Kind{"mixed", oracle::degenerate_balls, 30}),
+                    Kind{"around_circle", oracle::balls_around_circle, 40}, Kind{"tangent", oracle::tangent_balls, 30},
+                    Kind{"lattice", oracle::lattice_balls, 30}, Kind{"repeated", oracle::repeated_balls, 30},
+                    Kind{"crowned", oracle::crowned_balls, 34}, Kind{"mixed", oracle::degenerate_balls, 30}),
     [](const auto &kind) { return std::string(kind.param.name); });
 
 // Models of one molecule: most balls are buried by a few others, and of the rest most caps go.
