@@ -24,7 +24,7 @@ class PowerVertexOf {
  private:
   using I128 = WideInteger<Limb, 128>;
 
-  // What grows, of section 3: nothing; all in proportion; by the quadratic form. That decides nearly all.
+  // Of section 3: nothing grows; all do in proportion; all do by the quadratic form. That decides nearly all.
   static constexpr int levels = 3;
   // By what h changes at a level.
   static I128 change_of(int level, const Plane &plane);

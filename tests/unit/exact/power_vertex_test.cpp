@@ -1,7 +1,7 @@
-// Predicate near: a power vertex of four balls against a fifth. The exact stage, of one question and of a vertex of which
-// many are asked, against a naive determinant for balls that are really inflated by tiny amounts, with both limb widths;
-// the filter against the exact stage; the filter's
-// error and the largest value at the worst inputs that a search finds, in units of their bounds.
+// Predicate near: a power vertex of four balls against a fifth. The exact stage, of one question and of a vertex of
+// which many are asked, against a naive determinant for balls that are really inflated by tiny amounts, with both limb
+// widths; the filter against the exact stage; the filter's error and the largest value at the worst inputs that a search
+// finds, in units of their bounds.
 //
 // G is linear in the weights. They become w + sum of a_k 2^-192k with the amounts w, 1, the centre's coordinates, a
 // quadratic form of them, and 1 at k = 7 + rank: with coefficients below 2^97 and amounts below 2^76 the first sum that
