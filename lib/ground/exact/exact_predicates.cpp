@@ -72,7 +72,10 @@ class Growth {
       : origin_(origin_plane(sphere)), weight_(sphere.W / 4), ball_{&origin_}, change_{alike} {}
   // If the ball behind a plane grows alone. That of a virtual plane does not. Out of line, as sign() is.
   [[gnu::noinline]] void add(const Plane &plane, const I192 &change) {
-    if (plane.perturbed == 0) return;
+    if (plane.perturbed == 0) {
+      balls_alone_ = false;
+      return;
+    }
     ball_[balls_] = &plane;
     change_[balls_++] = change;
     change_[0] = change_[0] - change;
@@ -83,9 +86,10 @@ class Growth {
     return level == levels - 1 ? sign_of_sum([](const Plane &ball) { return last_amount(ball); })
                                : sign_of_sum([&](const Plane &ball) { return amount(level, ball); });
   }
-  // At the first level where they change it, which decides what is linear in the weights.
+  // At the first level where they change it, which decides what is linear in the weights. For balls alone the sums
+  // with 1, x, y and z are 0.
   int sign() const {
-    for (int level = 0; level < levels; ++level) {
+    for (int level = 0; level < levels; level += level == 0 && balls_alone_ ? levels - 1 : 1) {
       if (const int of_level = sign(level); of_level != 0) return of_level;
     }
     int first = -1;
@@ -121,6 +125,7 @@ class Growth {
   const Plane *ball_[5];
   I192 change_[5];
   int balls_ = 1;
+  bool balls_alone_ = true;
 };
 
 template <class Limb>

@@ -36,7 +36,7 @@ struct ExactPredicates {
   // For circles P, Q that cross: whether their common points lie inside R.
   static PointStatus point_status(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R);
   // For four balls whose planes meet in one point, their power vertex (B not 0): +1 if it is nearer to them than to
-  // ball S, in power distance, else -1. All are balls.
+  // ball S, in power distance, else -1. P, Q and R may be virtual planes.
   static Sign near(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R, const Plane &S);
 
   // Exact values, rounded once, for metric quantities.

@@ -241,7 +241,7 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
     if (NearCaps::are_many(caps, caps.b.data())) {
       finder_.find(balls, caps, face_finder_.idle_while_searching().near_caps(), vertices_, circles_);
     } else {
-      finder_.find(balls, caps, vertices_, circles_);
+      finder_.cull_and_find(balls, caps, vertices_, circles_);
     }
   }
   if (selected_ != nullptr) order_balls_of_records(first_vertex, first_circle);

@@ -40,9 +40,12 @@ class ChordWalk {
   // Whether the next ball has no other chords than such with two free ends, as far as it can be seen at once. Then it
   // need not come, and `ends` are the vertices of these chords, two after two.
   bool has_whole_chords(const Boundary &boundary, uint32_t ball, IdRange &ends);
-  // Of many caps keeps those whose planes may touch the ball's power cell: the same is found with these.
-  void keep_exposed(Caps &caps) const {
-    if (!clipper_.exposed_caps().keep(ExposedCaps::Part::ball, caps)) caps.count = 0;
+  // Of many caps keeps those whose planes may touch the ball's power cell: the same is found with these. Where one
+  // chord is searched for among all pairs, fewer are many.
+  void keep_exposed(const Boundary &boundary, Caps &caps) const {
+    constexpr uint32_t many_of_pairs = 32;
+    const uint32_t many = asks_for_all_caps(boundary, caps.origin) ? many_of_pairs : ExposedCaps::fewest;
+    if (!clipper_.exposed_caps().keep(ExposedCaps::Part::ball, caps, many)) caps.count = 0;
   }
   // The next ball of the boundary by its caps, without those of balls inside other ones. All others that have caps must
   // come, in ascending order, once.

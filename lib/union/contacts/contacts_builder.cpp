@@ -192,7 +192,7 @@ void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary,
                                  bool in_lanes) {
   gather_caps(balls, boundary, block, i, in_lanes);
   if (some_inside_) caps_.keep_if([&boundary](uint32_t j) { return !boundary.is_contained(j); });
-  walk_.keep_exposed(caps_);
+  walk_.keep_exposed(boundary, caps_);
   caps_.first_later = 0;
   while (caps_.first_later < caps_.count && caps_.ball[caps_.first_later] < caps_.origin) ++caps_.first_later;
   static_assert(no_id == ~UINT32_C(0));

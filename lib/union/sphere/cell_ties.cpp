@@ -7,21 +7,24 @@
 
 namespace hsp {
 
-bool CellTies::decide(const OuterCell &cell, uint32_t cap, VertexSides &sides, VertexBits &on_plane) const {
+void CellTies::decide(const OuterCell &cell, uint32_t cap, VertexSides &sides, VertexBits &on_plane) const {
   const exact::Plane plane = caps_.plane(cap);
+  const auto plane_of = [&](uint32_t face) {
+    if (cell.cap[face] != no_id) return caps_.plane(cell.cap[face]);
+    const auto part = [](double u) { return static_cast<int64_t>(u) * OuterCell::side_denominator; };
+    return exact::virtual_plane({part(cell.ux[face]), part(cell.uy[face]), part(cell.uz[face])},
+                                2 * caps_.balls().ball(caps_.origin).radius * OuterCell::side_numerator);
+  };
   for (uint32_t word = 0; word < 2; ++word) {
     for (uint64_t left = sides.unsure[word]; left != 0; left &= left - 1) {
       const uint64_t bit = left & (~left + 1);
       const uint8_t *const face = cell.face[64 * word + static_cast<uint32_t>(__builtin_ctzll(left))];
-      const uint32_t p = cell.cap[face[0]], q = cell.cap[face[1]], r = cell.cap[face[2]];
-      if (p == no_id || q == no_id || r == no_id) return false;
-      const exact::Sign nearer = predicates_.near(caps_.plane(p), caps_.plane(q), caps_.plane(r), plane);
+      const exact::Sign nearer = predicates_.near(plane_of(face[0]), plane_of(face[1]), plane_of(face[2]), plane);
       if (nearer.sign < 0) sides.outside[word] |= bit;
       if (nearer.tied) on_plane.word[word] |= bit;
     }
     sides.unsure[word] = 0;
   }
-  return true;
 }
 
 uint32_t TiedSets::number_of(const VertexBits &set) {

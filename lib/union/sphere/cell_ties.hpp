@@ -21,14 +21,16 @@ struct VertexBits {
 class CellTies {
  public:
   // All |v|^2 of the caps are at most so large.
-  CellTies(const Caps &caps, double length_squared) : caps_(caps), predicates_(caps.sphere, length_squared) {}
+  CellTies(const Caps &caps, double length_squared)
+      : caps_(caps), predicates_(caps.sphere, length_squared > of_sides ? length_squared : of_sides) {}
 
   // Decides about the vertices of which `sides` is unsure, for a cap whose plane is no face, and finds those through
-  // which the plane goes before the inflation. False if one of them lies on a side of the cube. Cold: few sets get
-  // here, and nearly all of it is exact questions.
-  [[gnu::cold]] bool decide(const OuterCell &cell, uint32_t cap, VertexSides &sides, VertexBits &on_plane) const;
+  // which the plane goes before the inflation. Cold: few sets get here, and nearly all of it is exact questions.
+  [[gnu::cold]] void decide(const OuterCell &cell, uint32_t cap, VertexSides &sides, VertexBits &on_plane) const;
 
  private:
+  static constexpr double of_sides = OuterCell::side_numerator * OuterCell::side_numerator;  // then h <= L^2, too
+
   const Caps &caps_;
   exact::Predicates predicates_;
 };

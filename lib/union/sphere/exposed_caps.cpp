@@ -179,7 +179,8 @@ class ExposedCaps::Cutting {
   bool find_sides(uint32_t number, const CellTies &ties, VertexSides &sides, VertexBits &on_plane) {
     if (!load({&number, 1})) return false;
     sides = sides_of_vertices(caps_.target, cell_, plane_of(number, 0));
-    return ties.decide(cell_, number, sides, on_plane);
+    ties.decide(cell_, number, sides, on_plane);
+    return true;
   }
 
   uint32_t may_cut(uint32_t asked) { return caps_that_may_cut(caps_.target, cell_, batch_, asked); }
@@ -285,14 +286,14 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
   return true;
 }
 
-bool ExposedCaps::keep(Part part, Caps &caps) {
+bool ExposedCaps::keep(Part part, Caps &caps, uint32_t many) {
   if (small_code) return true;
   // Where the ball has another one inside, as of copies of a set each has, others may be there several times.
   if (caps.met > caps.count) {
     for (uint32_t k = 0; k < caps.count; ++k) order_[k] = k;
     caps.keep(without_copies(caps, order_.part(0, caps.count)));
   }
-  if (!are_many(caps)) return true;
+  if (caps.count < many) return true;
   if (!find(part, caps)) return false;
   caps.keep(kept());
   return true;

@@ -14,8 +14,8 @@ namespace hsp {
 
 class ExposedCaps {
  public:
-  // Fewer are searched as they are: that is as quick. Small code does without: where flash counts, balls
-  // have few caps.
+  // Fewer are searched as they are: that is as quick, and where it turns out not to be, these are found after all.
+  // Small code does without: where flash counts, balls have few caps.
   static constexpr uint32_t fewest = 160;
   static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest; }
 
@@ -28,12 +28,12 @@ class ExposedCaps {
   bool find(Part part, const Caps &caps, const FloatCaps *floats = nullptr);
   // After find: the numbers of those that stay, ascending.
   Span<const uint32_t> kept() const { return order_.part(0, kept_); }
-  // Of caps, if they are many, keeps these. False if nothing is left. Of few it keeps one of each of equal balls, if
+  // Of so many caps or more keeps these. False if nothing is left. Of fewer it keeps one of each of equal balls, if
   // there are such.
-  bool keep(Part part, Caps &caps);
+  bool keep(Part part, Caps &caps, uint32_t many = fewest);
 
   // For tests: of how many caps that doubles leave in doubt at vertices integers are asked.
-  uint32_t fewest_ties = fewest;
+  uint32_t fewest_ties = 24;
 
  private:
   // States of a cap. It is dropped; it is not looked at yet: that and its class of size; its plane cuts less deep than

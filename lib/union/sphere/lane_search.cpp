@@ -1,8 +1,9 @@
 // One ball's search with several caps at a time.
 //
 // As an example of the memory, for 100 neighbours: rows of 100 numbers and some spare ones, up to a multiple of 8,
-// behind each other in one array. Four rows x, y, z and b are caps. There are four such sets, caps, by_size, large and
-// exposed, and two rows of numbers of caps: 18 rows in all.
+// behind each other in one array:
+//   caps, by_size, large, exposed      four rows each, x, y, z and b
+//   exposed_cap, crossed               one each, of numbers of caps: 18 rows in all
 #include "sphere/lane_search.hpp"
 
 namespace hsp {
@@ -128,19 +129,24 @@ bool SearchInLanes::keep_exposed(Caps &caps, ExposedCaps exposed) {
 
 uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &finder, const FreeIntervals &idle,
                              FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
-  if (ExposedCaps::are_many(caps) && !keep_exposed(caps, finder.exposed_caps())) return 0;
+  bool may_give_up = !small_code;
+  if (ExposedCaps::are_many(caps)) {
+    if (!keep_exposed(caps, finder.exposed_caps())) return 0;
+    may_give_up = false;
+  }
   if (NearCaps::are_many(caps, sweep_.caps.b)) {
     caps.make_doubles();
     finder.find(balls, caps, idle.near_caps(), vertices, circles);
     return 0;
   }
-  if (caps.count > most_few_caps) {
-    find_many(balls, caps, finder, vertices, circles);
-    return 0;
+  while (caps.count > most_few_caps) {
+    if (find_many(balls, caps, finder, may_give_up, vertices, circles)) return 0;
+    if (!keep_exposed(caps, finder.exposed_caps())) return 0;
+    may_give_up = false;
   }
   FewCaps found;
   if (!find_few(caps, found)) {
-    finder.find(balls, caps, vertices, circles);
+    finder.cull_and_find(balls, caps, vertices, circles);
     return 0;
   }
   exact::count_answer(exact::Question::vertex_pair, exact::Stage::lanes, found.crossing);
@@ -156,8 +162,11 @@ uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &fin
   return found.clusters;
 }
 
-void SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &finder,
+bool SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, bool may_give_up,
                               FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
+  // Of molecules large caps leave fewer circles open.
+  constexpr uint32_t many_circles = 32;
+  const uint64_t known = vertices.required();
   bool prepared = false;
   [[maybe_unused]] uint32_t passed_on = 0;
   const auto prepare = [&]() {
@@ -169,6 +178,7 @@ void SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &fi
   sweep_.count = caps.count;
   sweep_.first_later = caps.first_later;
   start_sweep(target_, sweep_);
+  if (may_give_up && sweep_.exposed_count >= many_circles) return false;
   OpenPair pairs[PairSweep::batch];
   while (const uint32_t found = next_open_pairs(target_, sweep_, pairs)) {
     for (const OpenPair &pair : Span<const OpenPair>(pairs, found)) {
@@ -176,7 +186,9 @@ void SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &fi
         prepare();
         ++passed_on;
         finder.decide_pair(balls, caps, pair.j, pair.k, vertices);
-        continue;
+        if (!may_give_up || !finder.asks_much()) continue;
+        vertices.set_count(known);
+        return false;
       }
       const uint32_t j = caps.ball[pair.j], k = caps.ball[pair.k];
       if (pair.minus) vertices.push({{caps.origin, j, k}, 0});
@@ -189,6 +201,7 @@ void SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &fi
     prepare();
     finder.decide_circle(caps, j, circles);
   }
+  return true;
 }
 
 }  // namespace hsp

@@ -52,8 +52,9 @@ class SearchInLanes {
  private:
   bool keep_exposed(Caps &caps, ExposedCaps exposed);
   bool find_few(Caps &caps, FewCaps &found);
-  void find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
-                 FixedVector<CircleRecord> &circles);
+  // False if it gave up, as it takes long: then nothing is found.
+  bool find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, bool may_give_up,
+                 FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles);
 
   Target target_ = Target::baseline;
   CandidatesInLanes candidates_;

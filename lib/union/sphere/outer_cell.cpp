@@ -52,7 +52,7 @@ void OuterCell::start() {
     ux[f] = f % 3 == 0 ? sign : 0.0;
     uy[f] = f % 3 == 1 ? sign : 0.0;
     uz[f] = f % 3 == 2 ? sign : 0.0;
-    b[f] = 1.0;
+    b[f] = static_cast<double>(side_numerator) / side_denominator;
     cap[f] = no_id;
   }
   faces = (1U << sides) - 1;

@@ -32,7 +32,9 @@ struct OuterCell {
   uint32_t cap[most_faces];  // of which cap a plane is; no_id of the cube
   uint64_t faces = 0;        // bits of those that have a vertex
 
-  // The cube around the unit sphere.
+  // The cube around the unit sphere, as a fraction: somewhat larger, so that balls that are inflated by infinitely
+  // little lie in it, too, and planes that meet in a point of the sphere hardly meet in one of a side.
+  static constexpr int32_t side_numerator = 9, side_denominator = 8;
   void start();
   // Whether no part of it reaches the unit sphere.
   bool lies_inside_sphere() const;

@@ -135,6 +135,7 @@ VertexFinder::pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t 
   }
   if (!circles.certainly_cross()) {
     exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
+    ++asked_;
     if (find_vertices_exactly(balls, caps, tests_, j, k, nullptr, vertices)) {
       state_[j] |= crossed;
       state_[k] |= crossed;
@@ -150,6 +151,7 @@ VertexFinder::pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t 
   }
   if (answer[0] == PointAnswer::uncertain || answer[1] == PointAnswer::uncertain) {
     exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
+    ++asked_;
     find_vertices_of_crossing(balls, caps, tests_, j, k, vertices);
     return;
   }
@@ -172,16 +174,37 @@ void VertexFinder::decide_circle(const Caps &caps, uint32_t j, FixedVector<Circl
 void VertexFinder::start(const Caps &caps) {
   tests_.fill(caps);
   for (uint32_t j = 0; j < caps.count; ++j) state_[j] = 0;
-  hint_[0] = hint_[1] = 0;
+  hint_[0] = hint_[1] = asked_ = 0;
+}
+
+bool VertexFinder::search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
+                          FixedVector<CircleRecord> &circles) {
+  const uint64_t known = vertices.required();
+  start(caps);
+  for (uint32_t j = caps.first_later; j < caps.count; ++j) {
+    for (uint32_t k = j + 1; k < caps.count; ++k) {
+      pair(balls, caps, j, k, vertices);
+      if (!may_give_up || !asks_much()) continue;
+      vertices.set_count(known);
+      return false;
+    }
+  }
+  for (uint32_t j = caps.first_later; j < caps.count; ++j) decide_circle(caps, j, circles);
+  return true;
 }
 
 void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                         FixedVector<CircleRecord> &circles) {
-  start(caps);
-  for (uint32_t j = caps.first_later; j < caps.count; ++j) {
-    for (uint32_t k = j + 1; k < caps.count; ++k) pair(balls, caps, j, k, vertices);
-  }
-  for (uint32_t j = caps.first_later; j < caps.count; ++j) decide_circle(caps, j, circles);
+  search(balls, caps, false, vertices, circles);
+}
+
+void VertexFinder::cull_and_find(const BallSet &balls, Caps &caps, FixedVector<VertexRecord> &vertices,
+                                 FixedVector<CircleRecord> &circles) {
+  if (search(balls, caps, true, vertices, circles)) return;
+  ExposedCaps exposed = exposed_caps();
+  if (!exposed.find(ExposedCaps::Part::sphere, caps)) return;
+  caps.keep(exposed.kept());
+  find(balls, caps, vertices, circles);
 }
 
 void VertexFinder::find(const BallSet &balls, const Caps &caps, NearCaps near, FixedVector<VertexRecord> &vertices,

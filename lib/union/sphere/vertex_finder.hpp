@@ -42,6 +42,9 @@ class VertexFinder {
   // The same of very many caps, by an index of them: what meets a circle is near to its cap.
   void find(const BallSet &balls, const Caps &caps, NearCaps near, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
+  // The same, but where integers decide about many pairs, as of spheres through one point, only caps that matter stay.
+  void cull_and_find(const BallSet &balls, Caps &caps, FixedVector<VertexRecord> &vertices,
+                     FixedVector<CircleRecord> &circles);
   // On the circle of the last cap alone.
   void find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                     FixedVector<CircleRecord> &circles);
@@ -51,8 +54,13 @@ class VertexFinder {
   void start(const Caps &caps);
   void decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
   void decide_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;
+  // Whether integers have decided about so many pairs since the start that it is quicker to keep exposed caps first.
+  bool asks_much() const { return !small_code && asked_ > 32; }
 
  private:
+  // False if it gave up as integers decide about many pairs: then nothing is found.
+  bool search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
+              FixedVector<CircleRecord> &circles);
   void pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
 
   // State of a cap during the loop over pairs; bits.
@@ -61,6 +69,7 @@ class VertexFinder {
 
   CapTests tests_;
   Span<uint8_t> state_;
+  uint32_t asked_ = 0;         // pairs that integers decided
   uint32_t hint_[2] = {0, 0};  // the groups of test caps that covered the last p- and p+
 };
 

@@ -54,7 +54,7 @@ class WalkedBalls {
       gather(i);
       with_many_later_ += caps_.count - caps_.first_later > hsp::MaskedChords::most_caps ? 1U : 0U;
       caps_found_ += caps_.count;
-      walk.keep_exposed(caps_);
+      walk.keep_exposed(boundary_.boundary(), caps_);
       caps_kept_ += caps_.count;
       place_first_later();
       all_asked_ += walk.asks_for_all_caps(boundary_.boundary(), i) ? 1U : 0U;

@@ -49,7 +49,7 @@ std::vector<Plane> sides_of_cube() {
   std::vector<Plane> planes;
   for (size_t axis = 0; axis < 3; ++axis) {
     for (const long double sign : {1.0L, -1.0L}) {
-      Plane plane{{0, 0, 0}, 1};
+      Plane plane{{0, 0, 0}, 1.125L};
       plane.u[axis] = sign;
       planes.push_back(plane);
     }
@@ -136,9 +136,9 @@ TEST(OuterCell, AnswersOfTheCube) {
     cell.start();
     EXPECT_EQ(cell.vertices, 8U);
     EXPECT_FALSE(cell.lies_inside_sphere());
-    EXPECT_EQ(cell.cut(target, {1, 0, 0, 1.01}), OuterCell::Cut::misses);
-    EXPECT_EQ(cell.cut(target, {1, 0, 0, 1}), OuterCell::Cut::unsure);  // the side itself
-    EXPECT_EQ(cell.cut(target, {1, 0, 0, -1.01}), OuterCell::Cut::buries);
+    EXPECT_EQ(cell.cut(target, {1, 0, 0, 1.13}), OuterCell::Cut::misses);
+    EXPECT_EQ(cell.cut(target, {1, 0, 0, 1.125}), OuterCell::Cut::unsure);  // the side itself
+    EXPECT_EQ(cell.cut(target, {1, 0, 0, -1.13}), OuterCell::Cut::buries);
     EXPECT_EQ(cell.cut(target, {1, 0, 0, 0x1p-2}), OuterCell::Cut::cuts);
     EXPECT_EQ(cell.vertices, 8U);
     // A plane so nearly parallel to that one that where they meet is not certain.
