@@ -25,7 +25,6 @@ pub const HSP_E_NOT_FINITE: i32 = -10;
 pub const HSP_E_NEGATIVE: i32 = -11;
 pub const HSP_E_RANGE: i32 = -12;
 pub const HSP_E_CONFLICT: i32 = -13;
-pub const HSP_E_OPEN_SURFACE: i32 = -14;
 pub const HSP_E_EXECUTOR: i32 = -15;
 pub const HSP_E_DEGENERATE: i32 = -16;
 pub const HSP_E_STOPPED: i32 = -17;

@@ -82,8 +82,6 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
   ! parts that do not fit together: sticks, bricks; which ones is reported
   integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
-  ! not returned any more: every smooth surface is closed
-  integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
   ! the caller's executor failed, or did not call every task exactly once
   integer(c_int32_t), parameter :: HSP_E_EXECUTOR = -15_c_int32_t
   ! ties or near ties of the input that could not be resolved

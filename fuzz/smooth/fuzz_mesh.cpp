@@ -1,7 +1,6 @@
 // The triangles of any boundary and of the smooth surface over it, with edges of any length: a closed surface with the
 // Euler characteristic of what it is made from, of a boundary with every vertex on it, the same bytes twice, and limits
-// that are too small. HSP_E_DEGENERATE is right where borders lie on each other, and HSP_E_OPEN_SURFACE where joints of
-// the smooth surface are open.
+// that are too small. HSP_E_DEGENERATE is right where borders lie on each other.
 #include <mesh_invariants.h>
 
 #include <cmath>
@@ -21,8 +20,7 @@ class Result {
     FUZZ_REQUIRE(status_ == HSP_OK || status_ == HSP_E_DEGENERATE, hsp_status_text(status_));
   }
   Result(const surface_result &base, double edge) : status_(mesh_result_make_surface(&base, edge, &mesh_)) {
-    const int32_t made = base.counts.open_joints == 0 ? HSP_OK : HSP_E_OPEN_SURFACE;
-    FUZZ_REQUIRE(status_ == made || (made == HSP_OK && status_ == HSP_E_DEGENERATE), hsp_status_text(status_));
+    FUZZ_REQUIRE(status_ == HSP_OK || status_ == HSP_E_DEGENERATE, hsp_status_text(status_));
   }
   ~Result() { mesh_result_release(&mesh_); }
   Result(const Result &) = delete;
@@ -47,8 +45,6 @@ class Surface {
   Surface &operator=(const Surface &) = delete;
 
   const surface_result &get() const { return surface_; }
-  bool is_closed() const { return surface_.counts.open_joints == 0; }
-  // Of a surface that is closed.
   int64_t euler() const {
     hsp_surface_part_counts map{};
     FUZZ_REQUIRE(hsp_surface_get_part_counts(surface_.surface, &map) == HSP_OK, "counts of the map");
@@ -150,12 +146,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const int32_t fits_surface = hsp_mesh_limits_init_surface(&expected, sizeof expected, surface.get().surface, edge);
   hsp_model_info info{};
   FUZZ_REQUIRE(hsp_model_get_info(base.model, &info) == HSP_OK, "info");
-  if (surface.is_closed()) {
-    FUZZ_REQUIRE(fits_surface == HSP_OK, hsp_status_text(fits_surface));
-    require_mesh(surface.get(), edge, info.probe > 0.0 ? surface.euler() : base.counts.euler, bytes);
-  } else {
-    FUZZ_REQUIRE(fits_surface == HSP_E_OPEN_SURFACE, "limits for a surface that is open");
-    FUZZ_REQUIRE(Result(surface.get(), edge).status() == HSP_E_OPEN_SURFACE, "triangles of a surface that is open");
-  }
+  FUZZ_REQUIRE(fits_surface == HSP_OK, hsp_status_text(fits_surface));
+  require_mesh(surface.get(), edge, info.probe > 0.0 ? surface.euler() : base.counts.euler, bytes);
   return 0;
 }

@@ -113,20 +113,13 @@ void require_gradient(const surface_result &s) {
 }
 
 // Patches, edges and corners: the self-check holds, and what is read of them agrees with itself and with the totals.
-// Joints may be open where four spheres meet in a point, or nearly so.
 void require_map(const surface_result &s, const hsp_boundary_counts &boundary) {
   hsp_surface *surface = s.surface;
   uint32_t invariant = 0, id = 0;
-  const int32_t status = hsp_surface_check(surface, &invariant, &id);
-  const bool open = s.counts.open_joints > 0;
-  FUZZ_REQUIRE(status == (open ? HSP_E_OPEN_SURFACE : HSP_OK) && invariant == (open ? 1 : 0), "hsp_surface_check");
+  FUZZ_REQUIRE(s.counts.open_joints == 0, "an open joint");
+  FUZZ_REQUIRE(hsp_surface_check(surface, &invariant, &id) == HSP_OK && invariant == 0, "hsp_surface_check");
   hsp_surface_part_counts counts;
-  FUZZ_REQUIRE(hsp_surface_get_part_counts(surface, &counts) == (open ? HSP_E_OPEN_SURFACE : HSP_OK),
-               "counts of the map");
-  if (open) {
-    FUZZ_REQUIRE(hsp_surface_next(surface, 0) == HSP_NONE, "a step on an open surface");
-    return;
-  }
+  FUZZ_REQUIRE(hsp_surface_get_part_counts(surface, &counts) == HSP_OK, "counts of the map");
   std::vector<hsp_surface_patch> patches(counts.patches);
   std::vector<hsp_surface_edge> edges(counts.edges);
   std::vector<hsp_surface_corner> corners(counts.corners);
@@ -219,26 +212,20 @@ void require_parts(surface_result &s, fuzz::Bytes &bytes) {
     all.push_back(shell);
   }
   hsp_surface_limits most = s.needed;
-  bool refused = false;
   const auto measured = [&](const std::vector<uint32_t> &shells) {
     const int32_t status = hsp_surface_compute_shells(s.surface, s.base->boundary, shells.data(),
                                                       static_cast<uint32_t>(shells.size()), &most);
     hsp_surface_totals totals{};
     if (status == HSP_E_CAPACITY) return totals;
     FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
-    hsp_surface_counts counts{};
-    FUZZ_REQUIRE(hsp_surface_get_counts(s.surface, &counts) == HSP_OK, "counts of a part");
     uint32_t invariant = 0, id = 0;
-    const int32_t check = hsp_surface_check(s.surface, &invariant, &id);
-    FUZZ_REQUIRE(check == (counts.open_joints > 0 ? HSP_E_OPEN_SURFACE : HSP_OK), "a part is no map");
-    const int32_t measure = hsp_surface_measure(s.surface, &totals, nullptr, 0, nullptr);
-    FUZZ_REQUIRE(measure == HSP_OK || (measure == HSP_E_OPEN_SURFACE && counts.open_joints > 0), "a part has no area");
-    refused = refused || measure != HSP_OK;
+    FUZZ_REQUIRE(hsp_surface_check(s.surface, &invariant, &id) == HSP_OK, "a part is no map");
+    FUZZ_REQUIRE(hsp_surface_measure(s.surface, &totals, nullptr, 0, nullptr) == HSP_OK, "a part has no area");
     return totals;
   };
   const hsp_surface_totals first = measured(parts[0]), second = measured(parts[1]);
   const double tolerance = 1e-6 * (1.0 + s.base->totals.area) * extent_of(s);
-  if (first.area + second.area > 0 && !refused) {
+  if (first.area + second.area > 0) {
     FUZZ_REQUIRE(first.convex_area + second.convex_area <= s.totals.convex_area + tolerance, "convex patches of parts");
     FUZZ_REQUIRE(first.saddle_area + second.saddle_area <= s.totals.saddle_area + tolerance, "saddles of parts");
   }
@@ -257,7 +244,6 @@ void require_derivative(const fuzz::ScaledBalls &set, const surface_result &refe
   }
   wider.probe_steps += h;
   const Result other(wider);
-  if (other.get().without_totals) return;
   const double length = set.length(h);
   const double quotient = (reference.totals.volume - other.get().totals.volume) / length;
   const double low = std::min(reference.totals.area, other.get().totals.area);
@@ -291,14 +277,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::ScaledBalls set = fuzz::ball_set(bytes, 24);
   if (bytes.below(4) != 0) set.probe_steps = 1 + bytes.below(static_cast<uint32_t>(4 * set.steps_per_unit));
   Result reference(set);
-  if (reference.get().without_totals) {
-    hsp_gradient_outputs outputs{};
-    outputs.struct_size = sizeof outputs;
-    FUZZ_REQUIRE(hsp_surface_get_gradient(reference.get().surface, nullptr, &outputs) == HSP_E_OPEN_SURFACE,
-                 "a gradient without totals");
-    require_map(reference.get(), reference.get().base->counts);
-    return 0;
-  }
   require_sound(set, reference.get());
   require_gradient(reference.get());
   require_map(reference.get(), reference.get().base->counts);

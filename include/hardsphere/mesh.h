@@ -59,8 +59,7 @@ HSP_API int32_t HSP_CALL hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t 
  *  @retval HSP_E_VERSION       struct_size is bad
  *  @retval HSP_E_NOT_FINITE    edge_length is NaN or infinite
  *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
- *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
- *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed */
+ *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since */
 HSP_API int32_t HSP_CALL hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size,
                                                       const hsp_surface *surface, double edge_length);
 
@@ -122,7 +121,6 @@ HSP_API int32_t HSP_CALL hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *bo
  *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_CAPACITY      a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
- *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed
  *  @retval HSP_E_DEGENERATE    borders touch or lie on each other, as for a boundary, around a patch that has an area:
  *                              of 37 families of sets full of ties at most 1 of 100, of most of them none */
 HSP_API int32_t HSP_CALL hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
@@ -156,7 +154,6 @@ HSP_API int32_t HSP_CALL hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundar
  *  @retval HSP_E_STATE         as hsp_mesh_compute_surface
  *  @retval HSP_E_NOT_FINITE    edge_length is NaN or infinite
  *  @retval HSP_E_RANGE         as hsp_mesh_compute_surface
- *  @retval HSP_E_OPEN_SURFACE  as hsp_mesh_compute_surface
  *  @retval HSP_E_DEGENERATE    as hsp_mesh_compute_surface
  *  @retval HSP_E_STOPPED       the executor said not to go on */
 HSP_API int32_t HSP_CALL hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,

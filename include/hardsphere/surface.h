@@ -220,8 +220,7 @@ typedef struct hsp_surface_totals {
  *  Cost: O(n + size of the boundary).
  *  @retval HSP_E_ARGUMENT      surface is NULL
  *  @retval HSP_E_CAPACITY      balls is given and capacity < n; nothing but *needed is written
- *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed */
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since */
 HSP_API int32_t HSP_CALL hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals,
                                              hsp_surface_totals *balls, uint32_t capacity, uint32_t *needed);
 
@@ -238,7 +237,6 @@ typedef struct hsp_surface_measure_request {
  *  @retval HSP_E_VERSION       bad struct_size of request or executor, or reserved is not 0
  *  @retval HSP_E_CAPACITY      as hsp_surface_measure
  *  @retval HSP_E_STATE         as hsp_surface_measure
- *  @retval HSP_E_OPEN_SURFACE  never: every surface is closed
  *  @retval HSP_E_STOPPED       the executor said not to go on; balls may have been written */
 HSP_API int32_t HSP_CALL hsp_surface_measure_with(const hsp_surface *surface,
                                                   const hsp_surface_measure_request *request,
@@ -279,7 +277,6 @@ HSP_API int32_t HSP_CALL hsp_surface_measure_with(const hsp_surface *surface,
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
- *  @retval HSP_E_OPEN_SURFACE  never
  *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written
  *  @retval HSP_E_STOPPED     the executor said not to go on; the arrays may have been written */
 HSP_API int32_t HSP_CALL hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
@@ -301,8 +298,7 @@ typedef struct hsp_surface_part_counts {
 
 /** How many patches, edges, corners and shells there are.
  *  @retval HSP_E_ARGUMENT      a null pointer
- *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  never */
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since */
 HSP_API int32_t HSP_CALL hsp_surface_get_part_counts(const hsp_surface *surface, hsp_surface_part_counts *counts);
 
 /** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
@@ -396,7 +392,6 @@ typedef struct hsp_surface_shell {
  *
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  never
  *  @retval HSP_E_ID            not all of these patches are there */
 HSP_API int32_t HSP_CALL hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count,
                                                  hsp_surface_patch *out);
@@ -405,7 +400,6 @@ HSP_API int32_t HSP_CALL hsp_surface_get_patches(const hsp_surface *surface, uin
  *  NULL with count 0.
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  never
  *  @retval HSP_E_ID            not all of these edges are there */
 HSP_API int32_t HSP_CALL hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count,
                                                hsp_surface_edge *out);
@@ -414,7 +408,6 @@ HSP_API int32_t HSP_CALL hsp_surface_get_edges(const hsp_surface *surface, uint3
  *  NULL with count 0.
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  never
  *  @retval HSP_E_ID            not all of these corners are there */
 HSP_API int32_t HSP_CALL hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count,
                                                  hsp_surface_corner *out);
@@ -425,8 +418,7 @@ HSP_API int32_t HSP_CALL hsp_surface_get_corners(const hsp_surface *surface, uin
  *  Cost: O(size of the surface).
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY      capacity is smaller than *needed
- *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  never */
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since */
 HSP_API int32_t HSP_CALL hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
                                                 uint32_t *needed);
 
@@ -451,7 +443,6 @@ HSP_API int32_t HSP_CALL hsp_surface_get_shells(const hsp_surface *surface, hsp_
  *  @retval HSP_OK              all hold
  *  @retval HSP_E_ARGUMENT      a null pointer
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
- *  @retval HSP_E_OPEN_SURFACE  never
  *  @retval HSP_E_CHECK         one is violated: please report it */
 HSP_API int32_t HSP_CALL hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id);
 

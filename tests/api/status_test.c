@@ -5,10 +5,9 @@
 
 #include "check.h"
 
-static const int32_t documented[] = {HSP_OK,           HSP_E_ARGUMENT, HSP_E_CAPACITY,     HSP_E_MEMORY,
-                                     HSP_E_STATE,      HSP_E_ID,       HSP_E_CHECK,        HSP_E_SINK,
-                                     HSP_E_HANDLE,     HSP_E_VERSION,  HSP_E_NOT_FINITE,   HSP_E_NEGATIVE,
-                                     HSP_E_RANGE,      HSP_E_CONFLICT, HSP_E_OPEN_SURFACE, HSP_E_EXECUTOR,
+static const int32_t documented[] = {HSP_OK,           HSP_E_ARGUMENT, HSP_E_CAPACITY, HSP_E_MEMORY,   HSP_E_STATE,
+                                     HSP_E_ID,         HSP_E_CHECK,    HSP_E_SINK,     HSP_E_HANDLE,   HSP_E_VERSION,
+                                     HSP_E_NOT_FINITE, HSP_E_NEGATIVE, HSP_E_RANGE,    HSP_E_CONFLICT, HSP_E_EXECUTOR,
                                      HSP_E_DEGENERATE, HSP_E_STOPPED,  HSP_E_DAMAGED};
 enum { DOCUMENTED = sizeof documented / sizeof documented[0] };
 

@@ -81,9 +81,6 @@ bool geometry_list_patches(const struct geometry *geometry, struct mesh_patch **
 bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure) {
   progress_show(&geometry->progress, "making triangles");
   const int32_t status = hsp_workspace_mesh(&geometry->work, of_surface, edge);
-  if (status == HSP_E_OPEN_SURFACE) {
-    return failure_in_input(failure, 0, "patches of the surface meet in one point: it has no triangles there");
-  }
   if (status == HSP_E_DEGENERATE) {
     return failure_in_input(failure, 0, "borders of the surface come together: no triangles tell them apart");
   }

@@ -24,8 +24,8 @@ static_assert(to_c(Status::state) == HSP_E_STATE && to_c(Status::id) == HSP_E_ID
 static_assert(to_c(Status::check) == HSP_E_CHECK && to_c(Status::sink) == HSP_E_SINK);
 static_assert(to_c(Status::not_finite) == HSP_E_NOT_FINITE && to_c(Status::negative) == HSP_E_NEGATIVE);
 static_assert(to_c(Status::range) == HSP_E_RANGE && to_c(Status::conflict) == HSP_E_CONFLICT);
-static_assert(to_c(Status::open_surface) == HSP_E_OPEN_SURFACE && to_c(Status::executor) == HSP_E_EXECUTOR);
-static_assert(to_c(Status::degenerate) == HSP_E_DEGENERATE && to_c(Status::stopped) == HSP_E_STOPPED);
+static_assert(to_c(Status::executor) == HSP_E_EXECUTOR && to_c(Status::degenerate) == HSP_E_DEGENERATE);
+static_assert(to_c(Status::stopped) == HSP_E_STOPPED);
 static_assert(no_id == HSP_NONE && max_count == HSP_MAX_BALLS);
 
 // The first of some statuses that is not HSP_OK. Functions check handles, then versions, other arguments, states,

@@ -50,8 +50,6 @@ const char *hsp_status_text(int32_t status) {
       return "a value lies beyond the lattice or its range, or is no rotation or direction";
     case HSP_E_CONFLICT:
       return "parts that do not fit together: sticks, bricks; which ones is reported";
-    case HSP_E_OPEN_SURFACE:
-      return "not returned any more: every smooth surface is closed";
     case HSP_E_EXECUTOR:
       return "the caller's executor failed, or did not call every task exactly once";
     case HSP_E_DEGENERATE:

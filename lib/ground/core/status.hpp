@@ -18,7 +18,6 @@ enum class Status : int32_t {
   negative = -11,
   range = -12,
   conflict = -13,
-  open_surface = -14,
   executor = -15,
   degenerate = -16,
   stopped = -17,

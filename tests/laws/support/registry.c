@@ -3723,41 +3723,36 @@ const function registry[] = {
   {"hsp_surface_get_counts", "surface", RESULT_status, 2, of_hsp_surface_get_counts, call_hsp_surface_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_surface_measure", "surface", RESULT_status, 5, of_hsp_surface_measure, call_hsp_surface_measure, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_surface_measure_with", "surface", RESULT_status, 7, of_hsp_surface_measure_with, call_hsp_surface_measure_with,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_STOPPED)},
+      BIT(HSP_E_STATE) | BIT(HSP_E_STOPPED)},
   {"hsp_surface_get_gradient", "surface", RESULT_status, 16, of_hsp_surface_get_gradient, call_hsp_surface_get_gradient,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
+      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR) | BIT(HSP_E_STOPPED)},
   {"hsp_surface_get_part_counts", "surface", RESULT_status, 2, of_hsp_surface_get_part_counts,
-      call_hsp_surface_get_part_counts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_OPEN_SURFACE)},
+      call_hsp_surface_get_part_counts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_surface_next", "surface", RESULT_id, 2, of_hsp_surface_next, call_hsp_surface_next, 0},
   {"hsp_surface_previous", "surface", RESULT_id, 2, of_hsp_surface_previous, call_hsp_surface_previous, 0},
   {"hsp_surface_next_loop", "surface", RESULT_id, 2, of_hsp_surface_next_loop, call_hsp_surface_next_loop, 0},
   {"hsp_surface_origin", "surface", RESULT_id, 2, of_hsp_surface_origin, call_hsp_surface_origin, 0},
   {"hsp_surface_left", "surface", RESULT_id, 2, of_hsp_surface_left, call_hsp_surface_left, 0},
   {"hsp_surface_get_patches", "surface", RESULT_status, 4, of_hsp_surface_get_patches, call_hsp_surface_get_patches,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) |
-      BIT(HSP_E_ID)},
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_surface_get_edges", "surface", RESULT_status, 4, of_hsp_surface_get_edges, call_hsp_surface_get_edges,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) |
-      BIT(HSP_E_ID)},
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_surface_get_corners", "surface", RESULT_status, 4, of_hsp_surface_get_corners, call_hsp_surface_get_corners,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) |
-      BIT(HSP_E_ID)},
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_surface_get_shells", "surface", RESULT_status, 4, of_hsp_surface_get_shells, call_hsp_surface_get_shells,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_OPEN_SURFACE)},
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_surface_check", "surface", RESULT_status, 3, of_hsp_surface_check, call_hsp_surface_check, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_CHECK)},
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK)},
   {"hsp_mesh_limits_init", "mesh", RESULT_status, 4, of_hsp_mesh_limits_init, call_hsp_mesh_limits_init, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) |
       BIT(HSP_E_STATE)},
   {"hsp_mesh_limits_init_surface", "mesh", RESULT_status, 4, of_hsp_mesh_limits_init_surface,
       call_hsp_mesh_limits_init_surface, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE)},
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_STATE)},
   {"hsp_mesh_bytes", "mesh", RESULT_status, 2, of_hsp_mesh_bytes, call_hsp_mesh_bytes, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT)
       | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_mesh_init", "mesh", RESULT_status, 4, of_hsp_mesh_init, call_hsp_mesh_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) |
@@ -3767,14 +3762,14 @@ const function registry[] = {
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_DEGENERATE)},
   {"hsp_mesh_compute_surface", "mesh", RESULT_status, 4, of_hsp_mesh_compute_surface, call_hsp_mesh_compute_surface,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_NOT_FINITE) |
-      BIT(HSP_E_RANGE) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_OPEN_SURFACE) | BIT(HSP_E_DEGENERATE)},
+      BIT(HSP_E_RANGE) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_DEGENERATE)},
   {"hsp_mesh_compute_with", "mesh", RESULT_status, 6, of_hsp_mesh_compute_with, call_hsp_mesh_compute_with, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_DEGENERATE) | BIT(HSP_E_STOPPED)},
   {"hsp_mesh_compute_surface_with", "mesh", RESULT_status, 6, of_hsp_mesh_compute_surface_with,
       call_hsp_mesh_compute_surface_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_OPEN_SURFACE) |
-      BIT(HSP_E_DEGENERATE) | BIT(HSP_E_STOPPED)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_DEGENERATE) |
+      BIT(HSP_E_STOPPED)},
   {"hsp_mesh_get_counts", "mesh", RESULT_status, 2, of_hsp_mesh_get_counts, call_hsp_mesh_get_counts, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_vertices", "mesh", RESULT_status, 7, of_hsp_mesh_get_vertices, call_hsp_mesh_get_vertices, BIT(HSP_OK)

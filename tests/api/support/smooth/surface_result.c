@@ -30,9 +30,7 @@ int32_t surface_result_make(const computed *base, surface_result *s) {
   s->balls = test_zeros(base->n, sizeof *s->balls);
   if (status == HSP_OK) status = hsp_surface_get_counts(s->surface, &s->counts);
   if (status != HSP_OK) return status;
-  status = hsp_surface_measure(s->surface, &s->totals, s->balls, base->n, &needed);
-  s->without_totals = status == HSP_E_OPEN_SURFACE && s->counts.open_joints > 0;
-  return s->without_totals ? HSP_OK : status;
+  return hsp_surface_measure(s->surface, &s->totals, s->balls, base->n, &needed);
 }
 
 void surface_result_release(surface_result *s) {

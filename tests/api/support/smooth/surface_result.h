@@ -14,7 +14,6 @@ typedef struct surface_result {
   hsp_surface_limits needed; /* exactly */
   uint32_t enlargements;     /* how often limits had to be raised, starting from as many vertices as balls */
   hsp_surface_counts counts;
-  int without_totals; /* whether these are refused, as two balls touch in a point that others pass; 0 then */
   hsp_surface_totals totals;
   hsp_surface_totals *balls; /* n */
 } surface_result;
