@@ -11,11 +11,12 @@
 namespace hsp::exact {
 
 template <class Limb>
-[[gnu::cold]] PowerVertexOf<Limb>::PowerVertexOf(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R)
-    : sphere_(sphere), plane_{P, Q, R} {
+[[gnu::cold]] PowerVertexOf<Limb>::PowerVertexOf(const Sphere &sphere, const Plane (&planes)[3])
+    : sphere_(sphere), plane_(planes) {
   using I64 = WideInteger<Limb, 64>;
-  const Vector across[3] = {cross(Q.v, R.v), cross(R.v, P.v), cross(P.v, Q.v)};
-  B_ = dot128<Limb>(across[2], R.v);
+  const Vector across[3] = {cross(planes[1].v, planes[2].v), cross(planes[2].v, planes[0].v),
+                            cross(planes[0].v, planes[1].v)};
+  B_ = dot128<Limb>(across[2], planes[2].v);
   sign_B_ = B_.sign();
   about_B_ = B_.to_double();
   for (int p = 0; p < 3; ++p) {

@@ -13,8 +13,8 @@ namespace hsp::exact {
 template <class Limb>
 class PowerVertexOf {
  public:
-  // Of planes of which no two are the same. B is not 0.
-  PowerVertexOf(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R);
+  // Of planes of which no two are the same, and which outlive it. B is not 0.
+  PowerVertexOf(const Sphere &sphere, const Plane (&planes)[3]);
 
   // +1 if it is nearer to them than to ball S, in power distance, else -1.
   Sign near(const Plane &S) const;
@@ -37,8 +37,8 @@ class PowerVertexOf {
     bool changes;
   };
 
-  Sphere sphere_;
-  Plane plane_[3];
+  const Sphere &sphere_;
+  const Plane (&plane_)[3];
   I128 B_;
   double about_B_;
   int sign_B_;

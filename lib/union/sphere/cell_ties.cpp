@@ -52,8 +52,8 @@ void CellTies::decide(const OuterCell &cell, Span<const uint32_t> numbers, Verte
     if (!has(unsure, v)) continue;
     const uint8_t *const face = cell.face[v];
     const uint32_t end = other_end(cell, v, unsure);
-    const exact::PowerVertex vertex(caps_.sphere, plane_of(cell, face[0]), plane_of(cell, face[1]),
-                                    plane_of(cell, face[2]));
+    const exact::Plane planes[3] = {plane_of(cell, face[0]), plane_of(cell, face[1]), plane_of(cell, face[2])};
+    const exact::PowerVertex vertex(caps_.sphere, planes);
     for (uint32_t k = 0; k < count; ++k) {
       if (!has(sides[k].unsure, v)) continue;
       const exact::Plane plane = caps_.plane(numbers[k]);

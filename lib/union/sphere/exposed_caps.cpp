@@ -73,23 +73,25 @@ class ExposedCaps::Cutting {
     cell_.start();
   }
 
-  // Cuts by those whose planes go deeper than that; the others wait. False if nothing is left.
-  bool cut_by(Span<const uint32_t> numbers, double least_depth) {
+  // Cuts by those whose planes go deeper than that; the others wait. False if nothing is left. Out of line, as all that
+  // has a batch: integers take the stack beside them.
+  [[gnu::noinline]] bool cut_by(Span<const uint32_t> numbers, double least_depth) {
+    CapBatch batch{};
     for (uint32_t t = 0; t < numbers.size();) {
-      if (!load(numbers.part(t, numbers.size()))) {
+      if (!load(numbers.part(t, numbers.size()), batch)) {
         state_[numbers[t++]] = stays;
         continue;
       }
-      for (uint32_t k = 0; k < batch_.count; ++k) state_[numbers[t + k]] = dropped;
-      for (uint32_t bits = may_cut(batch_.all()); bits != 0;) {
-        const uint32_t k = deepest_of(batch_, bits), number = numbers[t + k];
-        if (batch_.depth[k] < least_depth) {
+      for (uint32_t k = 0; k < batch.count; ++k) state_[numbers[t + k]] = dropped;
+      for (uint32_t bits = may_cut(batch, batch.all()); bits != 0;) {
+        const uint32_t k = deepest_of(batch, bits), number = numbers[t + k];
+        if (batch.depth[k] < least_depth) {
           some_wait_ = true;
           for (; bits != 0; bits &= bits - 1) state_[numbers[t + static_cast<uint32_t>(__builtin_ctz(bits))]] = waits;
           break;
         }
         bits &= ~(1U << k);
-        switch (cell_.cut(caps_.target, plane_of(number, k))) {
+        switch (cell_.cut(caps_.target, plane_of(batch, k, number))) {
           case OuterCell::Cut::misses:
             break;
           case OuterCell::Cut::buries:
@@ -103,27 +105,28 @@ class ExposedCaps::Cutting {
           case OuterCell::Cut::cuts:
             if (leaves_nothing()) return false;
             state_[number] = has_cut;
-            if (bits != 0) bits = may_cut(bits);
+            if (bits != 0) bits = may_cut(batch, bits);
             break;
         }
       }
-      t += batch_.count;
+      t += batch.count;
     }
     return true;
   }
 
   // Drops those that miss what is left. Faces do not: their planes go through vertices.
-  void drop(Span<const uint32_t> numbers) {
+  [[gnu::noinline]] void drop(Span<const uint32_t> numbers) {
+    CapBatch batch{};
     for (uint32_t t = 0; t < numbers.size();) {
-      if (!load(numbers.part(t, numbers.size()))) {
+      if (!load(numbers.part(t, numbers.size()), batch)) {
         ++t;
         continue;
       }
-      const uint32_t bits = may_cut(batch_.all());
-      for (uint32_t k = 0; k < batch_.count; ++k) {
+      const uint32_t bits = may_cut(batch, batch.all());
+      for (uint32_t k = 0; k < batch.count; ++k) {
         if ((bits >> k & 1U) == 0) state_[numbers[t + k]] = dropped;
       }
-      t += batch_.count;
+      t += batch.count;
     }
   }
 
@@ -134,11 +137,11 @@ class ExposedCaps::Cutting {
       Sides found;
       const uint32_t end = together < numbers.size() - t ? t + together : numbers.size();
       const uint32_t asked = find_sides(numbers.part(t, end), ties, found);
-      together = together < CapBatch::most ? 2 * together : together;
+      together = together < Sides::most ? 2 * together : together;
       uint32_t k = 0;
       while (k < asked) {
         const uint32_t number = numbers[t + k];
-        const OuterCell::Cut cut = cell_.cut(plane_of(number, k), found.sides[k].outside);
+        const OuterCell::Cut cut = cell_.cut(plane_of(number), found.sides[k].outside);
         ++k;
         if (cut == OuterCell::Cut::buries) return false;
         if (cut != OuterCell::Cut::cuts) continue;
@@ -181,8 +184,13 @@ class ExposedCaps::Cutting {
   bool some_wait() const { return some_wait_; }
 
  private:
-  OuterCell::Plane plane_of(uint32_t number, uint32_t k) const {
-    return {batch_.ux[k], batch_.uy[k], batch_.uz[k], batch_.b[k], number};
+  static OuterCell::Plane plane_of(const CapBatch &batch, uint32_t k, uint32_t number) {
+    return {batch.ux[k], batch.uy[k], batch.uz[k], batch.b[k], number};
+  }
+  [[gnu::noinline]] OuterCell::Plane plane_of(uint32_t number) const {
+    CapBatch batch{};
+    load({&number, 1}, batch);
+    return plane_of(batch, 0, number);
   }
 
   bool leaves_nothing() const { return part_ == Part::sphere && cell_.lies_inside_sphere(); }
@@ -195,35 +203,43 @@ class ExposedCaps::Cutting {
   }
 
   struct Sides {
-    VertexSides sides[CapBatch::most];
-    VertexBits on_plane[CapBatch::most];
+    static constexpr uint32_t most = 16;
+    VertexSides sides[most];
+    VertexBits on_plane[most];
   };
-  // Of the first ones, a batch at most: of how many. 0 if the first is not certain to be a circle.
+  // Of the first ones, as many as there is room for: of how many. 0 if the first is not certain to be a circle.
   uint32_t find_sides(Span<const uint32_t> numbers, const CellTies &ties, Sides &found) {
-    if (!load(numbers)) return 0;
-    for (uint32_t k = 0; k < batch_.count; ++k) {
-      found.sides[k] = sides_of_vertices(caps_.target, cell_, plane_of(numbers[k], k));
+    const uint32_t count = find_certain_sides(numbers, found);
+    ties.decide(cell_, numbers.part(0, count), found.sides, found.on_plane);
+    return count;
+  }
+  [[gnu::noinline]] uint32_t find_certain_sides(Span<const uint32_t> numbers, Sides &found) const {
+    CapBatch batch{};
+    if (!load(numbers.part(0, numbers.size() < Sides::most ? numbers.size() : Sides::most), batch)) return 0;
+    for (uint32_t k = 0; k < batch.count; ++k) {
+      found.sides[k] = sides_of_vertices(caps_.target, cell_, plane_of(batch, k, numbers[k]));
     }
-    ties.decide(cell_, numbers.part(0, batch_.count), found.sides, found.on_plane);
-    return batch_.count;
+    return batch.count;
   }
 
-  uint32_t may_cut(uint32_t asked) { return caps_that_may_cut(caps_.target, cell_, batch_, asked); }
+  uint32_t may_cut(CapBatch &batch, uint32_t asked) const {
+    return caps_that_may_cut(caps_.target, cell_, batch, asked);
+  }
 
   // The first ones, a whole batch if there are as many. False if the first is not certain to be a circle.
-  bool load(Span<const uint32_t> numbers) {
-    batch_.count = numbers.size() < CapBatch::most ? numbers.size() : CapBatch::most;
+  bool load(Span<const uint32_t> numbers, CapBatch &batch) const {
+    batch.count = numbers.size() < CapBatch::most ? numbers.size() : CapBatch::most;
     if (balls_alone_) {
-      const CapArrays to{batch_.ux, batch_.uy, batch_.uz, batch_.b, nullptr};
-      batch_.count = caps_.make_doubles_of(numbers.part(0, batch_.count), to);
-      return batch_.count > 0;
+      const CapArrays to{batch.ux, batch.uy, batch.uz, batch.b, nullptr};
+      batch.count = caps_.make_doubles_of(numbers.part(0, batch.count), to);
+      return batch.count > 0;
     }
-    for (uint32_t k = 0; k < batch_.count; ++k) {
+    for (uint32_t k = 0; k < batch.count; ++k) {
       const uint32_t from = numbers[k];
-      batch_.ux[k] = caps_.ux[from];
-      batch_.uy[k] = caps_.uy[from];
-      batch_.uz[k] = caps_.uz[from];
-      batch_.b[k] = caps_.b[from];
+      batch.ux[k] = caps_.ux[from];
+      batch.uy[k] = caps_.uy[from];
+      batch.uz[k] = caps_.uz[from];
+      batch.b[k] = caps_.b[from];
     }
     return true;
   }
@@ -233,7 +249,6 @@ class ExposedCaps::Cutting {
   bool balls_alone_;
   Span<uint8_t> state_;
   OuterCell cell_;
-  CapBatch batch_{};
   bool some_wait_ = false;
 };
 

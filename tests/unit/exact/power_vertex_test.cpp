@@ -1,7 +1,7 @@
 // Predicate near: a power vertex of four balls against a fifth. The exact stage, of one question and of a vertex of
 // which many are asked, against a naive determinant for balls that are really inflated by tiny amounts, with both limb
-// widths; the filter against the exact stage; the filter's error and the largest value at the worst inputs that a search
-// finds, in units of their bounds.
+// widths; the filter against the exact stage; the filter's error and the largest value at the worst inputs that a
+// search finds, in units of their bounds.
 //
 // G is linear in the weights. They become w + sum of a_k 2^-192k with the amounts w, 1, the centre's coordinates, a
 // quadratic form of them, and 1 at k = 7 + rank: with coefficients below 2^97 and amounts below 2^76 the first sum that
@@ -108,7 +108,8 @@ double length_squared(const FiveBalls &balls) {
 // A vertex of which many questions are asked answers as one question does.
 void expect_same(const exact::Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R, const Plane &S,
                  const exact::Sign &expected) {
-  for (const exact::Sign &sign : {WideVertex(sphere, P, Q, R).near(S), NarrowVertex(sphere, P, Q, R).near(S)}) {
+  const Plane planes[3] = {P, Q, R};
+  for (const exact::Sign &sign : {WideVertex(sphere, planes).near(S), NarrowVertex(sphere, planes).near(S)}) {
     EXPECT_EQ(sign.sign, expected.sign);
     EXPECT_EQ(sign.tied, expected.tied);
   }
