@@ -211,14 +211,15 @@ Balls balls_around_circle(RandomSource &random, size_t n) {
     }
   }
   const int64_t axis = random.in(0, 2), radius = random.in(100, 900), height = random.in(-9, 9);
-  const uint64_t other = static_cast<uint64_t>(random.in(3, 12));
+  const int64_t other = random.in(3, 12);
   Balls balls;
   while (balls.size() < n) {
     const auto &[x, y] = points[static_cast<size_t>(random.in(0, static_cast<int64_t>(points.size()) - 1))];
     LatticeBall ball = {x, y, height, radius};
-    if (random.one_in(other))
-      ball =
-          random.one_in(2) ? ball_in_box(random, 300, 1, 600) : LatticeBall{x, y, height, radius + random.in(-50, 9)};
+    if (random.one_in(other)) {
+      ball.radius += random.in(-50, 9);
+      if (random.one_in(2)) ball = ball_in_box(random, 300, 1, 600);
+    }
     for (int64_t turn = 0; turn < axis; ++turn) ball = {ball.y, ball.z, ball.x, ball.radius};
     balls.push_back(ball);
   }
