@@ -200,7 +200,7 @@ void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<Vert
 
 void VertexFinder::cull_and_find(const BallSet &balls, Caps &caps, FixedVector<VertexRecord> &vertices,
                                  FixedVector<CircleRecord> &circles) {
-  if (search(balls, caps, true, vertices, circles)) return;
+  if (search(balls, caps, true, vertices, circles) || small_code) return;  // small code never gives up
   ExposedCaps exposed = exposed_caps();
   if (!exposed.find(ExposedCaps::Part::sphere, caps)) return;
   caps.keep(exposed.kept());
