@@ -40,7 +40,7 @@ inline uint32_t lowest_lanes() {
   return first_false(conditions);
 }
 
-inline constexpr Check lanes_front[] = {
+inline constexpr Check surface_front[] = {
     {"one_lane", first_bad_choice<1>}, {"four_lanes", first_bad_choice<4>}, {"lowest_lanes", lowest_lanes}};
 
 }  // namespace cases

@@ -3,5 +3,5 @@
 #include "expect_cases.hpp"
 
 TEST(Front, Cases) {
-  expect_cases(cases::lanes_front);
+  expect_cases(cases::surface_front);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 
 #include "lanes/target.hpp"
 #include "small_surface.hpp"
