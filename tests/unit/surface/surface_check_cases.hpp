@@ -25,7 +25,7 @@ inline uint32_t sound_surfaces() {
 
 // Probes on both sides of the plane of these balls touch each other in it: where the balls grow they part, so there is
 // no hole.
-constexpr SurfaceScene touching_probes = {4,
+constexpr SurfaceScene probes_in_touch = {4,
                                           {{-300000000, -200000000, 0, 100000000},
                                            {300000000, -200000000, 0, 100000000},
                                            {200000000, -300000000, 0, 100000000},
@@ -38,7 +38,7 @@ struct EulerCase {
 };
 constexpr EulerCase euler_cases[] = {{&three_throat, 0},   {&three_almost, 0},         {&three_open, 6},
                                      {&spindle, 4},        {&void_in_tetrahedron, -4}, {&cut_spindle, 2},
-                                     {&touching_probes, 2}};
+                                     {&probes_in_touch, 2}};
 
 inline uint32_t euler_numbers() {
   return first_failing(euler_cases, [](const EulerCase &c) {
