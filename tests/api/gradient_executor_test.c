@@ -22,7 +22,7 @@ static hsp_gradient_outputs outputs_into(uint32_t n, gradients *g) {
 /* selected: or NULL for all balls. */
 static void every_number_of_workers(const ball_set *set, const uint8_t *selected) {
   static gradients alone, shared;
-  static double sigma[BALL_SET_MOST];
+  static double sigma[BALL_SET_MOST], areas[BALL_SET_MOST], measured[BALL_SET_MOST];
   const uint32_t n = set->n;
   const hsp_boundary_request of_some = {.struct_size = sizeof of_some, .selected = selected};
   hsp_gradient_request request = {.struct_size = sizeof request, .tangency = HSP_TANGENT_OVERLAP, .tension = 0.7};
@@ -31,7 +31,9 @@ static void every_number_of_workers(const ball_set *set, const uint8_t *selected
   request.pressure = selected == NULL ? -1.3 : 0;
   for (i = 0; i < n; ++i) sigma[i] = i % 4 == 1 ? 0 : 0.75 * i - 2;
   if (CHECK_EQUAL(computed_make(n, set->xyz, set->radius, NULL, &c), HSP_OK) &&
+      CHECK_EQUAL(hsp_boundary_measure(c.boundary, NULL, NULL, measured, NULL, n, NULL), HSP_OK) &&
       CHECK_EQUAL(hsp_boundary_compute_with(c.boundary, c.model, &of_some, NULL), HSP_OK)) {
+    for (i = 0; selected != NULL && i < n; ++i) measured[i] = selected[i] != 0 ? measured[i] : 0;
     for (workers = 0; workers <= 9; ++workers) {
       loop own = loop_of(LOOP_SHUFFLED);
       hsp_executor executor = executor_of(&own, workers);
@@ -40,7 +42,9 @@ static void every_number_of_workers(const ball_set *set, const uint8_t *selected
       request.sigma = workers % 2 == 0 ? sigma : NULL;
       request.tangency = workers % 3 == 0 ? HSP_TANGENT_DISJOINT : HSP_TANGENT_OVERLAP;
       request.executor = NULL;
+      outputs.area = areas;
       CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_OK);
+      CHECK_BYTES(areas, measured, n * sizeof *areas);
       outputs = outputs_into(n, &shared);
       request.executor = &executor;
       CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_OK);
