@@ -6,7 +6,7 @@ namespace oracle {
 
 BigInteger::BigInteger(Int128 value) : negative_(value < 0) {
   UInt128 rest = negative_ ? UInt128{0} - static_cast<UInt128>(value) : static_cast<UInt128>(value);
-  for (; rest != 0; rest >>= 32) limbs_.push_back(static_cast<uint32_t>(rest));
+  for (; rest != 0; rest >>= 32) limbs_.push_back(static_cast<char32_t>(rest));
 }
 
 int BigInteger::compare_magnitudes(const Limbs &a, const Limbs &b) {
@@ -23,10 +23,10 @@ BigInteger::Limbs BigInteger::add_magnitudes(const Limbs &a, const Limbs &b) {
   for (size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
     carry += (k < a.size() ? a[k] : 0U);
     carry += (k < b.size() ? b[k] : 0U);
-    sum.push_back(static_cast<uint32_t>(carry));
+    sum.push_back(static_cast<char32_t>(carry));
     carry >>= 32;
   }
-  sum.push_back(static_cast<uint32_t>(carry));
+  sum.push_back(static_cast<char32_t>(carry));
   drop_leading_zeros(sum);
   return sum;
 }
@@ -38,7 +38,7 @@ BigInteger::Limbs BigInteger::subtract_magnitudes(const Limbs &larger, const Lim
   for (size_t k = 0; k < larger.size(); ++k) {
     const uint64_t take = borrow + (k < smaller.size() ? smaller[k] : 0U);
     borrow = larger[k] < take ? 1 : 0;
-    difference.push_back(static_cast<uint32_t>((borrow << 32) + larger[k] - take));
+    difference.push_back(static_cast<char32_t>((borrow << 32) + larger[k] - take));
   }
   drop_leading_zeros(difference);
   return difference;
@@ -79,10 +79,10 @@ BigInteger operator*(const BigInteger &a, const BigInteger &b) {
     uint64_t carry = 0;
     for (size_t k = 0; k < b.limbs_.size(); ++k) {
       carry += uint64_t{a.limbs_[i]} * b.limbs_[k] + product.limbs_[i + k];
-      product.limbs_[i + k] = static_cast<uint32_t>(carry);
+      product.limbs_[i + k] = static_cast<char32_t>(carry);
       carry >>= 32;
     }
-    product.limbs_[i + b.limbs_.size()] = static_cast<uint32_t>(carry);
+    product.limbs_[i + b.limbs_.size()] = static_cast<char32_t>(carry);
   }
   BigInteger::drop_leading_zeros(product.limbs_);
   product.negative_ = a.negative_ != b.negative_;
@@ -97,10 +97,10 @@ BigInteger BigInteger::times_power_of_two(unsigned bits) const {
   uint64_t carry = 0;
   for (const uint32_t limb : limbs_) {
     carry += uint64_t{limb} << (bits % 32);
-    result.limbs_.push_back(static_cast<uint32_t>(carry));
+    result.limbs_.push_back(static_cast<char32_t>(carry));
     carry >>= 32;
   }
-  result.limbs_.push_back(static_cast<uint32_t>(carry));
+  result.limbs_.push_back(static_cast<char32_t>(carry));
   drop_leading_zeros(result.limbs_);
   return result;
 }
@@ -112,7 +112,7 @@ std::string BigInteger::to_string() const {
     uint64_t remainder = 0;
     for (size_t k = rest.size(); k-- > 0;) {
       remainder = (remainder << 32) + rest[k];
-      rest[k] = static_cast<uint32_t>(remainder / 10);
+      rest[k] = static_cast<char32_t>(remainder / 10);
       remainder %= 10;
     }
     digits.push_back(static_cast<char>('0' + remainder));

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "lattice_ball.hpp"
 
@@ -30,7 +29,8 @@ class BigInteger {
   [[nodiscard]] std::string to_string() const;
 
  private:
-  using Limbs = std::vector<uint32_t>;
+  // A string holds three limbs without memory from the heap, which is most of the time that small numbers take.
+  using Limbs = std::u32string;
   static int compare_magnitudes(const Limbs &a, const Limbs &b);
   static Limbs add_magnitudes(const Limbs &a, const Limbs &b);
   static Limbs subtract_magnitudes(const Limbs &larger, const Limbs &smaller);

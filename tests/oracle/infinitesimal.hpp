@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <utility>
+#include <vector>
 
 #include "big_integer.hpp"
 
@@ -25,16 +26,17 @@ class Infinitesimal {
   friend Infinitesimal operator*(const Infinitesimal &a, const Infinitesimal &b);
 
   // The sign of the largest monomial's coefficient; 0 for the zero polynomial only.
-  [[nodiscard]] int sign() const { return terms_.empty() ? 0 : terms_.begin()->second.sign(); }
+  [[nodiscard]] int sign() const { return terms_.empty() ? 0 : terms_.front().second.sign(); }
 
  private:
   // The exponent of eps_k in the bits from 6 k on. Of two monomials that one is larger which has the smaller exponent
   // in the smallest infinitesimal where they differ, so ascending keys are descending monomials; multiplication adds
   // keys. Exponents stay below 64: no predicate has a degree above 4.
   using Monomial = uint64_t;
-  void add_term(Monomial monomial, const BigInteger &coefficient);
+  using Term = std::pair<Monomial, BigInteger>;
+  void add_product(const Infinitesimal &b, const BigInteger &coefficient, Monomial monomial);
 
-  std::map<Monomial, BigInteger> terms_;  // no zero coefficients
+  std::vector<Term> terms_;  // monomials ascend, no zero coefficients
 };
 
 inline int sign_of(const Infinitesimal &value) {

@@ -28,27 +28,29 @@ class GivenWeights {
 class InflatedWeights {
  public:
   using Number = Infinitesimal;
-  InflatedWeights(const TiedBalls &set, std::initializer_list<uint32_t> balls, unsigned infinitesimals)
-      : set_(set), infinitesimals_(infinitesimals) {
+  InflatedWeights(const TiedBalls &set, std::initializer_list<uint32_t> balls, unsigned infinitesimals) {
     for (const uint32_t ball : balls)
       if (ball != no_ball) balls_.push_back(ball);
-    std::sort(balls_.begin(), balls_.end(), [&](uint32_t a, uint32_t b) { return set_.rank(a) < set_.rank(b); });
+    std::sort(balls_.begin(), balls_.end(), [&](uint32_t a, uint32_t b) { return set.rank(a) < set.rank(b); });
     if (TiedBalls::levels + balls_.size() > Infinitesimal::variables)
       throw std::logic_error("too many balls in one question");
+    unsigned own = TiedBalls::levels;
+    for (const uint32_t ball : balls_) {
+      Infinitesimal weight = GivenWeights<Infinitesimal>(set.balls())(ball);
+      for (unsigned level = 0; level < TiedBalls::levels && level < infinitesimals; ++level)
+        weight = weight + Infinitesimal(set.growth(level, ball)) * Infinitesimal::epsilon(level);
+      if (own < infinitesimals) weight = weight + Infinitesimal::epsilon(own);
+      ++own;
+      weights_.push_back(weight);
+    }
   }
-  Number operator()(uint32_t ball) const {
-    Infinitesimal weight = GivenWeights<Infinitesimal>(set_.balls())(ball);
-    for (unsigned level = 0; level < TiedBalls::levels && level < infinitesimals_; ++level)
-      weight = weight + Infinitesimal(set_.growth(level, ball)) * Infinitesimal::epsilon(level);
-    const auto place = std::find(balls_.begin(), balls_.end(), ball) - balls_.begin();
-    const unsigned own = TiedBalls::levels + static_cast<unsigned>(place);
-    return own < infinitesimals_ ? weight + Infinitesimal::epsilon(own) : weight;
+  const Number &operator()(uint32_t ball) const {
+    return weights_.at(static_cast<size_t>(std::find(balls_.begin(), balls_.end(), ball) - balls_.begin()));
   }
 
  private:
-  const TiedBalls &set_;
-  unsigned infinitesimals_;
-  std::vector<uint32_t> balls_;
+  std::vector<uint32_t> balls_;  // by rank
+  std::vector<Number> weights_;
 };
 
 template <class Number>
