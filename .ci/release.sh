@@ -46,6 +46,8 @@ maintainer="${DEBFULLNAME:-The hardsphere authors} <${DEBEMAIL:-hardsphere@packa
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+# A launcher of compilers, as a cache, may write other paths into the debug information, of which the build's number is made.
+unset CMAKE_C_COMPILER_LAUNCHER CMAKE_CXX_COMPILER_LAUNCHER
 pack() { # folder
   tar -C "$work" --sort=name --mtime="$date" --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX -c "$1" | gzip -n -9 >"$output/$1.tar.gz"
 }

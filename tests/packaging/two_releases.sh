@@ -22,7 +22,6 @@ release() { # sources, folder, chroot
   HSP_RELEASE_PARTS=$parts bash "$1/.ci/release.sh" "$2" ${3:+"$3"} >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 }
 (
-  unset CMAKE_CXX_COMPILER_LAUNCHER CMAKE_C_COMPILER_LAUNCHER
   export TZ=UTC LC_ALL=C CMAKE_BUILD_PARALLEL_LEVEL=1
   umask 022
   release "$source" "$work/release" "$chroot"
