@@ -5,9 +5,9 @@ module HardsphereC
 const libhardsphere = get(ENV, "HARDSPHERE_LIBRARY", "libhardsphere.so.2")
 
 const HSP_VERSION_MAJOR = UInt32(1)
-const HSP_VERSION_MINOR = UInt32(0)
+const HSP_VERSION_MINOR = UInt32(1)
 const HSP_VERSION_PATCH = UInt32(0)
-const HSP_VERSION_NUMBER = UInt32(10000)
+const HSP_VERSION_NUMBER = UInt32(10100)
 const HSP_ABI_NUMBER = UInt32(2)
 const HSP_PROVISIONAL_NUMBER = UInt32(2)
 const HSP_NUMERICS_NUMBER = UInt32(3)

@@ -4,9 +4,9 @@
 use std::os::raw::{c_char, c_void};
 
 pub const HSP_VERSION_MAJOR: u32 = 1;
-pub const HSP_VERSION_MINOR: u32 = 0;
+pub const HSP_VERSION_MINOR: u32 = 1;
 pub const HSP_VERSION_PATCH: u32 = 0;
-pub const HSP_VERSION_NUMBER: u32 = 10000;
+pub const HSP_VERSION_NUMBER: u32 = 10100;
 pub const HSP_ABI_NUMBER: u32 = 2;
 pub const HSP_PROVISIONAL_NUMBER: u32 = 2;
 pub const HSP_NUMERICS_NUMBER: u32 = 3;

@@ -40,14 +40,14 @@ module hardsphere
 
   ! ---- version.h: the version of the header and of the library -------------------------------------------------------
 
-  character(*), parameter :: HSP_VERSION_STRING = '1.0.0'
+  character(*), parameter :: HSP_VERSION_STRING = '1.1.0'
   ! raised when a stable header changes or loses something
   integer(c_int32_t), parameter :: HSP_VERSION_MAJOR = 1_c_int32_t
   ! raised when something is added, or a provisional header changes
-  integer(c_int32_t), parameter :: HSP_VERSION_MINOR = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VERSION_MINOR = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_VERSION_PATCH = 0_c_int32_t  ! raised when only mistakes were mended
   ! Version of this header: 10000 * major + 100 * minor + patch.
-  integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 10000_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 10100_c_int32_t
   ! The binary interface that stable headers describe; the shared library's file name ends with it.
   integer(c_int32_t), parameter :: HSP_ABI_NUMBER = 2_c_int32_t
   ! The binary interface that provisional headers describe.

@@ -33,9 +33,9 @@ extern "C" {
 #endif
 
 #define HSP_VERSION_MAJOR 1        /**< raised when a stable header changes or loses something */
-#define HSP_VERSION_MINOR 0        /**< raised when something is added, or a provisional header changes */
+#define HSP_VERSION_MINOR 1        /**< raised when something is added, or a provisional header changes */
 #define HSP_VERSION_PATCH 0        /**< raised when only mistakes were mended */
-#define HSP_VERSION_STRING "1.0.0" /**< the three of them */
+#define HSP_VERSION_STRING "1.1.0" /**< the three of them */
 
 /** Version of this header: 10000 * major + 100 * minor + patch. */
 #define HSP_VERSION_NUMBER (10000 * HSP_VERSION_MAJOR + 100 * HSP_VERSION_MINOR + HSP_VERSION_PATCH)
