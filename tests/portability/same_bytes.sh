@@ -46,7 +46,8 @@ esac
 build cmake --build "$work/build" --target $target --parallel 2
 
 failed=0
-bash "$here/../packaging/archive_symbols.sh" "$work/build/hardsphere/libhardsphere.a" "$source" || failed=1
+unoptimized=$(grep -ow -- -O0 <<<"$*" || true)
+HSP_UNOPTIMIZED=$unoptimized bash "$here/../packaging/archive_symbols.sh" "$work/build/hardsphere/libhardsphere.a" "$source" || failed=1
 bash "$here/../packaging/target_symbols.sh" "$work/build/hardsphere/CMakeFiles/hardsphere_objects.dir" || failed=1
 
 programs=$work/build
