@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/patience.hpp"
 #include "core/workspace.hpp"
 #include "model/ball_set.hpp"
 #include "periodic/periodic_box.hpp"

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <bit>
+#include <cstdint>
 
 #include "lanes/floating_point.hpp"
 
