@@ -7,6 +7,7 @@
 #include <set>
 
 #include "checked_pores.hpp"
+#include "stopped_at.hpp"
 #include "sweep_length.hpp"
 
 namespace {
@@ -164,6 +165,15 @@ void check_cheapest(BuiltPores &pores, hsp::TunnelFinder &finder, hsp::TunnelEnd
   ASSERT_NEAR(along, found.cost, 1e-9 * found.cost);
 }
 
+// A finder, by the points that it may need.
+struct Limited {
+  hsp::TunnelFinder &finder;
+  const BuiltPores &pores;
+  void carve(hsp::Workspace &workspace, const uint32_t &points) {
+    finder.carve(workspace, pores.maxima().size(), pores.gates().size(), points);
+  }
+};
+
 TEST(Tunnel, IsTheWidestThatAvoidsGates) {
   oracle::RandomSource random(1);
   int tunnels = 0, gates = 0, blocked = 0, alternatives = 0;
@@ -175,13 +185,7 @@ TEST(Tunnel, IsTheWidestThatAvoidsGates) {
     ASSERT_EQ(pores.status(), hsp::Status::ok);
     if (pores.maxima().empty()) continue;
     hsp::TunnelFinder finder;
-    struct Limited {
-      hsp::TunnelFinder &finder;
-      const BuiltPores &pores;
-      void carve(hsp::Workspace &workspace, const uint32_t &points) {
-        finder.carve(workspace, pores.maxima().size(), pores.gates().size(), points);
-      }
-    } limited{finder, pores};
+    Limited limited{finder, pores};
     CarvedMemory memory;
     memory.carve(limited, uint32_t{20000});
     const auto any_place = [&] {
@@ -239,6 +243,29 @@ TEST(Tunnel, IsTheWidestThatAvoidsGates) {
   EXPECT_GT(gates, tunnels);
   EXPECT_GT(alternatives, 20);
   EXPECT_GT(blocked, 3);
+}
+
+// Through a porous cube from corner to corner: stopped on the way it is not said that there is none.
+TEST(Tunnel, StopsAtEachQuestion) {
+  constexpr int side = 9;
+  oracle::RandomSource random(2);
+  oracle::Balls balls;
+  for (int k = 0; k < side * side * side; ++k) {
+    balls.push_back({100 * (k % side) + random.in(-9, 9), 100 * (k / side % side) + random.in(-9, 9),
+                     100 * (k / side / side) + random.in(-9, 9), 40});
+  }
+  BuiltPores pores(balls, 0);
+  ASSERT_EQ(pores.status(), hsp::Status::ok);
+  hsp::TunnelFinder finder;
+  Limited limited{finder, pores};
+  CarvedMemory memory;
+  memory.carve(limited, uint32_t{20000});
+  const hsp::exact::Vector from{50, 50, 50}, to{750, 750, 750};
+  hsp::TunnelSummary found{};
+  expect_stops_at_questions(5, 200, [&](const hsp::Executor &executor) {
+    return finder.find(pores.builder(), pores.grid(), {from, &to, {}, 0, false}, found, hsp::Patience(&executor));
+  });
+  EXPECT_TRUE(found.there);
 }
 
 }  // namespace
