@@ -10,6 +10,7 @@
 
 #include "molecule_file.hpp"
 #include "random_moves.hpp"
+#include "stopped_at.hpp"
 #include "sweep_length.hpp"
 
 namespace {
@@ -199,6 +200,32 @@ TEST(MovingBalls, TooFewNeighbours) {
   EXPECT_EQ(moved.status(), Status::capacity);
   EXPECT_EQ(moved.moving().needed().neighbours, 5U);
   EXPECT_EQ(moved.moving().size(), 0U);
+}
+
+// Pairs that become fours; wherever that is stopped they are pairs again, and other fours can be made of them.
+TEST(MovingBalls, StopAndAreAsBefore) {
+  constexpr uint32_t n = 4400;
+  support::BallList pairs, fours, others;
+  std::vector<uint32_t> all;
+  for (uint32_t k = 0; k < n; ++k) {
+    pairs.add(15.0 * k + 10.0 * (k / 2), k % 3, 0, 10);
+    fours.add(15.0 * k + 10.0 * (k / 4), k % 3, 0, 10);
+    others.add(15.0 * k + 10.0 * ((k + 2) / 4), k % 3, 0, 10);
+    all.push_back(k);
+  }
+  MovedUnion moved(pairs, 10.0, 8);
+  ASSERT_EQ(moved.status(), Status::ok);
+  const auto components = [&] { return moved.moving().counts().components; };
+  expect_stops_at_questions(10, 16, [&](const hsp::Executor &executor) {
+    EXPECT_EQ(moved.move(all, pairs), Status::ok);
+    uint32_t first_bad = 0;
+    const Status status = moved.moving().move({n, all.data(), fours.xyz.data(), fours.radius.data()}, first_bad,
+                                              hsp::Patience(&executor));
+    EXPECT_EQ(components(), status == Status::ok ? n / 4 : n / 2);
+    EXPECT_EQ(moved.move(all, others), Status::ok);
+    EXPECT_EQ(moved.complaint(), "");
+    return status;
+  });
 }
 
 }  // namespace
