@@ -221,12 +221,6 @@ TEST(Cavities, LargePocketsFirst) {
   EXPECT_EQ(run_program(with(words, {"--min-volume", "0.5"})).out.find("of volume 0"), std::string::npos);
 }
 
-size_t count_of(const std::string &text, const std::string &what) {
-  size_t count = 0;
-  for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
-  return count;
-}
-
 // A line for each, with gaps, and what the legend says of it.
 TEST(Cavities, ChartOfVolumes) {
   const TemporaryFile file("tube.xyzr", molecule()), trajectory("run.xyz", frames());

@@ -225,3 +225,9 @@ std::string read_file(const std::string &path) {
   }
   return text.str();
 }
+
+size_t count_of(const std::string &text, const std::string &part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}

@@ -46,3 +46,6 @@ std::string molecules_folder();
 std::string pictures_folder();
 
 std::string read_file(const std::string &path);
+
+// How often it stands in a text.
+size_t count_of(const std::string &text, const std::string &part);

@@ -139,6 +139,16 @@ Balls small_integers(RandomSource &random) {
   return balls;
 }
 
+// A cluster on a ball of ten thousands of times their radius.
+Balls on_a_large_ball(RandomSource &random) {
+  const double radius = real(random, 5, 30);
+  Balls balls = {ball_of(0, 0, -radius, radius)};
+  for (int64_t left = random.in(3, 9); left > 0; --left)
+    balls.push_back(
+        ball_of(real(random, 0, 1e-3), real(random, 0, 1e-3), real(random, -1e-4, 1e-4), real(random, 2e-4, 5e-4)));
+  return balls;
+}
+
 // Some of the balls are there twice; where they have a face they are passed over.
 Balls with_equal_balls(RandomSource &random) {
   Balls balls = atoms(random);
@@ -248,6 +258,9 @@ TEST(Hessians, OfNoisyCrates) {
   compare_many(noisy_crate, 6);
 }
 
+TEST(Hessians, OfClustersOnALargeBall) {
+  compare_many(on_a_large_ball, 7);
+}
 TEST(Hessians, OfSmallIntegers) {
   compare_many(small_integers, 8, 0.1);
 }
