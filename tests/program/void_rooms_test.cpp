@@ -91,6 +91,33 @@ TEST(VoidRooms, BesideAGuest) {
   EXPECT_NEAR(probe["clearance"].number, away - 0.06, 1e-12);
 }
 
+// So many balls, evenly spread.
+std::vector<Ball> shell(int balls, double scale, double radius) {
+  std::vector<Ball> result;
+  for (int k = 0; k < balls; ++k) {
+    const double z = 1 - (2 * k + 1.0) / balls, across = std::sqrt(1 - z * z), angle = 2.39996323 * k;
+    result.push_back({{scale * across * std::cos(angle), scale * across * std::sin(angle), scale * z}, radius});
+  }
+  return result;
+}
+
+// The balls of a hollow guest are around both voids, and there is more room in it than around it.
+TEST(VoidRooms, AroundAHollowGuest) {
+  std::vector<Ball> balls = shell(200, 10, 2);
+  for (const Ball &ball : shell(100, 5, 1.5)) balls.push_back(ball);
+  const TemporaryFile file("hollow.xyzr", text_of(balls));
+  const std::vector<Json> voids = run_json({"voids", file.path()})["voids"].items;
+  ASSERT_EQ(voids.size(), 2U);
+  std::array<double, 2> away{};
+  for (const size_t i : {0U, 1U}) {
+    const std::array<double, 3> point = point_of(voids[i]);
+    away[i] = std::hypot(point[0], point[1], point[2]);
+    EXPECT_NEAR(voids[i]["clearance"].number, clearance(balls, point), 1e-6);
+  }
+  EXPECT_GT(std::max(away[0], away[1]), 6.5);
+  EXPECT_LT(std::min(away[0], away[1]), 0.5);
+}
+
 // Many balls as far away as each other: the corners of an icosahedron and of a dodecahedron.
 TEST(VoidRooms, ManyBallsAroundThePoint) {
   const double golden = std::numbers::phi;
