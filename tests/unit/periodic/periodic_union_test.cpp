@@ -517,6 +517,13 @@ TEST(PeriodicUnion, SumsContactsBetweenGroups) {
   EXPECT_GT(pairs, 5U);
 }
 
+// Of points alone the step is by the largest length, that of a vector here.
+TEST(PeriodicUnion, OfPointsThatAreNearInTheirBox) {
+  const BuiltPeriodic built(balls_of({{0, 0, 0, 0}, {1e-11, 0, 0, 0}}), cube(1e-3), 0.0, 0.0);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  EXPECT_EQ(built->counts().components, 2U);
+}
+
 TEST(PeriodicUnion, IsEmptyOrRefused) {
   const BuiltPeriodic none({}, cube(4));
   ASSERT_EQ(none.status(), hsp::Status::ok);
