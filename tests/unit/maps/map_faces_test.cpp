@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "built_map.hpp"
+#include "maps/edge_geometry.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -30,6 +31,14 @@ TEST(MapFaces, OfNothing) {
   ASSERT_EQ(built.status(), hsp::Status::ok);
   EXPECT_EQ(built.map().faces.size(), 1U);
   EXPECT_EQ(built.map().components, 0U);
+}
+
+TEST(MapFaces, HaveAsManyHolesAsThereArePartsOfTheEdges) {
+  BuiltMap built(oracle::Balls{});
+  hsp::VisibilityMap &map = built.builder().arrays();
+  EXPECT_TRUE(hsp::add_holes(map));
+  map.components = 1;
+  EXPECT_FALSE(hsp::add_holes(map));
 }
 
 TEST(MapFaces, OfDiscsInFrontOfEachOther) {
