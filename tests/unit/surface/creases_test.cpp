@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <utility>
 
 #include "built_creases.hpp"
 #include "excluded_surface.hpp"
@@ -252,22 +253,24 @@ TEST(Creases, OfBallsThatTouchWhereOthersPass) {
 // A triangle that a probe touches from both sides: the patches of its two vertices meet in a whole circle, as all three
 // sides are farther from the middle. With sides nearer to it there are cusps, and each crease joins two of them.
 TEST(Creases, OfFewBalls) {
-  support::BallList triangle;
-  triangle.add(0, 0, 0, 1.0);
-  triangle.add(3.3, 0, 0, 1.0);
-  triangle.add(1.65, 2.858, 0, 1.0);
   Tally tally;
-  compare(triangle, 1.0, 1e-6, 1e-9, tally);
-  EXPECT_EQ(tally.compared, 1U);
-  EXPECT_EQ(tally.creases, 1U);
-  EXPECT_EQ(tally.circles, 1U);
+  for (const bool along_x : {false, true}) {
+    support::BallList triangle;
+    for (const auto &[a, b] : {std::pair{0.0, 0.0}, std::pair{3.3, 0.0}, std::pair{1.65, 2.858}}) {
+      along_x ? triangle.add(0, a, b, 1.0) : triangle.add(a, b, 0, 1.0);
+    }
+    compare(triangle, 1.0, 1e-6, 1e-9, tally);
+  }
+  EXPECT_EQ(tally.compared, 2U);
+  EXPECT_EQ(tally.creases, 2U);
+  EXPECT_EQ(tally.circles, 2U);
   support::BallList larger;
   larger.add(0, 0, 0, 1.0);
   larger.add(4.8, 0, 0, 1.0);
   larger.add(2.4, 4.157, 0, 1.0);
   compare(larger, 2.0, 1e-6, 1e-9, tally);
-  EXPECT_EQ(tally.compared, 2U);
-  EXPECT_EQ(tally.creases, 1U + 3U);
+  EXPECT_EQ(tally.compared, 3U);
+  EXPECT_EQ(tally.creases, 2U + 3U);
 }
 
 }  // namespace
