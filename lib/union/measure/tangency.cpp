@@ -28,9 +28,10 @@ bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, ui
   const int64_t D = container.radius - own.radius;
   const exact::Vector v = own.centre - container.centre;
   if (D < 0 || !within(v, D) || dot(v, v) != D * D) return false;
+  if (D == 0) return true;  // equal balls: without a look at third ones, as there may be thousands in one place
 
   // They touch in the point c + R v/D, c and R of the outer ball. Seen from the centre c_k of a third ball, D times
-  // that is D (c - c_k) + R v, with components below 2^62. Of equal balls it is 0, and covered by none.
+  // that is D (c - c_k) + R v, with components below 2^62.
   for (uint32_t r = 0; r < block.ranges; ++r) {
     for (uint32_t k = block.range[r].first; k < block.range[r].last; ++k) {
       const exact::LatticeBall third = balls.ball(k);

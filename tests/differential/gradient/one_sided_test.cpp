@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -80,6 +81,15 @@ TEST(OneSidedGradients, FlagsNameTheBallsThatTouchAtAFreePoint) {
                                    : oracle::tangent_balls(random, static_cast<size_t>(random.in(2, 6)));
     ASSERT_EQ(complaint_about_smallest(balls, flags_are_wrong), "");
   }
+}
+
+// As in files whose atoms have no coordinates yet. With a look at all balls for each two of them it takes half a minute.
+TEST(OneSidedGradients, FlagsOfManyEqualBallsAreFoundSoon) {
+  const LibraryBoundary boundary(Balls(2000, LatticeBall{3, 4, 5, 100}));
+  const std::clock_t before = std::clock();
+  const LibraryGradient found = gradient(boundary, EnergyTerms{});
+  EXPECT_LT(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC, 5);
+  for (const uint32_t flag : found.flags) EXPECT_EQ(flag, HSP_GRADIENT_ONE_SIDED);
 }
 
 TEST(OneSidedGradients, NoFlagsInGeneralPosition) {
