@@ -125,7 +125,8 @@ typedef struct hsp_body_gap {
 } hsp_body_gap;
 
 /** The least gap for each pose [poses]: gap [poses]. Of equal gaps that of the first ball at rest, then of the first
- *  posed one. Otherwise as hsp_body_hits; a gap is off by at most 2^-51 of the distance of the two centres.
+ *  posed one. Otherwise as hsp_body_hits; a gap is off by at most 2^-51 of the distance of the two centres, or of the
+ *  sum of the two radii where that is more: balls overlap there.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits

@@ -76,8 +76,8 @@ struct PairGap {
 };
 
 // The least distance between two balls, less than 0 for the pair that overlaps deepest; its error is at most 2^-51 of
-// the distance of the centres. Of equal ones the first, by the ball at rest. Infinite if one molecule has no balls. The
-// witness becomes the pair.
+// the distance of the centres or of the sum of the radii, whichever is more. Of equal ones the first, by the ball at
+// rest. Infinite if one molecule has no balls. The witness becomes the pair.
 PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness);
 PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness);
 inline PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
