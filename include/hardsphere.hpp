@@ -369,6 +369,7 @@ class box : public owner {
                                                        right ? all.data() : nullptr, &request, &bad);
     check(status, bad);
     size_ = balls.n;
+    has_areas_alone_ = areas_alone_;
     return *this;
   }
 
@@ -384,9 +385,9 @@ class box : public owner {
 #endif
 
   box_measures measure() {
-    box_measures found{{}, std::vector<double>(size_), std::vector<double>(areas_alone_ ? 0 : size_)};
+    box_measures found{{}, std::vector<double>(size_), std::vector<double>(has_areas_alone_ ? 0 : size_)};
     check(hsp_periodic_measure(periodic(), &found.total, found.area.data(),
-                               areas_alone_ ? nullptr : found.share_volume.data(), size_, nullptr));
+                               has_areas_alone_ ? nullptr : found.share_volume.data(), size_, nullptr));
     return found;
   }
   box_gradients gradient(const energy_terms &terms) {
@@ -398,7 +399,8 @@ class box : public owner {
   }
 
  private:
-  bool areas_alone_ = false;
+  bool areas_alone_ = false;      // of the next set
+  bool has_areas_alone_ = false;  // of the last one
 };
 
 #endif  // HSP_HAS_BOXES

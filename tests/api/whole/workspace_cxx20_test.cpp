@@ -186,7 +186,9 @@ void test_boxes() {
   other.areas_alone().set(centre, radius, turned);
   EXPECT(near(other.measure().total.area, area, 1e-8) && other.measure().share_volume.empty());
   EXPECT(near(other.gradient({.tension = 1}).d_strain[4], 2 * pi * 0.6, 1e-7));
-  other.areas_alone(false).set(centre, radius, lengths);
+  other.areas_alone(false);  // from the next set on: until then there are no shares
+  EXPECT(near(other.measure().total.area, area, 1e-8) && other.measure().share_volume.empty());
+  other.set(centre, radius, lengths);
   EXPECT(hardsphere::all(hsp_periodic_query_neighbours, other.periodic(), 0U).size() == 2);
   hsp_pores_counts counts{};
   hardsphere::check(hsp_pores_get_counts(other.pores(), &counts));
