@@ -124,6 +124,11 @@ class Values(unittest.TestCase):
         self.assertAlmostEqual(measured.volume, 2 * math.pi * 27 / 24, 12)
         self.assertAlmostEqual(hardsphere.Balls(LENS, [1, 1]).gradient().d_centre[1][0], 2 * math.pi, 6)
 
+    def test_areas_are_the_callers_own(self):
+        balls = hardsphere.Balls(LENS, [1, 1])
+        balls.areas[0] = 0
+        self.assertAlmostEqual(balls.areas[0], 3 * math.pi, 12)
+
     def test_what_is_not_selected_blocks(self):
         measured = hardsphere.measure(LENS, [1, 1], selected=[True, False])
         self.assertAlmostEqual(measured.area, 3 * math.pi, 12)
@@ -295,6 +300,10 @@ class Values(unittest.TestCase):
         for kind in (0, 4, "double", None):
             with self.assertRaises(ValueError):
                 pair.svg(bonds=[(0, 1, kind)])
+        if _calls.numpy is not None:  # however many digits a program prints of arrays
+            with _calls.numpy.printoptions(precision=1):
+                self.assertNotEqual(*(pair.svg(towards=_calls.numpy.array([y, 0, 1])) for y in (0.51, 0.54)))
+                self.assertNotEqual(*(pair.svg(bonds=[(0, 1)], up=_calls.numpy.array([0.1, y, 1])) for y in (0.51, 0.54)))
 
     def test_moves(self):
         centers, radii = random_balls(40, 8)
@@ -303,6 +312,8 @@ class Values(unittest.TestCase):
             centers[step] = [x + 0.3 for x in centers[step]]
             moving.move([step], [centers[step]])
         self.assertEqual(moving.measure(only="totals").area, hardsphere.measure(centers, radii).area)
+        with self.assertRaises(hardsphere.Error):  # nothing was set
+            hardsphere.Moving().move([0], [centers[0]])
         model = hardsphere.Model().set([[0, 0, 0]] * 40, [1] * 40)
         moving.get_model(model)
         self.assertEqual(hardsphere.Boundary().compute(model).measure(only=["totals"]).area,
@@ -503,6 +514,11 @@ class Wrong(unittest.TestCase):
         for bonds in None, [(0, 1)]:
             self.refused("colors: shape (1,), expected (327,)", lambda: balls.svg([0], bonds=bonds))
         self.refused("towards: shape (2,), expected (3,)", lambda: balls.svg(towards=[1, 2]))
+        for wrong in 1 << 32, -1, 0.5:  # C would make other integers of them, as 0
+            said = f"{wrong} is no whole number of 32 bits from 0 on"
+            self.refused(f"groups: {said}", lambda: box.contacts([0, wrong]))
+            self.refused(f"colors: {said}", lambda: balls.svg([wrong] * n))
+        self.assertEqual(len(hardsphere.contacts(LENS, [1, 1], groups=[0.0, 1.0])), 1)
         self.refused("from_: shape (2,), expected (3,)", lambda: balls.pores().handle.widest([1, 2]))
         self.refused("matrix: shape (8,), expected (9,)", lambda: hardsphere.pose_from_matrix([1] * 8, [0] * 3))
 

@@ -138,9 +138,13 @@ class Svg(str):
         return str(self)
 
 
+def _plain(values: Any) -> Any:
+    """As plain numbers, whose text has all digits: that of numpy's arrays has as many as a program likes to print."""
+    return values.tolist() if hasattr(values, "tolist") else values
+
+
 def _rows_of(values: Any) -> list[Any]:
-    """As plain numbers."""
-    return values.tolist() if hasattr(values, "tolist") else list(values)
+    return list(_plain(values))
 
 
 def _energy(found: Any, **more: Any) -> Gradient:
@@ -206,7 +210,8 @@ class _Set:
     @property
     def areas(self) -> Doubles:
         """What each ball has of the surface: with a probe, its solvent-accessible area."""
-        return self._once("measure", self.measure).areas
+        areas = self._once("measure", self.measure).areas
+        return areas.copy() if numpy is not None else list(areas)  # the caller's own, to be changed
 
 
 class Balls(_Set):
@@ -335,13 +340,14 @@ class Balls(_Set):
         such as width, fog and outline."""
         options["style"] = getattr(_interface, f"STYLE_{style.upper()}")
         look = {"towards": towards, "up": up}
+        key = repr((_plain(towards), _plain(up)))
         if bonds is None:
-            view = self._handle(View, self.model, self.boundary, key=repr(look), **look)
+            view = self._handle(View, self.model, self.boundary, key=key, **look)
             with called(colour="colors"):
                 text = view.picture_write(colors, title, **options)
         else:
             sticks = self._handle(Sticks, self.model, [_stick_of(*bond) for bond in bonds], stick,
-                                  key=repr((look, list(map(tuple, bonds)), stick)), **look)
+                                  key=repr((key, list(map(tuple, bonds)), stick)), **look)
             with called(colour="colors"):
                 text = sticks.picture_write_sticks(colors, title, **options)
         return Svg(text.decode())

@@ -21,6 +21,7 @@ _NONE, _ABI = 0xFFFFFFFF, 2
 _ARGUMENT, _CAPACITY, _NOT_FINITE, _NEGATIVE = -1, -2, -10, -11
 _SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, "uint8_t": C.c_uint8,
             "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
+_WHOLE = set(_SCALARS) - {"double", "uint8_t"}
 _SINK = C.CFUNCTYPE(C.c_int32, C.c_void_p, C.POINTER(C.c_char), C.c_size_t)
 _TASK = C.CFUNCTYPE(None, C.c_void_p, C.c_uint32)
 _LOOP = C.CFUNCTYPE(C.c_int32, C.c_void_p, C.c_uint32, _TASK, C.c_void_p)
@@ -198,6 +199,26 @@ def _held_to(extents: tuple[str, ...], shape: tuple[int, ...], flat_serves: bool
     return f"({expected},)" if not row else f"({', '.join(map(str, (expected, *row)))})"
 
 
+def _whole(value: Any, kind: Any) -> int:
+    """A number as an integer of C, which would else be another one without a word: 2^32 the ball 0."""
+    whole = int(value)
+    if kind(whole).value != whole or not isinstance(value, str) and whole != value:
+        raise ValueError(f"{value} is no whole number of {8 * C.sizeof(kind)} bits{' from 0 on' * (kind(-1).value > 0)}")
+    return whole
+
+
+def _whole_array(values: Any, kind: Any) -> Any:
+    """The same of many."""
+    given = numpy.asarray(values)
+    if given.dtype.kind in "biuf":
+        with numpy.errstate(invalid="ignore"):
+            data = numpy.ascontiguousarray(given.astype(kind))
+        for value in given[data != given][:1]:
+            _whole(value.item(), kind)
+        return data
+    return numpy.array([_whole(x, kind) for x in given.flat], dtype=kind).reshape(given.shape)
+
+
 def array_in(values: Any, argument: Argument, sizes: dict[str, int]) -> Any:
     """Values as a C array; of what `sizes` does not know yet of its extents, the values say how many there are."""
     base, kind = argument.base, _type(argument.base)
@@ -208,7 +229,7 @@ def array_in(values: Any, argument: Argument, sizes: dict[str, int]) -> Any:
         elif base in _SCALARS and numpy is not None:
             if base == "uint8_t":
                 values = numpy.asarray(values).astype(bool)
-            data = numpy.ascontiguousarray(values, dtype=kind)
+            data = _whole_array(values, kind) if base in _WHOLE else numpy.ascontiguousarray(values, dtype=kind)
             made, shape = C.cast(data.ctypes.data, C.POINTER(kind)), data.shape
             made.kept = data  # type: ignore[attr-defined]
         else:
@@ -220,11 +241,11 @@ def array_in(values: Any, argument: Argument, sizes: dict[str, int]) -> Any:
             elif base == "double":
                 flat = [float(x) for x in flat]
             elif base in _SCALARS:
-                flat = [int(bool(x)) if base == "uint8_t" else int(x) for x in flat]
+                flat = [int(bool(x)) if base == "uint8_t" else _whole(x, kind) for x in flat]
             elif numpy is not None and isinstance(given, numpy.ndarray):
                 flat = [kind.from_buffer_copy(row.tobytes()) for row in given]
             made = (kind * len(flat))(*flat)
-    except (TypeError, ValueError) as wrong:
+    except (OverflowError, TypeError, ValueError) as wrong:
         raise Misshapen(name, str(wrong)) from wrong
     expected = _held_to(argument.extents or ("1",), tuple(shape), not hasattr(values, "shape"), sizes)
     if expected:
@@ -439,6 +460,9 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
                         setattr(ends, f.name, C.addressof(made[f.name]))
                 passed.append(C.byref(ends))
             elif a.kind == "sized" and a.base.endswith("_limits"):
+                if handle._limits is None:  # of a handle that was never made
+                    passed.append(None)
+                    continue
                 limits.append(type(handle._limits)(*(getattr(handle._limits, f) for f, *_ in handle._limits._fields_)))
                 passed.append(C.byref(limits[-1]))
             elif a.kind == "sized":

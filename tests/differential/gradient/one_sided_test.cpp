@@ -83,7 +83,7 @@ TEST(OneSidedGradients, FlagsNameTheBallsThatTouchAtAFreePoint) {
   }
 }
 
-// As in files whose atoms have no coordinates yet. With a look at all balls for each two of them it takes half a minute.
+// As in files whose atoms have no coordinates yet. A look at all balls for each two of them takes half a minute.
 TEST(OneSidedGradients, FlagsOfManyEqualBallsAreFoundSoon) {
   const LibraryBoundary boundary(Balls(2000, LatticeBall{3, 4, 5, 100}));
   const std::clock_t before = std::clock();
