@@ -43,6 +43,22 @@ double position_tolerance(const Map &map) {
   return 0x1p-18 * map.scene.largest();
 }
 
+// The first half-edge with something on its side that has no front at the middle of its edge, or has one before it; no_id
+// if there is none. Where many curves tie in a point labels may agree about loops that are not there.
+template <class Map>
+uint32_t first_side_without_front(const Map &map) {
+  const double margin = position_tolerance(map);
+  for (uint32_t e = 0; e < map.edges.size(); ++e) {
+    const MapEdge &edge = map.edges[e];
+    const Vec3 middle = map.scene.at(edge.body, edge.nearer, 0.5 * (edge.from + edge.to));
+    for (const uint32_t h : {2 * e, 2 * e + 1}) {
+      const uint32_t owner = map.loops[map.half_edges[h].loop].owner;
+      if (owner != no_id && !map.scene.may_be_seen(owner, middle, margin)) return h;
+    }
+  }
+  return no_id;
+}
+
 // Twice the area that an edge sweeps about a point, as of half-edge 2e (Green's formula).
 template <class Map>
 double swept_twice(const Map &map, uint32_t e, double x, double y) {

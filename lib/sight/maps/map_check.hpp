@@ -227,14 +227,8 @@ class MapChecker : FirstViolation<MapInvariant> {
   }
 
   bool sides() {
-    for (uint32_t h = 0; h < map_.half_edges.size(); ++h) {
-      const uint32_t owner = map_.loops[map_.half_edges[h].loop].owner;
-      if (owner == no_id) continue;
-      const MapEdge &edge = map_.edges[h / 2];
-      const Vec3 middle = map_.scene.at(edge.body, edge.nearer, 0.5 * (edge.from + edge.to));
-      if (!map_.scene.may_be_seen(owner, middle, position_tolerance(map_))) return fail(MapInvariant::sides, h);
-    }
-    return true;
+    const uint32_t h = first_side_without_front(map_);
+    return h == no_id || fail(MapInvariant::sides, h);
   }
 
   const Map &map_;

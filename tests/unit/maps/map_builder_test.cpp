@@ -104,6 +104,15 @@ TEST(MapBuilder, ShowsSmallSets) {
       ASSERT_EQ(complaint(set, along_z, 101), "") << oracle::to_text(set);
 }
 
+// Eight unit balls on the lattice, of which silhouettes tie: labels agreed about a loop of a ball that is not there.
+TEST(MapBuilder, AsksForFrontsWhereLabelsAgree) {
+  Balls balls = {{-2, -1, 2, 1}, {-1, 0, 0, 1}, {-1, -1, -1, 1}, {-3, -2, 0, 1},
+                 {-3, -1, 1, 1}, {0, 3, -3, 1}, {2, -2, -3, 1},  {-1, -2, 1, 1}};
+  constexpr int64_t steps = 1'000'000'000;
+  for (oracle::LatticeBall &ball : balls) ball = {ball.x * steps, ball.y * steps, ball.z * steps, ball.radius * steps};
+  EXPECT_EQ(complaint(balls, {-2, -2, 1}, 200), "");
+}
+
 // Two balls that touch from outside, seen across the line of their centres: two discs that touch in a point.
 TEST(MapBuilder, ShowsBallsThatTouch) {
   const SeenSet sets[] = {
