@@ -43,8 +43,8 @@ double position_tolerance(const Map &map) {
   return 0x1p-18 * map.scene.largest();
 }
 
-// The first half-edge with something on its side that has no front at the middle of its edge, or has one before it; no_id
-// if there is none. Where many curves tie in a point labels may agree about loops that are not there.
+// The first half-edge with something on its side that has no front at the middle of its edge, or has one before it;
+// no_id if there is none. Where many curves tie in a point labels may agree about loops that are not there.
 template <class Map>
 uint32_t first_side_without_front(const Map &map) {
   const double margin = position_tolerance(map);
