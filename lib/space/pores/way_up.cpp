@@ -348,14 +348,15 @@ Status WayUp::follow(const Way &way, bool &outside) {
           !is_beyond_box(shape, way.curve.base, 2.0 * (radius + static_cast<double>(to))))
         continue;
       outside = true;
-      if (trace_ != nullptr) trace(way, shape, start, static_cast<double>(to));
+      if (trace_ != nullptr) trace(way, shape, {start, error}, {static_cast<double>(to), 0.0});
       return Status::ok;
     }
     point_ = met ? event : top;
     if (trace_ != nullptr) {
       double end = 0.0;
-      static_cast<void>(point_.refine(position, end));
-      trace(way, shape, start, end);
+      const double end_error = point_.refine(position, end);
+      // Beside the top of a curve it goes down again: no other ball is nearer there.
+      trace(way, shape, {start, error}, {end, met ? end_error : 0.0});
     }
     tied_.clear();
     for (uint32_t k = 0; k < near_.size(); ++k) {
@@ -370,8 +371,9 @@ Status WayUp::follow(const Way &way, bool &outside) {
 
 // Points of a curve, so many at least, and so near to each other: a share of how far the centres of its balls are; none
 // where doubles do not know it to some steps. Near the lowest and the highest point of a curve a level changes with the
-// square of the way.
-void WayUp::trace(const Way &way, const CurveShape &shape, double from, double to) {
+// square of the way. So a curve between two levels that may be the same can be long by these levels though it has no
+// length, and a point that is not certainly between them far behind its end, where another ball is nearer.
+void WayUp::trace(const Way &way, const CurveShape &shape, const RoundedLevel &from, const RoundedLevel &to) {
   constexpr double longest_part = 0x1p-3, shortest_part = 0x1p-16, apart = 1.0 / 12.0;
   const BallSet &balls = *balls_;
   const TangentCurve &curve = way.curve;
@@ -389,7 +391,7 @@ void WayUp::trace(const Way &way, const CurveShape &shape, double from, double t
     point.ball[b] = ball_of(nearest[b]);
     point.shift[b] = SmallShift::of(shift);
   }
-  const auto level_at = [&](double u) { return from + u * u * (3.0 - 2.0 * u) * (to - from); };
+  const auto level_at = [&](double u) { return from.level + u * u * (3.0 - 2.0 * u) * (to.level - from.level); };
   const auto z_at = [&](double u) { return 2.0 * (balls.r[curve.base] + level_at(u)); };
   const auto from_base = [&](double z) { return 0.5 * combine(1.0, shape.p + z * shape.q, shape.height(z), shape.e); };
   Vec3 last = from_base(z_at(0.0));
@@ -406,9 +408,11 @@ void WayUp::trace(const Way &way, const CurveShape &shape, double from, double t
     last = y;
     const double pairs = 0.5 * u / part;
     if (part < longest_part && pairs == static_cast<double>(static_cast<uint32_t>(pairs))) part *= 2.0;
-    if (!(shape.error_at(z) < 64.0)) continue;
-    point.position = centre + y;
     point.level = level_at(u);
+    const bool between = point.level - from.level > from.error && to.level - point.level >= to.error;
+    const double off = between ? 0.0 : 2.0 * larger_of(from.error, to.error);
+    if (!(shape.error_at(z, off) < 64.0)) continue;
+    point.position = centre + y;
     trace_->push(point);
   }
 }

@@ -79,7 +79,11 @@ class WayUp {
   uint32_t number_of(uint32_t ball, const BoxShift &shift);
   uint32_t ball_of(uint32_t number) const { return all_->box() == nullptr ? number : near_balls_.ball(number); }
   BoxShift shift_of(uint32_t number) const { return all_->box() == nullptr ? BoxShift{} : near_balls_.shift(number); }
-  void trace(const Way &way, const CurveShape &shape, double from, double to);
+  // And how far it may be off.
+  struct RoundedLevel {
+    double level, error;
+  };
+  void trace(const Way &way, const CurveShape &shape, const RoundedLevel &from, const RoundedLevel &to);
 
   PoreBalls *all_ = nullptr;
   NearBalls near_balls_;  // whose numbers are used here in a box

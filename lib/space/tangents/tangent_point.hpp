@@ -178,7 +178,8 @@ bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint
 int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball);
 
 // A curve in doubles: y = p + q z + h e with e across it and h^2 = -(A z^2 + 2 b z + c), seen from its base.
-// error_at(z): how far y may be off; infinite if nothing is known. error_up_to(z): as far as z, and grows with it.
+// error_at(z, off): how far y may be off, if z may be off by that; infinite if nothing is known. error_up_to(z): as far
+// as z, and grows with it.
 // With h^2 off by d, h is off by d/(h + true h), hence by d/h at most, and by sqrt(d) at most, which is less near h = 0
 // alone.
 struct CurveShape {
@@ -191,8 +192,9 @@ struct CurveShape {
     const double squared = -((A * z + 2.0 * b) * z + c);
     return squared > 0.0 ? std::sqrt(squared) : 0.0;
   }
-  double error_at(double z) const {
-    const double h = height(z), squared = error_of_square(z), most = std::sqrt(squared);
+  double error_at(double z, double off = 0.0) const {
+    const double slope = 2.0 * std::fabs(A * z + b) + std::fabs(A) * off;
+    const double h = height(z), squared = error_of_square(z) + slope * off, most = std::sqrt(squared);
     return error_with(z, h > most ? squared / h : most);
   }
   double error_up_to(double z) const { return error_with(z, std::sqrt(error_of_square(z))); }

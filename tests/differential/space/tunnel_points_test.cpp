@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "../oracle/sweep_length.hpp"
@@ -161,6 +162,62 @@ TEST(TunnelPoints, AreNearToEachOther) {
 
 TEST(TunnelPoints, AreNearToEachOtherInBoxes) {
   sweep(true, oracle::rounds(100, 1200), 7000);
+}
+
+// By how many steps of the lattice the largest probe at a point of a tunnel is narrower than the point says, at most,
+// of all tunnels between maxima and to the outside.
+double shortfall(Workspace &work, const Case &of, double step) {
+  hsp_model_options lattice;
+  EXPECT_EQ(hsp_model_options_init(&lattice, sizeof lattice), HSP_OK);
+  lattice.step = step;
+  hsp_pores_options options;
+  EXPECT_EQ(hsp_pores_options_init(&options, sizeof options), HSP_OK);
+  options.floor = -0.3;
+  const auto n = static_cast<uint32_t>(of.radius.size());
+  EXPECT_EQ(hsp_workspace_set(&work, n, of.xyz.data(), of.radius.data(), &lattice, nullptr), HSP_OK);
+  EXPECT_EQ(hsp_workspace_pores(&work, &options), HSP_OK);
+  hsp_pores_counts counts{};
+  EXPECT_EQ(hsp_pores_get_counts(work.pores, &counts), HSP_OK);
+  std::vector<hsp_pore_maximum> maxima(counts.maxima);
+  EXPECT_EQ(hsp_pores_get_maxima(work.pores, 0, counts.maxima, maxima.data()), HSP_OK);
+  double most = 0;
+  for (uint32_t a = 0; a < counts.maxima; ++a) {
+    for (uint32_t b = a + 1; b <= counts.maxima; ++b) {
+      const double *const to = b < counts.maxima ? maxima[b].xyz : nullptr;
+      hsp_tunnel tunnel{};
+      EXPECT_EQ(hsp_workspace_tunnel(&work, &options, maxima[a].xyz, to, nullptr, 0, &tunnel), HSP_OK);
+      std::vector<hsp_tunnel_point> points(tunnel.points);
+      EXPECT_EQ(hsp_pores_get_tunnel_points(work.pores, points.data(), tunnel.points, nullptr), HSP_OK);
+      for (const hsp_tunnel_point &point : points) {
+        double widest = std::numeric_limits<double>::infinity();
+        for (uint32_t i = 0; i < n; ++i) {
+          const Point at{point.xyz[0], point.xyz[1], point.xyz[2]};
+          widest = std::fmin(widest, distance(at, of.centre(i, std::array<int32_t, 3>{}.data())) - of.radius[i]);
+        }
+        most = std::fmax(most, (point.radius - widest) / step);
+      }
+    }
+  }
+  return most;
+}
+
+// A gate and a maximum beside it whose levels are one double: nothing says how long the curve between them is.
+TEST(TunnelPoints, LieOnTheirWayWhereBallsNearlyTie) {
+  Workspace work;
+  const Case six{{0.99999999, -1e-8, 1.00000001, 1, 1.99999999, 0.99999999, 2, 1, 0.99999999, 1, 1.00000001, 2,
+                  0.99999999, 1, -1e-8, -1e-8, 1.00000001, 1.00000001},
+                 {0.99999999, 0.99999999, 0.99999999, 1, 1.00000001, 0.99999999}};
+  EXPECT_LT(shortfall(work, six, 1e-9), 8);
+  Random random(41);
+  for (int k = 0; k < oracle::rounds(200, 4000); ++k) {
+    SCOPED_TRACE(k);
+    Case made;
+    const auto n = static_cast<uint32_t>(random.in(4, 9));
+    const auto beside = [&] { return 1e-8 * static_cast<double>(random.in(-1, 1)); };
+    for (uint32_t i = 0; i < 3 * n; ++i) made.xyz.push_back(static_cast<double>(random.in(0, 2)) + beside());
+    for (uint32_t i = 0; i < n; ++i) made.radius.push_back(1 + beside());
+    EXPECT_LT(shortfall(work, made, 1e-9), 64);
+  }
 }
 
 // From the roomiest place to the outside, up to three times, on lattices of four steps. How many there are; without a
