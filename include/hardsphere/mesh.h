@@ -94,11 +94,13 @@ HSP_API int32_t HSP_CALL hsp_mesh_init(void *memory, size_t bytes, const hsp_mes
  *  - Property 2: the same model, boundary and edge_length yield the same bytes on every machine.
  *
  *  Cost: O(m + p log p) for m vertices, some 1.2 for each area of edge_length^2, and p on the sphere that has most of
- *  them.
+ *  them. Where patches are far smaller than their spheres, also what it takes to look at points of edge_length all over
+ *  the belt of each sphere, between two circles of latitude, that its patches lie in.
  *  @retval HSP_E_ARGUMENT    mesh or boundary is NULL; edge_length is not above 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_NOT_FINITE  edge_length is NaN or infinite
- *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
+ *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something; or edge_length is less than 1/4288 of
+ *                            the radius of a sphere that a patch lies on
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE       the boundary holds no results, or its model has changed since
  *  @retval HSP_E_DEGENERATE  borders on one sphere lie on each other along a curve, up to rounding, so that nothing
@@ -118,7 +120,8 @@ HSP_API int32_t HSP_CALL hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *bo
  *  @retval HSP_E_ARGUMENT      mesh or surface is NULL; edge_length is not above 0
  *  @retval HSP_E_VERSION       bad struct_size of limits
  *  @retval HSP_E_NOT_FINITE    edge_length is NaN or infinite
- *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
+ *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something; or edge_length is less than 1/4288
+ *                              of the radius of a sphere that a patch lies on
  *  @retval HSP_E_CAPACITY      a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
  *  @retval HSP_E_DEGENERATE    borders touch or lie on each other, as for a boundary, around a patch that has an area:

@@ -29,11 +29,13 @@ class MeshSizes {
  public:
   void add_points(double points) { vertices_ += points; }
   // A sphere with patches of this solid angle, with so many points on their borders. Borders of many short arcs leave
-  // triangles that are divided.
+  // triangles that are divided. There is room for points all over it, but where these are far more than the patches have.
   void add_sphere(double border, double steradians, double spacing) {
     const double everywhere = expected_ring_points(spacing < largest_ring_spacing ? spacing : largest_ring_spacing);
-    vertices_ += 0.75 * border + 1.2 * everywhere * steradians / (4 * pi) + SphereTriangulation::octahedron_points;
-    const double points = border + 1.2 * everywhere + 2.0 * SphereTriangulation::octahedron_points + 8.0;
+    const double inside = 1.2 * everywhere * steradians / (4 * pi), most_inside = 4.0 * (border + inside) + 65536.0;
+    vertices_ += 0.75 * border + inside + SphereTriangulation::octahedron_points;
+    const double around = 1.2 * everywhere < most_inside ? 1.2 * everywhere : most_inside;
+    const double points = border + around + 2.0 * SphereTriangulation::octahedron_points + 8.0;
     if (points > most_points_) most_points_ = points;
   }
   Status limits(uint32_t spheres, uint32_t curves, MeshLimits &limits) const {

@@ -17,16 +17,18 @@ inline double expected_ring_points(double spacing) {
   return 14.6 / (spacing * spacing);  // 4 pi divided by sqrt(3)/2, the share of the plane that a triangle has
 }
 
-// Calls sink(point) for every one.
-template <class Sink>
-void for_each_ring_point(double spacing, Sink sink) {
+// Calls sink(point) for every one on circles of which needs(sine, cosine) says, by their angle from the z axis, that any
+// is needed. Circles of few points are not asked about.
+template <class Needs, class Sink>
+void for_each_ring_point(double spacing, Needs needs, Sink sink) {
+  constexpr uint32_t few = 256;
   constexpr double height_of_triangle = 0.8660254037844386;
   const double step = spacing < largest_ring_spacing ? spacing : largest_ring_spacing;
   const auto rings = static_cast<uint32_t>(pi / (height_of_triangle * step) + 0.5);
   for (uint32_t ring = 0; ring < rings; ++ring) {
     const SinCos polar = sin_cos(pi * (ring + 0.5) / rings);
     const auto points = static_cast<uint32_t>(2 * pi * polar.sine / step + 0.5);
-    if (points == 0) continue;
+    if (points == 0 || (points > few && !needs(polar.sine, polar.cosine))) continue;
     const SinCos turn = sin_cos(2 * pi / points);
     SinCos at = sin_cos(ring % 2 == 0 ? 0.0 : pi / points);
     for (uint32_t k = 0; k < points; ++k) {
@@ -34,6 +36,11 @@ void for_each_ring_point(double spacing, Sink sink) {
       at = {at.cosine * turn.cosine - at.sine * turn.sine, at.sine * turn.cosine + at.cosine * turn.sine};
     }
   }
+}
+template <class Sink>
+void for_each_ring_point(double spacing, Sink sink) {
+  for_each_ring_point(
+      spacing, [](double, double) { return true; }, sink);
 }
 
 }  // namespace hsp

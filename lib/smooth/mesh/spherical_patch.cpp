@@ -67,6 +67,48 @@ bool SphericalPatch::is_near_cap(const Vec3 &direction) {
   return false;
 }
 
+// Whether all points of a circle of latitude are certainly near caps. A walk goes around it, each time to the end of the
+// cap that leads farthest: a patch may be far smaller than its sphere, and most circles are nowhere near it.
+bool SphericalPatch::is_circle_near_caps(double sine, double cosine) const {
+  constexpr int most_turns = 24;
+  constexpr double safe = 1e-9;  // far more than points are off their circle
+  struct Way {
+    double x, y;
+  };
+  // How far it is around the circle, 0 to 4, from one way counter-clockwise to another one.
+  const auto turn_between = [](const Way &a, const Way &b) {
+    const double x = a.x * b.x + a.y * b.y, y = a.x * b.y - a.y * b.x;
+    const double part = y / (std::fabs(x) + std::fabs(y));
+    return x < 0.0 ? 2.0 - part : y < 0.0 ? 4.0 + part : part;
+  };
+  const Way start{1.0, 0.0};
+  Way at = start;
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const double whole = turn == 0 ? 4.0 : turn_between(at, start);
+    double farthest = 0.0;
+    Way end = at;
+    for (uint32_t k = 0; k < caps_.size(); ++k) {
+      const Vec3 &axis = caps_[k].axis;
+      const double least = caps_[k].near + safe - cosine * axis.z;
+      if (!(sine * (at.x * axis.x + at.y * axis.y) > least + safe)) continue;
+      const double square = axis.x * axis.x + axis.y * axis.y, along = least / sine;
+      const double across = square - along * along;
+      if (across <= 0.0 && along < 0.0) return true;
+      if (across <= 0.0) continue;
+      const double root = std::sqrt(across);
+      const Way last{(along * axis.x - root * axis.y) / square, (along * axis.y + root * axis.x) / square};
+      const double reached = turn_between(at, last);
+      if (reached >= whole) return true;
+      if (reached <= farthest) continue;
+      farthest = reached;
+      end = last;
+    }
+    if (farthest == 0.0) return false;
+    at = end;
+  }
+  return false;
+}
+
 // By a cap on whose circle a border runs.
 bool SphericalPatch::is_covered(const Vec3 &direction) const {
   const double length = std::sqrt(dot(direction, direction));
@@ -157,9 +199,11 @@ PatchState SphericalPatch::triangulate(bool pinched) {
 }
 
 void SphericalPatch::add_inner_points() {
-  for_each_ring_point(spacing_, [this](const Vec3 &direction) {
-    if (!is_near_cap(direction)) inputs_.push(rounded(direction));
-  });
+  for_each_ring_point(
+      spacing_, [this](double sine, double cosine) { return !is_circle_near_caps(sine, cosine); },
+      [this](const Vec3 &direction) {
+        if (!is_near_cap(direction)) inputs_.push(rounded(direction));
+      });
 }
 
 // Coarse first, then ever finer, each time along the way of the inputs: neither long walks nor long chains of flips.

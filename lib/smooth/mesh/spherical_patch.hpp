@@ -116,6 +116,7 @@ class SphericalPatch {
     return loop + 1 < loops_.size() ? loops_[loop + 1].first : border_samples_;
   }
   bool is_near_cap(const Vec3 &direction);
+  bool is_circle_near_caps(double sine, double cosine) const;
   bool is_covered(const Vec3 &direction) const;
   Vec3 direction_of(uint32_t sample) const { return unit(samples_[sample].direction, {0.0, 0.0, 1.0}); }
   Vec3 direction_between(uint32_t a, uint32_t b) const;

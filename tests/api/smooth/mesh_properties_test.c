@@ -254,6 +254,34 @@ static void tied_surface(void) {
   computed_release(&c);
 }
 
+/* What is left of the surface around five points is far smaller than the probe, and so is what its triangles need. */
+static void small_surface(void) {
+  static const double xyz[5][3] = {{0.97725248, 1.39405712, 0.23740841},
+                                   {1.41230417, 0.13996758, 0.76255342},
+                                   {0.56500406, 0.52507112, 0.77333069},
+                                   {1.04756273, 0.60954096, 0.88831195},
+                                   {0.65461145, 1.84013881, 0.56015178}};
+  static const double radius[5] = {0, 0, 0, 0, 0};
+  const double edge = 7e-4;
+  const hsp_model_options options = options_with_probe(1.0);
+  computed c;
+  surface_result s;
+  mesh_result m;
+  hsp_mesh_limits limits;
+  check_scene("a small surface");
+  CHECK_EQUAL(computed_make(5, xyz[0], radius, &options, &c), HSP_OK);
+  CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK);
+  CHECK(s.totals.area > 1e-5 && s.totals.area < 1e-3);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, sizeof limits, s.surface, edge), HSP_OK);
+  CHECK(limits.points < 100000);
+  CHECK_EQUAL(mesh_result_make_surface(&s, edge, &m), HSP_OK);
+  CHECK(mesh_fault(&m) == NULL);
+  CHECK(m.counts.vertices < 2000 && m.needed.points < 2000);
+  mesh_result_release(&m);
+  surface_result_release(&s);
+  computed_release(&c);
+}
+
 /* Half the edge, a quarter of the error: of the boundary, and of the smooth surface of the same balls. */
 static void check_quarters(const double *error) {
   CHECK(error[0] > 3.0 * error[1] && error[0] < 6.0 * error[1]);
@@ -313,6 +341,7 @@ int main(void) {
   converges();
   surface_converges();
   tied_surface();
+  small_surface();
   printf("%u meshes, %u surfaces, %u refused\n", meshes, surfaces, refused);
   CHECK_EQUAL(refused, 0);
   return check_report();

@@ -30,6 +30,29 @@ TEST(RingPoints, CoverTheSphereEvenly) {
   }
 }
 
+// Those of the other circles are the same.
+TEST(RingPoints, CirclesThatAreNotNeededAreLeftOut) {
+  for (const double spacing : {0.3, 0.01}) {
+    const auto is_needed = [](double cosine) { return cosine > 0.2 && cosine < 0.4; };
+    std::vector<hsp::Vec3> all, some;
+    hsp::for_each_ring_point(spacing, [&](const hsp::Vec3 &p) {
+      if (is_needed(p.z)) all.push_back(p);
+    });
+    uint32_t others = 0;
+    hsp::for_each_ring_point(
+        spacing, [&](double, double cosine) { return is_needed(cosine); },
+        [&](const hsp::Vec3 &p) {
+          if (is_needed(p.z)) some.push_back(p);
+          others += is_needed(p.z) ? 0 : 1;
+        });
+    ASSERT_EQ(some.size(), all.size());
+    for (size_t k = 0; k < all.size(); ++k) EXPECT_EQ(some[k].x, all[k].x);
+    if (spacing == 0.01) {
+      EXPECT_LT(others, 20000U) << "on circles near the poles, which have few points";
+    }
+  }
+}
+
 TEST(RingPoints, LargeDistancesYieldAFewPoints) {
   int points = 0;
   hsp::for_each_ring_point(1e30, [&](const hsp::Vec3 &) { ++points; });

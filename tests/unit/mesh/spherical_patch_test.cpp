@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "carved_memory.hpp"
 #include "mesh/mesh_curve.hpp"
+#include "mesh/ring_points.hpp"
 
 namespace {
 
@@ -160,6 +162,41 @@ TEST(SphericalPatch, SaysHowManyPointsItNeeds) {
     if (state == PatchState::capacity) continue;
     EXPECT_EQ(patch.needed_points(), room);
     break;
+  }
+}
+
+// Polygons around any direction, between great circles or near them: no point of theirs is left out with the circles of
+// latitude that meet none.
+TEST(SphericalPatch, HasAllPointsOfAPatchFarSmallerThanItsSphere) {
+  CarvedMemory memory;
+  SphericalPatch patch;
+  memory.carve(patch, 20000U);
+  const double spacing = 0.01;
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    const double height = k % 6 == 0 ? 1.0 : std::cos(1.0 + 7.0 * k), angle = 2.4 * k;
+    const double across = std::sqrt(1.0 - height * height), size = 0.02 * (1 + k % 8);
+    const Vec3 centre{across * std::cos(angle), across * std::sin(angle), height};
+    const Vec3 east{-std::sin(angle), std::cos(angle), 0.0}, north = cross(centre, east);
+    std::vector<std::pair<Vec3, double>> caps{{-centre, 0.2}};
+    const int sides = 3 + k % 5;
+    for (int side = 0; side < sides; ++side) {
+      const double turn = 2 * hsp::pi * (side + 0.3) / sides;
+      caps.push_back({std::cos(turn) * east + std::sin(turn) * north, std::sin(size)});
+    }
+    patch.begin(spacing);
+    for (const auto &[axis, cosine] : caps) patch.keep_off(axis, cosine);
+    static_cast<void>(patch.triangulate());
+    uint64_t points = 0;
+    hsp::for_each_ring_point(spacing, [&](const Vec3 &p) {
+      bool near = false;
+      for (const auto &[axis, cosine] : caps) near = near || dot(p, axis) > std::cos(std::acos(cosine) + 0.6 * spacing);
+      points += near ? 0 : 1;
+    });
+    const uint64_t corners = 6;  // of the octahedron, of which one in the patch keeps some points away
+    EXPECT_LE(patch.needed_points(), points + corners);
+    EXPECT_GE(patch.needed_points() + 8, points + corners);
+    EXPECT_GT(points, 4U);
   }
 }
 
