@@ -17,8 +17,8 @@ inline double expected_ring_points(double spacing) {
   return 14.6 / (spacing * spacing);  // 4 pi divided by sqrt(3)/2, the share of the plane that a triangle has
 }
 
-// Calls sink(point) for every one on circles of which needs(sine, cosine) says, by their angle from the z axis, that any
-// is needed. Circles of few points are not asked about.
+// Calls sink(point) for every one, but for those of circles of which needs(sine, cosine) says that none is needed, by
+// their angle from the z axis. Circles of few points are not asked about.
 template <class Needs, class Sink>
 void for_each_ring_point(double spacing, Needs needs, Sink sink) {
   constexpr uint32_t few = 256;

@@ -67,8 +67,8 @@ bool SphericalPatch::is_near_cap(const Vec3 &direction) {
   return false;
 }
 
-// Whether all points of a circle of latitude are certainly near caps. A walk goes around it, each time to the end of the
-// cap that leads farthest: a patch may be far smaller than its sphere, and most circles are nowhere near it.
+// Whether all points of a circle of latitude are certainly near caps: a patch may be far smaller than its sphere, and
+// most circles are nowhere near it. A walk goes around it, each time to the end of the cap that leads farthest.
 bool SphericalPatch::is_circle_near_caps(double sine, double cosine) const {
   constexpr int most_turns = 24;
   constexpr double safe = 1e-9;  // far more than points are off their circle

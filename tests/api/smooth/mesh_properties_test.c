@@ -254,7 +254,7 @@ static void tied_surface(void) {
   computed_release(&c);
 }
 
-/* What is left of the surface around five points is far smaller than the probe, and so is what its triangles need. */
+/* The surface around five points is far smaller than the probe, and so is what its triangles need. */
 static void small_surface(void) {
   static const double xyz[5][3] = {{0.97725248, 1.39405712, 0.23740841},
                                    {1.41230417, 0.13996758, 0.76255342},
