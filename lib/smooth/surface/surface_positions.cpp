@@ -177,18 +177,29 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
           arc.angle};
 }
 
-// In doubles, as it is asked by tasks, which have little stack.
-SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
+// In doubles, as it is asked by tasks, which have little stack. Beside a vertex that is near the planes of crease and
+// side, which meet in a cusp, are nearly one, and would tell of the cusp by half the digits only: there the circle does.
+SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
+  constexpr double low = 0x1p-8;
+  const CutPatches &cut = surface.cut_patches();
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_vertex(balls, boundary, vertex);
   const ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
   SphereArc crease{own.axis, own.height, cut.arc(arc).angle, {0.0, 0.0, 0.0}};
+  const auto start_of = [&](uint32_t a) {
+    const uint32_t first_cusp = 3 * boundary.vertex_count(), corner = cut.arc(a).corner;
+    const bool is_cusp = corner >= first_cusp && corner - first_cusp < 2 * surface.cusped_circles().count();
+    if (!is_cusp || own.height >= low) return start_of_arc(balls, boundary, cut, centre, vertex, a);
+    const uint32_t cusp = corner - first_cusp;
+    const Position position = position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
+    return 1.0 / static_cast<double>(balls.probe_steps) * difference(balls, centre, position);
+  };
   const uint32_t next = cut.arc(arc).next;
   if (2 * own.height < coincident_distance) {
     crease.height = 0.0;
   } else if (next != arc) {
-    const Vec3 start = start_of_arc(balls, boundary, cut, centre, vertex, arc);
-    crease.chord = start_of_arc(balls, boundary, cut, centre, vertex, next) - start;
+    const Vec3 start = start_of(arc);
+    crease.chord = start_of(next) - start;
   }
   return crease;
 }

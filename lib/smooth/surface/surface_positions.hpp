@@ -18,6 +18,6 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
 
 // An arc of a cut patch that is a crease, on the unit sphere about the vertex of its patch; its axis points to the
 // vertex across. Found from the arcs before and after it.
-SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc);
+SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc);
 
 }  // namespace hsp

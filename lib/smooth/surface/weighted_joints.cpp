@@ -138,7 +138,7 @@ Vec3 WeightedJoints::concave_part(uint32_t vertex, double mean) const {
     if (arc.is_side()) continue;
     const double across = weight_of_vertex(arc.across);
     if (across == weight_ && mean == weight_) continue;
-    const SphereArc crease = crease_on_probe(balls_, boundary_, cut, a);
+    const SphereArc crease = crease_on_probe(balls_, boundary_, surface_, a);
     const double c = crease.height;
     const double square_of_radius = (1.0 - c) * (1.0 + c);
     const Vec3 radial = cross(crease.chord, crease.axis);

@@ -1,4 +1,5 @@
-/* The gradient of the smooth surface: short arrays and weights that are no numbers, and executors. */
+/* The gradient of the smooth surface: short arrays and weights that are no numbers, executors, and probes that are near
+ * each other. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>
@@ -76,6 +77,37 @@ static void check_set(const ball_set *set) {
   computed_release(&c);
 }
 
+/* Three probes a few 1e-5 of their radius apart: their creases end in cusps where planes are nearly one, and derivatives
+ * of a share are as right as elsewhere: they sum to zero. Balls are moved by more and more. */
+static void near_probes(void) {
+  static const double xyz[12] = {3, 0, 3, 0, 1, 2, 2, 2, 0, 2, 1, 1};
+  static const double way[12] = {1, -3, 2, -1, 2, 3, -2, 1, 1, 3, -1, -2};
+  static const double radius[4] = {0, 1.5, 1, 0};
+  static const double weights[4] = {0, 1, 0, 0};
+  const hsp_model_options options = options_with_probe(2.58523282);
+  double moved;
+  for (moved = 0; moved<1e-3; moved = moved> 0 ? 10 * moved : 1e-7) {
+    double at[12];
+    int i, k;
+    computed c;
+    surface_result s;
+    hsp_gradient_outputs out;
+    check_scene("near probes, balls moved by %g", moved);
+    for (i = 0; i < 12; ++i) at[i] = xyz[i] + moved * way[i];
+    if (CHECK_EQUAL(computed_make(4, at, radius, &options, &c), HSP_OK) &&
+        CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK)) {
+      CHECK_EQUAL(get(s.surface, 4, weights, NULL, &alone, &out), HSP_OK);
+      for (k = 0; k < 3; ++k) {
+        double sum = 0;
+        for (i = 0; i < 4; ++i) sum += alone.centre[3 * i + k];
+        CHECK(fabs(sum) < 1e-8);
+      }
+      surface_result_release(&s);
+    }
+    computed_release(&c);
+  }
+}
+
 int main(void) {
   static ball_set set;
   ball_set_make(3, &set);
@@ -83,5 +115,6 @@ int main(void) {
   ball_set_start(&set, "chain", 1e-8);
   ball_set_add_chain(&set, BALL_SET_MOST, 77);
   check_set(&set);
+  near_probes();
   return check_report();
 }
