@@ -255,9 +255,10 @@ HSP_API int32_t HSP_CALL hsp_surface_measure_with(const hsp_surface *surface,
  *  radii without the probe, outputs->flags are HSP_SURFACE_*, and energy->d_probe is the derivative by the probe, at
  *  the same radii. For the area alone: tension 1. For the volume alone: pressure 1. On failure nothing but
  *  outputs->needed and outputs->first_bad is written.
- *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions).
- *  - Property 2: sum_i (r_i d_radius_i + c_i . d_centre_i) + probe d_probe is 2 sum_i sigma_i A_i for the area, 3 V for
- *    the volume.
+ *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions),
+ *    if no ball is flagged.
+ *  - Property 2: likewise sum_i (r_i d_radius_i + c_i . d_centre_i) + probe d_probe is 2 sum_i sigma_i A_i for the
+ *    area, 3 V for the volume.
  *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
  *  - Property 4: without sigma energy->area and energy->volume are those of hsp_surface_measure up to rounding; with a
  *    sigma that is the same for all balls everything is that of this multiple of the area, up to rounding.

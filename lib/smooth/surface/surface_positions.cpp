@@ -177,8 +177,9 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
           arc.angle};
 }
 
-// In doubles, as it is asked by tasks, which have little stack. Beside a vertex that is near the planes of crease and
-// side, which meet in a cusp, are nearly one, and would tell of the cusp by half the digits only: there the circle does.
+// In doubles, as it is asked by tasks, which have little stack. The planes of a crease and a side meet in a cusp. Where
+// the vertices beside the crease are near each other these planes are nearly one, and tell of the cusp by half the
+// digits or fewer: there its circle does.
 SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
   constexpr double low = 0x1p-8;
   const CutPatches &cut = surface.cut_patches();

@@ -1,5 +1,5 @@
-/* The gradient of the smooth surface: short arrays and weights that are no numbers, executors, and probes that are near
- * each other. */
+/* The gradient of the smooth surface: short arrays and weights that are no numbers, executors, and probes that are
+ * near each other. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>
@@ -77,8 +77,8 @@ static void check_set(const ball_set *set) {
   computed_release(&c);
 }
 
-/* Three probes a few 1e-5 of their radius apart: their creases end in cusps where planes are nearly one, and derivatives
- * of a share are as right as elsewhere: they sum to zero. Balls are moved by more and more. */
+/* Three probes are a few 1e-5 of their radius apart: their creases end in cusps where planes are nearly one.
+ * Derivatives of a share are as right as elsewhere: they sum to zero. Balls are moved by more and more. */
 static void near_probes(void) {
   static const double xyz[12] = {3, 0, 3, 0, 1, 2, 2, 2, 0, 2, 1, 1};
   static const double way[12] = {1, -3, 2, -1, 2, 3, -2, 1, 1, 3, -1, -2};
