@@ -76,7 +76,7 @@ HSP_API int32_t HSP_CALL hsp_map_init(void *memory, size_t bytes, const hsp_map_
 /** Find what is seen from one direction; any number of times, from any directions. options: where to look from, as for
  *  hsp_view_compute, NULL for the defaults; pieces and flags have to be good there and have no effect here. The model
  *  must outlive the map, which can be read while the model holds the same balls (RESULTS in hardsphere.h). On failure
- *  it holds no results. limits: see LIMITS in hardsphere.h; at most twelve retries.
+ *  it holds no results. limits: see LIMITS in hardsphere.h; at most 21 retries.
  *  - Property 1: the order of the balls has no effect but on the numbers of balls.
  *  - Property 2: hsp_map_check finds nothing.
  *
@@ -87,7 +87,7 @@ HSP_API int32_t HSP_CALL hsp_map_init(void *memory, size_t bytes, const hsp_map_
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite
- *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times
+ *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls six times
  *  @retval HSP_E_STOPPED     the executor of the options said not to go on */
 HSP_API int32_t HSP_CALL hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options,
                                          hsp_map_limits *limits);

@@ -123,7 +123,7 @@ typedef struct hsp_sticks_conflict {
  *  if count is 0. radius: of all sticks that are no bonds of several strands. The model must outlive the handle, which
  *  can be read while the model holds the same balls (RESULTS in hardsphere.h). conflict may be NULL; it is written on
  *  HSP_OK and HSP_E_CONFLICT: on HSP_OK it tells whether there is an order to paint, or why none. Which one of several
- *  conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most twelve retries. On
+ *  conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most 21 retries. On
  *  failure the handle holds no results.
  *
  *  Cost: O(m log m) for m balls and halves of sticks, and for each those that share a vertical line of the view plane
@@ -137,7 +137,7 @@ typedef struct hsp_sticks_conflict {
  *  @retval HSP_E_NEGATIVE    radius is negative
  *  @retval HSP_E_RANGE       radius is 0
  *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
- *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times
+ *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls six times
  *  @retval HSP_E_STOPPED     the executor of the options said not to go on */
 HSP_API int32_t HSP_CALL hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                                             const hsp_stick *stick, uint32_t count, double radius,
@@ -157,7 +157,7 @@ HSP_API int32_t HSP_CALL hsp_sticks_compute(hsp_sticks *sticks, const hsp_model 
  *  @retval HSP_E_NEGATIVE    radius is negative
  *  @retval HSP_E_RANGE       radius is 0
  *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
- *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls three times
+ *  @retval HSP_E_DEGENERATE  roundings could not be overcome by moving balls six times
  *  @retval HSP_E_STOPPED     the executor of the options said not to go on */
 HSP_API int32_t HSP_CALL hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model,
                                                 const hsp_view_options *options, const hsp_stick *stick, uint32_t count,

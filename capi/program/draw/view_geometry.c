@@ -15,7 +15,7 @@ bool geometry_compute_map(struct geometry *geometry, const struct viewing *viewi
   int32_t status = viewing_options(viewing, molecule, &options);
   if (status == HSP_OK) status = hsp_workspace_map(&geometry->work, &options);
   if (status == HSP_E_DEGENERATE) {
-    return failure_in_input(failure, 0, "too many balls stand exactly behind each other: look from elsewhere");
+    return failure_in_input(failure, 0, "too many balls tie as seen from there: look from elsewhere");
   }
   return status == HSP_OK || failure_in_library(failure, status);
 }

@@ -13,14 +13,14 @@ void MapBuilder::carve(Workspace &workspace, const MapLimits &limits) {
   faces_.carve(workspace, most);
 }
 
-Status MapBuilder::build_moved(const BallSet &balls, double perturbation, Patience &patience) {
+Status MapBuilder::build_moved(const BallSet &balls, const Perturbation &perturbation, Patience &patience) {
   map_.clear();
   seen_.place(balls, map_.frame, perturbation, patience);
   if (!patience.allows(100 * uint64_t{balls.n})) return Status::stopped;
   discs_.build(seen_.balls());
   discs_.mark_inside(seen_.balls(), patience);
   map_.scene.balls = seen_.balls();
-  map_.perturbation = perturbation * static_cast<double>(balls.largest_radius);
+  map_.perturbation = perturbation.size * static_cast<double>(balls.largest_radius);
   if (!arcs_.find(seen_, discs_, patience)) return Status::stopped;
   needed_.neighbours = larger_count(needed_.neighbours, arcs_.needed_neighbours());
   if (arcs_.overflowed()) {
@@ -48,7 +48,7 @@ Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction, P
   if (balls.n > limits_.balls) return Status::capacity;
   centre_on(balls, map_.frame);
   if (!seen_.choose(grid, map_.frame, patience)) return Status::stopped;
-  for (const double perturbation : perturbations) {
+  for (const Perturbation &perturbation : perturbations) {
     const Status status = build_moved(balls, perturbation, patience);
     if (status != Status::check) return status;
   }

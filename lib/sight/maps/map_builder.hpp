@@ -41,7 +41,7 @@ class MapBuilder : public Limited<MapLimits> {
   Span<uint32_t> more_scratch() { return faces_.more_scratch(); }
 
  private:
-  Status build_moved(const BallSet &balls, double perturbation, Patience &patience);
+  Status build_moved(const BallSet &balls, const Perturbation &perturbation, Patience &patience);
 
   VisibilityMap map_;
   SeenBalls seen_;

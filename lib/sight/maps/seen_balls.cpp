@@ -14,9 +14,9 @@ uint64_t mixed(uint64_t h) {
   return h ^ (h >> 31);
 }
 
-// In [-1, 1), different for every centre and radius, but equal for equal balls.
-Vec3 direction_of_shift(const BallSet &balls, uint32_t i) {
-  uint64_t h = 0;
+// In [-1, 1), different for every centre, radius and way, but equal for equal balls.
+Vec3 direction_of_shift(const BallSet &balls, uint32_t i, uint32_t way) {
+  uint64_t h = way;
   for (const double value : {balls.x[i], balls.y[i], balls.z[i], balls.r[i]}) {
     h = mixed(h + UINT64_C(0x9E3779B97F4A7C15) + static_cast<uint64_t>(static_cast<int64_t>(value)));
   }
@@ -32,8 +32,8 @@ Vec3 direction_of_shift(const BallSet &balls, uint32_t i) {
 }  // namespace
 
 // The radius of a cube's circumsphere is less than 2 of its half sides.
-Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, double perturbation) {
-  return combine(1.0, centre, perturbation / 2 * balls.r[i], direction_of_shift(balls, i));
+Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, const Perturbation &perturbation) {
+  return combine(1.0, centre, perturbation.size / 2 * balls.r[i], direction_of_shift(balls, i, perturbation.way));
 }
 
 void SeenBalls::carve(Workspace &workspace, uint32_t balls) {
@@ -50,8 +50,9 @@ bool SeenBalls::choose(const CubeGrid &grid, const ViewFrame &frame, Patience &p
   return hidden_.hide(grid, frame, visible_, patience);
 }
 
-void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, double perturbation, Patience &patience) {
-  moved_ = perturbation > 0.0;
+void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, const Perturbation &perturbation,
+                      Patience &patience) {
+  moved_ = perturbation.size > 0.0;
   count_ = 0;
   for (uint32_t i = 0; i < balls.n; ++i) {
     if (visible_[i] == 0) continue;

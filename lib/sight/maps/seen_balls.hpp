@@ -27,12 +27,19 @@ inline bool is_inside(const SeenBall &ball, const SeenBall &other) {
   return room > 0.0 && dx * dx + dy * dy + dz * dz <= room * room;
 }
 
-// A centre in view coordinates, moved by at most `perturbation` times the ball's radius, in a way that depends on its
-// centre and radius alone.
-Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, double perturbation);
+// How far centres are moved where roundings cannot be overcome, of all radii, and in which of several ways.
+struct Perturbation {
+  double size;
+  uint32_t way;
+};
+// One after the other. Where discs touch in one point and meet there, all moves in one way may leave a loop that is too
+// small to tell what it shows: then others.
+inline constexpr Perturbation perturbations[] = {{0.0, 0},     {0x1p-20, 0}, {0x1p-17, 0}, {0x1p-14, 0},
+                                                 {0x1p-17, 1}, {0x1p-17, 2}, {0x1p-14, 3}};
 
-// Of all radii, how far centres are moved where roundings cannot be overcome, one after the other.
-inline constexpr double perturbations[] = {0.0, 0x1p-20, 0x1p-17, 0x1p-14};
+// A centre in view coordinates, moved by at most the size times the ball's radius, in a way that depends on its centre
+// and radius alone.
+Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, const Perturbation &perturbation);
 
 class SeenBalls {
  public:
@@ -42,7 +49,7 @@ class SeenBalls {
   // False if that is stopped.
   bool choose(const CubeGrid &grid, const ViewFrame &frame, Patience &patience);
   // Places what is left and sorts it, every centre moved as above.
-  void place(const BallSet &balls, const ViewFrame &frame, double perturbation, Patience &patience);
+  void place(const BallSet &balls, const ViewFrame &frame, const Perturbation &perturbation, Patience &patience);
 
   Span<const SeenBall> balls() const { return balls_.part(0, count_); }
   Span<SeenBall> balls() { return balls_.part(0, count_); }

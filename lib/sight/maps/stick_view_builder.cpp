@@ -184,7 +184,7 @@ Status StickViewBuilder::finish(const BallSet &balls, bool as_map, Patience &pat
 }
 
 // All that was inside its balls stays out: nothing has been asked of it.
-void StickViewBuilder::move(const BallSet &balls, double perturbation) {
+void StickViewBuilder::move(const BallSet &balls, const Perturbation &perturbation) {
   for (uint32_t i = 0; i < balls_; ++i) {
     view_.balls[i].centre = moved_centre(balls, i, view_.frame.centre_of(balls, i), perturbation);
   }
@@ -203,9 +203,9 @@ void StickViewBuilder::move(const BallSet &balls, double perturbation) {
 // balls are moved a little more.
 Status StickViewBuilder::find_map(const BallSet &balls, Patience &patience) {
   const StickViolation reason = violation_;
-  for (const double perturbation : perturbations) {
+  for (const Perturbation &perturbation : perturbations) {
     Status status = Status::ok;
-    if (perturbation > 0.0) {
+    if (perturbation.size > 0.0) {
       move(balls, perturbation);
       status = find_pairs(balls, patience);
       if (status == Status::conflict) continue;
@@ -221,7 +221,7 @@ Status StickViewBuilder::find_map(const BallSet &balls, Patience &patience) {
 }
 
 // A stick that the ball at its top hides as a whole is left out: that ball hides all that it would hide.
-Status StickViewBuilder::find_moved_map(const BallSet &balls, double perturbation, Patience &patience) {
+Status StickViewBuilder::find_moved_map(const BallSet &balls, const Perturbation &perturbation, Patience &patience) {
   for (Stick &stick : view_.sticks.items()) {
     if (stick.parts > 0 && hidden_by_top(stick, 0, view_.balls[stick.ball[1]].r)) stick.parts = 0;
   }
@@ -230,7 +230,7 @@ Status StickViewBuilder::find_moved_map(const BallSet &balls, double perturbatio
   const Status status = map_.build(view_, pairs_.items(), sweep_.boxes(), depth_.part(0, bodies), patience);
   needed_.edges = larger_count(needed_.edges, map_.needed_edges());
   if (status != Status::ok) return status;
-  map_.set_frame(view_.frame, perturbation * static_cast<double>(balls.largest_radius));
+  map_.set_frame(view_.frame, perturbation.size * static_cast<double>(balls.largest_radius));
   view_.paths.clear();
   const StickMap &map = map_.structure();
   for (uint32_t p = 0; p < map.owners; ++p) view_.paths.push(path_of(map.owner_of(p)));

@@ -62,10 +62,10 @@ class StickViewBuilder : public Limited<StickLimits> {
   Status finish(const BallSet &balls, bool as_map, Patience &patience);
   Status find_pairs(const BallSet &balls, Patience &patience);
   Status find_map(const BallSet &balls, Patience &patience);
-  Status find_moved_map(const BallSet &balls, double perturbation, Patience &patience);
+  Status find_moved_map(const BallSet &balls, const Perturbation &perturbation, Patience &patience);
   Status refuse(StickConflict conflict, uint32_t first, uint32_t second);
   Stick make_stick(uint32_t one, uint32_t other, double radius, uint32_t caller, bool whole) const;
-  void move(const BallSet &balls, double perturbation);
+  void move(const BallSet &balls, const Perturbation &perturbation);
   void find_depths();
   void find_bites();
   void add_paths(uint32_t bodies);

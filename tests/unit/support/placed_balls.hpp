@@ -20,7 +20,7 @@ class PlacedBalls {
     hsp::centre_on(grid_.grid().balls(), frame);
     hsp::Patience endless;
     seen.choose(grid_.grid(), frame, endless);
-    seen.place(grid_.grid().balls(), frame, perturbation, endless);
+    seen.place(grid_.grid().balls(), frame, hsp::Perturbation{perturbation, 0}, endless);
     discs.build(seen.balls());
     discs.mark_inside(seen.balls(), endless);
   }
