@@ -264,7 +264,8 @@ TEST(MapBuilder, RefusesDirectionsThatAreNone) {
   EXPECT_EQ(built.map().faces.size(), 0U);
 }
 
-// Four discs that touch in one point: moved in one way, however far, they leave a loop there that shows nothing certain.
+// Four discs that touch in one point: moved in one way, however far, they leave a loop there that shows nothing for
+// certain.
 TEST(MapBuilder, MovesBallsInOtherWays) {
   constexpr int64_t r = 1000000000;
   EXPECT_EQ(complaint({{2 * r, r, -2 * r, r}, {3 * r, 2 * r, 3 * r, r}, {2 * r, 3 * r, r, r}, {r, 2 * r, 2 * r, r}},
