@@ -55,7 +55,7 @@ module hardsphere
   ! The bits of the results that stable functions of the library of this header give.
   integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 3_c_int32_t
   ! The bits of the results that its provisional functions give.
-  integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMERICS_NUMBER = 3_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMERICS_NUMBER = 4_c_int32_t
 
   ! ---- status.h: the statuses that functions return ------------------------------------------------------------------
 

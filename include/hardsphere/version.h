@@ -50,7 +50,7 @@ extern "C" {
 #define HSP_NUMERICS_NUMBER 3
 
 /** The bits of the results that its provisional functions give. */
-#define HSP_PROVISIONAL_NUMERICS_NUMBER 3
+#define HSP_PROVISIONAL_NUMERICS_NUMBER 4
 
 /** HSP_VERSION_NUMBER of the library that was linked. */
 HSP_API uint32_t HSP_CALL hsp_version(void);
