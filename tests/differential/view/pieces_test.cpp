@@ -64,6 +64,15 @@ TEST_P(Pieces, OfRandomSets) {
       expect_invariant(GetParam().invariant, make(random, 50), {{0, 0, 1}, uneven_directions()[1]}, "");
 }
 
+// So many caps on each ball that those that matter are looked for first.
+TEST_P(Pieces, OfBallsThatAllMeet) {
+  oracle::RandomSource random(97);
+  Balls balls;
+  for (int k = 0; k < 180; ++k)
+    balls.push_back({random.in(-400, 400), random.in(-400, 400), random.in(-400, 400), random.in(900, 1000)});
+  expect_invariant(GetParam().invariant, balls, {uneven_directions()[1]}, "");
+}
+
 TEST_P(Pieces, OfRandomDegenerateSets) {
   oracle::RandomSource random(95);
   for (int k = 0; k < oracle::sets(400); ++k) {
