@@ -53,6 +53,22 @@ struct ProbeCap {
     axis = beyond_side(balls, boundary.vertex(vertex), from, arc.slot());
     height = 0.0;
   }
+  // If both vertices of a crease are on one circle: its axis is at right angles to that circle's and to the way from
+  // there to the middle of the vertices. False if they are not, or their order is lost in rounding and not known:
+  // `order` is 1 if the vertex across is the next one counter-clockwise about the circle's axis, -1 if it is before.
+  bool turn(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, const PatchArc &arc,
+            double order) {
+    uint32_t ball[2];
+    if (!find_common_circle(boundary, vertex, arc.across, ball)) return false;
+    const CirclePosition circle = position_of_circle(balls, ball[0], ball[1]);
+    const double p = static_cast<double>(balls.probe_steps);
+    const Vec3 out = combine(1.0, difference(balls, circle.centre, from), p * height, axis);
+    const Vec3 turned = scaled_to(cross(circle.axis, out), 1.0);
+    const double cosine = order == 0.0 ? dot(turned, axis) : order;
+    if (!(std::fabs(cosine) > 0.75)) return false;
+    axis = cosine > 0.0 ? turned : -turned;
+    return true;
+  }
   // Where its circle leaves the other cap.
   Vec3 exit_of(const ProbeCap &other) const {
     const CircleCrossing<Vec3, double> crossing(axis, height, other.axis, other.height);
@@ -66,6 +82,12 @@ Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uin
   const double p = static_cast<double>(balls.probe_steps);
   const double along = half_way_between_cusps(p, position.radius);
   return {position.centre.ball, position.centre.offset + (side == 0 ? -along : along) * position.axis};
+}
+
+// The number 2 k + s of the cusp that is this corner of a cut patch; no_id if it is none.
+uint32_t cusp_of_corner(const Boundary &boundary, const Surface &surface, uint32_t corner) {
+  const uint32_t first = 3 * boundary.vertex_count();
+  return corner >= first && corner - first < 2 * surface.cusped_circles().count() ? corner - first : no_id;
 }
 
 // The name of the corner of three creases where an arc of a cut patch begins. Of two points the one where its crease
@@ -177,31 +199,61 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
           arc.angle};
 }
 
-// In doubles, as it is asked by tasks, which have little stack. The planes of a crease and a side meet in a cusp. Where
-// the vertices beside the crease are near each other these planes are nearly one, and tell of the cusp by half the
-// digits or fewer: there its circle does.
-SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
-  constexpr double low = 0x1p-8;
+bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32_t (&ball)[2]) {
+  uint32_t found = 0;
+  for (const uint32_t b : boundary.vertex(v).ball) {
+    if (!boundary.vertex(w).has(b)) continue;
+    if (found == 2) return false;
+    ball[found++] = b;
+  }
+  return found == 2;
+}
+
+// In doubles, as it is asked by tasks, which have little stack. Where the vertices beside a crease are near each other
+// the way from one to the other tells of the axis by half the digits or fewer. If they are on one circle the plane of
+// the crease contains that circle's axis, which tells better. A cusp at an end of it is found from its circle, too, as
+// the planes of crease and side, which meet there, are nearly one.
+VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
+  constexpr double low = 0x1p-8, thin = 0x1p-18;
   const CutPatches &cut = surface.cut_patches();
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_vertex(balls, boundary, vertex);
-  const ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
-  SphereArc crease{own.axis, own.height, cut.arc(arc).angle, {0.0, 0.0, 0.0}};
-  const auto start_of = [&](uint32_t a) {
-    const uint32_t first_cusp = 3 * boundary.vertex_count(), corner = cut.arc(a).corner;
-    const bool is_cusp = corner >= first_cusp && corner - first_cusp < 2 * surface.cusped_circles().count();
-    if (!is_cusp || own.height >= low) return start_of_arc(balls, boundary, cut, centre, vertex, a);
-    const uint32_t cusp = corner - first_cusp;
-    const Position position = position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
-    return 1.0 / static_cast<double>(balls.probe_steps) * difference(balls, centre, position);
-  };
+  ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
+  VertexCrease crease{{own.axis, own.height, cut.arc(arc).angle, {0.0, 0.0, 0.0}}, false, true};
   const uint32_t next = cut.arc(arc).next;
-  if (2 * own.height < coincident_distance) {
-    crease.height = 0.0;
-  } else if (next != arc) {
-    const Vec3 start = start_of(arc);
-    crease.chord = start_of(next) - start;
+  if (next == arc) {
+    if (2 * own.height < coincident_distance) crease.arc.height = 0.0;
+    return crease;
   }
+  const uint32_t start_cusp = cusp_of_corner(boundary, surface, cut.arc(arc).corner);
+  const uint32_t end_cusp = cusp_of_corner(boundary, surface, cut.arc(next).corner);
+  const bool has_cusps = start_cusp != no_id && end_cusp != no_id;
+  const bool is_low = own.height < low;
+  if (own.height < (has_cusps ? thin : low)) {
+    // Between cusps a crease lies on the other side of the circle's axis than its vertices.
+    const double order = !has_cusps || start_cusp != (end_cusp ^ 1) ? 0.0 : end_cusp % 2 == 0 ? -1.0 : 1.0;
+    const bool is_turned = own.turn(balls, boundary, centre, vertex, cut.arc(arc), order);
+    crease.is_thin = is_turned && own.height < thin;
+    crease.is_certain = is_turned || 2 * own.height >= coincident_distance;
+    crease.arc.axis = own.axis;
+  }
+  if (!crease.is_certain) {
+    crease.arc.height = 0.0;
+    return crease;
+  }
+  // Where the crease meets another arc, of which it may be the one before.
+  const auto end_at = [&](uint32_t cusp, uint32_t other, bool is_start) {
+    if (cusp != no_id && is_low) {
+      const Position position = position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
+      return 1.0 / static_cast<double>(balls.probe_steps) * difference(balls, centre, position);
+    }
+    ProbeCap cap(balls, boundary, centre, vertex, cut.arc(other));
+    if (!cut.arc(other).is_side() && cap.height < (is_low ? low : thin))
+      cap.turn(balls, boundary, centre, vertex, cut.arc(other), 0.0);
+    return is_start ? own.exit_of(cap) : cap.exit_of(own);
+  };
+  const Vec3 start = end_at(start_cusp, cut.previous(arc), true);
+  crease.arc.chord = end_at(end_cusp, next, false) - start;
   return crease;
 }
 

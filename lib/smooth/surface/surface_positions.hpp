@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/boundary_positions.hpp"
+#include "surface/probe_caps.hpp"
 #include "surface/surface_map.hpp"
 
 namespace hsp {
@@ -17,7 +18,15 @@ struct ArcPosition {
 ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t edge);
 
 // An arc of a cut patch that is a crease, on the unit sphere about the vertex of its patch; its axis points to the
-// vertex across. Found from the arcs before and after it.
-SphereArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc);
+// vertex across.
+struct VertexCrease {
+  SphereArc arc;
+  bool is_thin;     // the two vertices are on one circle, and so near each other that their distance hardly matters
+  bool is_certain;  // if not, its axis is lost in rounding, and its height and chord are 0
+};
+VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc);
+
+// The circle that two vertices are on, by its balls; false if they share fewer balls, or all three.
+bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32_t (&ball)[2]);
 
 }  // namespace hsp

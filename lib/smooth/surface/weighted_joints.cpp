@@ -128,7 +128,7 @@ bool WeightedJoints::lies_at_a_centre(uint32_t other) const {
 // Of the concave patch and its creases, the integrals that multiply the speed of the vertex. On a crease with the axis
 // a towards the vertex across, at the height c, the conormals n and n' of the two sides are (a - c w)/s and
 // (-a - c w')/s: half the sum of the two weights belongs to n + n', half their difference to n - n' = 2 s a.
-Vec3 WeightedJoints::concave_part(uint32_t vertex, double mean) const {
+Vec3 WeightedJoints::concave_part(uint32_t vertex, const Vec3 &offset, double mean) {
   const ConcavePatch patch = surface_.patch(vertex);
   Vec3 sum = (mean - weight_) * 2 * p_ * patch.vector_area;
   const CutPatches &cut = surface_.cut_patches();
@@ -138,24 +138,50 @@ Vec3 WeightedJoints::concave_part(uint32_t vertex, double mean) const {
     if (arc.is_side()) continue;
     const double across = weight_of_vertex(arc.across);
     if (across == weight_ && mean == weight_) continue;
-    const SphereArc crease = crease_on_probe(balls_, boundary_, surface_, a);
+    const VertexCrease found = crease_on_probe(balls_, boundary_, surface_, a);
+    const SphereArc &crease = found.arc;
     const double c = crease.height;
     const double square_of_radius = (1.0 - c) * (1.0 + c);
     const Vec3 radial = cross(crease.chord, crease.axis);
     const double half_sum = 0.5 * (mean + across) - weight_;
     const double half_difference = 0.5 * (mean - across);
     sum = combine(1.0, sum, -p_ * half_sum * c, combine(c * crease.angle, crease.axis, 1.0, radial));
-    // Where vertices are in one place there is no derivative.
+    uint32_t ball[2];
+    if (found.is_thin && find_common_circle(boundary_, vertex, arc.across, ball)) {
+      sum = sum + turning_part(ball, crease, offset, half_difference);
+      continue;
+    }
+    sums_.one_sided = sums_.one_sided || (!found.is_certain && half_difference != 0.0);
     const double slope = c > 0.0 ? 1.0 / c : 0.0;
     sum = combine(1.0, sum, p_ * half_difference * square_of_radius, combine(crease.angle, crease.axis, slope, radial));
   }
   return sum;
 }
 
+// The difference's part on a crease between two vertices of one circle that are hardly apart: the limit, without their
+// distance. Its plane turns with the circle's axis, like that of a side (PROOFS.md, section 9).
+Vec3 WeightedJoints::turning_part(const uint32_t (&ball)[2], const SphereArc &crease, const Vec3 &offset,
+                                  double half_difference) {
+  const SaddleCircle circle(balls_, ball[0], ball[1]);
+  if (!(circle.radius > 0.0)) return {0.0, 0.0, 0.0};
+  const Vec3 along = (1.0 / circle.distance) * balls_.difference(ball[0], ball[1]);
+  const Vec3 across = cross(crease.axis, along);
+  const bool is_outward = dot(offset - balls_.difference(ball_, ball[0]), across) > 0.0;
+  const Vec3 directions = cross(crease.chord, crease.axis);
+  const double S = is_outward ? -dot(directions, across) : dot(directions, across);
+  const double Q = dot(directions, along);
+  const double of_centres = p_ * p_ * half_difference / (circle.radius * circle.distance);
+  double of_own = 0.0;
+  if (ball_ == ball[0]) of_own = of_centres * (circle.other_height * S - circle.radius * Q);
+  if (ball_ == ball[1]) of_own = of_centres * (circle.height * S + circle.radius * Q);
+  sums_.centre = combine(1.0, sums_.centre, of_own, crease.axis);
+  return p_ * half_difference * (crease.angle - p_ * S / circle.radius) * crease.axis;
+}
+
 void WeightedJoints::add_vertex(uint32_t vertex, const Vec3 &offset) {
   const double mean = weight_of_vertex(vertex);
   const VertexContacts contacts(balls_, boundary_, vertex, ball_, offset);
-  Vec3 by_vertex = concave_part(vertex, mean);
+  Vec3 by_vertex = concave_part(vertex, offset, mean);
   const double other[3] = {weight_ - mean, weight_of(contacts.ball[1]) - mean, weight_of(contacts.ball[2]) - mean};
   // Side k faces ball k: out of the saddle, towards that ball, across the plane through the other two and the vertex.
   for (uint32_t k = 0; k < 3; ++k) {

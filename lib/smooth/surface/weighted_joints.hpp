@@ -24,7 +24,7 @@ struct AreaDerivatives {
   Vec3 centre{0.0, 0.0, 0.0};
   double radius = 0.0;
   double offset = 0.0;     // by t, see surface_gradients.hpp
-  bool one_sided = false;  // a waist lies in the plane through a centre
+  bool one_sided = false;  // a waist lies in the plane through a centre, or a crease between coincident vertices
 };
 
 class WeightedJoints {
@@ -52,7 +52,8 @@ class WeightedJoints {
   double weight_of_vertex(uint32_t vertex) const;
   void add_waist(const ArcBatch &batch, uint32_t s, double circle_radius, double difference);
   bool lies_at_a_centre(uint32_t other) const;
-  Vec3 concave_part(uint32_t vertex, double mean) const;
+  Vec3 concave_part(uint32_t vertex, const Vec3 &offset, double mean);
+  Vec3 turning_part(const uint32_t (&ball)[2], const SphereArc &crease, const Vec3 &offset, double half_difference);
 
   const BallSet &balls_;
   const Boundary &boundary_;
