@@ -187,7 +187,8 @@ module hardsphere
   ! equal to it; or its sphere passes through a vertex or a whole circle that other balls have. Or its probe at a
   ! vertex touches another one in a point of the concave patch: exactly, if that stands on the other side of the same
   ! three balls, else up to rounding. Or, where weights differ, the plane of a saddle's narrowest place passes through
-  ! a ball's centre, or one of two balls touches the other from inside.
+  ! a ball's centre, or one of two balls touches the other from inside, or the probes at two vertices meet that are in
+  ! one place up to rounding.
   integer(c_int32_t), parameter :: HSP_SURFACE_DEGENERATE = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_PATCH_CONVEX = 0_c_int32_t  ! of a face
   integer(c_int32_t), parameter :: HSP_PATCH_SADDLE = 1_c_int32_t  ! of an arc

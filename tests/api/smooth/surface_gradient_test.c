@@ -108,6 +108,81 @@ static void near_probes(void) {
   }
 }
 
+static void must_sum_to_zero(uint32_t n, const double *at, double limit) {
+  double sum[3] = {0, 0, 0}, torque[3] = {0, 0, 0};
+  uint32_t i, k;
+  for (i = 0; i < n; ++i) {
+    CHECK_EQUAL(alone.flags[i], 0);
+    for (k = 0; k < 3; ++k) {
+      const uint32_t l = (k + 1) % 3, m = (k + 2) % 3;
+      sum[k] += alone.centre[3 * i + k];
+      torque[k] += at[3 * i + l] * alone.centre[3 * i + m] - at[3 * i + m] * alone.centre[3 * i + l];
+    }
+  }
+  for (k = 0; k < 3; ++k) CHECK(fabs(sum[k]) < limit && fabs(torque[k]) < limit);
+}
+
+/* Moved by so many steps of 1e-8, into `alone`. */
+static void get_moved(uint32_t n, const double *xyz, const double *radius, const signed char *way, double steps,
+                      double probe, const double *weights, double limit) {
+  const hsp_model_options options = options_with_probe(probe);
+  double at[24], r[8];
+  uint32_t i;
+  computed c;
+  surface_result s;
+  hsp_gradient_outputs out;
+  for (i = 0; i < n; ++i) {
+    uint32_t k;
+    for (k = 0; k < 3; ++k) at[3 * i + k] = xyz[3 * i + k] + 1e-8 * steps * way[4 * i + k];
+    r[i] = radius[i] + 1e-8 * steps * way[4 * i + 3];
+  }
+  if (CHECK_EQUAL(computed_make(n, at, r, &options, &c), HSP_OK) && CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK)) {
+    CHECK_EQUAL(get(s.surface, n, weights, NULL, &alone, &out), HSP_OK);
+    must_sum_to_zero(n, at, limit);
+    surface_result_release(&s);
+  }
+  computed_release(&c);
+}
+
+/* A probe touches seven balls in a ring, but for a step of 1e-8 or two: five vertices are as near each other, with
+ * creases from cusp to cusp. */
+static void ring_of_probes(void) {
+  static const double xyz[24] = {1.94241407,  0,           0, 1.21107536,  1.51864047,  0,
+                                 -0.43222779, 1.89371369,  0, -1.75005461, 0.84278188,  0,
+                                 -1.75005461, -0.84278188, 0, -0.43222779, -1.89371369, 0,
+                                 1.21107536,  -1.51864047, 0, 0,           0,           -1.93248145};
+  static const double radius[8] = {.64939098, .64939098, .64939098, .64939098,
+                                   .64939098, .64939098, .64939098, .46072747};
+  static const double weights[8] = {-2, 0, -0.5, 0.25, 0, 1.75, 2.5, 0};
+  static const signed char way[32] = {-1, -1, -1, 1,  1,  -1, 1, -1, 1,  1, 1, -1, -1, 1, 1, 1,
+                                      -1, 1,  -1, -1, -1, -1, 0, 1,  -1, 0, 1, 0,  0,  0, 0, 0};
+  check_scene("a ring of probes");
+  get_moved(8, xyz, radius, way, 1, 1.4, weights, 1e-10);
+}
+
+/* Vertices of seven balls, 1e-8 apart, whose creases end in corners of three. Derivatives are nearly those of the same
+ * balls moved a hundred times as far: of the first ball, as others have a vertex that is nearly none. */
+static void corners_of_probes(void) {
+  static const double xyz[21] = {1.28599311,  -1.19099788, -0.71468176, -1.41061278, 1.04039695, -0.71468176,
+                                 -0.70231998, 1.69070948,  -0.74648323, 1.77501814,  0.44839996, -0.74648323,
+                                 2.27450490,  1.51200899,  -1.11362829, 2.33128229,  0.37567647, -0.96282176,
+                                 -0.41989026, -2.32372591, -0.96282176};
+  static const double radius[7] = {0.31195376, 0.31195376, 0.39618233, 0.39618233, 1.36859333, 0.96917099, 0.96917099};
+  static const double weights[7] = {0.814388, 1.643222, 1.821910, -0.565840, 1.366868, -0.129317, 0.000000};
+  static const signed char way[28] = {3,  -3, 2, -1, 2,  -2, -3, 0, -2, -1, -2, -1, -2, -1,
+                                      -1, -1, 2, -3, -2, -2, 3,  0, -1, -1, -3, 0,  1,  1};
+  double far[3], steps;
+  uint32_t k;
+  check_scene("corners of near probes");
+  get_moved(7, xyz, radius, way, 100, 1.58093404, weights, 1e-7);
+  for (k = 0; k < 3; ++k) far[k] = alone.centre[k];
+  for (steps = 1; steps < 100; steps *= 3) {
+    check_scene("corners of near probes, balls moved by %g steps", steps);
+    get_moved(7, xyz, radius, way, steps, 1.58093404, weights, 1e-5);
+    for (k = 0; k < 3; ++k) CHECK(fabs(alone.centre[k] - far[k]) < 5e-4);
+  }
+}
+
 int main(void) {
   static ball_set set;
   ball_set_make(3, &set);
@@ -116,5 +191,7 @@ int main(void) {
   ball_set_add_chain(&set, BALL_SET_MOST, 77);
   check_set(&set);
   near_probes();
+  ring_of_probes();
+  corners_of_probes();
   return check_report();
 }
