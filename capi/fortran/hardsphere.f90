@@ -188,7 +188,7 @@ module hardsphere
   ! vertex touches another one in a point of the concave patch: exactly, if that stands on the other side of the same
   ! three balls, else up to rounding. Or, where weights differ, the plane of a saddle's narrowest place passes through
   ! a ball's centre, or one of two balls touches the other from inside, or the probes at two vertices meet that are in
-  ! one place up to rounding.
+  ! one place up to rounding, but not from cusp to cusp.
   integer(c_int32_t), parameter :: HSP_SURFACE_DEGENERATE = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_PATCH_CONVEX = 0_c_int32_t  ! of a face
   integer(c_int32_t), parameter :: HSP_PATCH_SADDLE = 1_c_int32_t  ! of an arc

@@ -248,7 +248,7 @@ HSP_API int32_t HSP_CALL hsp_surface_measure_with(const hsp_surface *surface,
  *  touches another one in a point of the concave patch: exactly, if that stands on the other side of the same three
  *  balls, else up to rounding. Or, where weights differ, the plane of a saddle's narrowest place passes through a
  *  ball's centre, or one of two balls touches the other from inside, or the probes at two vertices meet that are in one
- *  place up to rounding. */
+ *  place up to rounding, but not from cusp to cusp. */
 #define HSP_SURFACE_DEGENERATE UINT32_C(1)
 
 /** E = tension * sum_i sigma_i A_i + pressure * V of the smooth surface and its gradient, in one pass, with A_i ball

@@ -35,7 +35,7 @@ struct SurfaceGradient {
   Vec3 area_centre{0.0, 0.0, 0.0}, volume_centre{0.0, 0.0, 0.0};
   double area_radius = 0.0, volume_radius = 0.0;
   double area_offset = 0.0;  // this ball's share of dA/dt; that of dV/dt is -measure.area()
-  bool degenerate = false;   // one of its vertices is, or a waist between weights (weighted_joints.hpp)
+  bool degenerate = false;   // one of its vertices is, or a joint between weights (weighted_joints.hpp)
 
   void weigh(double weight, const AreaDerivatives &joints) {
     area_centre = combine(weight, area_centre, 1.0, joints.centre);

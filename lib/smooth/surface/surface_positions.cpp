@@ -54,8 +54,9 @@ struct ProbeCap {
     height = 0.0;
   }
   // If both vertices of a crease are on one circle: its axis is at right angles to that circle's and to the way from
-  // there to the middle of the vertices. False if they are not, or their order is lost in rounding and not known:
-  // `order` is 1 if the vertex across is the next one counter-clockwise about the circle's axis, -1 if it is before.
+  // there to the middle of the vertices. False if they are not, or if nothing tells which vertex is the first of them
+  // counter-clockwise about the circle's axis: `order` is 1 if it is this one, -1 if the one across, 0 if positions
+  // have to say.
   bool turn(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, const PatchArc &arc,
             double order) {
     uint32_t ball[2];
@@ -214,7 +215,8 @@ bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32
 // the crease contains that circle's axis, which tells better. A cusp at an end of it is found from its circle, too, as
 // the planes of crease and side, which meet there, are nearly one.
 VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
-  constexpr double low = 0x1p-8, near = 0x1p-12, thin = 0x1p-18;
+  // From these heights down ways between vertices have too few digits for a cusp; for a corner; for anything.
+  constexpr double low = 0x1p-8, lower = 0x1p-12, lowest = 0x1p-18;
   const CutPatches &cut = surface.cut_patches();
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_vertex(balls, boundary, vertex);
@@ -229,11 +231,11 @@ VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, con
   const uint32_t end_cusp = cusp_of_corner(boundary, surface, cut.arc(next).corner);
   const bool has_cusps = start_cusp != no_id && end_cusp != no_id;
   const bool is_low = own.height < low;
-  if (own.height < (has_cusps ? thin : near)) {
+  if (own.height < (has_cusps ? lowest : lower)) {
     // Between cusps a crease lies on the other side of the circle's axis than its vertices.
     const double order = !has_cusps || start_cusp != (end_cusp ^ 1) ? 0.0 : end_cusp % 2 == 0 ? -1.0 : 1.0;
     const bool is_turned = own.turn(balls, boundary, centre, vertex, cut.arc(arc), order);
-    crease.is_thin = is_turned && own.height < thin;
+    crease.is_thin = is_turned && own.height < lowest;
     crease.is_certain = is_turned || 2 * own.height >= coincident_distance;
     crease.arc.axis = own.axis;
   }
@@ -248,7 +250,7 @@ VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, con
       return 1.0 / static_cast<double>(balls.probe_steps) * difference(balls, centre, position);
     }
     ProbeCap cap(balls, boundary, centre, vertex, cut.arc(other));
-    if (!cut.arc(other).is_side() && cap.height < (own.height < near ? near : thin))
+    if (!cut.arc(other).is_side() && cap.height < (own.height < lower ? lower : lowest))
       cap.turn(balls, boundary, centre, vertex, cut.arc(other), 0.0);
     return is_start ? own.exit_of(cap) : cap.exit_of(own);
   };

@@ -56,7 +56,16 @@ struct SideSpeed {
     const SaddleCircle circle(balls, a, b);
     if (!(circle.radius > 0.0)) return;
     const Profile profile = circle.weighted(weight, other_weight);
-    const double p = circle.probe, T = profile.T[0], S = profile.S[0], Q = profile.Q[0];
+    sum(circle, profile.T[0], profile.S[0], profile.Q[0]);
+  }
+  // Of other arcs in the plane through the circle's axis: with these integrals, of 1, cosine and sine.
+  SideSpeed(const SaddleCircle &circle, double T, double S, double Q) {
+    if (circle.radius > 0.0) sum(circle, T, S, Q);
+  }
+
+ private:
+  void sum(const SaddleCircle &circle, double T, double S, double Q) {
+    const double p = circle.probe;
     of_vertex = p * (T - p * S / circle.radius);
     of_centre = p * p * (circle.other_height * S - circle.radius * Q) / (circle.radius * circle.distance);
   }
@@ -162,20 +171,17 @@ Vec3 WeightedJoints::concave_part(uint32_t vertex, const Vec3 &offset, double me
 // distance. Its plane turns with the circle's axis, like that of a side (PROOFS.md, section 9).
 Vec3 WeightedJoints::turning_part(const uint32_t (&ball)[2], const SphereArc &crease, const Vec3 &offset,
                                   double half_difference) {
-  const SaddleCircle circle(balls_, ball[0], ball[1]);
-  if (!(circle.radius > 0.0)) return {0.0, 0.0, 0.0};
-  const Vec3 along = (1.0 / circle.distance) * balls_.difference(ball[0], ball[1]);
+  const uint32_t own = ball_ == ball[1] ? ball[1] : ball[0];
+  const uint32_t other = own == ball[1] ? ball[0] : ball[1];
+  const SaddleCircle circle(balls_, own, other);
+  const Vec3 along = (1.0 / circle.distance) * balls_.difference(own, other);
   const Vec3 across = cross(crease.axis, along);
-  const bool is_outward = dot(offset - balls_.difference(ball_, ball[0]), across) > 0.0;
-  const Vec3 directions = cross(crease.chord, crease.axis);
-  const double S = is_outward ? -dot(directions, across) : dot(directions, across);
-  const double Q = dot(directions, along);
-  const double of_centres = p_ * p_ * half_difference / (circle.radius * circle.distance);
-  double of_own = 0.0;
-  if (ball_ == ball[0]) of_own = of_centres * (circle.other_height * S - circle.radius * Q);
-  if (ball_ == ball[1]) of_own = of_centres * (circle.height * S + circle.radius * Q);
-  sums_.centre = combine(1.0, sums_.centre, of_own, crease.axis);
-  return p_ * half_difference * (crease.angle - p_ * S / circle.radius) * crease.axis;
+  const bool is_outward = dot(offset - balls_.difference(ball_, own), across) > 0.0;
+  const Vec3 directions = half_difference * cross(crease.chord, crease.axis);
+  const double inward = is_outward ? -dot(directions, across) : dot(directions, across);
+  const SideSpeed speed(circle, half_difference * crease.angle, inward, dot(directions, along));
+  if (ball_ == own) sums_.centre = combine(1.0, sums_.centre, speed.of_centre, crease.axis);
+  return speed.of_vertex * crease.axis;
 }
 
 void WeightedJoints::add_vertex(uint32_t vertex, const Vec3 &offset) {

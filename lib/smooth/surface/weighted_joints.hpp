@@ -24,7 +24,7 @@ struct AreaDerivatives {
   Vec3 centre{0.0, 0.0, 0.0};
   double radius = 0.0;
   double offset = 0.0;     // by t, see surface_gradients.hpp
-  bool one_sided = false;  // a waist lies in the plane through a centre, or a crease between coincident vertices
+  bool one_sided = false;  // a waist is in a centre's plane, or a crease between vertices in one place
 };
 
 class WeightedJoints {

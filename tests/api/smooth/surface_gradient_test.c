@@ -171,15 +171,15 @@ static void corners_of_probes(void) {
   static const double weights[7] = {0.814388, 1.643222, 1.821910, -0.565840, 1.366868, -0.129317, 0.000000};
   static const signed char way[28] = {3,  -3, 2, -1, 2,  -2, -3, 0, -2, -1, -2, -1, -2, -1,
                                       -1, -1, 2, -3, -2, -2, 3,  0, -1, -1, -3, 0,  1,  1};
-  double far[3], steps;
+  double moved[3], steps;
   uint32_t k;
   check_scene("corners of near probes");
   get_moved(7, xyz, radius, way, 100, 1.58093404, weights, 1e-7);
-  for (k = 0; k < 3; ++k) far[k] = alone.centre[k];
+  for (k = 0; k < 3; ++k) moved[k] = alone.centre[k];
   for (steps = 1; steps < 100; steps *= 3) {
     check_scene("corners of near probes, balls moved by %g steps", steps);
     get_moved(7, xyz, radius, way, steps, 1.58093404, weights, 1e-5);
-    for (k = 0; k < 3; ++k) CHECK(fabs(alone.centre[k] - far[k]) < 5e-4);
+    for (k = 0; k < 3; ++k) CHECK(fabs(alone.centre[k] - moved[k]) < 5e-4);
   }
 }
 
