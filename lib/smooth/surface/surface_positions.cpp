@@ -215,7 +215,7 @@ bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32
 // the crease contains that circle's axis, which tells better. A cusp at an end of it is found from its circle, too, as
 // the planes of crease and side, which meet there, are nearly one.
 VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
-  // From these heights down ways between vertices have too few digits for a cusp; for a corner; for anything.
+  // From these heights down ways between vertices have too few digits for a cusp; for the axis; for anything.
   constexpr double low = 0x1p-8, lower = 0x1p-12, lowest = 0x1p-18;
   const CutPatches &cut = surface.cut_patches();
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
@@ -231,7 +231,7 @@ VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, con
   const uint32_t end_cusp = cusp_of_corner(boundary, surface, cut.arc(next).corner);
   const bool has_cusps = start_cusp != no_id && end_cusp != no_id;
   const bool is_low = own.height < low;
-  if (own.height < (has_cusps ? lowest : lower)) {
+  if (own.height < lower) {
     // Between cusps a crease lies on the other side of the circle's axis than its vertices.
     const double order = !has_cusps || start_cusp != (end_cusp ^ 1) ? 0.0 : end_cusp % 2 == 0 ? -1.0 : 1.0;
     const bool is_turned = own.turn(balls, boundary, centre, vertex, cut.arc(arc), order);
