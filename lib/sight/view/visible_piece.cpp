@@ -72,7 +72,7 @@ bool VisiblePiece::gather(const BallSet &balls, const CubeBlock &block, uint32_t
 }
 
 void VisiblePiece::find_all(const BallSet &balls, const exact::Vector &direction) {
-  if (!finder_.keep_exposed(caps_)) return;
+  if (ExposedCaps::are_many(caps_) && !finder_.keep_exposed(caps_)) return;
   caps_.add_half_sphere(opposite(direction));
   finder_.find(balls, caps_, vertices_, circles_);
   link();
