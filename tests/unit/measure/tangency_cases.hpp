@@ -62,6 +62,16 @@ inline uint32_t balls_touch_from_inside() {
   });
 }
 
+// Thousands may be in one place: third balls are not looked at, which are not even there.
+inline uint32_t equal_balls_need_no_third() {
+  GridlessBalls<3> balls;
+  for (int k = 0; k < 2; ++k) balls.add(3, 4, 5, 100);
+  hsp::CubeBlock missing;
+  missing.ranges = 1;
+  missing.range[0] = {1U << 30, 1U << 31};
+  return hsp::touches_freely_from_inside(balls.set(), missing, 0, 1) ? all_hold : 0;
+}
+
 struct InnerContacts {
   SmallBall ball[3];
   uint32_t n, contacts;
@@ -89,6 +99,7 @@ inline uint32_t contacts_that_bare_something() {
 }
 
 inline constexpr Check measure_tangency[] = {{"balls_touch_from_inside", balls_touch_from_inside},
+                                             {"equal_balls_need_no_third", equal_balls_need_no_third},
                                              {"contacts_that_bare_something", contacts_that_bare_something}};
 
 }  // namespace cases
