@@ -26,7 +26,7 @@ static void *locate(void *argument) {
     const double point[3] = {part->low[0] + part->step[0] * (at % STEPS),
                              part->low[1] + part->step[1] * (at / STEPS % STEPS),
                              part->low[2] + part->step[2] * (at / STEPS / STEPS)};
-    uint32_t region;
+    uint32_t region = HSP_NONE;
     part->status = hsp_topology_locate(part->topology, point, &region);
     if (region == HSP_NONE) {
       ++part->in_balls;

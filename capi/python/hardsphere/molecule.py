@@ -58,8 +58,8 @@ class Molecule:
 
 def read(file: str, *, radii: str | None = None, format: str | None = None, only: str | None = None,
          hide: str | None = None, **options: Any) -> Molecule:
-    """The atoms of a file: .pdb, .cif, .gro, .sdf, .mol2, .pqr, .xyz and others. radii: "bondi", "chem3d", "protor", "naccess"
-    or a file. only, hide: selections such as "chain:A" and "water". options: others of `hardsphere measure` by name, such
-    as no_water=True and model=2. ValueError says why a file is refused."""
+    """The atoms of a file: .pdb, .cif, .gro, .sdf, .mol2, .pqr, .xyz and others. radii: "bondi", "chem3d", "uff", "protor",
+    "naccess" or a file. only, hide: selections such as "chain:A" and "water". options: others of `hardsphere measure` by
+    name, such as no_water=True and model=2. ValueError says why a file is refused."""
     found = program.said("measure", file, "--per-ball", radii=radii, format=format, only=only, hide=hide, **options)
     return Molecule(found["balls"], found.get("input", {}))
