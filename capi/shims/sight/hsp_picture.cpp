@@ -275,7 +275,7 @@ int32_t hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, con
   LibraryArithmetic arithmetic;
   Call call{arithmetic, colour, options, title, description, sink, context, bytes};
   return write_checked(sticks, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
-    return hsp::write_picture(contents.with(sticks->builder.paths()), wanted, sticks->builder.scratch(), sink, context,
-                              taken);
+    return hsp::write_picture(contents.with(sticks->builder.paths()), wanted, sticks->builder.scratch(), Call::hand_on,
+                              &call, taken);
   });
 }

@@ -2,7 +2,7 @@
  * any thread, whose own environment comes back: hardsphere.h, FLOATING POINT. */
 #define _POSIX_C_SOURCE 200112L
 #include <fenv.h>
-#include <hardsphere.h>
+#include <hardsphere_workspace.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -158,31 +158,31 @@ static int32_t take(void *context, const char *bytes, size_t count) {
   return 0;
 }
 
-static void by_sinks(const computed *c) {
-  hsp_view_limits limits;
-  hsp_view *view = NULL;
-  void *memory;
-  size_t bytes = 0;
+/* The pictures that there are, each by one call. */
+static int32_t write_view(void *view, void *sink) {
+  return hsp_picture_write(view, NULL, NULL, "title", NULL, take, sink, NULL);
+}
+static int32_t write_map(void *map, void *sink) {
+  return hsp_picture_write_map(map, NULL, NULL, "title", NULL, take, sink, NULL);
+}
+static int32_t write_sticks(void *sticks, void *sink) {
+  return hsp_picture_write_sticks(sticks, NULL, NULL, "title", NULL, take, sink, NULL);
+}
+
+static void by_sink(const char *of, int32_t (*draw)(void *handle, void *sink), void *handle) {
   uint64_t expected = 0;
   int callers;
-  check_scene("a sink");
-  CHECK_EQUAL(hsp_view_limits_init(&limits, (uint32_t)sizeof limits, c->n), HSP_OK);
-  CHECK_EQUAL(hsp_view_bytes(&limits, &bytes), HSP_OK);
-  memory = malloc(bytes);
-  if (!CHECK(memory != NULL)) return;
-  CHECK_EQUAL(hsp_view_init(memory, bytes, &limits, &view), HSP_OK);
-  CHECK_EQUAL(hsp_view_compute(view, c->model, c->boundary, NULL, NULL), HSP_OK);
   for (callers = HOST_default; callers < HOST_ENVIRONMENTS; ++callers) {
     host_sink sink = {HOST_default, 0, 0, 0, UINT64_C(0xCBF29CE484222325)};
     int32_t status;
     int differs;
     fenv_t own;
     if (!host_environment_exists(callers)) continue;
-    check_scene("a sink in the environment %s", host_environment_name(callers));
+    check_scene("a sink of %s in the environment %s", of, host_environment_name(callers));
     sink.callers = callers;
     fegetenv(&own);
     host_environment_set(callers, 1);
-    status = hsp_picture_write(view, NULL, NULL, "title", NULL, take, &sink, NULL);
+    status = draw(handle, &sink);
     differs = host_environment_differs(callers, 0) != NULL;
     fesetenv(&own);
     CHECK_EQUAL(status, HSP_OK);
@@ -192,7 +192,45 @@ static void by_sinks(const computed *c) {
     if (callers == HOST_default) expected = sink.hash;
     CHECK(sink.hash == expected);
   }
-  free(memory);
+}
+
+enum { LINKS = 30, PAIRS = 64 * (LINKS + 1) };
+
+/* Balls in a row, joined by sticks. */
+static void by_sink_of_sticks(hsp_workspace *work) {
+  static unsigned char memory[HSP_STICKS_BYTES(LINKS + 1, LINKS, PAIRS, 0)];
+  static double xyz[3 * (LINKS + 1)], radius[LINKS + 1];
+  static hsp_stick stick[LINKS];
+  const hsp_sticks_limits limits = {(uint32_t)sizeof limits, LINKS + 1, LINKS, PAIRS, 0};
+  hsp_sticks *sticks = NULL;
+  uint32_t k;
+  for (k = 0; k <= LINKS; ++k) {
+    xyz[3 * k] = 3.3 * k;
+    xyz[3 * k + 2] = 0.7 * k;
+    radius[k] = 1;
+  }
+  for (k = 0; k < LINKS; ++k) {
+    stick[k].ball[0] = k;
+    stick[k].ball[1] = k + 1;
+  }
+  check_scene("sticks");
+  CHECK_EQUAL(hsp_workspace_set(work, LINKS + 1, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_init(memory, sizeof memory, &limits, &sticks), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_compute(sticks, work->model, NULL, stick, LINKS, 0.3, NULL, NULL), HSP_OK);
+  by_sink("sticks", write_sticks, sticks);
+}
+
+static void by_sinks(const ball_set *set) {
+  hsp_workspace work;
+  memset(&work, 0, sizeof work);
+  check_scene("pictures");
+  CHECK_EQUAL(hsp_workspace_set(&work, set->n, set->xyz, set->radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_view(&work, 0, NULL), HSP_OK);
+  by_sink("a view", write_view, work.view);
+  CHECK_EQUAL(hsp_workspace_map(&work, NULL), HSP_OK);
+  by_sink("a map", write_map, work.map);
+  by_sink_of_sticks(&work);
+  hsp_workspace_free(&work);
 }
 
 int main(void) {
@@ -202,7 +240,7 @@ int main(void) {
   ball_set_add_chain(&set, 200, 77);
   CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK);
   by_executors(&c);
-  by_sinks(&c);
+  by_sinks(&set);
   computed_release(&c);
   return check_report();
 }
