@@ -68,14 +68,40 @@ template <size_t Place, class Function>
 using written_by =
     std::remove_pointer_t<std::tuple_element_t<Place, decltype(arguments_of(static_cast<Function>(nullptr)))>>;
 
-// All that a function (given.., out, capacity, needed) writes.
+// How many numbers a record has where records come as bare numbers: coordinates of points, the two balls of a pair. 0:
+// out is no list of records.
+template <class Function>
+inline constexpr size_t numbers_each = 1;
+#if HSP_HAS_SPACE
+template <>
+inline constexpr size_t numbers_each<decltype(&hsp_paths_get_points)> = 3;
+#endif
+#if HSP_HAS_MOTION
+template <>
+inline constexpr size_t numbers_each<decltype(&hsp_body_pairs)> = 2;
+template <>
+inline constexpr size_t numbers_each<decltype(&hsp_body_rational_pairs)> = 2;
+#endif
+#if HSP_HAS_CURVATURE
+template <>
+inline constexpr size_t numbers_each<decltype(&hsp_boundary_get_hessian_rows)> = 0;
+#endif
+#if HSP_HAS_BOXES
+template <>
+inline constexpr size_t numbers_each<decltype(&hsp_periodic_get_hessian_rows)> = 0;
+#endif
+
+// All that a function (given.., out, capacity, needed) writes to out.
 template <class... Arguments, class... Given>
 auto all(int32_t (*function)(Arguments...), Given... given) {
+  constexpr size_t each = numbers_each<decltype(function)>;
+  static_assert(each > 0, "flags of rows have an entry for each ball and one more: call the function itself");
   std::vector<written_by<sizeof...(Given), decltype(function)>> out;
   uint32_t needed = 0;
   int32_t status = function(given..., nullptr, 0, &needed);
-  if (status == HSP_E_CAPACITY) {
-    out.resize(needed);
+  // Functions of several arrays, all of which may be left out, have nothing against none of them.
+  if (status == HSP_E_CAPACITY || (status == HSP_OK && needed > 0)) {
+    out.resize(each * needed);
     status = function(given..., out.data(), needed, &needed);
   }
   check(status);

@@ -110,6 +110,14 @@ void test_all_and_range() {
   hardsphere::check(hsp_topology_get_counts(work.topology(), &counts));
   EXPECT(hardsphere::range(hsp_topology_get_edges, work.topology(), 0, counts.edges).size() == counts.edges);
   EXPECT(caught([&] { hardsphere::all(hsp_query_neighbours, work.model(), 2U); }).status() == HSP_E_ID);
+  // Arrays that may all be left out, and points of three numbers.
+  EXPECT(hardsphere::all(hsp_contacts_measure, work.contacts(), nullptr, nullptr).size() == 2);
+  EXPECT(hardsphere::all(hsp_model_get_balls, work.model(), nullptr) == ones);
+  const double from[] = {-3, 0, 0}, to[] = {4, 0.3, 0};
+  hsp_path path{};
+  work.run(hsp_workspace_path, from, to, &path);
+  const std::vector<double> points = hardsphere::all(hsp_paths_get_points, work->paths);
+  EXPECT(path.points >= 2 && points.size() == 3 * path.points && points[0] == -3 && points.end()[-3] == 4);
 }
 
 void test_refusals() {
@@ -227,6 +235,8 @@ void test_bodies() {
               2 * pi * 5 / 12 + 2 * pi * (4 + std::sqrt(2)) * std::pow(2 - std::sqrt(2), 2) / 12, 1e-7));
   EXPECT(fixed.pairs(posed, poses[0]).empty() && fixed.pairs(posed, poses[1]).size() == 4);
   EXPECT(fixed.pairs(posed, poses[2]) == (std::vector<std::array<uint32_t, 2>>{{1, 0}}));
+  EXPECT(hardsphere::all(hsp_body_pairs, static_cast<const hsp_body *>(fixed), static_cast<const hsp_body *>(posed),
+                         &poses[2]) == (std::vector<uint32_t>{1, 0}));
   const std::vector<hsp_rational_pose> exact = {{{1, 0, 0, 1}, {0, 2, 0}}, {{1, 0, 0, 1}, {0, 2.001, 0}}};
   EXPECT(fixed.hits(posed, exact) == (std::vector<uint32_t>{1, 0}));
   EXPECT(near(fixed.gaps(posed, exact)[1].gap, 0.001, 1e-8));
