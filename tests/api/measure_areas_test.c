@@ -110,6 +110,10 @@ static void refused(void) {
   bytes = 1;
   CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, radius, 0, NULL, &bytes, &totals, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(bytes, 1);
+  bytes = 0; /* a null pointer comes before what there is no room for */
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, NULL, radius, 0, NULL, &bytes, &totals, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_areas(THREE_BALLS, xyz, NULL, 0, NULL, &bytes, &totals, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(bytes, 0);
   bytes = sizeof memory;
   CHECK_EQUAL(hsp_areas(0, NULL, NULL, 0, memory, &bytes, &totals, NULL), HSP_OK);
   CHECK(totals.area == 0 && totals.volume == 0);

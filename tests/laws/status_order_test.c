@@ -15,7 +15,7 @@ typedef struct fault {
   const char *what;
 } fault;
 
-enum { MOST_FAULTS = 64 };
+enum { MOST_FAULTS = 128 };
 
 typedef struct faults {
   fault of[MOST_FAULTS];
@@ -50,6 +50,10 @@ static faults faults_of(const function *f, uint32_t needed) {
     if (is_sized(a)) add(&all, VERSION, i, -1, HSP_E_VERSION, "a bad struct_size of");
     if (is_pointer(a) && a->null == NULL_never && !(a->held && needed == 0))
       add(&all, ARGUMENT, i, -1, HSP_E_ARGUMENT, "NULL for");
+    /* With one entry less than is needed there is still something to hold. */
+    if (is_pointer(a) && a->null == NULL_empty && (!a->held || needed > 1))
+      add(&all, ARGUMENT, i, -1, HSP_E_ARGUMENT, "NULL for");
+    if (is_choice(a)) add(&all, ARGUMENT, i, -1, HSP_E_ARGUMENT, "an unknown");
     if (a->kind == KIND_value && strcmp(a->base, "double") == 0 && has_status(f, HSP_E_NOT_FINITE))
       add(&all, VALUE, i, -1, HSP_E_NOT_FINITE, "NaN in");
     if (a->kind == KIND_array_in && strcmp(a->base, "double") == 0 && has_status(f, HSP_E_NOT_FINITE))
@@ -82,7 +86,11 @@ static int make(call *c, const fault *one, uint32_t needed) {
       memcpy(fence_data(i), &no_size, sizeof no_size);
       return 1;
     case ARGUMENT:
-      call_put_null(c, i);
+      if (is_choice(a)) {
+        c->v[i].u = 1u << 30;
+      } else {
+        call_put_null(c, i);
+      }
       return 1;
     case STATE:
       c->v[i].p = a->noun == NOUN_model || a->noun == NOUN_body ? given.refused[a->noun] : given.fresh[a->noun];

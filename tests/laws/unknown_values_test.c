@@ -6,15 +6,6 @@
 #include "fenced_memory.h"
 #include "law.h"
 
-static int is_choice(const argument *a) {
-  static const char *const choices[] = {"tangency", "flags", "set", "dimension"};
-  size_t k;
-  for (k = 0; k < sizeof choices / sizeof choices[0]; ++k) {
-    if (a->kind == KIND_value && strcmp(choices[k], a->name) == 0) return 1;
-  }
-  return 0;
-}
-
 static void reserved_fields(const function *f, uint32_t capacity, int i) {
   const argument *const a = &f->arguments[i];
   size_t d;

@@ -37,6 +37,7 @@ int32_t hsp_areas_bytes(uint32_t n, size_t *bytes) {
 int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory, size_t *bytes,
                   hsp_totals *totals, double *area) {
   if (bytes == nullptr || (memory == nullptr && *bytes > 0)) return HSP_E_ARGUMENT;
+  if (n > 0 && (xyz == nullptr || radius == nullptr)) return HSP_E_ARGUMENT;
   hsp_boundary_limits limits;
   hsp_model *model = nullptr;
   int32_t status = hsp_boundary_limits_init(&limits, sizeof limits, n);

@@ -30,7 +30,9 @@ struct PoseOf<hsp_rational_pose> {
 };
 
 int32_t check_bodies(const hsp_body *fixed, const hsp_body *posed, bool bad) {
-  return first_failure(check_results(fixed), check_results(posed, bad));
+  const int32_t refused = first_failure(check_handle(fixed), check_handle(posed, bad));
+  if (refused != HSP_OK) return refused;
+  return fixed->has_results() && posed->has_results() ? HSP_OK : HSP_E_STATE;
 }
 
 // Checks all poses before anything is written, then calls answer(k, pose) for each.

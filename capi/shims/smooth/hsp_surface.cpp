@@ -138,8 +138,9 @@ int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_
   LibraryArithmetic arithmetic;
   GradientRequest asked(arithmetic);
   hsp_gradient_outputs out;
-  if (const int32_t status = read_question(surface, request, asked, outputs, out); status != HSP_OK) return status;
+  if (const int32_t status = read_parts(surface, request, asked, outputs, out); status != HSP_OK) return status;
   if (asked.given.tangency != HSP_TANGENT_OVERLAP) return HSP_E_ARGUMENT;
+  if (!surface->has_results()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = surface->boundary->model->grid;
   const uint32_t n = grid.balls().n;
   const bool wanted = out.d_centre != nullptr || out.d_radius != nullptr || out.flags != nullptr || out.area != nullptr;

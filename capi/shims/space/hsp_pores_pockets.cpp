@@ -162,10 +162,10 @@ int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uin
   LibraryArithmetic arithmetic(narrow, wide);
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   forget_pockets(*pores);
-  if (pockets == nullptr) return HSP_E_ARGUMENT;
+  const bool are_finite = hsp::is_finite(narrow) && hsp::is_finite(wide);
+  if (pockets == nullptr || (are_finite && wide < narrow)) return HSP_E_ARGUMENT;
   if (!pores->has_results()) return HSP_E_STATE;
-  if (!hsp::is_finite(narrow) || !hsp::is_finite(wide)) return HSP_E_NOT_FINITE;
-  if (wide < narrow) return HSP_E_ARGUMENT;
+  if (!are_finite) return HSP_E_NOT_FINITE;
   const double narrow_level = pores->lattice().steps(narrow), wide_level = pores->lattice().steps(wide);
   if (!is_level(*pores, narrow_level) || !is_level(*pores, wide_level)) return HSP_E_RANGE;
   pores->builder.find_pockets(highest_level(*pores, narrow_level, narrow), highest_level(*pores, wide_level, wide));

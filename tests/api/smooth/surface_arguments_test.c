@@ -146,6 +146,9 @@ static void out_of_order(void) {
   check_scene("the model has changed");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_reading(surface, HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_get_gradient(surface, SIZED(hsp_gradient_request, .tangency = HSP_TANGENT_DISJOINT),
+                                       SIZED(hsp_gradient_outputs, .capacity = 0)),
+              HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_E_STATE);
   CHECK_EQUAL(hsp_surface_compute_shells(surface, boundary, NULL, 0, NULL), HSP_E_STATE);
   set_balls();

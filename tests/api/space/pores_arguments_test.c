@@ -255,6 +255,7 @@ int main(void) {
   CHECK_EQUAL(hsp_model_init(fewer_memory, sizeof fewer_memory, CAGE, &fewer), HSP_OK);
   CHECK_EQUAL(hsp_pores_init(before_memory, sizeof before_memory, &limits, &before), HSP_OK);
   CHECK_EQUAL(hsp_pores_find_pockets(pores, 0, 1, &number), HSP_E_STATE);
+  CHECK_EQUAL(hsp_pores_find_pockets(pores, 1, 0, &number), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_pores_find_tunnel(pores, middle, NULL, NULL, 0, &tunnel, NULL), HSP_E_STATE);
   sizes();
   defaults();

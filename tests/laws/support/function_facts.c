@@ -45,6 +45,15 @@ int is_pointer(const argument *a) {
   return !is_number(a) && (a->of == 0 || (a->kind != KIND_needed && a->kind != KIND_value_out));
 }
 
+int is_choice(const argument *a) {
+  static const char *const choices[] = {"tangency", "flags", "set", "dimension"};
+  size_t k;
+  for (k = 0; k < sizeof choices / sizeof choices[0]; ++k) {
+    if (a->kind == KIND_value && strcmp(choices[k], a->name) == 0) return 1;
+  }
+  return 0;
+}
+
 int is_sized(const argument *a) {
   return a->kind == KIND_sized || a->kind == KIND_sized_in || a->kind == KIND_outputs;
 }

@@ -20,6 +20,8 @@ int is_output(const argument *a);
 /* A number that is no array: an argument, or a field that is read. A field that is written there is no pointer. */
 int is_number(const argument *a);
 int is_pointer(const argument *a);
+/* A number of which only few values mean something: flags, or one of some constants. */
+int is_choice(const argument *a);
 /* A struct that says its size. */
 int is_sized(const argument *a);
 
