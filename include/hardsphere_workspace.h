@@ -74,7 +74,7 @@ typedef struct hsp_workspace {
   void (*drop_paths)(struct hsp_workspace *work); /**< drops its results (hardsphere/paths.h) */
   void (*drop_pores)(struct hsp_workspace *work); /**< drops its results (hardsphere/pores.h) */
 #endif
-  const hsp_executor *executor;        /**< or NULL, may be set: of all without request and options */
+  const hsp_executor *executor;        /**< or NULL, may be set: of all but requests, views, maps and pores */
   void *memory[13];                    /**< of the handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
@@ -783,21 +783,8 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
 
 #if HSP_HAS_BOXES
 
-/** Compute the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
- *  used. */
-static inline int32_t hsp_workspace_periodic(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
-                                             const double *box, const hsp_model_options *options, uint32_t *first_bad) {
-  int32_t status = hsp_workspace_ready_periodic(work, n);
-  hsp_periodic_limits limits = work->periodic_limits;
-  while (status == HSP_OK) {
-    status = hsp_periodic_compute(work->periodic, n, xyz, radius, box, options, &limits, first_bad);
-    if (status != HSP_E_CAPACITY) return status;
-    status = hsp_workspace_grow_periodic(work, &limits);
-  }
-  return status;
-}
-
-/** The same as a request says; arguments and statuses as hsp_periodic_compute_with. */
+/** Compute the union of n balls in a periodic box, as a request says; arguments and statuses as
+ *  hsp_periodic_compute_with. The model is not used. */
 static inline int32_t hsp_workspace_periodic_with(hsp_workspace *work, uint32_t n, const double *xyz,
                                                   const double *radius, const double *box,
                                                   const hsp_periodic_request *request, uint32_t *first_bad) {
@@ -809,6 +796,17 @@ static inline int32_t hsp_workspace_periodic_with(hsp_workspace *work, uint32_t 
     status = hsp_workspace_grow_periodic(work, &limits);
   }
   return status;
+}
+
+/** The same without a request; arguments and statuses as hsp_periodic_compute. */
+static inline int32_t hsp_workspace_periodic(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
+                                             const double *box, const hsp_model_options *options, uint32_t *first_bad) {
+  hsp_periodic_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.options = options;
+  request.executor = work->executor;
+  return hsp_workspace_periodic_with(work, n, xyz, radius, box, &request, first_bad);
 }
 #endif
 

@@ -252,12 +252,20 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
 
 /* ---- periodic.h */
 
-/** Compute the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
- *  used. */
-/* <compute periodic> */
-
-/** The same as a request says; arguments and statuses as hsp_periodic_compute_with. */
+/** Compute the union of n balls in a periodic box, as a request says; arguments and statuses as
+ *  hsp_periodic_compute_with. The model is not used. */
 /* <compute periodic_with> */
+
+/** The same without a request; arguments and statuses as hsp_periodic_compute. */
+static inline int32_t hsp_workspace_periodic(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
+                                             const double *box, const hsp_model_options *options, uint32_t *first_bad) {
+  hsp_periodic_request request;
+  memset(&request, 0, sizeof request);
+  request.struct_size = (uint32_t)sizeof request;
+  request.options = options;
+  request.executor = work->executor;
+  return hsp_workspace_periodic_with(work, n, xyz, radius, box, &request, first_bad);
+}
 
 /* ---- surface.h */
 
