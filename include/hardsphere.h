@@ -42,6 +42,7 @@
  *   vertex       a free point of three spheres
  *   arc, circle  a free part of the circle in which two spheres meet, between two vertices, or all of it
  *   face         a connected free part of one sphere
+ *   exposed      of a ball: with at least one face; a buried ball has none
  *   boundary     all faces together: the boundary of the union of the balls
  *   shell        a connected component of the boundary
  *   component    a connected component of the union

@@ -23,6 +23,8 @@
 !   a pointer that may be NULL   an optional argument that is left out
 !   a request and outputs        these types, with the defaults of C; or their fields as named optional arguments:
 !                                hsp_boundary_get_gradient(b, tension=1.0_c_double, d_centre=g, capacity=n)
+!   HSP_X_BYTES(..)              hsp_x_bytes_bound(..)
+!   HSP_QUAD_ROT(q), HSP_MAP_TWIN(h) and other macros are functions of these names in small letters
 !   const char *title            character(kind=c_char) :: title(*); a string that ends with c_null_char may be passed
 !   hsp_sink                     type(c_funptr) from c_funloc of a function with the interface hsp_sink
 !   run, proceed of an executor  type(c_funptr) likewise, none by default: integer(c_int32_t) functions with

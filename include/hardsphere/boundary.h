@@ -108,12 +108,12 @@ typedef struct hsp_boundary_request {
  *  worker, HSP_MAX_WORKERS at most. The executor runs a few times, one after the other.
  *  With selected only what lies on the selected balls is found, in the time that these take: for codes with ghosts. The
  *  boundary then answers hsp_boundary_get_measures, hsp_boundary_get_gradient, hsp_boundary_get_derivatives,
- *  hsp_boundary_get_area_row and hsp_boundary_get_area_rows alone, for these balls; all else is HSP_E_STATE. So are
- *  terms of the volume, its derivatives and a pressure, since they take the whole, and hsp_totals.volume and
- *  hsp_energy.volume are NaN. hsp_energy.value and .area are sums over the selected balls, but d_centre and d_radius
- *  are derivatives of the energy of all balls by the selected ones' centres and radii, d_probe is the sum of these
- *  d_radius, and those of other balls are 0. So d_centre is not the gradient of value, and adds up to that of the
- *  whole.
+ *  hsp_boundary_get_area_row, hsp_boundary_get_area_rows and hsp_boundary_get_hessian_product (hessian.h) alone, for
+ *  these balls; all else is HSP_E_STATE. So are terms of the volume, its first derivatives and a pressure there, since
+ *  they take the whole, and hsp_totals.volume and hsp_energy.volume are NaN. hsp_energy.value and .area are sums over
+ *  the selected balls, but d_centre and d_radius are derivatives of the energy of all balls by the selected ones'
+ *  centres and radii, d_probe is the sum of these d_radius, and those of other balls are 0. So d_centre is not the
+ *  gradient of value, and adds up to that of the whole.
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
  *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but
  *    the flag of a selected ball that equals one that is not selected may be set without need.

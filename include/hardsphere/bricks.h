@@ -11,9 +11,10 @@
  * bricks have the same step, probe and largest_radius (hsp_model_options), and give their balls in the order of ids,
  * which are those of the whole. Which balls a brick owns is free. Boxes are not periodic.
  *
- * A brick leaves a summary, some bytes for each ball at its border. Summaries merge in any order and any
- * tree to the same bits, as if the whole had been one brick. A summary is a block of bytes, the same on every machine,
- * at any address: it is stored, sent and read as it is, and needs no handle and no limits.
+ * A brick leaves a summary, some bytes for each ball at its border. Where two bricks join, at a curve or a contact, the
+ * summaries of both have a record of it, a seam. Summaries merge in any order and any tree to the same bits, as if the
+ * whole had been one brick. A summary is a block of bytes, the same on every machine, at any address: it is stored,
+ * sent and read as it is, and needs no handle and no limits.
  *
  * Counts are those of hsp_boundary_counts of the whole. Areas are sums over faces, each rounded once to a multiple of a
  * quantum of some 1e-24 of the square of the largest radius, so that they are integers that add up to the same bits in

@@ -82,8 +82,10 @@ HSP_API int32_t HSP_CALL hsp_map_init(void *memory, size_t bytes, const hsp_map_
  *
  *  Cost: O(n log n), and for each ball that may be seen the balls whose discs meet its disc and that reach higher:
  *  O(n + k) expected for k edges of molecules; at worst, with all discs in one place, O(n^3).
- *  @retval HSP_E_ARGUMENT    map or model is NULL; unknown pieces or flags
- *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0
+ *  @retval HSP_E_ARGUMENT    map or model is NULL; unknown pieces or flags; an executor with several workers and
+ *                            without run
+ *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0, or
+ *                            unused not NULL
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite

@@ -59,7 +59,7 @@ typedef struct hsp_periodic_limits {
   uint32_t workers;     /**< parts that threads of an executor share; 0 is 1. Comes back as it is if it suffices */
 } hsp_periodic_limits;
 
-/** Limits that suffice for most boxes of at least `balls` atoms that are no thinner than four of the largest radii:
+/** Limits that suffice for most boxes of `balls` atoms that are no thinner than four of the largest radii:
  *  images 2 balls + 128, neighbours 256, workers 0, and as many vertices, circles and contacts as
  *  hsp_boundary_limits_init and hsp_contacts_limits_init have for balls and images together.
  *  @retval HSP_E_ARGUMENT  limits is NULL
@@ -116,7 +116,7 @@ HSP_API int32_t HSP_CALL hsp_periodic_init(void *memory, size_t bytes, const hsp
  *  @retval HSP_E_RANGE       as hsp_model_set, also once turned; or of the vectors, turned, a_x, b_y or c_z is 0 on the
  *                            lattice, as they lie in a plane, a component is beyond 2^44 steps, b or c needs more than
  *                            64 of the vectors before it to be reduced; a ball is more than 2^17 boxes away; one of the
- *                            three lengths is below 2/55 of the largest radius */
+ *                            three lengths is below 2/55 of the largest radius; more than HSP_MAX_BALLS balls */
 HSP_API int32_t HSP_CALL hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz,
                                               const double *radius, const double *box, const hsp_model_options *options,
                                               hsp_periodic_limits *limits, uint32_t *first_bad);
@@ -131,9 +131,9 @@ typedef struct hsp_periodic_request {
 
 /** The same as hsp_periodic_compute, as a request says. request, limits and first_bad may be NULL.
  *  With areas_alone there are neither contacts nor components, which take most of the time: the results then answer
- *  hsp_periodic_measure and hsp_periodic_get_gradient alone, with derivatives by the box; all else is HSP_E_STATE, and
- *  so are shares and a pressure, and totals have 0 for volume, free_volume and contact_area. The limit of contacts may
- *  be 0 then.
+ *  hsp_periodic_measure, hsp_periodic_get_gradient, with derivatives by the box, and hsp_periodic_get_hessian_rows
+ *  alone; all else is HSP_E_STATE, and so are shares and a pressure in a gradient. Totals have 0 for volume,
+ *  free_volume and contact_area then, and energies for volume. The limit of contacts may be 0.
  *  With an executor of more than one worker the search for the boundary falls into limits.workers parts, as that of
  *  hsp_boundary_compute_with; contacts and components are the calling thread's, as what is found of a contact at one
  *  ball leads to those of the next. limits: see LIMITS in hardsphere.h; at most six retries.

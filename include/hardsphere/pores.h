@@ -14,6 +14,8 @@
  *             older, of a wider maximum. So each maximum is a class, and classes are the nodes of a tree. The outside
  *             is a class without a maximum, HSP_PORE_OUTSIDE, older than all others. A class that meets no other above
  *             the floor is a cavity that nothing reaches
+ *   level     the value of f at a maximum or a gate, a radius
+ *   floor     the radius of the narrowest probe of interest: what is below it is not looked for
  *
  * Which balls have a maximum or a gate, what its two sides lead up to, and the order of levels are decided in integers,
  * ties included; points and radii are doubles of that. Maxima and gates are numbered from the widest on.
@@ -106,8 +108,9 @@ HSP_API int32_t HSP_CALL hsp_pores_options_init(hsp_pores_options *options, uint
  *  a point where k balls tie, O(k log k) questions in integers, and O(k^2) in doubles as a rule. More where k balls tie
  *  up to a fraction of a lattice step along a whole line, as those of a tube of rings that is some lattice steps wide,
  *  or of a crown that is some steps high with another ball on its axis.
- *  @retval HSP_E_ARGUMENT    pores or model is NULL; options->before is pores
- *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
+ *  @retval HSP_E_ARGUMENT    pores or model is NULL; options->before is pores; an executor with several workers and
+ *                            without run
+ *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE       hsp_model_set has failed; or options->before holds no results, or their model has changed
  *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
@@ -128,8 +131,9 @@ HSP_API int32_t HSP_CALL hsp_pores_compute(hsp_pores *pores, const hsp_model *mo
  *    hundred times the largest ball's.
  *
  *  Cost: that of hsp_pores_compute for balls and images.
- *  @retval HSP_E_ARGUMENT    pores or periodic is NULL; options->before is pores
- *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
+ *  @retval HSP_E_ARGUMENT    pores or periodic is NULL; options->before is pores; an executor with several workers and
+ *                            without run
+ *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE       the box holds no results, or areas alone; or options->before holds none
  *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity

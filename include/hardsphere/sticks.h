@@ -129,8 +129,10 @@ typedef struct hsp_sticks_conflict {
  *  Cost: O(m log m) for m balls and halves of sticks, and for each those that share a vertical line of the view plane
  *  with it; without an order also for each those that may cover a part of it, sorted.
  *  @retval HSP_E_ARGUMENT    sticks or model is NULL; unknown pieces or flags; stick is NULL and count is not 0; an
- *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0
- *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0
+ *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0; an executor
+ *                            with several workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0, or
+ *                            unused not NULL
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
@@ -149,8 +151,10 @@ HSP_API int32_t HSP_CALL hsp_sticks_compute(hsp_sticks *sticks, const hsp_model 
  *
  *  Cost: as for hsp_sticks_compute without an order.
  *  @retval HSP_E_ARGUMENT    sticks or model is NULL; unknown pieces or flags; stick is NULL and count is not 0; an
- *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0
- *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0
+ *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0; an executor
+ *                            with several workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0, or
+ *                            unused not NULL
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite

@@ -116,8 +116,9 @@ HSP_API int32_t HSP_CALL hsp_view_options_turn(hsp_view_options *options, double
  *  Cost: O(n) to leave out hidden balls, O(m log m) to sort the m that are left, and for each of these O(k) at H-pieces
  *  and O(k^2) at G-pieces expected, with k balls that meet it.
  *  @retval HSP_E_ARGUMENT    view or model is NULL; unknown pieces or flags; H-pieces without a boundary; a boundary of
- *                            another model
- *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0
+ *                            another model; an executor with several workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0, or
+ *                            unused not NULL
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       the boundary holds no results, or the model has changed since; hsp_model_set has failed
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite
