@@ -51,7 +51,7 @@ def read_comment(function):
             tagged = None
             prose.append(row)
     function.prose = re.sub(r"\s+", " ", " ".join(prose)).strip()
-    function.brief = re.split(r"(?<=[.]) ", function.prose)[0]
+    function.brief = re.split(r"(?<=[^.][.]) ", function.prose)[0]  # `first .. last` goes on
 
 
 def functions_named(interface, function):

@@ -21,12 +21,14 @@ def function_index(interface):
     since = versions(interface)
     for header, subject in interface.headers.items():
         rows += [f"## {header}", "", f"{plain(subject[:1].upper() + subject[1:])}: "
-                 f"[hardsphere/{header}](../../include/hardsphere/{header}). {interface.tiers[header].capitalize()}.", "",
-                 "| function | what it does | statuses | since |", "|---|---|---|---|"]
-        for function in interface.functions:
-            if function.header == header:
-                statuses = ", ".join(s.removeprefix("HSP_") for s in function.statuses if s != "HSP_OK")
-                rows.append(f"| `{function.name}` | {plain(function.brief)} | {statuses} | {since[function.name]} |")
+                 f"[hardsphere/{header}](../../include/hardsphere/{header}). {interface.tiers[header].capitalize()}.", ""]
+        own = [function for function in interface.functions if function.header == header]
+        if not own:
+            continue
+        rows += ["| function | what it does | statuses | since |", "|---|---|---|---|"]
+        for function in own:
+            statuses = ", ".join(s.removeprefix("HSP_") for s in function.statuses if s != "HSP_OK")
+            rows.append(f"| `{function.name}` | {plain(function.brief)} | {statuses} | {since[function.name]} |")
         rows.append("")
     return "\n".join(rows)
 

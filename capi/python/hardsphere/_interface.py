@@ -1485,15 +1485,18 @@ class Surface(Handle):
         return call("hsp_surface_left", self, h=h)
 
     def get_patches(self, first: int, count: int) -> Records:
-        """The patches first .."""
+        """The patches first .. first + count - 1, exactly count records, of hsp_surface_part_counts.patches in all; out
+        may be NULL with count 0."""
         return call("hsp_surface_get_patches", self, first=first, count=count)
 
     def get_edges(self, first: int, count: int) -> Records:
-        """The edges first .."""
+        """The edges first .. first + count - 1, exactly count records, of hsp_surface_part_counts.edges in all; out may
+        be NULL with count 0."""
         return call("hsp_surface_get_edges", self, first=first, count=count)
 
     def get_corners(self, first: int, count: int) -> Records:
-        """The corners first .."""
+        """The corners first .. first + count - 1, exactly count records, of hsp_surface_part_counts.corners in all; out
+        may be NULL with count 0."""
         return call("hsp_surface_get_corners", self, first=first, count=count)
 
     def get_shells(self) -> Records:
@@ -1545,7 +1548,8 @@ class Mesh(Handle):
         return call("hsp_mesh_get_triangles", self, only=only)
 
     def get_patch(self, patch: int) -> Any:
-        """The triangles of one patch: *first .. Gives .first, .count."""
+        """The triangles of one patch: *first .. *first + *count - 1; *count becomes 0 if it has none. Gives .first,
+        .count."""
         return call("hsp_mesh_get_patch", self, patch=patch)
 
 
@@ -1610,19 +1614,23 @@ class Topology(Handle):
         return call("hsp_topology_left", self, q=q)
 
     def get_quad_edges(self, first: int, count: int, *, only: Any | None = None) -> Any:
-        """The structure as two flat arrays, for the edges first .. Gives .onext, .origin."""
+        """The structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and origin
+        [count][4]; all else follows by rot. Gives .onext, .origin."""
         return call("hsp_topology_get_quad_edges", self, first=first, count=count, only=only)
 
     def get_vertices(self, first: int, count: int) -> Records:
-        """The vertices first .."""
+        """The vertices first .. first + count - 1, exactly count records, of hsp_topology_counts.vertices in all; out
+        may be NULL with count 0."""
         return call("hsp_topology_get_vertices", self, first=first, count=count)
 
     def get_edges(self, first: int, count: int) -> Records:
-        """The edges first .."""
+        """The edges first .. first + count - 1, exactly count records, of hsp_topology_counts.edges in all; out may be
+        NULL with count 0."""
         return call("hsp_topology_get_edges", self, first=first, count=count)
 
     def get_simple_faces(self, first: int, count: int) -> Records:
-        """The simple faces first .."""
+        """The simple faces first .. first + count - 1, exactly count records, of hsp_topology_counts.simple_faces in
+        all; out may be NULL with count 0."""
         return call("hsp_topology_get_simple_faces", self, first=first, count=count)
 
     def get_traversal(self, shell: int) -> Numbers:
@@ -1652,7 +1660,8 @@ class Cells(Handle):
         return call("hsp_cells_get_counts", self)
 
     def get_cells(self, first: int, count: int) -> Records:
-        """The cells first .."""
+        """The cells first .. first + count - 1, exactly count records, of hsp_cells_counts.cells in all; out may be
+        NULL with count 0."""
         return call("hsp_cells_get_cells", self, first=first, count=count)
 
     def get_neighbours(self, cell: int) -> Numbers:
@@ -1660,7 +1669,8 @@ class Cells(Handle):
         return call("hsp_cells_get_neighbours", self, cell=cell)
 
     def get_pairs(self, first: int, count: int) -> Records:
-        """The pairs first .."""
+        """The pairs first .. first + count - 1 of neighbours, each pair once, exactly count records, of
+        hsp_cells_counts.adjacencies in all; out may be NULL with count 0."""
         return call("hsp_cells_get_pairs", self, first=first, count=count)
 
     def locate(self, xyz: Values) -> int:
@@ -1716,15 +1726,17 @@ class Pores(Handle):
         return call("hsp_pores_get_counts", self)
 
     def get_maxima(self, first: int, count: int) -> Records:
-        """The maxima first .."""
+        """The maxima first .. first + count - 1, exactly count records, of hsp_pores_counts.maxima in all, the widest
+        first; out may be NULL with count 0."""
         return call("hsp_pores_get_maxima", self, first=first, count=count)
 
     def get_gates(self, first: int, count: int) -> Records:
-        """The gates first .."""
+        """The gates first .. first + count - 1, exactly count records, of hsp_pores_counts.gates in all, the widest
+        first; out may be NULL with count 0."""
         return call("hsp_pores_get_gates", self, first=first, count=count)
 
     def get_gate_shifts(self, first: int, count: int) -> Records:
-        """The shifts of the gates first .."""
+        """The shifts of the gates first .. first + count - 1, exactly count records; out may be NULL with count 0."""
         return call("hsp_pores_get_gate_shifts", self, first=first, count=count)
 
     def get_maximum_balls(self, maximum: int) -> Numbers:
@@ -1810,7 +1822,8 @@ class Pores(Handle):
         return call("hsp_pores_find_pockets", self, narrow=narrow, wide=wide)
 
     def get_pockets(self, first: int, count: int) -> Records:
-        """The pockets first .."""
+        """The pockets first .. first + count - 1 of the last hsp_pores_find_pockets, exactly count records, that with
+        the widest maximum first; out may be NULL with count 0."""
         return call("hsp_pores_get_pockets", self, first=first, count=count)
 
     def get_pocket_maxima(self, pocket: int) -> Numbers:
@@ -1843,7 +1856,8 @@ class Pores(Handle):
         return call("hsp_pores_find_regions_with", self, boundary=boundary, threads=threads)
 
     def get_regions(self, first: int, count: int) -> Records:
-        """The regions first .."""
+        """The regions first .. first + count - 1 of the last hsp_pores_find_regions, exactly count records: the outside
+        first, which a box with balls does not have, then that of the widest maximum; out may be NULL with count 0."""
         return call("hsp_pores_get_regions", self, first=first, count=count)
 
     def measure_pockets(self, plugged: Pores, boundary: Boundary | None = None) -> Records:
@@ -1933,15 +1947,18 @@ class Map(Handle):
         return call("hsp_map_left", self, h=h)
 
     def get_vertices(self, first: int, count: int) -> Records:
-        """The vertices first .."""
+        """The vertices first .. first + count - 1, exactly count records, of hsp_map_info.vertices in all; out may be
+        NULL with count 0."""
         return call("hsp_map_get_vertices", self, first=first, count=count)
 
     def get_edges(self, first: int, count: int) -> Records:
-        """The edges first .."""
+        """The edges first .. first + count - 1, exactly count records, of hsp_map_info.edges in all; out may be NULL
+        with count 0."""
         return call("hsp_map_get_edges", self, first=first, count=count)
 
     def get_faces(self, first: int, count: int) -> Records:
-        """The faces first .."""
+        """The faces first .. first + count - 1, exactly count records, of hsp_map_info.faces in all; out may be NULL
+        with count 0."""
         return call("hsp_map_get_faces", self, first=first, count=count)
 
     def get_areas(self) -> Doubles:
@@ -2013,15 +2030,15 @@ class Sticks(Handle):
         return call("hsp_sticks_get_map_info", self)
 
     def get_vertices(self, first: int, count: int) -> Records:
-        """The vertices first .."""
+        """The vertices first .. first + count - 1 of the map, exactly count records; out may be NULL with count 0."""
         return call("hsp_sticks_get_vertices", self, first=first, count=count)
 
     def get_edges(self, first: int, count: int) -> Records:
-        """The edges first .."""
+        """The edges first .. first + count - 1 of the map, exactly count records; out may be NULL with count 0."""
         return call("hsp_sticks_get_edges", self, first=first, count=count)
 
     def get_faces(self, first: int, count: int) -> Records:
-        """The faces first .."""
+        """The faces first .. first + count - 1 of the map, exactly count records; out may be NULL with count 0."""
         return call("hsp_sticks_get_faces", self, first=first, count=count)
 
     def get_areas(self) -> Doubles:
