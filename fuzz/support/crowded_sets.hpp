@@ -110,14 +110,22 @@ class CrowdedSet {
           add(at, to.radius * spacing);
         }
         break;
-      case 9: {  // of one size around points of the lattice on a circle: all spheres through two points
-        const int64_t squared = int64_t{5} * 5 * 13 * 13 * 17 * 29 * 37, step = 1 + int64_t{bytes_.below(16)};
-        const auto largest = static_cast<int64_t>(std::sqrt(static_cast<double>(squared)));
-        for (int64_t x = -largest, left = count; x <= largest && left > 0; ++x) {
-          const int64_t y = rounded(std::sqrt(static_cast<double>(squared - x * x)));
-          if (x * x + y * y != squared) continue;
-          for (const int64_t side : {y, -y}) add({x * step, side * step, 0}, radius * step);
-          left -= 2;
+      case 9: {  // of one size around points of the lattice on a circle or a sphere: all spheres through two points, or
+                 // all planes through one
+        const int64_t step = 1 + int64_t{bytes_.below(16)};
+        const bool sphere = bytes_.below(2) == 1;
+        const int64_t squared = sphere ? 446 : int64_t{5} * 5 * 13 * 13 * 17 * 29 * 37;
+        const int64_t largest = rounded(std::floor(std::sqrt(static_cast<double>(squared)))),
+                      deep = sphere ? largest : 0;
+        int64_t left = count;
+        for (int64_t z = -deep; z <= deep; ++z) {
+          for (int64_t x = -largest; x <= largest && left > 0; ++x) {
+            const int64_t rest = squared - x * x - z * z;
+            const int64_t y = rest < 0 ? -1 : rounded(std::sqrt(static_cast<double>(rest)));
+            if (y < 0 || y * y != rest) continue;
+            for (const int64_t side : {y, -y}) add({x * step, side * step, z * step}, radius * step);
+            left -= 2;
+          }
         }
         break;
       }

@@ -226,6 +226,27 @@ Balls balls_around_circle(RandomSource &random, size_t n) {
   return balls;
 }
 
+Balls balls_around_sphere(RandomSource &random, size_t n) {
+  // Of the points with x^2 + y^2 + z^2 = 21^2, of which many lie on common circles.
+  constexpr int64_t squared = 441;
+  std::vector<LatticeBall> points;
+  for (int64_t x = -21; x <= 21; ++x) {
+    for (int64_t y = -21; y <= 21; ++y) {
+      for (int64_t z = -21; z <= 21; ++z) {
+        if (x * x + y * y + z * z == squared) points.push_back({x, y, z, 0});
+      }
+    }
+  }
+  const int64_t radius = random.one_in(4) ? 21 : random.in(12, 40);
+  Balls balls;
+  while (balls.size() < n) {
+    LatticeBall ball = points[static_cast<size_t>(random.in(0, static_cast<int64_t>(points.size()) - 1))];
+    ball.radius = radius;
+    balls.push_back(ball);
+  }
+  return balls;
+}
+
 Balls tangent_balls(RandomSource &random, size_t n) {
   Balls balls = {{0, 0, 0, random.in(1, 6)}};
   while (balls.size() < n) {

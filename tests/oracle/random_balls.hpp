@@ -49,10 +49,11 @@ Balls collinear_balls(RandomSource &random, size_t n);       // grid_balls on on
 Balls balls_through_point(RandomSource &random, size_t n);   // all spheres have a common point
 Balls balls_through_circle(RandomSource &random, size_t n);  // all spheres have a common circle
 Balls balls_around_circle(RandomSource &random,
-                          size_t n);                   // most have one size and centres on a circle: two common points
-Balls tangent_balls(RandomSource &random, size_t n);   // each touches an earlier one, within or without
-Balls lattice_balls(RandomSource &random, size_t n);   // part of a box lattice in which eight spheres meet
-Balls repeated_balls(RandomSource &random, size_t n);  // duplicates, concentric and contained balls
+                          size_t n);  // most have one size and centres on a circle: two common points
+Balls balls_around_sphere(RandomSource &random, size_t n);  // of one radius, around points of a sphere
+Balls tangent_balls(RandomSource &random, size_t n);        // each touches an earlier one, within or without
+Balls lattice_balls(RandomSource &random, size_t n);        // part of a box lattice in which eight spheres meet
+Balls repeated_balls(RandomSource &random, size_t n);       // duplicates, concentric and contained balls
 
 // A ball with whole rings of balls around integer points of a sphere: nested loops and ties at once. At least 9 balls.
 Balls crowned_balls(RandomSource &random, size_t n);
