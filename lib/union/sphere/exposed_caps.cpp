@@ -202,6 +202,13 @@ class ExposedCaps::Cutting {
     return false;
   }
 
+  // Where all planes go through one point that is not on the sphere, integers would be asked about it again and again.
+  bool takes_nothing(const OuterCell::Plane &plane) const {
+    const OuterCell::Taken taken = cell_.part_taken(plane);
+    return taken == OuterCell::Taken::point_outside_sphere ||
+           (taken == OuterCell::Taken::point_inside_sphere && part_ == Part::sphere);
+  }
+
   struct Sides {
     static constexpr uint32_t most = 16;
     VertexSides sides[most];
@@ -217,7 +224,8 @@ class ExposedCaps::Cutting {
     CapBatch batch{};
     if (!load(numbers.part(0, numbers.size() < Sides::most ? numbers.size() : Sides::most), batch)) return 0;
     for (uint32_t k = 0; k < batch.count; ++k) {
-      found.sides[k] = sides_of_vertices(caps_.target, cell_, plane_of(batch, k, numbers[k]));
+      const OuterCell::Plane plane = plane_of(batch, k, numbers[k]);
+      found.sides[k] = takes_nothing(plane) ? VertexSides{} : sides_of_vertices(caps_.target, cell_, plane);
     }
     return batch.count;
   }

@@ -19,6 +19,10 @@ double minor(double a, double d, double c, double e) {
   return a * d - c * e;
 }
 
+double squared_length(double x, double y, double z) {
+  return x * x + y * y + z * z;
+}
+
 }  // namespace
 
 // The point of three planes becomes vertex v. False if it is not certain enough.
@@ -42,7 +46,7 @@ bool OuterCell::place_vertex(uint32_t v, uint32_t p, uint32_t q, uint32_t r) {
   face[v][0] = static_cast<uint8_t>(p);
   face[v][1] = static_cast<uint8_t>(q);
   face[v][2] = static_cast<uint8_t>(r);
-  return x[v] * x[v] + y[v] * y[v] + z[v] * z[v] < 4.0;
+  return squared_length(x[v], y[v], z[v]) < 4.0;
 }
 
 void OuterCell::start() {
@@ -125,10 +129,33 @@ OuterCell::Cut OuterCell::cut(const Plane &plane, const uint64_t (&outside)[2]) 
 bool OuterCell::lies_inside_sphere() const {
   double most = 0.0;
   for (uint32_t v = 0; v < vertices; ++v) {
-    const double squared = x[v] * x[v] + y[v] * y[v] + z[v] * z[v];
+    const double squared = squared_length(x[v], y[v], z[v]);
     most = squared > most ? squared : most;
   }
   return most < certainly_inside;
+}
+
+// The numbers are those of PROOFS.md, section 7.
+OuterCell::Taken OuterCell::part_taken(const Plane &plane) const {
+  constexpr double missed = -0x1p-16, touched = 0x1p-32, near_squared = 0x1p-24, off_the_sphere = 0x1p-8;
+  double px = 2.0, py = 0.0, pz = 0.0;
+  bool is_first = true;
+  for (uint32_t v = 0; v < vertices; ++v) {
+    const double depth = plane.ux * x[v] + plane.uy * y[v] + plane.uz * z[v] - plane.b + error[v];
+    if (depth < missed) continue;
+    if (!(depth < touched)) return Taken::more;
+    if (is_first) {
+      px = x[v];
+      py = y[v];
+      pz = z[v];
+      is_first = false;
+    }
+    if (squared_length(x[v] - px, y[v] - py, z[v] - pz) > near_squared) return Taken::more;
+  }
+  const double squared = squared_length(px, py, pz);
+  return squared < 1.0 - off_the_sphere   ? Taken::point_inside_sphere
+         : squared > 1.0 + off_the_sphere ? Taken::point_outside_sphere
+                                          : Taken::more;
 }
 
 }  // namespace hsp

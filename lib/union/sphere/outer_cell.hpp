@@ -35,7 +35,7 @@ struct OuterCell {
   // The cube around the unit sphere, as a fraction: somewhat larger, so that balls that are inflated by infinitely
   // little lie in it, too, and planes that meet in a point of the sphere hardly meet in one of a side.
   static constexpr int32_t side_numerator = 9, side_denominator = 8;
-  void start();
+  [[gnu::cold]] void start();
   // Whether no part of it reaches the unit sphere.
   bool lies_inside_sphere() const;
 
@@ -53,6 +53,10 @@ struct OuterCell {
   Cut cut(Target target, const Plane &plane);
   // The same where it is known which vertices lie in the cap: bits. It is not `unsure`.
   Cut cut(const Plane &plane, const uint64_t (&outside)[2]);
+
+  // The part that a cap takes: at most what is near one point, as where many planes go through one, or maybe more.
+  enum class Taken : uint8_t { point_inside_sphere, point_outside_sphere, more };
+  [[gnu::cold]] Taken part_taken(const Plane &plane) const;
 
  private:
   bool place_vertex(uint32_t v, uint32_t p, uint32_t q, uint32_t r);

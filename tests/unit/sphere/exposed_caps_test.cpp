@@ -156,7 +156,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"collinear", oracle::collinear_balls, 20},
                     Kind{"through_point", oracle::balls_through_point, 20},
                     Kind{"through_circle", oracle::balls_through_circle, 20},
-                    Kind{"around_circle", oracle::balls_around_circle, 40}, Kind{"tangent", oracle::tangent_balls, 30},
+                    Kind{"around_circle", oracle::balls_around_circle, 40},
+                    Kind{"around_sphere", oracle::balls_around_sphere, 60}, Kind{"tangent", oracle::tangent_balls, 30},
                     Kind{"lattice", oracle::lattice_balls, 30}, Kind{"repeated", oracle::repeated_balls, 30},
                     Kind{"crowned", oracle::crowned_balls, 34}, Kind{"mixed", oracle::degenerate_balls, 30}),
     [](const auto &kind) { return std::string(kind.param.name); });
@@ -256,6 +257,31 @@ TEST(ExposedCapsThroughOnePoint, AreFew) {
     EXPECT_GT(3 * kept[0], all / 2);
     EXPECT_LT(6 * kept[1], kept[0]) << kept[0] << " of " << all / 2;
   }
+}
+
+// Balls of one radius around points of a sphere: all planes go through its centre. Where that is not on the balls'
+// spheres, only caps that meet the rest of the cell stay.
+TEST(ExposedCapsAroundASphere, AreFew) {
+  RandomSource random(3);
+  int sphere_sizes = 0;
+  for (int k = 0; k < 40; ++k) {
+    const oracle::Balls some = oracle::balls_around_sphere(random, 120);
+    const BuiltGrid built(oracle::in_lengths(some, 1));
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    if (some.front().radius == 21) continue;
+    ++sphere_sizes;
+    Search search(static_cast<uint32_t>(some.size()));
+    for (uint32_t i = 0; i < some.size(); i += 10) {
+      search.gather(built.grid(), i, runnable_targets().front(), true);
+      if (search.caps().contained || search.caps().count < 50) continue;
+      const std::string expected = search.found(built.grid().balls());
+      search.gather(built.grid(), i, runnable_targets().front(), true);
+      EXPECT_TRUE(search.keep_exposed(false, 1));
+      EXPECT_EQ(search.found(built.grid().balls()), expected);
+      EXPECT_LT(search.caps().count, 25U);
+    }
+  }
+  EXPECT_GT(sphere_sizes, 20);
 }
 
 }  // namespace

@@ -235,6 +235,50 @@ TEST(OuterCell, LiesInsideTheSphereWhenCapsCoverIt) {
   }
 }
 
+// Planes through one point, or hardly beside it: of which it is said that they take a point alone, all that they take
+// lies inside the sphere or all outside.
+TEST(OuterCell, PartsThatAreAPointAlone) {
+  const hsp::Target target = runnable_targets().front();
+  Random random(21);
+  uint32_t inside = 0, outside = 0, more = 0;
+  for (uint32_t round = 0; round < 300; ++round) {
+    const auto cell = std::make_unique<OuterCell>();
+    cell->start();
+    std::vector<Plane> planes = sides_of_cube();
+    // At all distances from the sphere's centre, and a third of the points about on the sphere.
+    Plane towards = random_plane(random, 0, 1.2L);
+    if (round % 3 == 0) towards.b = 1 + 0.01L * static_cast<long double>(random.fraction() - 0.5);
+    const Point point = {towards.u[0] * towards.b, towards.u[1] * towards.b, towards.u[2] * towards.b};
+    const auto plane_through = [&](long double off) {
+      Plane plane = random_plane(random, 0, 0);
+      plane.b = static_cast<double>(depth_of(plane, point) + off);
+      return plane;
+    };
+    for (uint32_t k = 0; k < 8; ++k) {
+      const Plane plane = plane_through(0);
+      if (cell->cut(target, in_doubles(plane)) == OuterCell::Cut::cuts) planes.push_back(plane);
+    }
+    for (uint32_t k = 0; k < 20; ++k) {
+      const long double off[] = {0, 1e-6L, -1e-6L, 1e-10L, -1e-10L};
+      const Plane plane = plane_through(off[k % 5]);
+      const OuterCell::Taken taken = cell->part_taken(in_doubles(plane));
+      if (taken == OuterCell::Taken::more) {
+        ++more;
+        continue;
+      }
+      ++(taken == OuterCell::Taken::point_inside_sphere ? inside : outside);
+      planes.push_back({{-plane.u[0], -plane.u[1], -plane.u[2]}, -plane.b});
+      for (const Point &p : vertices_of(planes)) {
+        EXPECT_EQ(std::hypot(p[0], p[1], p[2]) < 1, taken == OuterCell::Taken::point_inside_sphere);
+      }
+      planes.pop_back();
+    }
+  }
+  EXPECT_GT(inside, 20U);
+  EXPECT_GT(outside, 20U);
+  EXPECT_GT(more, 1000U);
+}
+
 TEST(OuterCell, BatchesOfCapsThatMayCut) {
   for (const hsp::Target target : runnable_targets()) {
     Random random(9);
