@@ -130,10 +130,15 @@ class ExposedCaps::Cutting {
     }
   }
 
-  // Cuts by caps whose planes are near vertices, by integers. False if nothing is left. Many are asked about together,
-  // but few behind one that cuts, since the next may, too.
-  bool cut_by_integers(Span<const uint32_t> numbers, const CellTies &ties) {
+  // Cuts by caps whose planes are near vertices, by integers. False if nothing is left. Those that go deep come first:
+  // where planes have a line in common two of them leave the others nearly nothing, which in another order may cut one
+  // after the other, until there is no room. Many are asked about together, but few behind one that cuts, since the
+  // next may, too.
+  bool cut_by_integers(Span<uint32_t> numbers, const CellTies &ties) {
+    constexpr uint32_t most_deep = 32;
+    bool some_go_deep = true;
     for (uint32_t t = 0, together = 1; t < numbers.size();) {
+      some_go_deep = some_go_deep && t < most_deep && put_deepest_first(numbers.part(t, numbers.size()));
       Sides found;
       const uint32_t end = together < numbers.size() - t ? t + together : numbers.size();
       const uint32_t asked = find_sides(numbers.part(t, end), ties, found);
@@ -228,6 +233,28 @@ class ExposedCaps::Cutting {
       found.sides[k] = takes_nothing(plane) ? VertexSides{} : sides_of_vertices(caps_.target, cell_, plane);
     }
     return batch.count;
+  }
+
+  // Puts the one whose plane goes deepest to the front. False if none goes deeper than doubles can tell.
+  [[gnu::noinline]] bool put_deepest_first(Span<uint32_t> numbers) const {
+    CapBatch batch{};
+    double most = 0x1p-20;
+    uint32_t deepest = no_id;
+    for (uint32_t t = 0; t < numbers.size(); t += batch.count) {
+      if (!load(numbers.part(t, numbers.size()), batch)) return false;
+      const uint32_t bits = may_cut(batch, batch.all());
+      if (bits == 0) continue;
+      const uint32_t k = deepest_of(batch, bits);
+      if (batch.depth[k] > most) {
+        most = batch.depth[k];
+        deepest = t + k;
+      }
+    }
+    if (deepest == no_id) return false;
+    const uint32_t number = numbers[deepest];
+    numbers[deepest] = numbers[0];
+    numbers[0] = number;
+    return true;
   }
 
   uint32_t may_cut(CapBatch &batch, uint32_t asked) const {
