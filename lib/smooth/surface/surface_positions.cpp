@@ -57,10 +57,10 @@ struct ProbeCap {
   // there to the middle of the vertices. False if they are not, or if nothing tells which vertex is the first of them
   // counter-clockwise about the circle's axis: `order` is 1 if it is this one, -1 if the one across, 0 if positions
   // have to say.
-  bool turn(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, const PatchArc &arc,
+  bool turn(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, uint32_t across,
             double order) {
     uint32_t ball[2];
-    if (!find_common_circle(boundary, vertex, arc.across, ball)) return false;
+    if (!find_common_circle(boundary, vertex, across, ball)) return false;
     const CirclePosition circle = position_of_circle(balls, ball[0], ball[1]);
     const double p = static_cast<double>(balls.probe_steps);
     const Vec3 out = combine(1.0, difference(balls, circle.centre, from), p * height, axis);
@@ -222,7 +222,8 @@ VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, con
   const Position centre = position_of_vertex(balls, boundary, vertex);
   ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
   VertexCrease crease{{own.axis, own.height, cut.arc(arc).angle, {0.0, 0.0, 0.0}}, false, true};
-  const uint32_t next = cut.arc(arc).next;
+  const double p = static_cast<double>(balls.probe_steps);
+  const uint32_t next = cut.arc(arc).next, across = cut.arc(arc).across;
   if (next == arc) {
     if (2 * own.height < coincident_distance) crease.arc.height = 0.0;
     return crease;
@@ -234,7 +235,7 @@ VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, con
   if (own.height < lower) {
     // Between cusps a crease lies on the other side of the circle's axis than its vertices.
     const double order = !has_cusps || start_cusp != (end_cusp ^ 1) ? 0.0 : end_cusp % 2 == 0 ? -1.0 : 1.0;
-    const bool is_turned = own.turn(balls, boundary, centre, vertex, cut.arc(arc), order);
+    const bool is_turned = own.turn(balls, boundary, centre, vertex, across, order);
     crease.is_thin = is_turned && own.height < lowest;
     crease.is_certain = is_turned || 2 * own.height >= coincident_distance;
     crease.arc.axis = own.axis;
@@ -247,11 +248,24 @@ VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, con
   const auto end_at = [&](uint32_t cusp, uint32_t other, bool is_start) {
     if (cusp != no_id && is_low) {
       const Position position = position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
-      return 1.0 / static_cast<double>(balls.probe_steps) * difference(balls, centre, position);
+      return 1.0 / p * difference(balls, centre, position);
     }
     ProbeCap cap(balls, boundary, centre, vertex, cut.arc(other));
-    if (!cut.arc(other).is_side() && cap.height < (own.height < lower ? lower : lowest))
-      cap.turn(balls, boundary, centre, vertex, cut.arc(other), 0.0);
+    if (!cut.arc(other).is_side()) {
+      const uint32_t third = cut.arc(other).across;
+      if (cap.height < (own.height < lower ? lower : lowest)) {
+        cap.turn(balls, boundary, centre, vertex, third, 0.0);
+      } else if (own.height >= lower) {
+        // Of three vertices the two others may be near each other. Then both planes are nearly one, and theirs, which
+        // has the same line with each, tells where it is.
+        const Position opposite = position_of_vertex(balls, boundary, across);
+        ProbeCap between(difference(balls, opposite, position_of_vertex(balls, boundary, third)), p);
+        if (between.height < lower && between.turn(balls, boundary, opposite, across, third, 0.0)) {
+          cap.height = dot(between.axis, 1.0 / p * difference(balls, centre, opposite)) + between.height;
+          cap.axis = between.axis;
+        }
+      }
+    }
     return is_start ? own.exit_of(cap) : cap.exit_of(own);
   };
   const Vec3 start = end_at(start_cusp, cut.previous(arc), true);

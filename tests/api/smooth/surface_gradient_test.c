@@ -183,6 +183,19 @@ static void corners_of_probes(void) {
   }
 }
 
+/* On either side of a ring of five balls are vertices a few steps of 1e-8 apart. Where the creases of one across the
+ * ring to two of these meet, their planes are nearly one. */
+static void probes_across_a_ring(void) {
+  static const double xyz[15] = {2.83390753,  -6e-8,       -0.93146044, 0.87572562,  2.69520626,
+                                 -0.93146044, -2.29267936, 1.66572903,  -0.93146040, -2.29267934,
+                                 -1.66572911, -0.93146042, 0.87572554,  -2.69520624, -0.93146044};
+  static const double radius[5] = {0.93912885, 0.93912885, 0.93912881, 0.93912883, 0.93912883};
+  static const double weights[5] = {1, 0.1, -0.5, -0.6, 1.8};
+  static const signed char way[20] = {0};
+  check_scene("probes across a ring");
+  get_moved(5, xyz, radius, way, 0, 2.04393179, weights, 1e-10);
+}
+
 int main(void) {
   static ball_set set;
   ball_set_make(3, &set);
@@ -193,5 +206,6 @@ int main(void) {
   near_probes();
   ring_of_probes();
   corners_of_probes();
+  probes_across_a_ring();
   return check_report();
 }
