@@ -134,7 +134,8 @@ constexpr uint128 sign_extended(const WideInteger<uint64_t, bits> &a) {
 #endif
 
 // The product, truncated to `out` bits: schoolbook over unsigned limbs, then one conditional subtraction for each
-// negative factor, since the pattern of a negative number is its value plus 2^width.
+// negative factor, since the pattern of a negative number is its value plus 2^width. Of two negative ones 2^(both
+// widths) is left, which has to be beyond `out`.
 template <int out, class Limb, int a_bits, int b_bits>
 constexpr WideInteger<Limb, out> product(const WideInteger<Limb, a_bits> &a, const WideInteger<Limb, b_bits> &b) {
   using Result = WideInteger<Limb, out>;
@@ -143,6 +144,7 @@ constexpr WideInteger<Limb, out> product(const WideInteger<Limb, a_bits> &a, con
   constexpr int nb = WideInteger<Limb, b_bits>::limbs;
   constexpr int n = Result::limbs;
   constexpr int w = Result::limb_bits;
+  static_assert(n <= na + nb);
   Result result{};
 #if defined(__SIZEOF_INT128__)
   // Up to the width of the result, products in two's complement do not depend on signs, so the compiler's unsigned type

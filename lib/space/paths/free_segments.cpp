@@ -14,17 +14,18 @@ Vector centre_of(const BallSet &balls, uint32_t ball) {
   return balls.ball(ball).centre;
 }
 
-Integer<256> exact_dot(const Vector &a, const Vector &b) {
-  const auto along = [](int64_t s, int64_t t) {
-    return exact::product<256>(Integer<64>::from(s), Integer<64>::from(t));
-  };
-  return along(a.x, b.x) + along(a.y, b.y) + along(a.z, b.z);
+Integer<128> exact_product(int64_t a, int64_t b) {
+  return exact::product<128>(Integer<64>::from(a), Integer<64>::from(b));
+}
+
+Integer<128> exact_dot(const Vector &a, const Vector &b) {
+  return exact_product(a.x, b.x) + exact_product(a.y, b.y) + exact_product(a.z, b.z);
 }
 
 bool is_outside_exactly(const exact::LatticeBall &ball, const Vector &a, const Vector &b) {
   const Vector d = b - a, p = ball.centre - a;
   const auto along = exact_dot(d, p), length = exact_dot(d, d);
-  const auto squared_radius = exact::product<256>(Integer<64>::from(ball.radius), Integer<64>::from(ball.radius));
+  const auto squared_radius = exact_product(ball.radius, ball.radius);
   if (along.sign() <= 0) return (exact_dot(p, p) - squared_radius).sign() > 0;
   if ((along - length).sign() >= 0) {
     const Vector q = ball.centre - b;

@@ -2,8 +2,8 @@
 //
 // With d = b - a and p = c - a for a ball of centre c and radius R: if d.p <= 0 the point a is nearest to c, if d.p >=
 // |d|^2 the point b, and else |p|^2 |d|^2 - (d.p)^2 > R^2 |d|^2 is the question. Coordinates are below 2^52, so that d
-// and p are below 2^53 and every term is below 2^217: 256 bits suffice. Doubles answer first; the error of |p x d|^2 is
-// below 64 u |p|^2 |d|^2.
+// and p are below 2^53, their products below 2^108 and every term below 2^217: 128 and 256 bits suffice. Doubles answer
+// first; the error of |p x d|^2 is below 64 u |p|^2 |d|^2.
 #pragma once
 
 #include "cells/free_space.hpp"

@@ -69,7 +69,7 @@ TYPED_TEST(WideIntegers, DoublesAreTheNearest) {
     // a 2^100 + b: far beyond 64 bits, the low part decides the last bit. The neighbours must not be closer.
     const int64_t b = random_value();
     const auto shifted =
-        product<192>(product<192>(I64::from(a), I64::from(int64_t{1} << 50)), I64::from(int64_t{1} << 50));
+        product<192>(product<128>(I64::from(a), I64::from(int64_t{1} << 50)), I64::from(int64_t{1} << 50));
     const I192 value = shifted + I192::from(b);
     const double rounded = value.to_double();
     const auto distance = [&value](double x) {

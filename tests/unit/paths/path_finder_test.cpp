@@ -63,6 +63,32 @@ TEST(PathFinder, ThroughAMolecule) {
   EXPECT_GT(seen.bent, 15U);
 }
 
+// One step beside a tangent of a large ball, and along it: doubles do not tell these apart. In all directions, since
+// integers go by signs.
+TEST(PathFinder, PastABallByOneStep) {
+  const int64_t r = 100000000;
+  const Balls balls{{0, 0, 0, r}};
+  BuiltPaths paths(balls);
+  ASSERT_EQ(paths.status(), hsp::Status::ok);
+  for (uint32_t turn = 0; turn < 48; ++turn) {
+    const auto turned = [&](int64_t touching, int64_t beside, int64_t along) {
+      const int64_t value[3] = {turn & 1 ? -touching : touching, turn & 2 ? -beside : beside,
+                                turn & 4 ? -along : along};
+      const uint32_t first = turn / 8 % 3, second = turn < 24 ? 1 : 2;
+      return Vector{value[first], value[(first + second) % 3], value[(first + 2 * second) % 3]};
+    };
+    for (const int64_t beside : {1, 0}) {
+      const Vector from = turned(r, beside, -2 * r), to = turned(r, beside, 2 * r);
+      hsp::PathSummary summary{};
+      Seen seen;
+      ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
+      ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen)) << turn;
+      EXPECT_EQ(seen.certified, 1U) << turn;
+      EXPECT_EQ(seen.bent, beside == 0 ? 1U : 0U) << turn;
+    }
+  }
+}
+
 TEST(PathFinder, AsksForRoomForPoints) {
   const Balls balls = molecule("crambin.pdb", 0);
   BuiltPaths large(balls);
