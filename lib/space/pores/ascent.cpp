@@ -190,8 +190,12 @@ Vec3 Ascent::lead_of(uint32_t count) const {
 }
 
 bool Ascent::step() {
-  if (outside_ || steps_ == most_steps) return false;
-  ++steps_;
+  if (outside_ || ended_ || steps_ == most_steps) return false;
+  if (++steps_ % stretch == 0 && level_is_known()) {
+    ended_ = !(level_ > before_stretch_);
+    before_stretch_ = level_;
+    if (ended_) return false;
+  }
   const double shortest = least_delta();
   uint32_t led = 0;  // d is of so many
   Vec3 d{};

@@ -6,7 +6,12 @@
 // that of the point of the hull of the a_i that is nearest to 0. Where s is small delta is halved, down to a fraction
 // of a lattice step: at a maximum, or beside a gate or the middle of a gap of two balls, from where the way goes on at
 // right angles to their directions.
+//
+// Where steps gain no more than rounding takes, as on a ridge of millionths of a step between near ties, f does not rise
+// over many of them. The way ends there.
 #pragma once
+
+#include <limits>
 
 #include "core/extremes.hpp"
 #include "core/fixed_vector.hpp"
@@ -29,7 +34,7 @@ class Ascent {
   NearImage nearest_ball() const { return near_count_ > 0 ? near_[0].image : NearImage{no_id, {}}; }
   // Beyond the box around all centres: from there f rises for ever. Never in a periodic box.
   bool is_outside() const { return outside_; }
-  // One step up. False if there is none, or outside.
+  // One step up. False if there is none, or outside, or if steps lead nowhere.
   bool step();
   // Whether a step began at a gate or in the middle of a gap, where the way might have led to the other side as well.
   bool has_left_saddle() const { return saddles_ > 0; }
@@ -39,6 +44,7 @@ class Ascent {
  private:
   static constexpr uint32_t room = 64;
   static constexpr uint32_t most_steps = 100000;
+  static constexpr uint32_t stretch = 1024;  // so many steps do not lead on if f is no larger after them
   struct NearBall {
     Vec3 a;  // unit vector from the centre
     double gap;
@@ -69,7 +75,8 @@ class Ascent {
   uint32_t near_count_ = 0;
   uint32_t saddles_ = 0;  // that were left
   uint32_t steps_ = 0;
-  bool outside_ = false;
+  double before_stretch_ = -std::numeric_limits<double>::infinity();  // f
+  bool outside_ = false, ended_ = false;
 };
 
 // The point of the hull of two to four points that is nearest to 0. Of the points those stay that span it. The last one

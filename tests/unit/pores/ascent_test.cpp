@@ -99,6 +99,37 @@ TEST(Ascent, TiesThatAreClosedOnOneSideAreLeftOnTheOther) {
   }
 }
 
+// A packing of three balls to a cube, one of them 300 steps beside its place. Beside the point between the four balls
+// around the side of a cube f rises by a few millionths of a step, which is as much as rounding takes from it.
+TEST(Ascent, EndsWhereRoundingTakesWhatIsGained) {
+  oracle::Balls balls;
+  for (int64_t x = -2; x <= 2; ++x) {
+    for (int64_t y = -2; y <= 2; ++y) {
+      for (int64_t z = -2; z <= 2; ++z) {
+        const int64_t i = 100000000 * x, j = 100000000 * y, k = 100000000 * z;
+        balls.push_back({i, j + 50000000, k + 50000000, 50000000});
+        balls.push_back({i + 50000000, j, k + 49999700, 50000000});
+        balls.push_back({i, j + 50000000, k, 50000000});
+      }
+    }
+  }
+  const BuiltPores pores(balls, 0);
+  ASSERT_EQ(pores.status(), hsp::Status::ok);
+  for (const int64_t x : {-150, 150}) {
+    const hsp::exact::Vector start{x, 0, 75000000};
+    hsp::Ascent way(pores.grid(), start);
+    uint32_t steps = 0;
+    while (way.step()) ++steps;
+    EXPECT_FALSE(way.step());
+    EXPECT_FALSE(way.is_lost());
+    EXPECT_LT(steps, 20000U);
+    hsp::PoreLocation place{};
+    ASSERT_EQ(hsp::locate(pores.builder(), pores.grid(), start, 0, place), hsp::Status::ok);
+    ASSERT_LT(place.maximum, pores.maxima().size());
+    EXPECT_NEAR(pores.maxima()[place.maximum].point.level, place.level, 1.0);
+  }
+}
+
 TEST(Ascent, NoMixtureOfPointsIsNearerToZero) {
   oracle::RandomSource random(2);
   const auto number = [&](double low, double high) {
