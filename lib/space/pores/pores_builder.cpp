@@ -67,6 +67,7 @@ Status PoresBuilder::build_from(int64_t floor, Patience &patience, const PoresBu
   status = climb_from_gates(patience);
   if (status == Status::ok) sort_points(patience);
   if (status == Status::ok && !patience.allows(0)) status = Status::stopped;
+  if (status == Status::ok) put_gates_below_their_ends();
   if (status == Status::ok) status = balls_.box() != nullptr ? merge_in_box() : merge();
   if (status != Status::ok) {
     maximum_count_ = gate_count_ = 0;
@@ -169,6 +170,19 @@ void PoresBuilder::sort_points(Patience &patience) {
     for (uint32_t &end : gates_[k].end) end = end == pore_outside ? end : maxima_[end].into;
   }
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = maxima_[k].into = no_id;
+}
+
+// A gate is below its ends. Where doubles of these levels say otherwise, by their errors, the less certain one gives way
+// to the other.
+void PoresBuilder::put_gates_below_their_ends() {
+  for (uint32_t k = 0; k < gate_count_; ++k) {
+    CriticalPoint &gate = gates_[k].point;
+    for (const uint32_t end : gates_[k].end) {
+      if (end == pore_outside || !(gate.level > maxima_[end].point.level)) continue;
+      CriticalPoint &top = maxima_[end].point;
+      (top.error > gate.error ? top.level : gate.level) = top.error > gate.error ? gate.level : top.level;
+    }
+  }
 }
 
 // In the order in which gates are found, which is that of positions: what is near one is near the next one.

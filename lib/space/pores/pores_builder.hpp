@@ -95,6 +95,7 @@ class PoresBuilder {
   Status build_from(int64_t floor, Patience &patience, const PoresBuilder *before);
   bool is_higher(const CriticalPoint &a, const CriticalPoint &b);
   void sort_points(Patience &patience);
+  void put_gates_below_their_ends();
   Status climb_from_gates(Patience &patience);
   WayUp::End moved_end(const WayUp::End &end, uint32_t gates_ball, uint32_t translation);
   Status merge();
