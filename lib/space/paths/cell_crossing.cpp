@@ -26,13 +26,38 @@ void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t ce
   power_cell_.build(member);
   power_cell_.find_free_parts();
 
-  // From the last point backwards, so that the way is found in its order.
+  const uint32_t part = cell - space.parts_of(space.cover.first_entry(record.cube) + member).first;
+  uint32_t stop = first_stop(balls, part, false, from, to);
+  if (stop == no_id) stop = first_stop(balls, part, true, from, to);
+  for (; stop != no_id; stop = stops_[stop].next) points.push(stops_[stop].at);
+}
+
+// From the last point backwards, so that the way is found in its order.
+uint32_t CellCrossing::first_stop(const BallSet &balls, uint32_t part, bool rounded, const exact::Vector &from,
+                                  const exact::Vector &to) {
   const PowerPolytope &polytope = power_cell_.polytope();
-  const uint32_t size = polytope.size();
+  const uint32_t size = polytope.size(), ball = power_cell_.ball();
+  for (uint32_t v = 0; v < size; ++v) {
+    const exact::Vector at = power_cell_.frame().rounded(polytope.position(v));
+    stops_[v] = {at, unreached, no_id, power_cell_.part_of(v) == no_id};
+  }
+  const auto nearest_in_part = [&](const exact::Vector &end) {
+    uint32_t best = no_id;
+    double most = -unreached;
+    for (uint32_t v = 0; v < size; ++v) {
+      if (power_cell_.part_of(v) != part) continue;
+      const double clearance = clearance_of_ball(balls, ball, end, stops_[v].at);
+      if (!(clearance > most)) continue;
+      most = clearance;
+      best = v;
+    }
+    return best;
+  };
+  const uint32_t begin = rounded ? nearest_in_part(from) : no_id, end = rounded ? nearest_in_part(to) : no_id;
   for (uint32_t v = 0; v < size; ++v) {
     Stop &stop = stops_[v];
-    stop = {power_cell_.frame().rounded(polytope.position(v)), unreached, no_id, power_cell_.part_of(v) == no_id};
-    if (!stop.done && is_outside_ball(balls, record.ball, stop.at, to)) stop.way = distance(stop.at, to);
+    const bool is_last = rounded ? v == end : !stop.done && is_outside_ball(balls, ball, stop.at, to);
+    if (is_last) stop.way = distance(stop.at, to);
   }
   uint32_t best = no_id;
   double least = unreached;
@@ -44,7 +69,7 @@ void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t ce
     if (here == no_id || stops_[here].way >= least) break;
     stops_[here].done = true;
     const double whole = stops_[here].way + distance(from, stops_[here].at);
-    if (whole < least && is_outside_ball(balls, record.ball, from, stops_[here].at)) {
+    if (whole < least && (rounded ? here == begin : is_outside_ball(balls, ball, from, stops_[here].at))) {
       least = whole;
       best = here;
     }
@@ -53,10 +78,10 @@ void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t ce
       const double way = stops_[here].way + distance(stops_[here].at, there.at);
       if (there.done || !power_cell_.is_free_edge(here, k) || !(way < there.way)) continue;
       there.way = way;
-      there.from = here;
+      there.next = here;
     }
   }
-  for (uint32_t v = best; v != no_id; v = stops_[v].from) points.push(stops_[v].at);
+  return best;
 }
 
 }  // namespace hsp

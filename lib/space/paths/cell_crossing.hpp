@@ -4,6 +4,9 @@
 // From a point x of a free part of the power cell K of a ball B, the plane through x that is normal to the way from the
 // centre of B has a vertex of K beyond it, and the segment to that is outside B. It is in K, and so outside every ball.
 // The vertices of the part are joined by its edges outside B (power_cell.hpp).
+//
+// Rounded to the lattice x may be in B, or the segment to each vertex may touch it. Then that vertex of the part is
+// taken of which the segment is farthest from B, or least deep in it: by the rounding, and not by more.
 #pragma once
 
 #include "cells/free_space.hpp"
@@ -15,17 +18,22 @@ class CellCrossing {
  public:
   void carve(Workspace &workspace, uint32_t cube_balls);
   // Adds the points between two points of a cell to a path. Ends of edges are rounded, so that segments are still to be
-  // tested; none are added if rounding leaves no way.
+  // tested.
   void add(const BallSet &balls, const FreeSpace &space, uint32_t cell, const exact::Vector &from,
            const exact::Vector &to, FixedVector<exact::Vector> &points);
 
  private:
   struct Stop {
     exact::Vector at;
-    double way;
-    uint32_t from;
+    double way;     // from here to the end
+    uint32_t next;  // on it
     bool done;
   };
+
+  // The shortest way along edges, from its first vertex on, each with the next one; no_id if there is none. If rounded
+  // between the vertices of that part that suit the ends best, else between any that are seen from there.
+  uint32_t first_stop(const BallSet &balls, uint32_t part, bool rounded, const exact::Vector &from,
+                      const exact::Vector &to);
 
   PowerCell power_cell_;
   Span<Stop> stops_;

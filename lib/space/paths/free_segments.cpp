@@ -145,16 +145,18 @@ bool is_free_segment(const BallSet &balls, const FreeSpace &space, const Vector 
   return true;
 }
 
+double clearance_of_ball(const BallSet &balls, uint32_t ball, const Vector &a, const Vector &b) {
+  const Vec3 d = to_double(b - a), p = to_double(centre_of(balls, ball) - a);
+  const double length = dot(d, d), along = dot(d, p);
+  const double part = along <= 0.0 ? 0.0 : along >= length ? 1.0 : along / length;
+  const Vec3 nearest_way = p - part * d;
+  return std::sqrt(dot(nearest_way, nearest_way)) - balls.r[ball];
+}
+
 double segment_clearance(const BallSet &balls, const Vector &a, const Vector &b) {
-  const Vec3 d = to_double(b - a);
-  const double length = dot(d, d);
   double least = std::numeric_limits<double>::infinity();
   for (uint32_t ball = 0; ball < balls.n; ++ball) {
-    const Vec3 p = to_double(centre_of(balls, ball) - a);
-    const double along = dot(d, p);
-    const double part = along <= 0.0 ? 0.0 : along >= length ? 1.0 : along / length;
-    const Vec3 nearest_way = p - part * d;
-    const double distance = std::sqrt(dot(nearest_way, nearest_way)) - balls.r[ball];
+    const double distance = clearance_of_ball(balls, ball, a, b);
     least = distance < least ? distance : least;
   }
   return least;

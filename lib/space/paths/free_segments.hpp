@@ -19,6 +19,8 @@ inline double distance(const exact::Vector &a, const exact::Vector &b) {
 bool is_outside_ball(const BallSet &balls, uint32_t ball, const exact::Vector &a, const exact::Vector &b);
 // Whether it has none of any ball. Looks at the cubes along it.
 bool is_free_segment(const BallSet &balls, const FreeSpace &space, const exact::Vector &a, const exact::Vector &b);
+// The least distance of the segment from one ball, negative inside, in lattice steps.
+double clearance_of_ball(const BallSet &balls, uint32_t ball, const exact::Vector &a, const exact::Vector &b);
 // The least distance of the segment from a ball, negative inside, in lattice steps; infinite without balls.
 double segment_clearance(const BallSet &balls, const exact::Vector &a, const exact::Vector &b);
 

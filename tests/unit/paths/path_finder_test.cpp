@@ -89,6 +89,35 @@ TEST(PathFinder, PastABallByOneStep) {
   }
 }
 
+// Portals that touch two balls: no segment from there is outside them, and yet none goes through a ball.
+TEST(PathFinder, APointOnTwoSpheresLeadsAroundThem) {
+  const int64_t unit = 100000000;
+  const auto scaled = [](const Vector &v) { return Vector{v.x * unit / 2, v.y * unit / 2, v.z * unit / 2}; };
+  struct Case {
+    Balls balls;  // of half units
+    Vector from, to;
+  };
+  const Case cases[] = {
+      {{{0, 0, 4, 2}, {4, 0, 2, 4}}, {0, 2, 2}, {0, -2, 3}},
+      {{{2, 2, 2, 2}, {-2, 2, 0, 2}, {2, -2, -2, 4}, {2, 0, 0, 2}, {0, 0, 0, 2}}, {0, -1, 3}, {3, 4, -3}}};
+  for (const Case &one : cases) {
+    Balls balls = one.balls;
+    for (auto &ball : balls) {
+      const Vector centre = scaled({ball.x, ball.y, ball.z});
+      ball = {centre.x, centre.y, centre.z, ball.radius * unit / 2};
+    }
+    if (balls.size() > 2) balls[1].z += 100;
+    BuiltPaths paths(balls);
+    ASSERT_EQ(paths.status(), hsp::Status::ok);
+    const Vector from = scaled(one.from), to = scaled(one.to);
+    hsp::PathSummary summary{};
+    Seen seen;
+    ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
+    ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen));
+    EXPECT_GT(summary.clearance, -4.0);
+  }
+}
+
 TEST(PathFinder, AsksForRoomForPoints) {
   const Balls balls = molecule("crambin.pdb", 0);
   BuiltPaths large(balls);
