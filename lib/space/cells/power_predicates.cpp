@@ -258,4 +258,11 @@ bool PowerPredicates::reaches(const PowerPlane &P, const PowerPlane &Q, const Po
   return sign * common.B.sign() >= 0;
 }
 
+Vec3 PowerPredicates::common_point(const PowerPlane &P, const PowerPlane &Q, const PowerPlane &R) const {
+  const Numbers numbers(*this);
+  const CommonPoint common(numbers.plane(P), numbers.plane(Q), numbers.plane(R));
+  const double B = common.B.to_double();
+  return {common.H.x.to_double() / B, common.H.y.to_double() / B, common.H.z.to_double() / B};
+}
+
 }  // namespace hsp

@@ -43,6 +43,8 @@ class PowerPredicates {
   int side_of_centre(const PowerPlane &P) const;
   // Whether the common point of P, Q and R is at least as far as `point`, along the way from the centre to that.
   bool reaches(const PowerPlane &P, const PowerPlane &Q, const PowerPlane &R, const exact::Vector &point) const;
+  // The common point of P, Q and R, rounded, as y.
+  Vec3 common_point(const PowerPlane &P, const PowerPlane &Q, const PowerPlane &R) const;
 
  private:
   struct Numbers;

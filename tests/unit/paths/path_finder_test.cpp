@@ -118,6 +118,21 @@ TEST(PathFinder, APointOnTwoSpheresLeadsAroundThem) {
   }
 }
 
+// Corners of a power cell beside a side of the cube that a plane between two balls leaves by nothing but one step.
+TEST(PathFinder, RoundsCornersThatDoublesDoNotKnow) {
+  const int64_t unit = 100000000;
+  const Balls balls{
+      {unit, -unit, -unit, unit}, {-unit, -10000, 0, unit}, {unit, 1, unit, unit}, {unit, 0, -2 * unit, 2 * unit}};
+  BuiltPaths paths(balls);
+  ASSERT_EQ(paths.status(), hsp::Status::ok);
+  const Vector from{unit / 2, 2 * unit, -3 * unit}, to{3 * unit / 2, -unit / 2, 0};
+  hsp::PathSummary summary{};
+  Seen seen;
+  ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
+  ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen));
+  EXPECT_GT(summary.clearance, -4.0);
+}
+
 TEST(PathFinder, AsksForRoomForPoints) {
   const Balls balls = molecule("crambin.pdb", 0);
   BuiltPaths large(balls);
