@@ -348,14 +348,14 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
     at_point_[tied++] = near[k];
     ties |= k < 64 ? UINT64_C(1) << k : 0;
   }
+  const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
   // Where 0 is in the hull of the directions from some balls the largest of their distances is least, so that such a
-  // point of the same balls is the same one.
+  // point of the same balls is the same one. It may be a maximum that three of its balls have in their plane, too.
   if (kept && near.size() <= 64 && tied > count) {
     for (uint32_t k = 0; k < known.size; ++k) {
-      if (known.set[k] == ties) return tied == near.size();
+      if (known.set[k] == ties) return tied == near.size() && known.in_plane[k] == (kind == PointKind::gate);
     }
   }
-  const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
   if (kept) kept = (tied == count && !on_side) || kind_of(balls, point, at_point_.part(0, tied), room_) == kind;
   if (kept && near.size() <= 64 && known.size < KnownTies::room) {
     known.in_plane[known.size] = kind == PointKind::gate;

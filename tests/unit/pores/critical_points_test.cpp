@@ -71,6 +71,21 @@ TEST(CriticalPoints, ACubeThatTies) {
 }
 
 // As many as a cube can see at once, and nearly; and more.
+// Two rectangles of four balls a small way apart: all eight tie at a maximum between them, which is in the plane of some
+// three as well, and each four at a gate in their own.
+TEST(CriticalPoints, TwoRectanglesSideBySide) {
+  checked_pores::Seen seen;
+  for (int64_t apart = 200000; apart <= 500000; apart += 25000) {
+    oracle::Balls balls;
+    for (const int64_t x : {0, 200000000}) {
+      for (const int64_t z : {0, 100000000}) {
+        for (const int64_t y : {int64_t{0}, apart}) balls.push_back({x, y, z, 100000000});
+      }
+    }
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(balls, seen)) << apart;
+  }
+}
+
 TEST(CriticalPoints, ManyBallsThatTie) {
   for (const int64_t square : {26, 101}) {
     const oracle::Balls shell = pore_sets::shell(1000, 300, square);
