@@ -192,7 +192,7 @@ Vec3 Ascent::lead_of(uint32_t count) const {
 bool Ascent::step() {
   if (outside_ || ended_ || steps_ == most_steps) return false;
   if (++steps_ % stretch == 0 && level_is_known()) {
-    ended_ = !(level_ > before_stretch_);
+    ended_ = !(level_ > before_stretch_) && !(level_ > far);
     before_stretch_ = level_;
     if (ended_) return false;
   }

@@ -7,8 +7,8 @@
 // of a lattice step: at a maximum, or beside a gate or the middle of a gap of two balls, from where the way goes on at
 // right angles to their directions.
 //
-// Where steps gain no more than rounding takes, as on a ridge of millionths of a step between near ties, f does not rise
-// over many of them. The way ends there.
+// Where steps gain no more than rounding takes, as on a ridge of millionths of a step between near ties, f does not
+// rise over many of them. The way ends there, unless it is so far from all balls that rounding takes whole steps.
 #pragma once
 
 #include <limits>
@@ -45,6 +45,7 @@ class Ascent {
   static constexpr uint32_t room = 64;
   static constexpr uint32_t most_steps = 100000;
   static constexpr uint32_t stretch = 1024;  // so many steps do not lead on if f is no larger after them
+  static constexpr double far = 0x1p34;
   struct NearBall {
     Vec3 a;  // unit vector from the centre
     double gap;

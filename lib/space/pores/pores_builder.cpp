@@ -172,8 +172,8 @@ void PoresBuilder::sort_points(Patience &patience) {
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = maxima_[k].into = no_id;
 }
 
-// A gate is below its ends. Where doubles of these levels say otherwise, by their errors, the less certain one gives way
-// to the other.
+// A gate is below its ends. Where doubles of these levels say otherwise, by their errors, the less certain one gives
+// way to the other.
 void PoresBuilder::put_gates_below_their_ends() {
   for (uint32_t k = 0; k < gate_count_; ++k) {
     CriticalPoint &gate = gates_[k].point;

@@ -71,8 +71,8 @@ TEST(CriticalPoints, ACubeThatTies) {
 }
 
 // As many as a cube can see at once, and nearly; and more.
-// Two rectangles of four balls a small way apart: all eight tie at a maximum between them, which is in the plane of some
-// three as well, and each four at a gate in their own.
+// Two rectangles of four balls a small way apart: all eight tie at a maximum between them, which is in the plane of
+// some three, too, and each four at a gate in their own.
 TEST(CriticalPoints, TwoRectanglesSideBySide) {
   checked_pores::Seen seen;
   for (int64_t apart = 200000; apart <= 500000; apart += 25000) {
