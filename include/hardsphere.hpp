@@ -193,11 +193,12 @@ class owner {
  public:
   // Of all that is in it, as hardsphere_workspace.h has it.
   hsp_workspace *operator->() noexcept { return &work_; }
-  uint32_t size() const noexcept { return size_; }
 
-  // A function of hardsphere_workspace.h, with its arguments behind the workspace.
+  // A function of hardsphere_workspace.h, with its arguments behind the workspace. What it makes otherwise than the
+  // functions here do is made anew by these when they are asked next.
   template <class... Arguments, class... Given>
   void run(int32_t (*function)(hsp_workspace *, Arguments...), Given &&...given) {
+    computed_ &= ~made_otherwise(function);
     check(function(&work_, std::forward<Given>(given)...));
   }
 
@@ -207,7 +208,8 @@ class owner {
   owner &operator=(const owner &) = delete;
   owner(owner &&other) noexcept { swap(other); }
   owner &operator=(owner &&other) noexcept {
-    swap(other);
+    owner taken(std::move(other));
+    swap(taken);
     return *this;
   }
   ~owner() { hsp_workspace_free(&work_); }
@@ -215,15 +217,42 @@ class owner {
     std::swap(work_, other.work_);
     std::swap(computed_, other.computed_);
     std::swap(executor_, other.executor_);
-    std::swap(size_, other.size_);
 #if HSP_HAS_SPACE
     std::swap(floor_, other.floor_);
 #endif
   }
 
   // An empty span is none; with no balls it is that, too.
-  void held(size_t given) const {
-    if (given != 0 && given != size_) throw error(HSP_E_ARGUMENT);
+  static void held(size_t given, uint32_t balls) {
+    if (given != 0 && given != balls) throw error(HSP_E_ARGUMENT);
+  }
+  // Balls of a handle by one of its functions (.., capacity, needed), without arrays; 0 where there are none.
+  template <class... Arguments, class Handle, class... Nothing>
+  static uint32_t count(int32_t (*function)(Arguments...), Handle *handle, Nothing... nothing) noexcept {
+    uint32_t needed = 0;
+    return function(handle, nothing..., 0, &needed) == HSP_OK ? needed : 0;
+  }
+  template <class Function, class Other>
+  static bool same(Function function, Other other) noexcept {
+    if constexpr (std::is_same_v<Function, Other>) return function == other;
+    return false;
+  }
+  // Bits of once() for what a function of C makes of other balls, of some of them or with other options.
+  template <class Function>
+  static unsigned made_otherwise(Function function) noexcept {
+    if (same(function, hsp_workspace_set) || same(function, hsp_workspace_areas) ||
+        same(function, hsp_workspace_boundary) || same(function, hsp_workspace_boundary_with))
+      return ~0U;
+#if HSP_HAS_BOXES
+    if (same(function, hsp_workspace_periodic) || same(function, hsp_workspace_periodic_with)) return ~0U;
+#endif
+#if HSP_HAS_SMOOTH
+    if (same(function, hsp_workspace_surface_of)) return surface_is_there;
+#endif
+#if HSP_HAS_SPACE
+    if (same(function, hsp_workspace_pores) || same(function, hsp_workspace_pores_periodic)) return pores_are_there;
+#endif
+    return 0;
   }
   template <class Compute>
   void once(unsigned bit, Compute compute) {
@@ -236,15 +265,15 @@ class owner {
   // The gradient of an energy by a function of C; outputs: what it is to write beside.
   template <class Outputs, class Handle>
   gradients slope(int32_t (*function)(const Handle *, const hsp_gradient_request *, Outputs *), const Handle *handle,
-                  const energy_terms &terms, Outputs outputs = {}) {
-    held(terms.sigma.size());
+                  uint32_t n, const energy_terms &terms, Outputs outputs = {}) {
+    held(terms.sigma.size(), n);
     gradients found{{},
-                    std::vector<double>(3 * size_t{size_}),
-                    std::vector<double>(size_),
-                    std::vector<double>(size_),
-                    std::vector<uint32_t>(size_)};
+                    std::vector<double>(3 * size_t{n}),
+                    std::vector<double>(n),
+                    std::vector<double>(n),
+                    std::vector<uint32_t>(n)};
     const hsp_gradient_request request = asked(terms);
-    outputs.struct_size = sizeof outputs, outputs.capacity = size_, outputs.energy = &found.energy;
+    outputs.struct_size = sizeof outputs, outputs.capacity = n, outputs.energy = &found.energy;
     outputs.d_centre = found.d_centre.data(), outputs.d_radius = found.d_radius.data(),
     outputs.flags = found.flags.data(), outputs.area = found.area.data();
     outputs.first_bad = HSP_NONE;
@@ -269,14 +298,13 @@ class owner {
     });
     return work_.pores;
   }
-  static constexpr unsigned pores_are_there = 16;
   double floor_ = 0;
 #endif
+  static constexpr unsigned surface_is_there = 8, pores_are_there = 16;
 
   hsp_workspace work_{};
   hsp_executor executor_{sizeof executor_, 1, nullptr, nullptr, nullptr};
   unsigned computed_ = 0;
-  uint32_t size_ = 0;
 };
 
 class workspace : public owner {
@@ -286,17 +314,16 @@ class workspace : public owner {
     set(xyz, radius, how);
   }
   void swap(workspace &other) noexcept { owner::swap(other); }
+  uint32_t size() const noexcept { return count(hsp_model_get_balls, work_.model, nullptr, nullptr); }
 
   // One that throws leaves no balls: what asks for them throws, too.
   workspace &set(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
     const hsp_model_options c = model_options(how);
     const given_balls balls(xyz, radius);
     uint32_t bad = HSP_NONE;
-    computed_ = size_ = 0;
+    computed_ = 0;
     const int32_t status = hsp_workspace_set(&work_, balls.n, balls.xyz, balls.radius, &c, &bad);
-    check(status, bad);
-    size_ = balls.n;
-    return *this;
+    return check(status, bad), *this;
   }
 
   // Whose threads share boundaries, measures and gradients from now on.
@@ -316,7 +343,7 @@ class workspace : public owner {
   hsp_contacts *contacts() { return boundary(), once(4, hsp_workspace_contacts), work_.contacts; }
 #if HSP_HAS_SMOOTH
   hsp_surface *surface() {
-    return boundary(), once(8, hsp_workspace_surface), work_.surface;
+    return boundary(), once(surface_is_there, hsp_workspace_surface), work_.surface;
   }
 #endif
 #if HSP_HAS_SPACE
@@ -328,29 +355,30 @@ class workspace : public owner {
 
   // selected: empty, or a number for each ball; those with 0 only block.
   hardsphere::measures measure(std::span<const uint8_t> selected = {}) {
-    held(selected.size());
-    hardsphere::measures found{{}, std::vector<double>(size_), std::vector<double>(size_)};
+    const uint32_t n = size();
+    held(selected.size(), n);
+    hardsphere::measures found{{}, std::vector<double>(n), std::vector<double>(n)};
     hsp_measure_request request{};
     request.struct_size = sizeof request, request.selected = selected.data(), request.executor = &executor_;
     hsp_measure_outputs outputs{};
-    outputs.struct_size = sizeof outputs, outputs.capacity = size_, outputs.totals = &found.total;
+    outputs.struct_size = sizeof outputs, outputs.capacity = n, outputs.totals = &found.total;
     outputs.area = found.area.data(), outputs.volume_term = found.volume_term.data();
     check(hsp_boundary_get_measures(boundary(), &request, &outputs));
     return found;
   }
 
   gradients gradient(const energy_terms &terms) {
-    return slope(hsp_boundary_get_gradient, boundary(), terms);
+    return slope(hsp_boundary_get_gradient, boundary(), size(), terms);
   }
 #if HSP_HAS_SMOOTH
   // Of the smooth surface that the probe leaves.
   gradients smooth_gradient(const energy_terms &terms) {
-    return slope(hsp_surface_get_gradient, surface(), terms);
+    return slope(hsp_surface_get_gradient, surface(), size(), terms);
   }
 #endif
 
   neighbours pairs(uint32_t flags = HSP_PAIRS_ONCE) const {
-    neighbours found{std::vector<uint32_t>(size_t{size_} + 1), {}};
+    neighbours found{std::vector<uint32_t>(size_t{size()} + 1), {}};
     found.ids = all(hsp_query_pairs, model(), flags, found.first.data());
     return found;
   }
@@ -376,6 +404,7 @@ class box : public owner {
       const options &how = {}) {
     set(xyz, radius, vectors, how);
   }
+  uint32_t size() const noexcept { return count(hsp_periodic_measure, work_.periodic, nullptr, nullptr, nullptr); }
 
   // One that throws leaves no balls.
   box &set(std::span<const double> xyz, std::span<const double> radius, std::span<const double> vectors,
@@ -389,12 +418,11 @@ class box : public owner {
     request.areas_alone = areas_alone_ ? 1 : 0;
     const given_balls balls(xyz, radius);
     uint32_t bad = HSP_NONE;
-    computed_ = size_ = 0;
+    computed_ = 0;
     const bool right = vectors.size() == 3 || vectors.size() == 9;
     const int32_t status = hsp_workspace_periodic_with(&work_, balls.n, balls.xyz, balls.radius,
                                                        right ? all.data() : nullptr, &request, &bad);
     check(status, bad);
-    size_ = balls.n;
     has_areas_alone_ = areas_alone_;
     return *this;
   }
@@ -411,16 +439,17 @@ class box : public owner {
 #endif
 
   box_measures measure() {
-    box_measures found{{}, std::vector<double>(size_), std::vector<double>(has_areas_alone_ ? 0 : size_)};
+    const uint32_t n = size();
+    box_measures found{{}, std::vector<double>(n), std::vector<double>(has_areas_alone_ ? 0 : n)};
     check(hsp_periodic_measure(periodic(), &found.total, found.area.data(),
-                               has_areas_alone_ ? nullptr : found.share_volume.data(), size_, nullptr));
+                               has_areas_alone_ ? nullptr : found.share_volume.data(), n, nullptr));
     return found;
   }
   box_gradients gradient(const energy_terms &terms) {
     box_gradients found;
     hsp_periodic_gradient_outputs outputs{};
     outputs.d_strain = found.d_strain.data(), outputs.d_box = found.d_box.data();
-    static_cast<gradients &>(found) = slope(hsp_periodic_get_gradient, periodic(), terms, outputs);
+    static_cast<gradients &>(found) = slope(hsp_periodic_get_gradient, periodic(), size(), terms, outputs);
     return found;
   }
 
@@ -503,6 +532,7 @@ class moving : public owner {
          const options &how = {}) {
     set(xyz, radius, terms, how);
   }
+  uint32_t size() const noexcept { return count(hsp_moving_measure, work_.moving, nullptr, nullptr, nullptr); }
 
   moving &set(std::span<const double> xyz, std::span<const double> radius, const energy_terms &terms,
               const options &how = {}) {
@@ -510,15 +540,13 @@ class moving : public owner {
     const given_balls balls(xyz, radius);
     const bool right = terms.sigma.empty() || terms.sigma.size() == radius.size();
     uint32_t bad = HSP_NONE;
-    size_ = 0;
     terms_ = terms;
     sigma_.assign(terms.sigma.begin(), terms.sigma.end());
     terms_.sigma = {};
-    const int32_t set = hsp_workspace_set(&work_, balls.n, right ? balls.xyz : nullptr, balls.radius, &c, &bad);
+    const int32_t set =
+        hsp_workspace_set(&work_, right ? balls.n : 1, right ? balls.xyz : nullptr, balls.radius, &c, &bad);
     const int32_t taken = take(set == HSP_OK ? &bad : nullptr);  // none of balls that were refused
-    check(set == HSP_OK ? taken : set, bad);
-    size_ = balls.n;
-    return *this;
+    return check(set == HSP_OK ? taken : set, bad), *this;
   }
 
   // Some balls to other centres, with other radii, or one of both. A move that throws leaves all as
@@ -533,7 +561,9 @@ class moving : public owner {
           hsp_moving_move(work_.moving, static_cast<uint32_t>(balls.size()), balls.data(),
                           xyz.empty() ? nullptr : xyz.data(), radius.empty() ? nullptr : radius.data(), &limits, &bad);
       if (status != HSP_E_CAPACITY) return check(status, bad), *this;
-      check(hsp_moving_get_model(work_.moving, work_.model));  // into a larger handle
+      // Into a larger handle, if the weights are those of the balls: run() may have taken others.
+      if (!sigma_.empty() && sigma_.size() != size()) throw error(HSP_E_STATE);
+      check(hsp_moving_get_model(work_.moving, work_.model));
       status = hsp_workspace_grow_moving(&work_, &limits);
       check(status == HSP_OK ? take(nullptr) : status);
     }
@@ -548,18 +578,17 @@ class moving : public owner {
     return found;
   }
   hardsphere::measures measure() {
-    hardsphere::measures found{{}, std::vector<double>(size_), std::vector<double>(size_)};
-    check(hsp_moving_measure(work_.moving, &found.total, found.area.data(), found.volume_term.data(), size_, nullptr));
+    const uint32_t n = size();
+    hardsphere::measures found{{}, std::vector<double>(n), std::vector<double>(n)};
+    check(hsp_moving_measure(work_.moving, &found.total, found.area.data(), found.volume_term.data(), n, nullptr));
     return found;
   }
   gradients gradient() {
-    gradients found{{},
-                    std::vector<double>(3 * size_t{size_}),
-                    std::vector<double>(size_),
-                    measure().area,
-                    std::vector<uint32_t>(size_)};
+    const uint32_t n = size();
+    gradients found{
+        {}, std::vector<double>(3 * size_t{n}), std::vector<double>(n), measure().area, std::vector<uint32_t>(n)};
     check(hsp_moving_gradient(work_.moving, &found.energy, found.d_centre.data(), found.d_radius.data(),
-                              found.flags.data(), size_, nullptr));
+                              found.flags.data(), n, nullptr));
     return found;
   }
   // The balls as they are.

@@ -177,6 +177,66 @@ void test_lives() {
   EXPECT(work.measure().total.area == 0 && work.pairs().ids.empty());
 }
 
+// What run() makes of other balls, of some of them or with other options is what the class knows next.
+void test_runs() {
+  std::vector<double> row, radius(50, 1), ends(50, 0);
+  for (int i = 0; i < 50; ++i) row.insert(row.end(), {1.0 * i, 0, 0});
+  ends.front() = 1;
+  const double area = 4 * pi + 49 * 2 * pi;
+  hardsphere::workspace work(lens, ones), none;
+  work.topology();
+  for (hardsphere::workspace *each : {&work, &none}) {
+    each->run(hsp_workspace_set, 50U, row.data(), radius.data(), nullptr, nullptr);
+    EXPECT(each->size() == 50 && each->pairs().first.size() == 51 && each->pairs().ids.size() == 49 + 48);
+    EXPECT(caught([&] { each->gradient({.tension = 1, .sigma = ones}); }).status() == HSP_E_ARGUMENT);
+    EXPECT(caught([&] { each->measure(std::vector<uint8_t>(2)); }).status() == HSP_E_ARGUMENT);
+    EXPECT(near(each->measure().total.area, area, 1e-9) && each->gradient({.sigma = ends}).area.size() == 50);
+    EXPECT(hardsphere::all(hsp_topology_get_shells, each->topology()).size() == 1);
+  }
+  const std::vector<uint8_t> selected(50, 1);
+  const hsp_executor threads = hardsphere::threads(8);
+  const hsp_boundary_request request{sizeof request, 0, &threads, selected.data()};
+  work.run(hsp_workspace_boundary_with, &request);  // in a larger handle, without the topology of the one before
+  EXPECT(hardsphere::all(hsp_topology_get_shells, work.topology()).size() == 1);
+  hsp_totals totals{};
+  work.run(hsp_workspace_areas, 2U, lens.data(), ones.data(), 0.0, &totals, ends.data());
+  EXPECT(work.size() == 2 && near(work.measure().total.area, totals.area));
+
+  const std::vector<double> apart = {0, 0, 0, 9, 0, 0};
+  work.set(apart, ones);
+  EXPECT(near(work.smooth_gradient({.tension = 1}).energy.area, 8 * pi));
+  const uint32_t shell = 0;
+  work.run(hsp_workspace_surface_of, &shell, 1U);
+  EXPECT(near(work.smooth_gradient({.tension = 1}).energy.area, 8 * pi));
+
+  std::vector<double> cube;
+  for (int k = 0; k < 8; ++k) cube.insert(cube.end(), {4.0 * (k & 1), 4.0 * (k >> 1 & 1), 4.0 * (k >> 2)});
+  work.set(cube, {radius.data(), 8});
+  hsp_pores_options narrow{};
+  narrow.struct_size = sizeof narrow, narrow.floor = 2.6;
+  hsp_pores_counts counts{};
+  work.pores();
+  work.run(hsp_workspace_pores, &narrow);
+  EXPECT(hsp_pores_get_counts(work.pores(), &counts) == HSP_OK && counts.maxima == 1);
+  // A tunnel is one through the pores that are there.
+  const double middle[] = {2, 2, 2};
+  hsp_tunnel tunnel{};
+  narrow.floor = 0;
+  work.run(hsp_workspace_tunnel, &narrow, middle, nullptr, nullptr, 0U, &tunnel);
+  EXPECT(!hardsphere::all(hsp_pores_get_tunnel_points, work.pores()).empty());
+
+  const double vectors[] = {90, 0, 0, 0, 90, 0, 0, 0, 90};
+  hardsphere::box box(lens, ones, {vectors, 9});
+  box.run(hsp_workspace_periodic, 50U, row.data(), radius.data(), vectors, nullptr, nullptr);
+  EXPECT(box.size() == 50 && near(box.measure().total.area, area, 1e-9));
+  EXPECT(caught([&] { box.gradient({.tension = 1, .sigma = ones}); }).status() == HSP_E_ARGUMENT);
+
+  hardsphere::moving walk(lens, ones, {.tension = 1, .sigma = ones});
+  walk.run(hsp_workspace_set, 50U, row.data(), radius.data(), nullptr, nullptr);
+  walk.run(hsp_workspace_moving, nullptr, 1.0, 0.0, HSP_TANGENT_OVERLAP, nullptr);
+  EXPECT(walk.size() == 50 && near(walk.energy().value, area, 1e-9) && walk.gradient().area.size() == 50);
+}
+
 // A sphere that meets its own images along x: each side loses a cap of height 0.1.
 void test_boxes() {
   const std::vector<double> centre = {7.3, -2, 0.5}, radius = {0.6}, lengths = {1, 2, 2};
@@ -269,6 +329,11 @@ void test_moving() {
     EXPECT(other.size() == 0 && caught([&] { other.energy(); }).status() == HSP_E_STATE);
   }
   EXPECT(caught([&] { other.set(lens, ones, {.tension = 1, .sigma = lens}); }).status() == HSP_E_ARGUMENT);
+  EXPECT(caught([&] { other.set({}, {}, {.tension = 1, .sigma = ones}); }).status() == HSP_E_ARGUMENT);
+  other.set(lens, ones, {.tension = 1});
+  other = hardsphere::moving(lens, ones, {.tension = 2, .sigma = sigma});
+  walk = std::move(other);  // whose weights are gone
+  EXPECT(near(walk.energy().value, 18 * pi) && other.handle() == nullptr && other.size() == 0);
   // 300 balls that come to meet each other need a larger handle, which holds what a new one does.
   std::vector<double> row, together, radius(300, 1);
   std::vector<uint32_t> all;
@@ -292,6 +357,7 @@ int main() {
   test_all_and_range();
   test_refusals();
   test_lives();
+  test_runs();
   test_boxes();
   test_smooth();
   test_bodies();
