@@ -522,6 +522,54 @@ class Wrong(unittest.TestCase):
         self.refused("from_: shape (2,), expected (3,)", lambda: balls.pores().handle.widest([1, 2]))
         self.refused("matrix: shape (8,), expected (9,)", lambda: hardsphere.pose_from_matrix([1] * 8, [0] * 3))
 
+    def test_single_numbers_are_what_they_say(self):
+        """ctypes takes the last bits of a larger one: 2^32 would be the ball 0."""
+        balls = hardsphere.Balls(LENS, [1, 1])
+        pores = balls.pores().handle
+        for wrong in 1 << 32, -1:
+            said = f"{wrong} is no whole number of 32 bits from 0 on"
+            self.refused(f"ball: {said}", lambda: balls.model.query_neighbours(wrong))
+            self.refused(f"first: {said}", lambda: pores.get_maxima(wrong, 0))
+            self.refused(f"tangency: {said}", lambda: balls.gradient(tangency=wrong))
+            self.refused(f"atomic_number: {said}", lambda: hardsphere.radius_of(wrong))
+            self.refused(said, lambda: hardsphere.Boundary(vertices=wrong).compute(balls.model))
+            self.refused(f"ball: {wrong} does not fit", lambda: balls.svg(bonds=[(wrong, 1)]))
+        self.refused("4294967298 is no whole number of 32 bits from 0 on",
+                     lambda: hardsphere.measure(LENS, [1, 1], threads=(1 << 32) + 2))
+        self.refused("ball: 'float' object cannot be interpreted as an integer", lambda: balls.model.query_neighbours(1.0))
+        self.assertEqual(plain(balls.model.query_neighbours(True)), [0])
+        if _calls.numpy is not None:  # its integers are numbers of rows, too
+            numpy = _calls.numpy
+            self.assertEqual(plain(balls.model.query_neighbours(numpy.int64(1))), [0])
+            cube = hardsphere.Balls([[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 4)], [1.0] * 8)
+            self.assertEqual(len(cube.pores().handle.get_maxima(0, numpy.uint32(1))), 1)
+
+    def test_what_is_of_another_type(self):
+        balls = hardsphere.Balls(LENS, [1, 1])
+        body = hardsphere.Body().set(balls.model)
+        pose = hardsphere.pose_from_matrix([1, 0, 0, 0, 1, 0, 0, 0, 1], [1, 0, 0])
+        exact = hardsphere.RationalPose((1, 0, 0, 1), (1, 0, 0))
+        self.assertEqual(len(body.pairs(body, pose)), len(body.rational_pairs(body, exact)))
+        self.refused("pose: RationalPose, expected Pose", lambda: body.pairs(body, exact))
+        self.refused("pose: Pose, expected RationalPose", lambda: body.rational_pairs(body, pose))
+        self.refused("posed: Balls, expected a handle", lambda: body.hits(balls, [pose]))
+        self.refused("model: Balls, expected a handle", lambda: hardsphere.Boundary().compute(balls))
+        self.refused("centers: None, expected an array", lambda: hardsphere.measure(None, None))
+        self.refused("title: has a zero byte", lambda: balls.svg(title="a\0b"))
+        self.refused("symbol: has a zero byte", lambda: hardsphere.radius_of("C\0l"))
+        self.refused("only: one of totals, area, volume_term", lambda: balls.boundary.get_measures(only="aera"))
+        if _calls.numpy is None:
+            return
+        numpy = _calls.numpy
+        rows = numpy.frombuffer(bytes(pose), dtype=numpy.dtype(hardsphere.Pose))
+        self.assertEqual((plain(body.hits(body, rows)), len(body.pairs(body, rows[0]))), ([1], 4))
+        for wrong in numpy.zeros(1, "S56"), rows.astype(rows.dtype.newbyteorder()):
+            self.refused(f"pose: {wrong.dtype}, expected {rows.dtype}", lambda: body.hits(body, wrong))
+        some = numpy.ma.masked_greater(numpy.array(LENS, dtype=float), 0.5)
+        for wrong in some, numpy.array(LENS) + 1j:
+            self.refused("centers: masked values, or complex numbers", lambda: hardsphere.measure(wrong, [1, 1]))
+        self.assertEqual(hardsphere.measure(numpy.ma.array(LENS), [1, 1]).area, balls.area)
+
     def test_shapes_that_serve(self):
         area = hardsphere.measure(CENTERS, RADII).area
         flat = [x for row in CENTERS for x in row]

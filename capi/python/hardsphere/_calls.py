@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes as C
 import ctypes.util
 import math
+import operator
 import os
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -74,6 +75,14 @@ def _to_blame(status: int, given: dict[str, Any]) -> str:
 
 class Record(C.Structure):
     """A struct of the interface; its fields are attributes."""
+
+    def __init__(self, *given: Any, **named: Any):
+        super().__init__(*given, **named)
+        for name, value in [*zip((field[0] for field in self._fields_), given), *named.items()]:
+            held = getattr(self, name)
+            for kept, meant in zip(held, value) if isinstance(held, C.Array) else [(held, value)]:
+                if isinstance(kept, int) and kept != meant:  # ctypes takes its last bits
+                    raise ValueError(f"{name}: {meant} does not fit")
 
     def __repr__(self) -> str:
         shown = ((name, getattr(self, name)) for name, *_ in self._fields_)
@@ -207,6 +216,33 @@ def _whole(value: Any, kind: Any) -> int:
     return whole
 
 
+def _single(value: Any, argument: Argument) -> Any:
+    """A single number of an argument or a field, of which ctypes takes the last bits if it is too large."""
+    if argument.base not in _SCALARS or argument.base == "double":
+        return value
+    try:
+        return _whole(operator.index(value), _SCALARS[argument.base])
+    except (TypeError, ValueError) as wrong:
+        raise Misshapen(argument.name, str(wrong)) from None
+
+
+def _text(value: str, name: str) -> bytes:
+    """Text as C takes it, which ends with the first zero."""
+    if "\0" in value:
+        raise Misshapen(name, "has a zero byte")
+    return value.encode()
+
+
+def _struct_in(value: Any, argument: Argument) -> Any:
+    """A struct of the type that a function reads, or such a row of numpy's."""
+    kind = _records[argument.base]
+    if numpy is not None and isinstance(value, numpy.void) and value.dtype == numpy.dtype(kind):
+        return kind.from_buffer_copy(value.tobytes())
+    if not isinstance(value, kind):
+        raise Misshapen(argument.name, f"{type(value).__name__}, expected {kind.__name__}")
+    return value
+
+
 def _whole_array(values: Any, kind: Any) -> Any:
     """The same of many."""
     given = numpy.asarray(values)
@@ -227,6 +263,8 @@ def array_in(values: Any, argument: Argument, sizes: dict[str, int]) -> Any:
         if base == "uint8_t" and isinstance(values, (bytes, bytearray)):  # as they are; other bytes are yes or no
             made, shape = (kind * len(values)).from_buffer_copy(values), (len(values),)
         elif base in _SCALARS and numpy is not None:
+            if numpy.ma.is_masked(values) or numpy.iscomplexobj(values):  # which numpy drops without a word
+                raise ValueError("masked values, or complex numbers")
             if base == "uint8_t":
                 values = numpy.asarray(values).astype(bool)
             data = _whole_array(values, kind) if base in _WHOLE else numpy.ascontiguousarray(values, dtype=kind)
@@ -237,12 +275,14 @@ def array_in(values: Any, argument: Argument, sizes: dict[str, int]) -> Any:
             flat = list(_flat(given)) if base in _SCALARS else list(given)
             shape = shape_of(given) if base in _SCALARS else getattr(given, "shape", (len(flat),))
             if base == "char":
-                flat = [None if text is None else text.encode() for text in flat]
+                flat = [None if text is None else _text(text, name) for text in flat]
             elif base == "double":
                 flat = [float(x) for x in flat]
             elif base in _SCALARS:
                 flat = [int(bool(x)) if base == "uint8_t" else _whole(x, kind) for x in flat]
-            elif numpy is not None and isinstance(given, numpy.ndarray):
+            elif numpy is not None and isinstance(given, numpy.ndarray) and given.dtype != object:
+                if given.dtype != numpy.dtype(kind):  # whose bytes have another meaning
+                    raise ValueError(f"{given.dtype}, expected {numpy.dtype(kind)}")
                 flat = [kind.from_buffer_copy(row.tobytes()) for row in given]
             made = (kind * len(flat))(*flat)
     except (OverflowError, TypeError, ValueError) as wrong:
@@ -326,7 +366,7 @@ class Handle:
                 more.append(handles[0]._pointer if handles else balls if a.name == "balls" else values[a.name])
             _check(described.function(C.byref(limits), C.sizeof(limits), *more), self._of("limits_init"), given=values)
             for field, least in self._wanted.items():
-                setattr(limits, field, max(getattr(limits, field), least))
+                setattr(limits, field, max(getattr(limits, field), _whole(least, C.c_uint32)))
             self._grow(limits)
         self.n = balls
 
@@ -361,7 +401,7 @@ def _options(argument: Argument, fields: list[Argument], values: dict[str, Any],
         elif field.extents:
             value = (_SCALARS[field.base] * int(field.extents[0]))(
                 *array_in(value, field, sizes)[:int(field.extents[0])])
-        setattr(made, field.name, value)
+        setattr(made, field.name, _single(value, field) if field.kind == "value" and not field.extents else value)
     made.kept = kept
     return made
 
@@ -374,7 +414,7 @@ def _executor(threads: int) -> Any:
         return 0
 
     made = _records["hsp_executor"]()
-    made.struct_size, made.workers, made.kept = C.sizeof(made), threads, _LOOP(run)
+    made.struct_size, made.workers, made.kept = C.sizeof(made), _whole(threads, C.c_uint32), _LOOP(run)
     made.run = C.cast(made.kept, C.c_void_p).value
     return made
 
@@ -395,6 +435,18 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     arguments = described.arguments
     values = {key.rstrip("_"): value for key, value in values.items()}  # from_ is Python's way to name it
     only = None if only is None else {only} if isinstance(only, str) else set(only)
+    for a in arguments:
+        value = values.get(a.name)
+        if value is None:
+            continue
+        if a.kind == "value":
+            values[a.name] = _single(value, a)
+        elif a.kind == "string":
+            values[a.name] = _text(value, a.name)
+        elif a.kind == "struct_in":
+            values[a.name] = _struct_in(value, a)
+        elif a.kind == "handle" and not isinstance(value, Handle):
+            raise Misshapen(a.name, f"{type(value).__name__}, expected a handle")
     sizes = {} if handle is None or any(a.name == "n" for a in arguments) else {"n": handle.n}
     computes = any(a.kind == "sized" and a.base.endswith("_limits") for a in arguments)
     makes = handle is not None and (name.removeprefix(handle._of("")).split("_")[0] in ("compute", "set"))
@@ -411,9 +463,13 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     for a in arguments:
         if a.kind == "value" and a.name in sizes and a.name not in values:
             values[a.name] = sizes[a.name]
+        elif a.kind == "value" and a.name not in values:  # a number of rows, and there are none that say it
+            raise Misshapen(next(b.name for b in arguments if a.name in b.extents), "None, expected an array")
 
     outputs = [f for a in arguments for f in (described.fields[a.name] if a.kind == "outputs" else [a])
                if f.kind in ("value_out", "struct_out", "array_out")]
+    if only is not None and not only <= {f.name for f in outputs}:
+        raise ValueError(f"only: one of {', '.join(f.name for f in outputs)}")
     wanted = [f for f in outputs if only is None or f.name in only or f.name == "first_bad" or f.null != "always"]
     made = {f.name: array_out(f, _length(f, sizes)) if f.kind == "array_out" else _type(f.base)()
             for f in wanted if f.kind != "array_out" or _length(f, sizes) is not None}
@@ -444,7 +500,7 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
             elif a.kind == "needed":
                 passed.append(C.byref(needed))
             elif a.kind == "string":
-                passed.append(None if values.get(a.name) is None else values[a.name].encode())
+                passed.append(values.get(a.name))
             elif a.kind == "struct_in":
                 passed.append(C.byref(values[a.name]))
             elif a.kind == "callback":
