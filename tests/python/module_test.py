@@ -1,6 +1,9 @@
 """The Python module against the program, closed forms and the record of the binary interface."""
 import inspect
 import math
+import shutil
+import subprocess
+import sys
 import tempfile
 import unittest
 from xml.etree import ElementTree
@@ -595,6 +598,15 @@ class Wrong(unittest.TestCase):
         self.assertEqual(plain(body.hits(body, poses)), [1, 0])
         numpy = _calls.numpy
         return body.hits(body, numpy.frombuffer(b"".join(map(bytes, poses)), dtype=numpy.dtype(type(poses[0])))[None])
+
+    def test_no_library(self):
+        """A package without one says so, unless the loader finds another."""
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(f"{SOURCE}/capi/python/hardsphere", f"{folder}/hardsphere")
+            run = subprocess.run([sys.executable, "-c", "import hardsphere"], cwd=folder, capture_output=True, text=True,
+                                 check=False, env={"PYTHONDONTWRITEBYTECODE": "1"})
+        if run.returncode != 0:
+            self.assertIn("ImportError: there is no libhardsphere.so.2", run.stderr)
 
     def test_nothing_computed(self):
         with self.assertRaises(hardsphere.Error):

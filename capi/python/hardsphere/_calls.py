@@ -8,7 +8,7 @@ import math
 import operator
 import os
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from keyword import iskeyword
 from types import SimpleNamespace
 from typing import Any, Iterable, Iterator, NamedTuple
@@ -36,10 +36,9 @@ def _load() -> C.CDLL:
     for name in (os.path.join(here, f"libhardsphere.so.{_ABI}"), os.path.join(here, "libhardsphere.so"),
                  os.path.join(here, "../../..", f"libhardsphere.so.{_ABI}"),  # as it is installed
                  f"libhardsphere.so.{_ABI}", ctypes.util.find_library("hardsphere")):
-        try:
-            return C.CDLL(name) if name else None
-        except OSError:
-            continue
+        with suppress(OSError):
+            if name:
+                return C.CDLL(name)
     raise ImportError(f"there is no libhardsphere.so.{_ABI}: build it with -DBUILD_SHARED_LIBS=ON and set "
                       "HARDSPHERE_LIBRARY to it")
 
