@@ -157,6 +157,21 @@ class Values(unittest.TestCase):
         self.assertEqual(plain(balls.areas), plain(fresh.areas))
         self.assertEqual(balls.topology.get_counts().shells, fresh.counts.shells)
 
+    def test_nothing_answers_for_balls_of_before(self):
+        """Nor where more balls need another model than the one that it looks at."""
+        for number in 20, 2000:
+            balls = hardsphere.Balls(*random_balls(20, 8))
+            paths = hardsphere.Paths().compute(balls.model)
+            readers = [lambda: paths.find([-9, 0, 0], [9, 0, 0]), balls.pores().handle.get_counts,
+                       balls.topology.get_counts, hardsphere.Cells().compute(balls.model).get_counts,
+                       hardsphere.View().compute(balls.model, towards=[0, 0, 1]).get_info]
+            readers = [read for read in readers if read()]
+            balls.set(*random_balls(number, 30))
+            for read in readers:
+                with self.assertRaises(hardsphere.Error) as refused:
+                    read()
+                self.assertEqual(refused.exception.status, hardsphere.E_STATE)
+
     def test_meshes(self):
         balls = hardsphere.Balls(CENTERS, RADII, probe=1.4)
         for smooth in False, True:

@@ -353,6 +353,9 @@ class Handle:
         balls = sizes.get("n", next((v.n for v in values.values() if isinstance(v, Handle)), self.n))
         if self._of("limits_init") not in _functions:
             if balls > self._room:
+                if self._memory is not None:  # what was made of the balls there is not made of those to come
+                    _described(self._of("init")).function(C.cast(self._memory, C.c_void_p), C.sizeof(self._memory),
+                                                          self._room, C.byref(C.c_void_p()))
                 self._make(max(balls, 1))
                 self._room = max(balls, 1)
         elif self._limits is None:
