@@ -184,6 +184,9 @@ class Values(unittest.TestCase):
             self.assertEqual(len(mesh.vertices), len(mesh.normals))
             self.assertLess(max(max(t) for t in plain(mesh.triangles)), len(mesh.vertices))
         self.assertGreater(len(balls.mesh(0.4).triangles), len(balls.mesh(0.8).triangles))
+        surface = hardsphere.Surface().compute(balls.boundary)
+        shared = hardsphere.Mesh().compute_surface_with(surface, 0.7, threads=2)
+        self.assertEqual(plain(shared.get_vertices().xyz), plain(balls.mesh(0.7, True).vertices))
 
     def test_pores(self):
         """A probe in the middle of a cube of eight balls, and the gates, its faces."""
@@ -330,6 +333,8 @@ class Values(unittest.TestCase):
             centers[step] = [x + 0.3 for x in centers[step]]
             moving.move([step], [centers[step]])
         self.assertEqual(moving.measure(only="totals").area, hardsphere.measure(centers, radii).area)
+        shared = hardsphere.Moving().set_with(hardsphere.Balls(centers, radii).model, tension=1.0, threads=2)
+        self.assertEqual(shared.measure(only="totals").area, hardsphere.measure(centers, radii).area)
         with self.assertRaises(hardsphere.Error):  # nothing was set
             hardsphere.Moving().move([0], [centers[0]])
         model = hardsphere.Model().set([[0, 0, 0]] * 40, [1] * 40)
@@ -574,6 +579,9 @@ class Wrong(unittest.TestCase):
         self.refused("model: Balls, expected a handle", lambda: hardsphere.Boundary().compute(balls))
         self.refused("centers: None, expected an array", lambda: hardsphere.measure(None, None))
         self.refused("title: has a zero byte", lambda: balls.svg(title="a\0b"))
+        self.refused("title: int, expected str", lambda: balls.svg(title=1))
+        self.refused("style: 'sharp', expected flat, headlight or soft", lambda: balls.svg(style="sharp"))
+        self.refused("ink: Balls, expected a handle", lambda: balls.svg(ink=balls))
         self.refused("symbol: has a zero byte", lambda: hardsphere.radius_of("C\0l"))
         self.refused("only: one of totals, area, volume_term", lambda: balls.boundary.get_measures(only="aera"))
         if _calls.numpy is None:
@@ -583,6 +591,8 @@ class Wrong(unittest.TestCase):
         self.assertEqual((plain(body.hits(body, rows)), len(body.pairs(body, rows[0]))), ([1], 4))
         for wrong in numpy.zeros(1, "S56"), rows.astype(rows.dtype.newbyteorder()):
             self.refused(f"pose: {wrong.dtype}, expected {rows.dtype}", lambda: body.hits(body, wrong))
+        for groups in 1, numpy.array(1):
+            self.refused("groups: shape (1,), expected (2,)", lambda: balls.contacts(groups))
         some = numpy.ma.masked_greater(numpy.array(LENS, dtype=float), 0.5)
         for wrong in some, numpy.array(LENS) + 1j:
             self.refused("centers: masked values, or complex numbers", lambda: hardsphere.measure(wrong, [1, 1]))
@@ -622,6 +632,17 @@ class Wrong(unittest.TestCase):
                                  check=False, env={"PYTHONDONTWRITEBYTECODE": "1"})
         if run.returncode != 0:
             self.assertIn("ImportError: there is no libhardsphere.so.2", run.stderr)
+
+    def test_refused_before_the_library_is_called(self):
+        """The handle has the balls of before, and arrays have room for them."""
+        centers, radii = random_balls(2000, 30)
+        model = hardsphere.Model().set(centers, radii)
+        for wrong in {"step": "x"}, {"probe": []}:
+            with self.assertRaises(TypeError):
+                model.set(LENS, [1, 1], **wrong)
+            self.assertEqual(model.n, 2000)
+            self.assertEqual(len(model.query_pairs(0).first), 2001)
+            self.assertEqual(len(model.arrangement().of_ball), 2000)
 
     def test_nothing_computed(self):
         with self.assertRaises(hardsphere.Error):

@@ -329,7 +329,7 @@ class Balls(_Set):
     def pairs(self, once: bool = True) -> list[tuple[int, int]]:
         """The balls that meet; each pair once, or from both sides."""
         found = self.model.query_pairs(_interface.PAIRS_ONCE if once else 0)
-        return [(i, int(j)) for i in range(self.n) for j in found.ids[found.first[i]:found.first[i + 1]]]
+        return [(i, int(j)) for i in range(len(found.first) - 1) for j in found.ids[found.first[i]:found.first[i + 1]]]
 
     def svg(self, colors: Integers | None = None, *, bonds: Sequence[Sequence[Any]] | None = None, stick: float = 0.2,
             towards: Values | None = None, up: Values | None = None, style: str = "soft", title: str | None = None,
@@ -338,6 +338,8 @@ class Balls(_Set):
         balls; (i, j, kind) as strands half as thick again in all, where kind is 2, 3 or "aromatic"; 1 is one stick.
         towards: from the molecule to the viewer. style: flat, headlight or soft. options: as of hsp_picture_options,
         such as width, fog and outline."""
+        if style not in ("flat", "headlight", "soft"):
+            raise ValueError(f"style: {style!r}, expected flat, headlight or soft")
         options["style"] = getattr(_interface, f"STYLE_{style.upper()}")
         look = {"towards": towards, "up": up}
         key = repr((_plain(towards), _plain(up)))

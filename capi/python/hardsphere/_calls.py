@@ -227,6 +227,8 @@ def _single(value: Any, argument: Argument) -> Any:
 
 def _text(value: str, name: str) -> bytes:
     """Text as C takes it, which ends with the first zero."""
+    if not isinstance(value, str):
+        raise Misshapen(name, f"{type(value).__name__}, expected str")
     if "\0" in value:
         raise Misshapen(name, "has a zero byte")
     return value.encode()
@@ -244,7 +246,7 @@ def _struct_in(value: Any, argument: Argument) -> Any:
 
 def _whole_array(values: Any, kind: Any) -> Any:
     """The same of many."""
-    given = numpy.asarray(values)
+    given = numpy.atleast_1d(values)
     if given.dtype.kind in "biuf":
         with numpy.errstate(invalid="ignore"):
             data = numpy.ascontiguousarray(given.astype(kind))
@@ -348,8 +350,9 @@ class Handle:
         self._limits = limits
         self._make(C.byref(limits))
 
-    def _ready(self, name: str, values: dict[str, Any], sizes: dict[str, int]) -> None:
-        """Makes the handle before it computes for the first time, and one without limits when more balls come."""
+    def _ready(self, name: str, values: dict[str, Any], sizes: dict[str, int]) -> int:
+        """Makes the handle before it computes for the first time, and one without limits when more balls come. How many
+        come, which it has no sooner than the function has been called: arrays are made for what is in the handle."""
         balls = sizes.get("n", next((v.n for v in values.values() if isinstance(v, Handle)), self.n))
         if self._of("limits_init") not in _functions:
             if balls > self._room:
@@ -359,8 +362,8 @@ class Handle:
                 self._make(max(balls, 1))
                 self._room = max(balls, 1)
         elif self._limits is None:
-            init = name.replace("compute", "limits_init")
-            described = _described(init if init in _functions and init != name else self._of("limits_init"))
+            init = name.removesuffix("_with").replace("compute", "limits_init")
+            described = _described(init if "limits_init" in init and init in _functions else self._of("limits_init"))
             limits = _records[described.arguments[0].base]()
             more = []
             for a in described.arguments[2:]:
@@ -370,10 +373,16 @@ class Handle:
             for field, least in self._wanted.items():
                 setattr(limits, field, max(getattr(limits, field), _whole(least, C.c_uint32)))
             self._grow(limits)
-        self.n = balls
+        return balls
 
 
 # ---- a call ----------------------------------------------------------------------------------------------------------
+
+def _handle_in(value: Any, argument: Argument) -> Handle:
+    if not isinstance(value, Handle):
+        raise Misshapen(argument.name, f"{type(value).__name__}, expected a handle")
+    return value
+
 
 def _options(argument: Argument, fields: list[Argument], values: dict[str, Any], sizes: dict[str, int]) -> Any:
     """A struct of options with its defaults and what is given."""
@@ -396,7 +405,7 @@ def _options(argument: Argument, fields: list[Argument], values: dict[str, Any],
             kept.append(value)
             value = C.addressof(value)
         elif field.kind == "handle":
-            value = value._pointer.value
+            value = _handle_in(value, field)._pointer.value
         elif field.kind == "array_in":
             kept.append(array_in(value, field, sizes))
             value = C.cast(kept[-1], C.c_void_p).value
@@ -447,8 +456,8 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
             values[a.name] = _text(value, a.name)
         elif a.kind == "struct_in":
             values[a.name] = _struct_in(value, a)
-        elif a.kind == "handle" and not isinstance(value, Handle):
-            raise Misshapen(a.name, f"{type(value).__name__}, expected a handle")
+        elif a.kind == "handle":
+            _handle_in(value, a)
     sizes = {} if handle is None or any(a.name == "n" for a in arguments) else {"n": handle.n}
     computes = any(a.kind == "sized" and a.base.endswith("_limits") for a in arguments)
     makes = handle is not None and (name.removeprefix(handle._of("")).split("_")[0] in ("compute", "set"))
@@ -460,8 +469,7 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     for a in arguments:  # a number that is asked for is a length, too
         if a.kind == "value" and isinstance(values.get(a.name), int):
             sizes.setdefault(a.name, values[a.name])
-    if makes:
-        handle._ready(name, values, sizes)
+    balls = handle._ready(name, values, sizes) if makes else 0
     for a in arguments:
         if a.kind == "value" and a.name in sizes and a.name not in values:
             values[a.name] = sizes[a.name]
@@ -531,6 +539,8 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
             else:
                 passed.append(None)
         status = described.function(*passed)
+        if makes:
+            handle.n = balls
         if ends is not None and hasattr(ends, "first_bad") and "first_bad" in made:
             made["first_bad"].value = ends.first_bad
         return status, ends.needed if ends is not None and hasattr(ends, "needed") else needed.value
