@@ -79,7 +79,7 @@ contains
     integer(c_int32_t), intent(inout), optional :: first_bad
     integer(c_int32_t) :: status, refused
     integer(c_size_t) :: bytes
-    if (.not. c_associated(self%model) .or. n > self%most_balls) then
+    if (.not. c_associated(self%model) .or. n > self%most_balls .or. n < 0) then ! which in C are more than any
       status = hsp_model_bytes(n, bytes)
       if (status /= HSP_OK) then
         ! The balls of before are no answer to what comes now.
