@@ -194,8 +194,8 @@ class owner {
   // Of all that is in it, as hardsphere_workspace.h has it.
   hsp_workspace *operator->() noexcept { return &work_; }
 
-  // A function of hardsphere_workspace.h, with its arguments behind the workspace. What it makes otherwise than the
-  // functions here do is made anew by these when they are asked next.
+  // A function of hardsphere_workspace.h, with its arguments behind the workspace. The functions here take nothing that
+  // it has made for theirs: it may be of other balls, of some of them, or with other options.
   template <class... Arguments, class... Given>
   void run(int32_t (*function)(hsp_workspace *, Arguments...), Given &&...given) {
     computed_ &= ~made_otherwise(function);

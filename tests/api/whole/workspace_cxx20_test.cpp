@@ -177,7 +177,7 @@ void test_lives() {
   EXPECT(work.measure().total.area == 0 && work.pairs().ids.empty());
 }
 
-// What run() makes of other balls, of some of them or with other options is what the class knows next.
+// The class has the balls that run() has taken, and answers for all of them and with its own options.
 void test_runs() {
   std::vector<double> row, radius(50, 1), ends(50, 0);
   for (int i = 0; i < 50; ++i) row.insert(row.end(), {1.0 * i, 0, 0});
