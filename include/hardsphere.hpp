@@ -485,6 +485,13 @@ class body {
   std::vector<uint32_t> hits(const body &posed, std::span<const hsp_rational_pose> poses) const {
     return each<uint32_t>(hsp_body_rational_hits, posed, poses);
   }
+  // The same for poses along a way, each near the one before; margin: a length, some ten times what a ball goes at once.
+  std::vector<uint32_t> hits_along(const body &posed, std::span<const hsp_pose> poses, double margin) const {
+    return each<uint32_t>(hsp_body_hits_along, posed, poses, margin);
+  }
+  std::vector<uint32_t> hits_along(const body &posed, std::span<const hsp_rational_pose> poses, double margin) const {
+    return each<uint32_t>(hsp_body_rational_hits_along, posed, poses, margin);
+  }
   std::vector<hsp_body_gap> gaps(const body &posed, std::span<const hsp_pose> poses) const {
     return each<hsp_body_gap>(hsp_body_gaps, posed, poses);
   }
@@ -496,27 +503,26 @@ class body {
   }
   // The pairs of balls that meet, the first one's of this body.
   std::vector<std::array<uint32_t, 2>> pairs(const body &posed, const hsp_pose &pose) const {
-    std::vector<std::array<uint32_t, 2>> found;
-    uint32_t needed = 0;
-    int32_t status = hsp_body_pairs(*this, posed, &pose, nullptr, 0, &needed);
-    if (status == HSP_E_CAPACITY) {
-      found.resize(needed);
-      status = hsp_body_pairs(*this, posed, &pose, found.data()->data(), needed, &needed);
-    }
-    check(status);
-    return found;
+    return two_by_two(all(hsp_body_pairs, body_.get(), posed.body_.get(), &pose));
+  }
+  std::vector<std::array<uint32_t, 2>> pairs(const body &posed, const hsp_rational_pose &pose) const {
+    return two_by_two(all(hsp_body_rational_pairs, body_.get(), posed.body_.get(), &pose));
   }
 
  private:
-  template <class Answer, class Pose>
-  std::vector<Answer> each(int32_t (*function)(const hsp_body *, const hsp_body *, uint32_t, const Pose *, Answer *,
-                                               uint32_t *),
-                           const body &posed, std::span<const Pose> poses) const {
+  static std::vector<std::array<uint32_t, 2>> two_by_two(const std::vector<uint32_t> &balls) {
+    std::vector<std::array<uint32_t, 2>> found(balls.size() / 2);
+    for (size_t k = 0; k < found.size(); ++k) found[k] = {balls[2 * k], balls[2 * k + 1]};
+    return found;
+  }
+  // margin: what some functions take behind the poses.
+  template <class Answer, class Function, class Pose, class... Margin>
+  std::vector<Answer> each(Function function, const body &posed, std::span<const Pose> poses, Margin... margin) const {
     if (poses.size() > UINT32_MAX) throw error(HSP_E_RANGE);
     std::vector<Answer> answers(poses.size());
     uint32_t bad = HSP_NONE;
     const int32_t status =
-        function(*this, posed, static_cast<uint32_t>(poses.size()), poses.data(), answers.data(), &bad);
+        function(*this, posed, static_cast<uint32_t>(poses.size()), poses.data(), margin..., answers.data(), &bad);
     check(status, bad);
     return answers;
   }

@@ -300,6 +300,12 @@ void test_bodies() {
   const std::vector<hsp_rational_pose> exact = {{{1, 0, 0, 1}, {0, 2, 0}}, {{1, 0, 0, 1}, {0, 2.001, 0}}};
   EXPECT(fixed.hits(posed, exact) == (std::vector<uint32_t>{1, 0}));
   EXPECT(near(fixed.gaps(posed, exact)[1].gap, 0.001, 1e-8));
+  EXPECT(fixed.pairs(posed, exact[0]) == (std::vector<std::array<uint32_t, 2>>{{0, 0}}));
+  EXPECT(fixed.pairs(posed, exact[1]).empty());
+  EXPECT(fixed.hits_along(posed, poses, 0.5) == fixed.hits(posed, poses));
+  EXPECT(fixed.hits_along(posed, exact, 0.5) == fixed.hits(posed, exact));
+  EXPECT(caught([&] { fixed.hits_along(posed, poses, -1); }).status() == HSP_E_RANGE);
+  EXPECT(caught([&] { hardsphere::body().pairs(posed, exact[0]); }).status() == HSP_E_ARGUMENT);
   const std::vector<hsp_pose> bad = {poses[0], {{0, 0, 0, 0}, {0, 0, 0}}};
   const hardsphere::error failure = caught([&] { fixed.hits(posed, bad); });
   EXPECT(failure.status() == HSP_E_RANGE && failure.ball() == 1);
