@@ -214,6 +214,21 @@ class Values(unittest.TestCase):
         self.assertLess(field(size, "volume"), lids)
         self.assertGreater(field(size, "volume"), lids - 6 * 2 / 3 * math.pi * plug ** 3)
 
+    def test_pores_of_a_box(self):
+        """Balls on a cubic lattice: a place in the middle, three gates, the faces; the next frame has other ones."""
+        box = hardsphere.Box([[0, 0, 0]], [1.0], [4, 4, 4])
+        space = box.pores()
+        self.assertEqual((len(space.maxima), len(space.gates)), (1, 3))
+        self.assertAlmostEqual(field(space.maxima[0], "radius"), math.sqrt(12) - 1, 7)
+        self.assertEqual(field(space.handle.get_channels(1.0)[0], "directions"), 3)
+        self.assertEqual(len(box.pores(floor=2.6).maxima), 0)
+        box.set([[0, 0, 0]], vectors=[6, 6, 6])
+        self.assertAlmostEqual(field(box.pores(floor=2.6).maxima[0], "radius"), math.sqrt(27) - 1, 7)
+        with self.assertRaises(hardsphere.Error):
+            box.set([[0, 0, math.nan]])
+        with self.assertRaises(hardsphere.Error):
+            box.pores()
+
     def test_regions_of_a_box(self):
         """A box has its own boundary."""
         box = hardsphere.Box([[1, 1, 1]], [1.0], [4, 4, 4])

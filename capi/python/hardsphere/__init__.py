@@ -8,7 +8,7 @@
     energy = balls.gradient(tension=0.0072)                  # .value, .d_centre, .d_radius
     balls.contacts(), balls.cavities(), balls.surface(), balls.mesh(0.5), balls.pores(), balls.svg()
     balls.set(next_centers)                                  # the next frame; memory is kept
-    hardsphere.Box(centers, radii, vectors, probe=1.4)       # the same in a periodic box
+    hardsphere.Box(centers, radii, vectors, probe=1.4)       # in a periodic box, with .gradient, .contacts, .pores
 
     molecule = hardsphere.read("x.pdb")                      # the atoms of a file, with radii and labels
     hardsphere.voids(molecule.centers, molecule.radii)       # and pockets, contacts, surface_mesh: one question each
@@ -292,9 +292,7 @@ class Balls(_Set):
 
     def pores(self, floor: float | None = None) -> Space:
         """Free space for probes of any radius from the floor on: 0, or what is given."""
-        handle = self._handle(Pores, self.model, key=floor, floor=floor)
-        counts = handle.get_counts()
-        return Space(handle.get_maxima(0, counts.maxima), handle.get_gates(0, counts.gates), handle)
+        return _space(self._handle(Pores, self.model, key=floor, floor=floor))
 
     def pockets(self, narrow: float = 1.4, wide: float = 3.0) -> list[Pocket]:
         """Where a probe of the radius `narrow` fits and one of the radius `wide` does not get to from the outside, that
@@ -419,6 +417,15 @@ class Box(_Set):
         """As those of Balls; a record says by which vectors the second ball is moved."""
         with called(group="groups"):
             return self.handle.get_contacts() if groups is None else self.handle.group_contacts(groups)
+
+    def pores(self, floor: float | None = None) -> Space:
+        """As those of Balls; `handle` answers `.get_channels(radius)`, too."""
+        return _space(self._handle(Pores, self.handle, key=floor, compute="compute_periodic", floor=floor))
+
+
+def _space(handle: Pores) -> Space:
+    counts = handle.get_counts()
+    return Space(handle.get_maxima(0, counts.maxima), handle.get_gates(0, counts.gates), handle)
 
 
 def _field(record: Any, name: str) -> Any:
