@@ -485,7 +485,8 @@ class body {
   std::vector<uint32_t> hits(const body &posed, std::span<const hsp_rational_pose> poses) const {
     return each<uint32_t>(hsp_body_rational_hits, posed, poses);
   }
-  // The same for poses along a way, each near the one before; margin: a length, some ten times what a ball goes at once.
+  // The same for poses along a way, each near the one before. The margin, a length, is best some ten times what a ball
+  // goes at once.
   std::vector<uint32_t> hits_along(const body &posed, std::span<const hsp_pose> poses, double margin) const {
     return each<uint32_t>(hsp_body_hits_along, posed, poses, margin);
   }
