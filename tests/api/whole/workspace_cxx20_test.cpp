@@ -352,6 +352,12 @@ void test_moving() {
   many.move(all, together);
   EXPECT(many.measure().area == hardsphere::moving(together, radius, {.tension = 1}).measure().area);
   EXPECT(near(many.undo().energy().value, 300 * 4 * pi, 1e-9));
+  // Not of balls that the weights are not for.
+  hardsphere::moving others(lens, ones, {.tension = 1, .sigma = sigma});
+  others.run(hsp_workspace_set, 300U, row.data(), radius.data(), nullptr, nullptr);
+  others.run(hsp_workspace_moving, nullptr, 1.0, 0.0, HSP_TANGENT_OVERLAP, nullptr);
+  EXPECT(caught([&] { others.move(all, together); }).status() == HSP_E_STATE);
+  EXPECT(near(others.energy().value, 300 * 4 * pi, 1e-9));
 }
 
 }  // namespace
