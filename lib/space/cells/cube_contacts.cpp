@@ -47,16 +47,17 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
   const exact::Vector centre = balls.ball(cell.ball()).centre;
   const uint64_t first_contact = contacts.required();
   // A known pair was added at an earlier corner, or only counted if there was no room.
-  const auto add_once = [&](const AdjacentCells &pair, const BoundedPoint &at, bool is_known) {
+  const auto add_once = [&](const AdjacentCells &pair, uint32_t v, bool is_known) {
+    const Vec3 at = contacts.has_portals() ? cell.position(v) : Vec3{};
     const uint64_t stored = contacts.size();
     for (uint64_t c = first_contact; c < stored; ++c) {
       const uint32_t number = static_cast<uint32_t>(c);
       const AdjacentCells &known = contacts[number];
       if (known.cell[0] != pair.cell[0] || known.cell[1] != pair.cell[1]) continue;
-      if (contacts.has_portals() && at.error < no_certainty) contacts.widen(number, cell.frame(), at.y, centre);
+      if (contacts.has_portals()) contacts.widen(number, cell.frame(), at, centre);
       return;
     }
-    if (!is_known) contacts.push(pair, cell.frame(), at.y);
+    if (!is_known) contacts.push(pair, cell.frame(), at);
   };
   uint32_t *const touched = touched_.data();
   uint32_t count = 0;
@@ -87,7 +88,7 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
         if (other_cell == no_id) return Status::check;
         pair = {{other_cell, first_cell + cell.part_of(v)}};
       }
-      if (is_free && (!is_joined || contacts.has_portals())) add_once(pair, polytope.at(v), is_joined);
+      if (is_free && (!is_joined || contacts.has_portals())) add_once(pair, v, is_joined);
       is_joined = cell.is_free_edge(v, on);
       v = vertex.neighbour(on);
       back = vertex.back(on);

@@ -262,25 +262,32 @@ bool FacetOverlay::name_of(uint32_t corner, FacetParts::Name &name) const {
   return true;
 }
 
+// Where a corner is: by integers where doubles do not know it, as lines that meet there are nearly parallel.
+Vec3 FacetOverlay::position(uint32_t corner) const {
+  const BoundedPoint &at = corners_[corner].at;
+  if (at.error < no_certainty) return at.y;
+  const uint32_t ball = polygon_[0].facet->ball;
+  return frame_.centre_of(*balls_, ball) +
+         PowerPredicates(*balls_, ball, frame_).common_point(edges_[previous(corner)].line, edges_[corner].line, side_);
+}
+
 // A point of a part, for paths: the middle of the corners of a piece of two balls, which is free; else the corner
 // that is farthest from the ball.
 Vec3 FacetOverlay::portal_of(uint32_t first, uint32_t count) const {
   const uint32_t ball = polygon_[0].facet->ball;
   const bool is_convex = polygon_[1].facet->ball != ball;
   const Vec3 centre = frame_.centre_of(*balls_, ball);
-  Vec3 sum{0, 0, 0}, best = corners_[first].at.y;
-  double farthest = 0.0, known = 0.0;
+  Vec3 sum{0, 0, 0}, best{0, 0, 0};
+  double farthest = -1.0;
   for (uint32_t n = 0, k = first; n < count; ++n, k = next(k)) {
-    const BoundedPoint &at = corners_[k].at;
-    if (at.error >= no_certainty) continue;
-    sum = sum + at.y;
-    known += 1.0;
-    const double distance = dot(at.y - centre, at.y - centre);
+    const Vec3 at = position(k);
+    sum = sum + at;
+    const double distance = dot(at - centre, at - centre);
     if (distance <= farthest) continue;
     farthest = distance;
-    best = at.y;
+    best = at;
   }
-  return is_convex && known > 0.0 ? (1.0 / known) * sum : best;
+  return is_convex ? (1.0 / count) * sum : best;
 }
 
 void FacetOverlay::add_part(uint32_t below, uint32_t above, uint32_t first, uint32_t count, CellContacts &contacts,

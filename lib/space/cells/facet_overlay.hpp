@@ -95,6 +95,7 @@ class FacetOverlay {
   bool edge_is_free(uint32_t k) const;
   void add_part(uint32_t below, uint32_t above, uint32_t first, uint32_t count, CellContacts &contacts,
                 uint64_t first_contact);
+  Vec3 position(uint32_t corner) const;
   Vec3 portal_of(uint32_t first, uint32_t count) const;
   uint32_t cell_of(uint32_t which, uint32_t corner) const;
   bool name_of(uint32_t corner, FacetParts::Name &name) const;

@@ -154,7 +154,8 @@ void FreeSpaceBuilder::touch_run(const Cube &cube, uint32_t side, uint32_t first
     const uint32_t part = cell_.part_of(v);
     if (part == no_id || touched_[part] != 0 || !polytope[v].has(side)) continue;
     touched_[part] = 1;
-    structure_.contacts.push({{cube.run[side], first_cell + part}}, cube.frame, polytope.position(v));
+    const Vec3 at = structure_.contacts.has_portals() ? cell_.position(v) : Vec3{};
+    structure_.contacts.push({{cube.run[side], first_cell + part}}, cube.frame, at);
     if (cell_.parts() == 1) return;
   }
 }

@@ -137,6 +137,14 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
   }
 }
 
+Vec3 PowerCell::position(uint32_t vertex) const {
+  const BoundedPoint at = polytope_.at(vertex);
+  if (at.error < no_certainty) return at.y;
+  const PolytopeVertex &of = polytope_[vertex];
+  return centre_ + PowerPredicates(*balls_, ball(), frame_)
+                       .common_point(plane(of.plane[0]), plane(of.plane[1]), plane(of.plane[2]));
+}
+
 bool PowerCell::is_outside(uint32_t v) const {
   const PolytopeVertex &vertex = polytope_[v];
   const double r = balls_->r[ball()];

@@ -36,6 +36,8 @@ class PowerCell {
   bool empty() const { return polytope_.size() == 0; }
   uint32_t ball() const { return members_[member_]; }
   const PowerPolytope &polytope() const { return polytope_; }
+  // Where a vertex is: by integers where doubles do not know it, as planes that meet there are nearly parallel.
+  Vec3 position(uint32_t vertex) const;
   uint32_t parts() const { return parts_; }
   // The free part of a vertex; no_id for a vertex inside the ball.
   uint32_t part_of(uint32_t vertex) const { return part_[vertex]; }

@@ -32,22 +32,14 @@ void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t ce
   for (; stop != no_id; stop = stops_[stop].next) points.push(stops_[stop].at);
 }
 
-exact::Vector CellCrossing::rounded_vertex(const BallSet &balls, uint32_t v) const {
-  const CubeFrame &frame = power_cell_.frame();
-  const BoundedPoint at = power_cell_.polytope().at(v);
-  if (at.error < no_certainty) return frame.rounded(at.y);
-  const uint32_t ball = power_cell_.ball(), *const plane = power_cell_.polytope()[v].plane;
-  const PowerPlane P = power_cell_.plane(plane[0]), Q = power_cell_.plane(plane[1]), R = power_cell_.plane(plane[2]);
-  return frame.rounded(frame.centre_of(balls, ball) + PowerPredicates(balls, ball, frame).common_point(P, Q, R));
-}
-
 // From the last point backwards, so that the way is found in its order.
 uint32_t CellCrossing::first_stop(const BallSet &balls, uint32_t part, bool rounded, const exact::Vector &from,
                                   const exact::Vector &to) {
   const PowerPolytope &polytope = power_cell_.polytope();
   const uint32_t size = polytope.size(), ball = power_cell_.ball();
   for (uint32_t v = 0; v < size; ++v) {
-    stops_[v] = {rounded_vertex(balls, v), unreached, no_id, power_cell_.part_of(v) == no_id};
+    const exact::Vector at = power_cell_.frame().rounded(power_cell_.position(v));
+    stops_[v] = {at, unreached, no_id, power_cell_.part_of(v) == no_id};
   }
   const auto nearest_in_part = [&](const exact::Vector &end) {
     uint32_t best = no_id;

@@ -30,8 +30,6 @@ class CellCrossing {
     bool done;
   };
 
-  // A vertex on the lattice: by integers where doubles do not know it, as planes that meet there are nearly parallel.
-  exact::Vector rounded_vertex(const BallSet &balls, uint32_t v) const;
   // The shortest way along edges, from its first vertex on, each with the next one; no_id if there is none. If rounded
   // between the vertices of that part that suit the ends best, else between any that are seen from there.
   uint32_t first_stop(const BallSet &balls, uint32_t part, bool rounded, const exact::Vector &from,

@@ -133,6 +133,39 @@ TEST(PathFinder, RoundsCornersThatDoublesDoNotKnow) {
   EXPECT_GT(summary.clearance, -4.0);
 }
 
+// The same at portals: between cells of one cube, and between a cell and a run of cubes without balls.
+TEST(PathFinder, PortalsAreAtCornersThatDoublesDoNotKnow) {
+  const int64_t u = 100000000;
+  struct Case {
+    Balls balls;
+    Vector from, to;
+  };
+  const Case cases[] = {{{{0, -3 * u, -2 * u, 2 * u},
+                          {2 * u, -u, -2 * u, u},
+                          {-3 * u, -u, -3 * u, 0},
+                          {3 * u, 2 * u, 2 * u, 2 * u + 10000},
+                          {-2 * u, -u, u, 2 * u},
+                          {3 * u, 0, -2 * u, u},
+                          {-u, 2 * u, 0, 2 * u},
+                          {0, 0, -2 * u + 2, 2 * u},
+                          {-2 * u, -2 * u, -u, 2 * u},
+                          {2 * u, 2 * u, 0, 2 * u}},
+                         {-2 * u, 10000, -75000000},
+                         {3 * u, -u / 2, -u}},
+                        {{{0, -u, -u, u}, {u, u - 2, -u, 2 * u}, {-u, u, u, 2 * u}, {-u, u, -u, 2 * u}},
+                         {-2 * u, -u, -2 * u},
+                         {u, 2 * u, u}}};
+  for (const Case &one : cases) {
+    BuiltPaths paths(one.balls);
+    ASSERT_EQ(paths.status(), hsp::Status::ok);
+    hsp::PathSummary summary{};
+    Seen seen;
+    ASSERT_EQ(paths.finder().find(paths.balls(), one.from, one.to, summary), hsp::Status::ok);
+    ASSERT_NO_FATAL_FAILURE(check_path(one.balls, paths.finder(), summary, one.from, one.to, true, seen));
+    EXPECT_GT(summary.clearance, -4.0);
+  }
+}
+
 TEST(PathFinder, AsksForRoomForPoints) {
   const Balls balls = molecule("crambin.pdb", 0);
   BuiltPaths large(balls);
