@@ -26,10 +26,25 @@ void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t ce
   power_cell_.build(member);
   power_cell_.find_free_parts();
 
-  const uint32_t part = cell - space.parts_of(space.cover.first_entry(record.cube) + member).first;
+  const uint32_t part = part_of_cell(space, cell);
   uint32_t stop = first_stop(balls, part, false, from, to);
   if (stop == no_id) stop = first_stop(balls, part, true, from, to);
   for (; stop != no_id; stop = stops_[stop].next) points.push(stops_[stop].at);
+}
+
+// By a vertex that it has.
+uint32_t CellCrossing::part_of_cell(const FreeSpace &space, uint32_t cell) const {
+  const IdRange landmarks = space.landmarks_of(cell);
+  if (landmarks.empty()) return 0;
+  const uint32_t *const code = space.landmarks[landmarks.first].code;
+  const PowerPolytope &polytope = power_cell_.polytope();
+  uint32_t v = 0;
+  const auto is_that = [&](uint32_t plane) {
+    const uint32_t own = power_cell_.code_of(plane);
+    return own == code[0] || own == code[1] || own == code[2];
+  };
+  while (!is_that(polytope[v].plane[0]) || !is_that(polytope[v].plane[1]) || !is_that(polytope[v].plane[2])) ++v;
+  return power_cell_.part_of(v);
 }
 
 // From the last point backwards, so that the way is found in its order.

@@ -30,6 +30,9 @@ class CellCrossing {
     bool done;
   };
 
+  // Of the power cell as it is here: parts come in the order of vertices, and that depends on the planes that have cut it
+  // on the way, which may be of balls that were known to be covered when the cells were found.
+  uint32_t part_of_cell(const FreeSpace &space, uint32_t cell) const;
   // The shortest way along edges, from its first vertex on, each with the next one; no_id if there is none. If rounded
   // between the vertices of that part that suit the ends best, else between any that are seen from there.
   uint32_t first_stop(const BallSet &balls, uint32_t part, bool rounded, const exact::Vector &from,

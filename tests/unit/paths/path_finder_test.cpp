@@ -166,6 +166,23 @@ TEST(PathFinder, PortalsAreAtCornersThatDoublesDoNotKnow) {
   }
 }
 
+// A ball that is covered in its cube has a plane that cuts the power cell of another one on the way to what that is: so
+// its vertices come in another order, and its parts, than where the cells were found.
+TEST(PathFinder, CrossesThePartThatTheCellIs) {
+  const int64_t u = 100000000;
+  const Balls balls{{0, u, 2 * u, u},      {-2 * u, -2 * u, 0, 2 * u}, {0, 0, 0, 2 * u},  {-u, 2 * u, 0, u},
+                    {-2 * u, u, u, u},     {0, -2 * u, u, 2 * u},      {-2 * u, 0, u, u}, {-u, u, -2 * u, 2 * u},
+                    {2 * u, -u, 2 * u, 0}, {u, 2 * u, 0, 2 * u}};
+  BuiltPaths paths(balls);
+  ASSERT_EQ(paths.status(), hsp::Status::ok);
+  const Vector from{-u, 3 * u, u}, to{3 * u, -u, 3 * u};
+  hsp::PathSummary summary{};
+  Seen seen;
+  ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
+  ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen));
+  EXPECT_EQ(seen.certified, 1U);
+}
+
 TEST(PathFinder, AsksForRoomForPoints) {
   const Balls balls = molecule("crambin.pdb", 0);
   BuiltPaths large(balls);
