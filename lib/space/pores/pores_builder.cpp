@@ -126,10 +126,10 @@ void sort_by_level(Span<Record> records, Span<uint32_t> scratch, Higher higher) 
 
 }  // namespace
 
-// In doubles, where they are certain; by integers, and by names.
-bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
+// +1 if a is higher, -1 if b is; in doubles, where they are certain, else by integers.
+int PoresBuilder::compare_levels(const CriticalPoint &a, const CriticalPoint &b) {
   const double difference = a.level - b.level;
-  if (std::fabs(difference) > a.error + b.error) return difference > 0.0;
+  if (std::fabs(difference) > a.error + b.error) return difference > 0.0 ? 1 : -1;
   const bool in_box = balls_.box() != nullptr;
   compared_.begin();
   uint32_t ball[2][4];
@@ -141,17 +141,18 @@ bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
     }
   }
   const BallSet &set = in_box ? compared_.set() : balls_.set();
-  const uint32_t first[2] = {ball[0][0], ball[1][0]};
-  if (!are_congruent(set, ball[0], ball[1], ball[0][3] == no_id ? 3 : 4)) {
-    TangentPoint point[2] = {TangentPoint(critical_.lines()), TangentPoint(critical_.lines())};
-    for (const uint32_t which : {0U, 1U}) {
-      const uint32_t *const k = ball[which];
-      point[which].find(set, {k[0], k[1], k[2]}, k[3], false);
-    }
-    const int sign = point[0].compare_levels(point[1]);
-    if (sign != 0) return sign > 0;
+  if (are_congruent(set, ball[0], ball[1], ball[0][3] == no_id ? 3 : 4)) return 0;
+  TangentPoint point[2] = {TangentPoint(critical_.lines()), TangentPoint(critical_.lines())};
+  for (const uint32_t which : {0U, 1U}) {
+    const uint32_t *const k = ball[which];
+    point[which].find(set, {k[0], k[1], k[2]}, k[3], false);
   }
-  if (first[0] != first[1]) return set.ranks_before(first[0], first[1]);
+  return point[0].compare_levels(point[1]);
+}
+
+// Equal ones by names.
+bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
+  if (const int sign = compare_levels(a, b); sign != 0) return sign > 0;
   for (uint32_t k = 0; k < 4; ++k) {
     if (a.ball[k] != b.ball[k]) return balls_.set().ranks_before(a.ball[k], b.ball[k]);
     if (!(a.shift[k] == b.shift[k])) return visited_before(a.shift[k].shift(), b.shift[k].shift());
@@ -249,10 +250,13 @@ Status PoresBuilder::merge() {
   return Status::ok;
 }
 
-// Without an outside; classes remember which of their copies meet.
+// Without an outside; classes remember which of their copies meet. A passage is of the class as it is below its gates:
+// so all of one level come in first, as their order is that of names. `passing`: the first gate of a level on where a
+// class goes on in more directions than any one above.
 Status PoresBuilder::merge_in_box() {
   windings_.reset(maximum_count_);
   for (uint32_t k = 0; k < maximum_count_; ++k) winding_gates_[k] = no_id;
+  uint32_t passing = no_id;
   for (uint32_t k = 0; k < gate_count_; ++k) {
     PoreGate &gate = gates_[k];
     const uint32_t older = note_merger(k, windings_.set_of(gate.end[0]), windings_.set_of(gate.end[1]), 0);
@@ -265,18 +269,32 @@ Status PoresBuilder::merge_in_box() {
     gate.directions = lattice.rank;
     gate.winds = lattice.rank != rank || lattice.copies() != copies;
     if (lattice.rank > 0 && winding_gates_[older] == no_id) winding_gates_[older] = k;
-    note_passages(k, older, lattice);
+    note_ways_along(k, lattice);
+    if (passing == no_id && lattice.rank > 0 && passages_.gate[lattice.rank - 1] == no_id) passing = k;
+    if (passing == no_id) continue;
+    if (k + 1 < gate_count_ && compare_levels(gate.point, gates_[k + 1].point) == 0) continue;
+    note_passages(passing, k + 1);
+    passing = no_id;
   }
   return Status::ok;
 }
 
-void PoresBuilder::note_passages(uint32_t gate, uint32_t maximum, const WindingLattice &lattice) {
-  for (uint32_t d = 0; d < lattice.rank; ++d) {
+// By gates of one level. Of several classes that go on the widest one counts.
+void PoresBuilder::note_passages(uint32_t first, uint32_t end) {
+  for (uint32_t d = 0; d < 3; ++d) {
     if (passages_.gate[d] != no_id) continue;
-    passages_.gate[d] = gate;
-    passages_.maximum[d] = maximum;
-    passages_.lattice[d] = lattice;
+    for (uint32_t k = first; k < end; ++k) {
+      if (gates_[k].directions <= d) continue;
+      const uint32_t maximum = windings_.set_of(gates_[k].end[0]);
+      if (passages_.gate[d] != no_id && maximum >= passages_.maximum[d]) continue;
+      passages_.gate[d] = k;
+      passages_.maximum[d] = maximum;
+      passages_.lattice[d] = windings_.lattice_of_set(maximum);
+    }
   }
+}
+
+void PoresBuilder::note_ways_along(uint32_t gate, const WindingLattice &lattice) {
   for (uint32_t d = 0; d < lattice.rank; ++d) {
     const auto &row = lattice.row[d];
     const BoxShift given = balls_.box()->in_given_vectors({{row[0], row[1], row[2]}});

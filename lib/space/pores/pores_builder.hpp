@@ -93,6 +93,7 @@ class PoresBuilder {
  private:
   void begin(uint32_t balls);
   Status build_from(int64_t floor, Patience &patience, const PoresBuilder *before);
+  int compare_levels(const CriticalPoint &a, const CriticalPoint &b);
   bool is_higher(const CriticalPoint &a, const CriticalPoint &b);
   void sort_points(Patience &patience);
   void put_gates_below_their_ends();
@@ -101,7 +102,8 @@ class PoresBuilder {
   Status merge();
   Status merge_in_box();
   uint32_t note_merger(uint32_t gate, uint32_t a, uint32_t b, uint32_t first);
-  void note_passages(uint32_t gate, uint32_t maximum, const WindingLattice &lattice);
+  void note_passages(uint32_t first, uint32_t end);
+  void note_ways_along(uint32_t gate, const WindingLattice &lattice);
   void name_callers_balls();
 
   PoreLimits limits_, needed_;

@@ -356,6 +356,59 @@ static void refused_in_a_box(void) {
   CHECK_EQUAL(hsp_pores_get_counts(in.work.pores, &in.counts), HSP_E_STATE);
 }
 
+/* Of gates that tie some join a class that goes on for ever to a wider one: which of them comes first, numbers decide,
+ * and these are others where the box is taken several times. */
+static void tied_gates_of_a_channel(void) {
+  static const double boxes[2][9] = {{5, 0, 0, -4, 3, 0, 2, -2, 4},
+                                     {2.48171011, 0, 0, 2.05990951, 4.39873914, 0, 0.05098067, 2.31683036, 3.55545758}};
+  static const double balls[2][16] = {
+      {2, -1, 3, 1, -1, 5, 2, 0, 3, 3, 2, 2, 3, 6, -4, 0},
+      {2.610967, 3.442225, 3.0736913, 0.45445093, 4.3242515, 0.05255148, 3.0132895, 1.44318169}};
+  static const uint32_t count[2] = {4, 2};
+  uint32_t which, copies, k, d;
+  for (which = 0; which < 2; ++which) {
+    hsp_pore_percolation one;
+    hsp_model_options options;
+    memset(&one, 0, sizeof one);
+    hsp_model_options_init(&options, sizeof options);
+    options.step = 1e-8;
+    for (copies = 0; copies < 8; ++copies) {
+      double box[9];
+      const int times[3] = {copies & 1 ? 2 : 1, copies & 2 ? 2 : 1, copies & 4 ? 2 : 1};
+      int copy[3];
+      in.balls.n = 0;
+      for (copy[0] = 0; copy[0] < times[0]; ++copy[0]) {
+        for (copy[1] = 0; copy[1] < times[1]; ++copy[1]) {
+          for (copy[2] = 0; copy[2] < times[2]; ++copy[2]) {
+            for (k = 0; k < count[which]; ++k) {
+              double at[3];
+              for (d = 0; d < 3; ++d) {
+                at[d] = balls[which][4 * k + d] + copy[0] * boxes[which][d] + copy[1] * boxes[which][3 + d] +
+                        copy[2] * boxes[which][6 + d];
+              }
+              ball_set_add(&in.balls, at[0], at[1], at[2], balls[which][4 * k + 3]);
+            }
+          }
+        }
+      }
+      for (k = 0; k < 9; ++k) box[k] = times[k / 3] * boxes[which][k];
+      CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, box, &options, NULL),
+                  HSP_OK);
+      CHECK_EQUAL(hsp_workspace_pores_periodic(&in.work, NULL), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_percolation(in.work.pores, &in.wide), HSP_OK);
+      if (copies == 0) one = in.wide;
+      for (d = 0; d < 3; ++d) {
+        hsp_pore_maximum top;
+        CHECK(in.wide.gate[d] != HSP_NONE);
+        CHECK_NEAR(in.wide.through[d], one.through[d], 1e-9);
+        CHECK_NEAR(in.wide.included[d], one.included[d], 1e-9);
+        CHECK_EQUAL(hsp_pores_get_maxima(in.work.pores, in.wide.maximum[d], 1, &top), HSP_OK);
+        CHECK(top.radius == in.wide.included[d] && !(top.death >= in.wide.through[d]));
+      }
+    }
+  }
+}
+
 /* Of a model nothing winds, and shifts are 0. */
 static void without_a_box(void) {
   hsp_pore_channel channels[4];
@@ -401,6 +454,7 @@ int main(void) {
   rods(other_skew, in_other_skew, 0, 2, 0);
   closed();
   births_and_deaths();
+  tied_gates_of_a_channel();
   copies_and_stale_results();
   pockets_in_a_box();
   refused_in_a_box();
