@@ -30,8 +30,8 @@ class CellCrossing {
     bool done;
   };
 
-  // Of the power cell as it is here: parts come in the order of vertices, and that depends on the planes that have cut it
-  // on the way, which may be of balls that were known to be covered when the cells were found.
+  // The part of the power cell that a cell is. Parts come in the order of vertices, and that depends on the planes that
+  // cut on the way: where the cells were found these were fewer, as balls without a power cell were left out.
   uint32_t part_of_cell(const FreeSpace &space, uint32_t cell) const;
   // The shortest way along edges, from its first vertex on, each with the next one; no_id if there is none. If rounded
   // between the vertices of that part that suit the ends best, else between any that are seen from there.

@@ -133,7 +133,8 @@ TEST(PathFinder, RoundsCornersThatDoublesDoNotKnow) {
   EXPECT_GT(summary.clearance, -4.0);
 }
 
-// The same at portals: between cells of one cube, and between a cell and a run of cubes without balls.
+// The same at portals: between cells of one cube, between a cell and a run of cubes without balls, and between cells of
+// two cubes.
 TEST(PathFinder, PortalsAreAtCornersThatDoublesDoNotKnow) {
   const int64_t u = 100000000;
   struct Case {
@@ -154,7 +155,19 @@ TEST(PathFinder, PortalsAreAtCornersThatDoublesDoNotKnow) {
                          {3 * u, -u / 2, -u}},
                         {{{0, -u, -u, u}, {u, u - 2, -u, 2 * u}, {-u, u, u, 2 * u}, {-u, u, -u, 2 * u}},
                          {-2 * u, -u, -2 * u},
-                         {u, 2 * u, u}}};
+                         {u, 2 * u, u}},
+                        {{{u, -2 * u, u, u},
+                          {3 * u - 200000, -2 * u, 0, 2 * u},
+                          {u, -u, -2 * u, u},
+                          {3 * u, -2 * u, -u, 2 * u},
+                          {0, -u - 2, u, 0},
+                          {0, u, 2 * u, 2 * u},
+                          {0, -u, -u, 0},
+                          {0, 2 * u, 0, 2 * u},
+                          {2 * u, -2 * u, -2 * u, 2 * u},
+                          {2 * u, 0, u, 2 * u + 100000}},
+                         {0, -u, 6 * u / 5},
+                         {3 * u, 2 * u, u}}};
   for (const Case &one : cases) {
     BuiltPaths paths(one.balls);
     ASSERT_EQ(paths.status(), hsp::Status::ok);
@@ -166,8 +179,8 @@ TEST(PathFinder, PortalsAreAtCornersThatDoublesDoNotKnow) {
   }
 }
 
-// A ball that is covered in its cube has a plane that cuts the power cell of another one on the way to what that is: so
-// its vertices come in another order, and its parts, than where the cells were found.
+// A ball without a power cell in the cube has a plane that cuts that of another ball on the way to what it is: so its
+// vertices, and its parts, come in another order than where the cells were found.
 TEST(PathFinder, CrossesThePartThatTheCellIs) {
   const int64_t u = 100000000;
   const Balls balls{{0, u, 2 * u, u},      {-2 * u, -2 * u, 0, 2 * u}, {0, 0, 0, 2 * u},  {-u, 2 * u, 0, u},
