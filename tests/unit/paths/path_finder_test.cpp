@@ -196,6 +196,21 @@ TEST(PathFinder, CrossesThePartThatTheCellIs) {
   EXPECT_EQ(seen.certified, 1U);
 }
 
+// A small ball that touches a large one: a segment in the plane of equal power, which rounding takes past the large ball
+// by nothing, goes through the middle of the small one.
+TEST(PathFinder, GoesAroundASmallBallOnALargeOne) {
+  const int64_t u = 100000000;
+  const Balls balls{{0, u, u, 1000}, {0, u - 2000, 0, u}, {u, -u, u, u}};
+  BuiltPaths paths(balls);
+  ASSERT_EQ(paths.status(), hsp::Status::ok);
+  const Vector from{-u, 9 * u / 5, 0}, to{u, -2 * u, -u};
+  hsp::PathSummary summary{};
+  Seen seen;
+  ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
+  ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen));
+  EXPECT_EQ(seen.certified, 1U);
+}
+
 TEST(PathFinder, AsksForRoomForPoints) {
   const Balls balls = molecule("crambin.pdb", 0);
   BuiltPaths large(balls);
