@@ -173,15 +173,17 @@ void PoresBuilder::sort_points(Patience &patience) {
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = maxima_[k].into = no_id;
 }
 
-// A gate is below its ends. Where doubles of these levels say otherwise, by their errors, the less certain one gives
-// way to the other.
+// A gate is below its ends, and below the maximum whose class dies there. Where doubles of these levels say otherwise,
+// by their errors, the less certain one gives way to the other.
+void PoresBuilder::put_gate_below(CriticalPoint &gate, CriticalPoint &top) {
+  if (!(gate.level > top.level)) return;
+  (top.error > gate.error ? top.level : gate.level) = top.error > gate.error ? gate.level : top.level;
+}
+
 void PoresBuilder::put_gates_below_their_ends() {
   for (uint32_t k = 0; k < gate_count_; ++k) {
-    CriticalPoint &gate = gates_[k].point;
     for (const uint32_t end : gates_[k].end) {
-      if (end == pore_outside || !(gate.level > maxima_[end].point.level)) continue;
-      CriticalPoint &top = maxima_[end].point;
-      (top.error > gate.error ? top.level : gate.level) = top.error > gate.error ? gate.level : top.level;
+      if (end != pore_outside) put_gate_below(gates_[k].point, maxima_[end].point);
     }
   }
 }
@@ -234,6 +236,7 @@ uint32_t PoresBuilder::note_merger(uint32_t gate, uint32_t a, uint32_t b, uint32
   ++merger_count_;
   maxima_[younger - first].gate = gate;
   maxima_[younger - first].into = older < first ? pore_outside : older - first;
+  put_gate_below(gates_[gate].point, maxima_[younger - first].point);
   return older;
 }
 

@@ -96,6 +96,7 @@ class PoresBuilder {
   int compare_levels(const CriticalPoint &a, const CriticalPoint &b);
   bool is_higher(const CriticalPoint &a, const CriticalPoint &b);
   void sort_points(Patience &patience);
+  static void put_gate_below(CriticalPoint &gate, CriticalPoint &top);
   void put_gates_below_their_ends();
   Status climb_from_gates(Patience &patience);
   WayUp::End moved_end(const WayUp::End &end, uint32_t gates_ball, uint32_t translation);

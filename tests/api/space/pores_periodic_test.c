@@ -181,20 +181,24 @@ static void closed(void) {
   CHECK(in.counts.maxima == 1 && in.counts.gates == 3 && in.wide.through[2] < 0);
 }
 
-/* Two balls of one place in a box twice as long give the same levels; the same balls elsewhere give the same bits. */
 /* Points in boxes that are not upright are rounded as these are turned, so that what would tie differs by a step: a
  * maximum is no lower than its gate all the same. */
 static void births_and_deaths(void) {
-  static const double boxes[2][9] = {{0, 3, -1, 0, -3, -1, 1, -2, -1}, {2, -3, 0, 0, -1, 1, -1, 0, 1}};
-  static const double centres[2][9] = {{2, 0, -1, -1, 3, 5, 3, 0, 2}, {5, 2, 0, 0, -4, 6}};
+  static const double boxes[4][9] = {{0, 3, -1, 0, -3, -1, 1, -2, -1},
+                                     {2, -3, 0, 0, -1, 1, -1, 0, 1},
+                                     {-2, -2, -2, -1, 0, 3, 3, 1, 0},
+                                     {2, 0, -2, 1, 3, 0, -1, 3, -1}};
+  static const double centres[4][9] = {
+      {2, 0, -1, -1, 3, 5, 3, 0, 2}, {5, 2, 0, 0, -4, 6}, {-4, 3, -1, 5, 4, 4}, {-4, 1, 3}};
+  static const uint32_t count[4] = {3, 2, 2, 1};
   static const double radius[3] = {0, 0, 0};
   uint32_t which, k;
-  for (which = 0; which < 2; ++which) {
+  for (which = 0; which < 4; ++which) {
     hsp_model_options options;
     hsp_pores_counts counts;
     hsp_model_options_init(&options, sizeof options);
     options.step = 1e-8;
-    CHECK_EQUAL(hsp_workspace_periodic(&in.work, 3 - which, centres[which], radius, boxes[which], &options, NULL),
+    CHECK_EQUAL(hsp_workspace_periodic(&in.work, count[which], centres[which], radius, boxes[which], &options, NULL),
                 HSP_OK);
     CHECK_EQUAL(hsp_workspace_pores_periodic(&in.work, NULL), HSP_OK);
     CHECK_EQUAL(hsp_pores_get_counts(in.work.pores, &counts), HSP_OK);
@@ -207,6 +211,7 @@ static void births_and_deaths(void) {
   }
 }
 
+/* Two balls of one place in a box twice as long give the same levels; the same balls elsewhere give the same bits. */
 static void copies_and_stale_results(void) {
   static const double upright[9] = {8, 0, 0, 0, 10, 0, 0, 0, 3};
   hsp_pore_percolation one;
