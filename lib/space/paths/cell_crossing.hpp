@@ -5,11 +5,11 @@
 // centre of B has a vertex of K beyond it, and the segment to that is outside B. It is in K, and so outside every ball.
 // The vertices of the part are joined by its edges outside B (power_cell.hpp).
 //
-// Rounded to the lattice such a segment may leave K by a step, where its power to another ball is less than that to B by
-// as little. If B is large, that is no depth at all in B, and all of the other ball if that is small. So segments come
-// first that are outside all balls of the cube. Rounded x may be in B, too, or the segment to each vertex may touch it.
-// Then that vertex of the part is taken of which the segment is farthest from B, or least deep in it: by the rounding,
-// and not by more.
+// Rounded to the lattice such a segment may leave K by a step, where its power to another ball is less than that to B
+// by as little. If B is large, that is no depth at all in B, and all of the other ball if that is small. So segments
+// come first that are outside all balls of the cube. Rounded x may be in B, too, or the segment to each vertex may
+// touch it. Then that vertex of the part is taken of which the segment is farthest from B, or least deep in it: by the
+// rounding, and not by more.
 #pragma once
 
 #include "cells/free_space.hpp"
@@ -33,8 +33,8 @@ class CellCrossing {
     bool done;
   };
 
-  // What is asked of the first and the last segment of a way: to be outside all balls of the cube, or outside the cell's
-  // ball, or nothing but to be least deep in that.
+  // The first and the last segment of a way have to be outside all balls of the cube, or outside the cell's ball, or
+  // nothing but least deep in that.
   enum class Ends { outside_all, outside_ball, least_deep };
 
   // The part of the power cell that a cell is. Parts come in the order of vertices, and that depends on the planes that

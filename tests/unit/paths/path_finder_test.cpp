@@ -196,8 +196,8 @@ TEST(PathFinder, CrossesThePartThatTheCellIs) {
   EXPECT_EQ(seen.certified, 1U);
 }
 
-// A small ball that touches a large one: a segment in the plane of equal power, which rounding takes past the large ball
-// by nothing, goes through the middle of the small one.
+// A small ball that touches a large one: a segment in the plane of equal power, which rounding takes past the large
+// ball by nothing, goes through the middle of the small one.
 TEST(PathFinder, GoesAroundASmallBallOnALargeOne) {
   const int64_t u = 100000000;
   const Balls balls{{0, u, u, 1000}, {0, u - 2000, 0, u}, {u, -u, u, u}};
