@@ -28,7 +28,7 @@ TEST(LastAmount, IsTheQuadraticForm) {
       const Int128 x = a, y = b, z = c;
       const Int128 form = 1009 * x * x + 757 * x * y + 499 * x * z + 331 * y * y + 211 * y * z + 113 * z * z;
       expect_form<uint32_t>({a, b, c}, form);
-      expect_form<uint64_t>({a, b, c}, form);
+      expect_form<hsp::exact::FastLimb>({a, b, c}, form);
     }
   }
 }
