@@ -33,7 +33,7 @@ inner=$(echo "$symbols" | awk '$2 != "UND" && $3 ~ /^_Z/ {print $1, $3}' | sort 
 allowed='^(memcpy|memmove|memset|sqrt'
 # libgcc: integer and floating-point arithmetic that the machine lacks. Tables of MIPS and PowerPC begin at _gp_disp and
 # at .TOC.
-allowed+='|__u?(div|mod|mul|divmod)[dts]i[34]|__(ash|lsh|ash?l|ash?r|lshr)[dt]i3|__(clz|ctz|popcount|ffs|parity|bswap)[dst]i2'
+allowed+='|__u?(div|mod|mul|divmod)[dts]i[34]|__(ash|lsh|ash?l|ash?r|lshr)[dt]i3|__(clz|clrsb|ctz|popcount|ffs|parity|bswap)[dst]i2'
 allowed+='|__(float|floatun|fix|fixuns)[a-z]+|__aeabi_[a-z0-9_]+|__aarch64_[a-z]+[1248]_[a-z_]+'
 allowed+='|_GLOBAL_OFFSET_TABLE_|_gp_disp|\.TOC\.)$'
 asked=$(echo "$symbols" | awk '$2 == "UND" {print $3}' | sort -u | comm -23 - <(printf '%s\n' "$offered" "${inner//HIDDEN /}" | sort -u))
