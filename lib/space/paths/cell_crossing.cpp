@@ -35,6 +35,9 @@ void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t ce
   power_cell_.drop_dominated();
   power_cell_.build(member);
   power_cell_.find_free_parts();
+  for (uint32_t v = 0; v < power_cell_.polytope().size(); ++v) {
+    stops_[v].at = power_cell_.frame().rounded(power_cell_.position(v));
+  }
 
   const uint32_t part = part_of_cell(space, cell);
   uint32_t stop = first_stop(balls, members, part, Ends::outside_all, from, to);
@@ -66,8 +69,7 @@ uint32_t CellCrossing::first_stop(const BallSet &balls, Span<const uint32_t> mem
   const PowerPolytope &polytope = power_cell_.polytope();
   const uint32_t size = polytope.size(), ball = power_cell_.ball();
   for (uint32_t v = 0; v < size; ++v) {
-    const exact::Vector at = power_cell_.frame().rounded(power_cell_.position(v));
-    stops_[v] = {at, unreached, no_id, power_cell_.part_of(v) == no_id};
+    stops_[v] = {stops_[v].at, unreached, no_id, power_cell_.part_of(v) == no_id};
   }
   const auto nearest_in_part = [&](const exact::Vector &end) {
     uint32_t best = no_id;

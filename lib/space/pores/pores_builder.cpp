@@ -177,7 +177,11 @@ void PoresBuilder::sort_points(Patience &patience) {
 // by their errors, the less certain one gives way to the other.
 void PoresBuilder::put_gate_below(CriticalPoint &gate, CriticalPoint &top) {
   if (!(gate.level > top.level)) return;
-  (top.error > gate.error ? top.level : gate.level) = top.error > gate.error ? gate.level : top.level;
+  if (top.error > gate.error) {
+    top.level = gate.level;
+  } else {
+    gate.level = top.level;
+  }
 }
 
 void PoresBuilder::put_gates_below_their_ends() {

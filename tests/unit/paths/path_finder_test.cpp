@@ -11,6 +11,14 @@ namespace {
 
 using namespace checked_paths;
 
+// The path between two points that are connected.
+void check_one(const Balls &balls, const Vector &from, const Vector &to, hsp::PathSummary &summary, Seen &seen) {
+  BuiltPaths paths(balls);
+  ASSERT_EQ(paths.status(), hsp::Status::ok);
+  ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
+  ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen));
+}
+
 TEST(PathFinder, AroundNoBallsOneAndTwo) {
   oracle::RandomSource random(1);
   Seen seen;
@@ -107,13 +115,10 @@ TEST(PathFinder, APointOnTwoSpheresLeadsAroundThem) {
       ball = {centre.x, centre.y, centre.z, ball.radius * unit / 2};
     }
     if (balls.size() > 2) balls[1].z += 100;
-    BuiltPaths paths(balls);
-    ASSERT_EQ(paths.status(), hsp::Status::ok);
     const Vector from = scaled(one.from), to = scaled(one.to);
     hsp::PathSummary summary{};
     Seen seen;
-    ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
-    ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen));
+    ASSERT_NO_FATAL_FAILURE(check_one(balls, from, to, summary, seen));
     EXPECT_GT(summary.clearance, -4.0);
   }
 }
@@ -123,13 +128,10 @@ TEST(PathFinder, RoundsCornersThatDoublesDoNotKnow) {
   const int64_t unit = 100000000;
   const Balls balls{
       {unit, -unit, -unit, unit}, {-unit, -10000, 0, unit}, {unit, 1, unit, unit}, {unit, 0, -2 * unit, 2 * unit}};
-  BuiltPaths paths(balls);
-  ASSERT_EQ(paths.status(), hsp::Status::ok);
   const Vector from{unit / 2, 2 * unit, -3 * unit}, to{3 * unit / 2, -unit / 2, 0};
   hsp::PathSummary summary{};
   Seen seen;
-  ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
-  ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen));
+  ASSERT_NO_FATAL_FAILURE(check_one(balls, from, to, summary, seen));
   EXPECT_GT(summary.clearance, -4.0);
 }
 
@@ -169,12 +171,9 @@ TEST(PathFinder, PortalsAreAtCornersThatDoublesDoNotKnow) {
                          {0, -u, 6 * u / 5},
                          {3 * u, 2 * u, u}}};
   for (const Case &one : cases) {
-    BuiltPaths paths(one.balls);
-    ASSERT_EQ(paths.status(), hsp::Status::ok);
     hsp::PathSummary summary{};
     Seen seen;
-    ASSERT_EQ(paths.finder().find(paths.balls(), one.from, one.to, summary), hsp::Status::ok);
-    ASSERT_NO_FATAL_FAILURE(check_path(one.balls, paths.finder(), summary, one.from, one.to, true, seen));
+    ASSERT_NO_FATAL_FAILURE(check_one(one.balls, one.from, one.to, summary, seen));
     EXPECT_GT(summary.clearance, -4.0);
   }
 }
@@ -186,13 +185,10 @@ TEST(PathFinder, CrossesThePartThatTheCellIs) {
   const Balls balls{{0, u, 2 * u, u},      {-2 * u, -2 * u, 0, 2 * u}, {0, 0, 0, 2 * u},  {-u, 2 * u, 0, u},
                     {-2 * u, u, u, u},     {0, -2 * u, u, 2 * u},      {-2 * u, 0, u, u}, {-u, u, -2 * u, 2 * u},
                     {2 * u, -u, 2 * u, 0}, {u, 2 * u, 0, 2 * u}};
-  BuiltPaths paths(balls);
-  ASSERT_EQ(paths.status(), hsp::Status::ok);
   const Vector from{-u, 3 * u, u}, to{3 * u, -u, 3 * u};
   hsp::PathSummary summary{};
   Seen seen;
-  ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
-  ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen));
+  ASSERT_NO_FATAL_FAILURE(check_one(balls, from, to, summary, seen));
   EXPECT_EQ(seen.certified, 1U);
 }
 
@@ -201,13 +197,10 @@ TEST(PathFinder, CrossesThePartThatTheCellIs) {
 TEST(PathFinder, GoesAroundASmallBallOnALargeOne) {
   const int64_t u = 100000000;
   const Balls balls{{0, u, u, 1000}, {0, u - 2000, 0, u}, {u, -u, u, u}};
-  BuiltPaths paths(balls);
-  ASSERT_EQ(paths.status(), hsp::Status::ok);
   const Vector from{-u, 9 * u / 5, 0}, to{u, -2 * u, -u};
   hsp::PathSummary summary{};
   Seen seen;
-  ASSERT_EQ(paths.finder().find(paths.balls(), from, to, summary), hsp::Status::ok);
-  ASSERT_NO_FATAL_FAILURE(check_path(balls, paths.finder(), summary, from, to, true, seen));
+  ASSERT_NO_FATAL_FAILURE(check_one(balls, from, to, summary, seen));
   EXPECT_EQ(seen.certified, 1U);
 }
 
