@@ -39,6 +39,7 @@ hsp_part(union
     sphere/cap_clusters.cpp
     sphere/candidate_block.kernel.cpp
     sphere/caps.cpp
+    sphere/cell_cutting.cpp
     sphere/cell_ties.cpp
     sphere/cube_candidates.cpp
     sphere/few_caps.kernel.cpp

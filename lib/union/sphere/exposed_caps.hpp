@@ -6,13 +6,12 @@
 #pragma once
 
 #include "core/small_code.hpp"
-#include "sphere/caps.hpp"
-#include "sphere/cell_ties.hpp"
+#include "sphere/cell_cutting.hpp"
 #include "sphere/float_caps.hpp"
 
 namespace hsp {
 
-class ExposedCaps {
+class ExposedCaps : private CapState {
  public:
   // Fewer are searched as they are: that is as quick, and where it turns out not to be, these are found after all.
   // Small code does without: where flash counts, balls have few caps.
@@ -21,8 +20,7 @@ class ExposedCaps {
 
   // Memory, [caps] each.
   ExposedCaps(Span<uint32_t> order, Span<uint8_t> state) : order_(order), state_(state) {}
-  // Of which the caps leave a part: of the sphere, or of the ball.
-  enum class Part : uint8_t { sphere, ball };
+  using Part = CellCutting::Part;
   // False if nothing of it is left. The radius is not 0. floats: where of caps the balls alone are known, the caps in
   // floats; doubles are made of those caps alone that are looked at.
   bool find(Part part, const Caps &caps, const FloatCaps *floats = nullptr);
@@ -36,14 +34,7 @@ class ExposedCaps {
   uint32_t fewest_ties = 24;
 
  private:
-  // States of a cap. It is dropped; it is not looked at yet: that and its class of size; its plane cuts less deep than
-  // others do, and waits; it has cut; that is in doubt, and it stays; it is in doubt as it is near a vertex; or it goes
-  // through a set of vertices: that and the number of the set. Those from `waits` on are few and have a bit of their
-  // own.
-  static constexpr uint8_t dropped = 0, not_tried = 1, waits = 0x80, has_cut = waits + 1, stays = waits + 2,
-                           near_vertex = waits + 3, tied = waits + 4;
   bool is_tried(uint32_t k) const { return state_[k] == dropped || state_[k] >= waits; }
-  class Cutting;
 
   template <class Real>
   Span<const uint32_t> order_by_size(const Real *b, uint32_t count, uint32_t step);
