@@ -36,6 +36,7 @@ hsp_part(union
   STANDS_ON balls
   SOURCES
     sphere/arc_geometry.cpp
+    sphere/cap_boxes.cpp
     sphere/cap_clusters.cpp
     sphere/candidate_block.kernel.cpp
     sphere/caps.cpp

@@ -240,6 +240,8 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
   } else if (finder_.keep_exposed(caps)) {
     if (NearCaps::are_many(caps, caps.b.data())) {
       finder_.find(balls, caps, face_finder_.idle_while_searching().near_caps(), vertices_, circles_);
+    } else if (CapBoxes::are_many(caps)) {
+      finder_.find(balls, caps, face_finder_.idle_while_searching().cap_boxes(), vertices_, circles_);
     } else {
       finder_.cull_and_find(balls, caps, vertices_, circles_);
     }

@@ -222,8 +222,44 @@ struct CrossingPoints {
   CrossingPoints(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair)
       : CrossingPoints(
             LaneCrossings<DoubleWord>(cap_in<DoubleWord>(caps, j), cap_in<DoubleWord>(caps, k), pair.g, pair.q)) {}
+  // The same by the difference of both planes. Where these nearly agree their points are far more certain like this:
+  // s and s sqrt(s) above, for planes 1e-4 apart 1e8 and 1e12, become some sqrt(s), 1e4. The bound is found afterwards,
+  // from how far the points are from both planes and the sphere.
+  template <class Caps>
+  CrossingPoints(const Caps &caps, uint32_t j, uint32_t k)
+      : CrossingPoints(caps.axis(j), caps.axis(k) - caps.axis(j), caps.b[j], caps.b[k] - caps.b[j]) {}
 
  private:
+  // Planes u.x = b and w.x = c, with n = u x w. As errors u and b have 3.5e and 7e, w and c 7e + |w| e < 9e and 14e + |c| e
+  // < 16e, so n, with |w| <= 2, less than 3.5 * 2 + 9 + 6 = 22e. For a point p with | |p|^2 - 1 | < 2^-10:
+  //   - It is off the true planes by at most R = |u.p - b| + 20e and Q = |w.p - c| + 40e, which have the roundings of
+  //     these, too. A step to their line has -R along the true u and, across it and the line, (Q + |u.w| R) / |n|; as
+  //     |u.w| = |w|^2 / 2 <= 2, it is no longer than D = R + (Q + 2 R) / N with N = |n| - 32e.
+  //   - There | |p|^2 - 1 | is at most E = | |p|^2 - 1 | + 8e + 4D, if D < 1, and the distance from the line's point that
+  //     is nearest to the sphere's centre at least T = |p.n| / |n| - 3D: the direction of n is off by less than 44e / N,
+  //     and R and Q have 100e / N in D. If T^2 > E the line meets the sphere on that side, at most E / T away.
+  // A test adds 3.5 + 7 + 4.
+  CrossingPoints(const Vec3 &u, const Vec3 &w, double b, double c) {
+    constexpr double e = unit_roundoff;
+    const Vec3 n = cross(u, w);
+    const double squared = dot(n, n), inverse = 1.0 / squared, length = std::sqrt(squared), N = length - 32.0 * e;
+    const Vec3 m = inverse * combine(b, cross(w, n), c, cross(n, u));
+    const double root = std::sqrt((1.0 - dot(m, m)) * inverse);
+    error = 0.0;
+    for (int point = 0; point < 2; ++point) {
+      const Vec3 p = combine(1.0, m, point == 0 ? -root : root, n);
+      x[point] = p.x;
+      y[point] = p.y;
+      z[point] = p.z;
+      const double off_sphere = std::fabs(dot(p, p) - 1.0);
+      const double R = std::fabs(dot(u, p) - b) + 20.0 * e, Q = std::fabs(dot(w, p) - c) + 40.0 * e;
+      const double D = R + (Q + 2.0 * R) / N, E = off_sphere + 8.0 * e + 4.0 * D;
+      const double T = std::fabs(dot(p, n)) / length - 3.0 * D;
+      const bool certain = N > 0.0 && off_sphere < 0x1p-10 && D < 1.0 && T > 0.0 && T * T > E;
+      const double bound = certain ? D + E / T + 16.0 * e : 8.0;  // nothing is so deep
+      error = bound > error ? bound : error;
+    }
+  }
   explicit CrossingPoints(const LaneCrossings<DoubleWord> &p)
       : x{p.minus.x.v, p.plus.x.v}, y{p.minus.y.v, p.plus.y.v}, z{p.minus.z.v, p.plus.z.v}, error(p.plus.error.v) {}
 };

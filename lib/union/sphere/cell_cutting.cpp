@@ -35,6 +35,7 @@ bool CellCutting::cut_by(Span<const uint32_t> numbers, double least_depth) {
         case OuterCell::Cut::misses:
           break;
         case OuterCell::Cut::buries:
+          buried_by_ = number;
           return false;
         case OuterCell::Cut::unsure:
           state_[number] = near_vertex;
@@ -52,6 +53,16 @@ bool CellCutting::cut_by(Span<const uint32_t> numbers, double least_depth) {
     t += batch.count;
   }
   return true;
+}
+
+uint32_t CellCutting::covering(Span<uint32_t> numbers) const {
+  uint32_t found = 0;
+  if (buried_by_ != no_id) numbers[found++] = buried_by_;
+  for (uint64_t left = cell_.faces; left != 0; left &= left - 1) {
+    const uint32_t cap = cell_.cap[__builtin_ctzll(left)];
+    if (cap != no_id) numbers[found++] = cap;
+  }
+  return found;
 }
 
 void CellCutting::drop(Span<const uint32_t> numbers) {

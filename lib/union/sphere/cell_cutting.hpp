@@ -20,15 +20,17 @@ class CellCutting : private CapState {
   // Of which the caps leave a part: of the sphere, or of the ball.
   enum class Part : uint8_t { sphere, ball };
 
-  // balls_alone: of the caps the balls alone are known. state: memory, [caps].
-  CellCutting(const Caps &caps, Part part, bool balls_alone, Span<uint8_t> state)
+  // balls_alone: of the caps the balls alone are known. state: memory, [caps]. box: where.
+  CellCutting(const Caps &caps, Part part, bool balls_alone, Span<uint8_t> state, const CellBox &box = {})
       : caps_(caps), part_(part), balls_alone_(balls_alone), state_(state) {
-    cell_.start();
+    cell_.start(box);
   }
 
   // Cuts by those whose planes go deeper than that; the others wait. False if nothing is left. Out of line, as all that
   // has a batch: integers take the stack beside them.
   [[gnu::noinline]] bool cut_by(Span<const uint32_t> numbers, double least_depth);
+  // After that, some that leave nothing, the faces: how many.
+  uint32_t covering(Span<uint32_t> numbers) const;
 
   // Drops those that miss what is left. Faces do not: their planes go through vertices.
   [[gnu::noinline]] void drop(Span<const uint32_t> numbers);
@@ -81,6 +83,7 @@ class CellCutting : private CapState {
   Span<uint8_t> state_;
   OuterCell cell_;
   bool some_wait_ = false;
+  uint32_t buried_by_ = no_id;
 };
 
 }  // namespace hsp

@@ -36,9 +36,9 @@ uint32_t other_end(const OuterCell &cell, uint32_t v, const uint64_t (&among)[2]
 
 exact::Plane CellTies::plane_of(const OuterCell &cell, uint32_t face) const {
   if (cell.cap[face] != no_id) return caps_.plane(cell.cap[face]);
-  const auto part = [](double u) { return static_cast<int64_t>(u) * OuterCell::side_denominator; };
+  const auto part = [](double u) { return static_cast<int64_t>(u) * CellBox::side_denominator; };
   return exact::virtual_plane({part(cell.ux[face]), part(cell.uy[face]), part(cell.uz[face])},
-                              2 * caps_.balls().ball(caps_.origin).radius * OuterCell::side_numerator);
+                              2 * caps_.balls().ball(caps_.origin).radius * CellBox::side_numerator);
 }
 
 void CellTies::decide(const OuterCell &cell, Span<const uint32_t> numbers, VertexSides *sides,

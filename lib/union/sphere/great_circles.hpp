@@ -5,6 +5,7 @@
 #pragma once
 
 #include "exact/angular_order.hpp"
+#include "sphere/cap_boxes.hpp"
 #include "sphere/exposed_caps.hpp"
 #include "sphere/meridian_sectors.hpp"
 #include "sphere/near_caps.hpp"
@@ -48,6 +49,10 @@ class FreeIntervals {
     const uint32_t capacity = caps_.size();
     const auto part = [&](uint32_t number) { return Span<uint32_t>(words + size_t{capacity} * number, capacity); };
     return NearCaps({part(0), part(1), part(2), {reinterpret_cast<float *>(part(3).data()), capacity}});
+  }
+  CapBoxes cap_boxes() const {
+    static_assert(sizeof(MeridianCap) == CapBoxes::words_for_each * sizeof(uint32_t));
+    return CapBoxes({reinterpret_cast<uint32_t *>(caps_.data()), CapBoxes::words_for_each * caps_.size()});
   }
   // Before the meridians of a ball with these caps, of which there may be so many. Until the last of them the caps stay
   // as they are, and so does the memory.

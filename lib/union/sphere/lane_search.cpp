@@ -53,7 +53,8 @@ void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours) {
   enabled = neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
   const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
-  Parts floats_of_caps(workspace.take<float>(18 * static_cast<uint64_t>(row)).data(), row);
+  rows_ = workspace.take<float>(18 * static_cast<uint64_t>(row));
+  Parts floats_of_caps(rows_.data(), row);
   sweep_.caps = take_caps(floats_of_caps);
   sweep_.by_size = take_caps(floats_of_caps);
   sweep_.large = take_caps(floats_of_caps);
@@ -137,6 +138,12 @@ uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &fin
   if (NearCaps::are_many(caps, sweep_.caps.b)) {
     caps.make_doubles();
     finder.find(balls, caps, idle.near_caps(), vertices, circles);
+    return 0;
+  }
+  if (CapBoxes::are_many(caps)) {
+    caps.make_doubles();
+    const Span<uint32_t> idle_rows(reinterpret_cast<uint32_t *>(rows_.data()), rows_.size());
+    finder.find(balls, caps, CapBoxes(idle_rows), vertices, circles);
     return 0;
   }
   while (caps.count > most_few_caps) {

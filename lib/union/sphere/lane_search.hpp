@@ -59,6 +59,7 @@ class SearchInLanes {
   Target target_ = Target::baseline;
   CandidatesInLanes candidates_;
   const RadiusLevels *levels_ = nullptr;  // instead of candidates, if the grid has levels
+  Span<float> rows_;                      // all of the sweep
   PairSweep sweep_;
   Span<uint32_t> uncrossed_;
 };

@@ -14,13 +14,12 @@ namespace hsp {
 
 class NearCaps {
  public:
-  // Fewer, and large ones up to so many, are compared each with each: that is as quick. b: of the
-  // caps, as Caps or FloatCaps have it.
-  static constexpr uint32_t fewest = 128, fewest_large = 1024;
+  // Fewer are compared each with each: that is as quick. Of large ones one meets most of the others. b: of the caps, as
+  // Caps or FloatCaps have it.
+  static constexpr uint32_t fewest = 128;
   template <class Real>
   static bool are_many(const Caps &caps, const Real *b) {
-    if (small_code || caps.count < fewest) return false;
-    return caps.count >= fewest_large || are_small(b, caps.count);
+    return !small_code && caps.count >= fewest && are_small(b, caps.count);
   }
 
   // Memory, [caps] each.

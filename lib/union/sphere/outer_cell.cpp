@@ -49,14 +49,15 @@ bool OuterCell::place_vertex(uint32_t v, uint32_t p, uint32_t q, uint32_t r) {
   return squared_length(x[v], y[v], z[v]) < 4.0;
 }
 
-void OuterCell::start() {
+void OuterCell::start(const CellBox &box) {
   constexpr uint32_t sides = 6;
+  const double centre[3] = {box.x, box.y, box.z};
   for (uint32_t f = 0; f < sides; ++f) {
     const double sign = f < 3 ? 1.0 : -1.0;
     ux[f] = f % 3 == 0 ? sign : 0.0;
     uy[f] = f % 3 == 1 ? sign : 0.0;
     uz[f] = f % 3 == 2 ? sign : 0.0;
-    b[f] = static_cast<double>(side_numerator) / side_denominator;
+    b[f] = box.half + sign * centre[f % 3];
     cap[f] = no_id;
   }
   faces = (1U << sides) - 1;

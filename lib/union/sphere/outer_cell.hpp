@@ -18,6 +18,16 @@
 
 namespace hsp {
 
+// A cube with sides along the axes: at first the one around the unit sphere.
+struct CellBox {
+  // Half of its side, as a fraction: somewhat larger than the sphere, so that balls that are inflated by infinitely
+  // little lie in it, too, and planes that meet in a point of the sphere hardly meet in one of a side.
+  static constexpr int32_t side_numerator = 9, side_denominator = 8;
+
+  double x = 0.0, y = 0.0, z = 0.0;  // its centre
+  double half = static_cast<double>(side_numerator) / side_denominator;
+};
+
 struct OuterCell {
   static constexpr uint32_t most_faces = 64;                     // bits of a word
   static constexpr uint32_t most_vertices = 2 * most_faces - 4;  // of a polyhedron whose vertices have three edges each
@@ -32,10 +42,7 @@ struct OuterCell {
   uint32_t cap[most_faces];  // of which cap a plane is; no_id of the cube
   uint64_t faces = 0;        // bits of those that have a vertex
 
-  // The cube around the unit sphere, as a fraction: somewhat larger, so that balls that are inflated by infinitely
-  // little lie in it, too, and planes that meet in a point of the sphere hardly meet in one of a side.
-  static constexpr int32_t side_numerator = 9, side_denominator = 8;
-  [[gnu::cold]] void start();
+  [[gnu::cold]] void start(const CellBox &box = {});
   // Whether no part of it reaches the unit sphere.
   bool lies_inside_sphere() const;
 

@@ -65,14 +65,6 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
 // Whether the circle of cap j is free as a whole.
 bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j);
 
-// find_vertices_exactly for circles that certainly cross. Their points are computed anew: if those of a pair were
-// passed on, every pair would store them.
-[[gnu::noinline]] void find_vertices_of_crossing(const BallSet &balls, const Caps &caps, const CapTests &tests,
-                                                 uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices) {
-  const CrossingPoints points(caps, j, k, CapPair(caps, j, k));
-  find_vertices_exactly(balls, caps, tests, j, k, &points, vertices);
-}
-
 }  // namespace
 
 void CapTests::carve(Workspace &workspace, uint32_t capacity) {
@@ -119,6 +111,38 @@ void VertexFinder::carve(Workspace &workspace, uint32_t capacity) {
   state_ = workspace.take<uint8_t>(capacity);
 }
 
+// Pushes those of both points that are free. False, and nothing, if one is not certain.
+#if !defined(__OPTIMIZE_SIZE__)
+[[gnu::always_inline]]
+#endif
+inline bool
+VertexFinder::decide_points(const Caps &caps, uint32_t j, uint32_t k, const CrossingPoints &points,
+                            FixedVector<VertexRecord> &vertices) {
+  PointAnswer answer[2];
+  for (uint32_t point = 0; point < 2; ++point) {
+    answer[point] = test_point(tests_, points.x[point], points.y[point], points.z[point], points.error, hint_[point]);
+  }
+  if (answer[0] == PointAnswer::uncertain || answer[1] == PointAnswer::uncertain) return false;
+  exact::count_answer(exact::Question::vertex_pair, exact::Stage::filter);
+  for (uint32_t point = 0; point < 2; ++point) {
+    if (answer[point] != PointAnswer::free) continue;
+    vertices.push({{caps.origin, caps.ball[j], caps.ball[k]}, point == 1 ? VertexRecord::positive_bit : 0U});
+  }
+  return true;
+}
+
+// Of circles that certainly cross, in points that are not certain: first by a better formula, then by integers. If the
+// points of a pair were passed on, every pair would store them.
+[[gnu::noinline]] void VertexFinder::decide_crossing(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k,
+                                                     FixedVector<VertexRecord> &vertices) {
+  const CrossingPoints points =
+      small_code ? CrossingPoints(caps, j, k, CapPair(caps, j, k)) : CrossingPoints(caps, j, k);
+  if (!small_code && decide_points(caps, j, k, points, vertices)) return;
+  exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
+  ++asked_;
+  find_vertices_exactly(balls, caps, tests_, j, k, &points, vertices);
+}
+
 // Where size counts there is one copy.
 #if !defined(__OPTIMIZE_SIZE__)
 [[gnu::always_inline]]
@@ -145,21 +169,8 @@ VertexFinder::pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t 
   state_[j] |= crossed;
   state_[k] |= crossed;
   const CrossingPoints points(caps, j, k, circles);
-  PointAnswer answer[2];
-  for (uint32_t point = 0; point < 2; ++point) {
-    answer[point] = test_point(tests_, points.x[point], points.y[point], points.z[point], points.error, hint_[point]);
-  }
-  if (answer[0] == PointAnswer::uncertain || answer[1] == PointAnswer::uncertain) {
-    exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
-    ++asked_;
-    find_vertices_of_crossing(balls, caps, tests_, j, k, vertices);
-    return;
-  }
-  exact::count_answer(exact::Question::vertex_pair, exact::Stage::filter);
-  for (uint32_t point = 0; point < 2; ++point) {
-    if (answer[point] != PointAnswer::free) continue;
-    vertices.push({{caps.origin, caps.ball[j], caps.ball[k]}, point == 1 ? VertexRecord::positive_bit : 0U});
-  }
+  const bool may_be_better = !small_code && points.error > 0x1p-24;
+  if (may_be_better || !decide_points(caps, j, k, points, vertices)) decide_crossing(balls, caps, j, k, vertices);
 }
 
 void VertexFinder::decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k,
@@ -207,7 +218,8 @@ void VertexFinder::cull_and_find(const BallSet &balls, Caps &caps, FixedVector<V
   find(balls, caps, vertices, circles);
 }
 
-void VertexFinder::find(const BallSet &balls, const Caps &caps, NearCaps near, FixedVector<VertexRecord> &vertices,
+template <class Index>
+void VertexFinder::find(const BallSet &balls, const Caps &caps, Index near, FixedVector<VertexRecord> &vertices,
                         FixedVector<CircleRecord> &circles) {
   for (uint8_t &state : state_.part(0, caps.count)) state = 0;
   near.start(caps);
@@ -229,6 +241,11 @@ void VertexFinder::find(const BallSet &balls, const Caps &caps, NearCaps near, F
     decide_circle(caps, j, circles);
   }
 }
+
+template void VertexFinder::find(const BallSet &, const Caps &, NearCaps, FixedVector<VertexRecord> &,
+                                 FixedVector<CircleRecord> &);
+template void VertexFinder::find(const BallSet &, const Caps &, CapBoxes, FixedVector<VertexRecord> &,
+                                 FixedVector<CircleRecord> &);
 
 void VertexFinder::find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                                 FixedVector<CircleRecord> &circles) {

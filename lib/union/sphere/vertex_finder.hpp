@@ -3,11 +3,14 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "sphere/cap_boxes.hpp"
 #include "sphere/exposed_caps.hpp"
 #include "sphere/half_edges.hpp"
 #include "sphere/near_caps.hpp"
 
 namespace hsp {
+
+struct CrossingPoints;
 
 // A copy of the caps, largest first by coarse classes of size: a covered point is most likely covered by one of the
 // first.
@@ -39,8 +42,9 @@ class VertexFinder {
   // Among caps from caps.first_later on.
   void find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
-  // The same of very many caps, by an index of them: what meets a circle is near to its cap.
-  void find(const BallSet &balls, const Caps &caps, NearCaps near, FixedVector<VertexRecord> &vertices,
+  // The same of very many caps, by an index of them: NearCaps, as what meets a circle is near to its cap, or CapBoxes.
+  template <class Index>
+  void find(const BallSet &balls, const Caps &caps, Index index, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
   // The same, but where integers decide about many pairs, as of spheres through one point, only caps that matter stay.
   void cull_and_find(const BallSet &balls, Caps &caps, FixedVector<VertexRecord> &vertices,
@@ -62,6 +66,10 @@ class VertexFinder {
   bool search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
               FixedVector<CircleRecord> &circles);
   void pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
+  bool decide_points(const Caps &caps, uint32_t j, uint32_t k, const CrossingPoints &points,
+                     FixedVector<VertexRecord> &vertices);
+  void decide_crossing(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k,
+                       FixedVector<VertexRecord> &vertices);
 
   // State of a cap during the loop over pairs; bits.
   static constexpr uint8_t crossed = 1;  // its circle crosses another one, so it is not a free circle

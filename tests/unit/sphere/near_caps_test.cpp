@@ -9,76 +9,13 @@
 #include <numbers>
 #include <string>
 #include <tuple>
-#include <vector>
 
-#include "built_grid.hpp"
 #include "bumps.hpp"
-#include "lattice_lengths.hpp"
-#include "random_balls.hpp"
-#include "sphere/cap_clusters.hpp"
-#include "sphere/vertex_finder.hpp"
+#include "indexed_search.hpp"
 
 namespace {
 
 using oracle::Balls;
-
-class Search {
- public:
-  explicit Search(const Balls &balls) : built_(oracle::in_lengths(balls, 1)), n_(static_cast<uint32_t>(balls.size())) {
-    memory_of_caps_.carve(caps, n_);
-    memory_of_finder_.carve(finder_, n_);
-    memory_of_clusters_.carve(clusters_, n_);
-    memory_of_index_.carve(intervals_, n_);
-    vertices_.resize(6 * size_t{n_} * std::min(n_, 60U) + 16);
-    circles_.resize(n_ + 1);
-  }
-
-  // Of the caps of one ball; false if there are none to be indexed.
-  bool gather(uint32_t ball) {
-    caps.gather(built_.grid().balls(), built_.grid().block_around(built_.grid().cube_at(balls().ball(ball).centre)),
-                ball, nullptr);
-    return !caps.contained && caps.count > 0 && balls().r[ball] > 0;
-  }
-  hsp::NearCaps index() const { return intervals_.near_caps(); }
-  uint32_t size() const { return balls().n; }
-  const hsp::BallSet &balls() const { return built_.grid().balls(); }
-
-  // All that is found of the free part and of the clusters, as text.
-  std::string found(bool by_index) {
-    hsp::FixedVector<hsp::VertexRecord> vertices({vertices_.data(), static_cast<uint32_t>(vertices_.size())});
-    hsp::FixedVector<hsp::CircleRecord> circles({circles_.data(), static_cast<uint32_t>(circles_.size())});
-    if (by_index) {
-      finder_.find(balls(), caps, index(), vertices, circles);
-    } else {
-      finder_.find(balls(), caps, vertices, circles);
-    }
-    std::string text;
-    for (const hsp::VertexRecord &v : vertices.items()) {
-      text += std::to_string(v.ball[1]) + " " + std::to_string(v.ball[2]) + " " + std::to_string(v.code) + "\n";
-    }
-    for (const hsp::CircleRecord &c : circles.items()) text += std::to_string(c.ball[1]) + "\n";
-    text += std::to_string(by_index ? clusters_.find(caps, index()) : clusters_.find(caps)) + " clusters";
-    return text;
-  }
-  // How many caps stand for their clusters.
-  uint32_t representatives() const {
-    uint32_t count = 0;
-    for (uint32_t k = 0; k < caps.count; ++k) count += clusters_.is_representative(k) ? 1U : 0U;
-    return count;
-  }
-
-  hsp::Caps caps;
-
- private:
-  BuiltGrid built_;
-  uint32_t n_;
-  CarvedMemory memory_of_caps_, memory_of_finder_, memory_of_clusters_, memory_of_index_;
-  hsp::VertexFinder finder_;
-  hsp::CapClusters clusters_;
-  hsp::FreeIntervals intervals_;
-  std::vector<hsp::VertexRecord> vertices_;
-  std::vector<hsp::CircleRecord> circles_;
-};
 
 // Whether two caps have a common point, with a margin for which all of them are listed.
 bool certainly_meet(const hsp::Caps &caps, uint32_t j, uint32_t k) {
@@ -95,11 +32,11 @@ TEST(NearCaps, AreAllThatMeet) {
   uint64_t meetings = 0;
   for (const auto &[least, most] : sizes) {
     for (const uint32_t n : {3U, 20U, 300U}) {
-      Search search(bumps(random, n, least, most));
+      IndexedSearch search(bumps(random, n, least, most));
       for (uint32_t i = 0; i < search.size(); ++i) {
         if (search.balls().r[i] < 1e6 || !search.gather(i)) continue;
         const hsp::Caps &caps = search.caps;
-        hsp::NearCaps near = search.index();
+        hsp::NearCaps near = search.near_caps();
         near.start(caps);
         for (uint32_t j = 0; j < caps.count; ++j) {
           const auto around = near.around(caps, j);
@@ -125,11 +62,12 @@ TEST(NearCaps, FindWhatAllFind) {
     const Balls balls = k % 3 == 0   ? bumps(random, static_cast<uint32_t>(n), 0.01, 0.6)
                         : k % 3 == 1 ? oracle::any_balls(random, n)
                                      : oracle::degenerate_balls(random, n);
-    Search search(balls);
+    IndexedSearch search(balls);
     for (uint32_t i = 0; i < search.size(); ++i) {
       if (!search.gather(i)) continue;
-      const std::string all = search.found(false);
-      EXPECT_EQ(search.found(true), all) << oracle::to_text(balls) << " ball " << i;
+      const std::string all = search.found() + search.clusters();
+      EXPECT_EQ(search.found(search.near_caps()) + search.clusters(search.near_caps()), all)
+          << oracle::to_text(balls) << " ball " << i;
       EXPECT_EQ(all.substr(all.rfind('\n') + 1), std::to_string(search.representatives()) + " clusters");
       ++balls_tried;
     }
@@ -143,10 +81,10 @@ TEST(NearCaps, AreFew) {
   for (const double size : {0.0005, 0.025}) {
     Balls balls = bumps(random, 4000, size, size);
     for (uint32_t k = 0; k < 10; ++k) balls.push_back({0, 1000000 - 10 * k, 0, 700000 - 1000 * k});
-    Search search(balls);
+    IndexedSearch search(balls);
     for (uint32_t i = 0; i < search.size(); ++i) {
       if (search.balls().r[i] < 1e6 || !search.gather(i)) continue;
-      hsp::NearCaps near = search.index();
+      hsp::NearCaps near = search.near_caps();
       near.start(search.caps);
       uint64_t all = 0;
       for (uint32_t j = 0; j < search.caps.count; ++j) all += near.around(search.caps, j).size();
@@ -155,12 +93,12 @@ TEST(NearCaps, AreFew) {
   }
 }
 
-// Hundreds of small caps are compared with those near them alone; hundreds of large ones each with each.
+// Hundreds of small caps are compared with those near them alone, but no large ones.
 TEST(NearCaps, AreAskedForSmallOnes) {
   oracle::RandomSource random(64);
   for (const auto &[count, size, expected] : {std::tuple{300U, 0.01, true}, std::tuple{300U, 0.6, false},
-                                              std::tuple{100U, 0.01, false}, std::tuple{1100U, 0.6, true}}) {
-    Search search(bumps(random, count + 1, size, size));
+                                              std::tuple{100U, 0.01, false}, std::tuple{1100U, 0.6, false}}) {
+    IndexedSearch search(bumps(random, count + 1, size, size));
     uint32_t asked = 0;
     for (uint32_t i = 0; i < search.size(); ++i) {
       if (search.balls().r[i] < 1e6 || !search.gather(i)) continue;
