@@ -1,3 +1,10 @@
+// Caps that cut a polyhedron, some at a time.
+//
+// As an example the cube around the unit sphere and the caps
+//   A   x >= 0.5     goes 0.625 deep: it cuts first
+//   B   x >= 0.9     misses what A leaves, and is dropped
+//   C   y >= 1.0     goes 0.125 deep: it waits where that is too little, and cuts in the end
+//   D   x >= 0.5     A once more: too near four vertices for doubles, and left to integers
 #include "sphere/cell_cutting.hpp"
 
 namespace hsp {
