@@ -1,4 +1,5 @@
 """The Python module against the program, closed forms and the record of the binary interface."""
+import array
 import inspect
 import math
 import shutil
@@ -131,6 +132,25 @@ class Values(unittest.TestCase):
         balls = hardsphere.Balls(LENS, [1, 1])
         balls.areas[0] = 0
         self.assertAlmostEqual(balls.areas[0], 3 * math.pi, 12)
+
+    def test_arrays_of_the_caller_are_copied(self):
+        """Radii are those of the next frame, too."""
+        kinds = [list, lambda values: array.array("d", values)]
+        if _calls.numpy is not None:
+            kinds.append(lambda values: _calls.numpy.array(values, dtype=float))
+        for made in kinds:
+            for kind, more in (hardsphere.Balls, []), (hardsphere.Box, [made([9, 9, 9])]):
+                centers, radii, others = [made(center) for center in LENS], made([1, 1]), made([1, 1])
+                balls = kind(centers, radii, *more)
+                for changed in radii, centers[1], *more:
+                    changed[0] = 3
+                self.assertAlmostEqual(balls.area, 6 * math.pi, 12)
+                self.assertAlmostEqual(balls.set(LENS).area, 6 * math.pi, 12)
+                balls.set(LENS, others)
+                others[0] = 3
+                self.assertAlmostEqual(balls.set(LENS).area, 6 * math.pi, 12)
+                if more:
+                    self.assertAlmostEqual(balls.totals.box_volume, 729, 9)
 
     def test_what_is_not_selected_blocks(self):
         measured = hardsphere.measure(LENS, [1, 1], selected=[True, False])

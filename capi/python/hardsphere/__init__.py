@@ -29,7 +29,7 @@ import os
 from typing import Any, Iterator, NamedTuple, Sequence
 
 from . import _interface, constants
-from ._calls import Error, Handle, Misshapen, Record, Result, called, library, numpy, shape_of
+from ._calls import Error, Handle, Misshapen, Record, Result, called, copied, library, numpy, shape_of
 from ._interface import *  # noqa: F401,F403
 from ._interface import (Boundary, Contacts, Mesh, Model, Periodic, Pores, Sticks, Surface, Topology, View)
 from .arrays import Doubles, Integers, Numbers, Records, Rows, Truths, Values
@@ -156,8 +156,9 @@ class _Set:
     """What balls in free space and in a box have in common."""
     n: int
 
-    def __init__(self, radii: Any, probe: float, threads: int, options: dict[str, float]):
-        self._radii, self._options, self._threads = radii, {"probe": probe, **options}, threads
+    def __init__(self, probe: float, threads: int, options: dict[str, float]):
+        self._options, self._threads = {"probe": probe, **options}, threads
+        self._radii: Any = None
         self._computed: dict[str, Any] = {}
         self._handles: dict[str, Any] = {}
 
@@ -181,6 +182,13 @@ class _Set:
 
     def _drop(self) -> None:
         raise NotImplementedError
+
+    def _radii_from(self, radii: Values | None) -> Any:
+        """Those of this frame, and of the next ones if these come without: a copy, for what the caller does with an array
+        later is not about them."""
+        if radii is not None:
+            self._radii = copied(radii)
+        return self._radii
 
     @contextlib.contextmanager
     def _taking(self) -> Iterator[None]:
@@ -220,15 +228,14 @@ class Balls(_Set):
     def __init__(self, centers: Rows, radii: Values, probe: float = 0.0, threads: int = 1, **options: float):
         """probe is added to all radii. threads share boundaries, measures and gradients, whose bits are the same for any
         number. options: step and largest_radius, as of hsp_model_options."""
-        super().__init__(radii, probe, threads, options)
+        super().__init__(probe, threads, options)
         self.model = Model()
         self.set(centers, radii)
 
     def set(self, centers: Rows, radii: Values | None = None) -> Balls:
-        """Other centres, as of the next frame; other radii if they are given."""
+        """Other centres, as of the next frame; other radii if they are given. All are copied: arrays may change then."""
         with self._taking(), called(xyz="centers", radius="radii"):
-            self._radii = self._radii if radii is None else radii
-            self.model.set(centers, self._radii, **self._options)
+            self.model.set(centers, self._radii_from(radii), **self._options)
         self.n = self.model.n
         return self
 
@@ -368,14 +375,14 @@ class Box(_Set):
 
     def __init__(self, centers: Rows, radii: Values, vectors: Rows | Values, probe: float = 0.0, threads: int = 1,
                  areas_alone: bool = False, **options: float):
-        super().__init__(radii, probe, threads, {**options, "areas_alone": int(areas_alone)})
+        super().__init__(probe, threads, {**options, "areas_alone": int(areas_alone)})
         self.handle = Periodic()
         self.set(centers, radii, vectors)
 
     def set(self, centers: Rows, radii: Values | None = None, vectors: Rows | Values | None = None) -> Box:
-        """Other centres, as of the next frame; radii and vectors if they are given."""
+        """Other centres, as of the next frame; radii and vectors if they are given. All are copied, as by Balls."""
         with self._taking(), called(xyz="centers", radius="radii", box="vectors"):
-            self._radii = self._radii if radii is None else radii
+            radii = self._radii_from(radii)
             if vectors is not None:
                 shape = shape_of(vectors)
                 if shape not in ((3,), (3, 3)):
@@ -384,7 +391,7 @@ class Box(_Set):
                 if len(shape) == 1:
                     rows = [[x if i == j else 0.0 for j in range(3)] for i, x in enumerate(vectors)]
                 self._box = [float(x) for row in rows for x in row]
-            self.handle.compute_with(centers, self._radii, self._box, threads=self._threads, **self._options)
+            self.handle.compute_with(centers, radii, self._box, threads=self._threads, **self._options)
         self.n = self.handle.n
         return self
 

@@ -183,6 +183,16 @@ def shape_of(values: Any) -> tuple[int, ...]:
     return len(values), *(inside.pop() if inside else ())
 
 
+def copied(values: Any) -> Any:
+    """The same numbers in memory of their own, for calls to come, which refuse anything else."""
+    if isinstance(values, str):
+        return values
+    try:
+        return list(values) if numpy is None else numpy.array(values, subok=True)
+    except (TypeError, ValueError):
+        return values
+
+
 def _flat(values: Any) -> Iterable[Any]:
     rows = hasattr(values, "__len__") and not isinstance(values, str)
     return (x for row in values for x in _flat(row)) if rows else (values,)
