@@ -53,14 +53,20 @@ def passed_on(compute):
     return [a for a in compute.arguments if a.kind != "handle" and a.name != "limits"]
 
 
+def computed_by(interface, name):
+    """Of a row `compute X_how`: X, "_how" or "", the function, and whether it is called with a request that has the
+    executor of the workspace alone."""
+    noun, join, how = name.removeprefix("compute ").partition("_")
+    with_request = interface.function(f"hsp_{noun}_compute_with")
+    asks = not how and with_request is not None and len(passed_on(with_request)) == 1
+    return noun, join + how, with_request if asks else interface.function(f"hsp_{noun}_compute{join}{how}"), asks
+
+
 def workspace_header(interface):
     def part(name):
         if name.startswith("compute "):
-            noun, join, how = name.removeprefix("compute ").partition("_")
-            with_request = interface.function(f"hsp_{noun}_compute_with")
-            asks = not how and with_request is not None and len(passed_on(with_request)) == 1
-            compute = with_request if asks else interface.function(f"hsp_{noun}_compute{join}{how}")
-            return compute_rows(compute, noun, join + how, asks)
+            noun, how, compute, asks = computed_by(interface, name)
+            return compute_rows(compute, noun, how, asks)
         return {"fields": field_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
     return "\n".join(guarded(filled(TEMPLATE, r" */\* <(.*)> \*/", part).split("\n"), component_of_headers()))

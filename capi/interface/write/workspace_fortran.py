@@ -3,7 +3,7 @@ from pathlib import Path
 
 from .fortran_rows import declaration, wrapped
 from .template import filled
-from .workspace import dependents, first_limits_from, handles_of, header_of, passed_on
+from .workspace import computed_by, dependents, first_limits_from, handles_of, header_of, passed_on
 
 TEMPLATE = Path(__file__).with_name("workspace_template.f90")
 SELF = "    class(hsp_workspace), intent(inout), target :: self"
@@ -13,11 +13,10 @@ STATUS = "    integer(c_int32_t) :: status"
 def workspace_module(interface):
     def part(name):
         if name.startswith("compute "):
-            noun, join, how = name.removeprefix("compute ").partition("_")
-            compute = interface.function(f"hsp_{noun}_compute{join}{how}")
+            noun, how, compute, asks = computed_by(interface, name)
             # A request alone is an argument that need not be there.
-            alone = how == "with" and len(passed_on(compute)) == 1
-            return compute_rows(compute, noun, f"compute_{noun}" if alone else f"compute_{noun}{join}{how}")
+            alone = how == "_with" and len(passed_on(compute)) == 1
+            return compute_rows(compute, noun, f"compute_{noun}{'' if alone else how}", asks, alone)
         return {"fields": field_rows, "private": private_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
     return filled(TEMPLATE, r" *! <(.*)>", part, interface.headers)
@@ -28,6 +27,7 @@ def field_rows(interface):
         return f" ! hardsphere/{header_of(interface, noun)}"
 
     return [*(f"    type(c_ptr) :: {noun} = c_null_ptr{remark(noun)}" for noun in ("model", *handles_of(interface))),
+            "    type(c_ptr) :: executor = c_null_ptr ! may be set: of all but requests, views, maps and pores",
             "    integer(c_int32_t), private :: most_balls = 0",
             f"    type(memory_block), private :: memory({1 + len(handles_of(interface))})",
             *(f"    type(hsp_{noun}_limits), private :: {noun}_limits{remark(noun)}" for noun in handles_of(interface))]
@@ -99,15 +99,22 @@ def make_rows(interface):
     return rows[:-1]
 
 
-def compute_rows(compute, noun, name):
-    """A function that computes a handle, and makes it larger until it suffices."""
+def compute_rows(compute, noun, name, asks, alone):
+    """A function that computes a handle, and makes it larger until it suffices; asks: with a request that has the
+    executor of the workspace alone; alone: with such a one where the caller's is not there."""
     own = {a.name: f"self%{a.name}" for a in compute.arguments if a.kind == "handle"}
+    if asks or alone:
+        own["request"] = "asked"
     call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
-    names = ", ".join(["self", *(a.name for a in passed_on(compute))])
+    arguments = [] if asks else passed_on(compute)
+    names = ", ".join(["self", *(a.name for a in arguments)])
     n = ", n" if compute.argument("n") else ""
     return [*wrapped(f"function {name}({names}) result(status)", 2, mark=" &"), SELF,
-            *(f"    {declaration(a)[0]}" for a in passed_on(compute)),
-            f"    type(hsp_{noun}_limits) :: limits", STATUS,
+            *(f"    {declaration(a)[0]}" for a in arguments),
+            f"    type(hsp_{noun}_limits) :: limits",
+            *([f"    type(hsp_{noun}_request) :: asked"] if asks or alone else []), STATUS,
+            *(["    asked%executor = self%executor"] if asks or alone else []),
+            *(["    if (present(request)) asked = request"] if alone else []),
             f"    status = ready_{noun}(self{n})",
             f"    limits = self%{noun}_limits",
             "    do while (status == HSP_OK)",

@@ -4,6 +4,8 @@
 !
 !   use hardsphere_workspace
 !   type(hsp_workspace), target :: work
+!   status = work%compute_areas(n, xyz, radius, 1.4_c_double, totals, area)
+!   ...
 !   status = work%set(n, xyz, radius)
 !   if (status == HSP_OK) status = work%compute_boundary()
 !   if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals=totals, area=area, capacity=n)
@@ -12,6 +14,10 @@
 ! through its handles by the functions of the module hardsphere, which this one passes on. Handles move when they grow:
 ! take them from the workspace after each call. Declare it with TARGET, and do not assign it to another: the handles of
 ! a copy are those of the original. Memory is given back when the workspace goes out of scope.
+!
+! Threads of yours share the work, and a function of yours stops it, after work%executor = c_loc(executor), of a
+! type(hsp_executor) with the TARGET attribute that outlives the calls. Requests, views, maps and pores have one of
+! their own.
 !
 ! A row such as `---- model.h` begins what is for that header, to the next one. For a library without some of its
 ! components a module is generated without their headers.
@@ -33,9 +39,11 @@ module hardsphere_workspace
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
+    procedure :: compute_areas
     procedure :: compute_topology
     procedure :: compute_view ! hardsphere/view.h
     procedure :: compute_surface ! hardsphere/surface.h
+    procedure :: compute_surface_of ! hardsphere/surface.h
     procedure :: compute_mesh ! hardsphere/mesh.h
     procedure :: compute_map ! hardsphere/map.h
     procedure :: compute_contacts
@@ -52,9 +60,9 @@ module hardsphere_workspace
     procedure :: compute_periodic_with ! hardsphere/periodic.h
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_contacts, allocated_to
+  private :: set_balls, compute_boundary, compute_areas, compute_topology, compute_contacts, allocated_to
   private :: compute_view ! hardsphere/view.h
-  private :: compute_surface ! hardsphere/surface.h
+  private :: compute_surface, compute_surface_of ! hardsphere/surface.h
   private :: compute_mesh, raise_mesh_limits ! hardsphere/mesh.h
   private :: compute_map ! hardsphere/map.h
   private :: compute_cells ! hardsphere/cells.h
@@ -75,8 +83,9 @@ contains
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
     real(c_double), intent(in) :: xyz(3, *), radius(*)
-    type(hsp_model_options), intent(in), optional :: options
+    type(hsp_model_options), intent(in), optional, target :: options
     integer(c_int32_t), intent(inout), optional :: first_bad
+    type(hsp_model_request) :: request
     integer(c_int32_t) :: status, refused
     integer(c_size_t) :: bytes
     if (.not. c_associated(self%model) .or. n > self%most_balls .or. n < 0) then ! which in C are more than any
@@ -94,11 +103,30 @@ contains
       if (status /= HSP_OK) return
       self%most_balls = n
     end if
-    status = hsp_model_set(self%model, n, xyz, radius, options, first_bad)
+    if (present(options)) request%options = c_loc(options)
+    request%executor = self%executor
+    status = hsp_model_set_with(self%model, n, xyz, radius, request, first_bad)
   end function
 
   ! Computes the boundary of the union of the balls, as a request says, if it is there. HSP_E_ARGUMENT: no balls were set.
   ! <compute boundary_with>
+
+  ! Area of each of n balls that a probe can reach, and area and volume of all, in one call; arguments and statuses as
+  ! hsp_areas. Model and boundary are there afterwards.
+  function compute_areas(self, n, xyz, radius, probe, totals, area) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t), intent(in) :: n
+    real(c_double), intent(in) :: xyz(3, *), radius(*), probe
+    type(hsp_totals), intent(inout), optional :: totals
+    real(c_double), intent(inout), optional :: area(*)
+    type(hsp_model_options) :: options
+    integer(c_int32_t) :: status
+    status = hsp_model_options_init(options, options%struct_size)
+    options%probe = probe
+    if (status == HSP_OK) status = set_balls(self, n, xyz, radius, options)
+    if (status == HSP_OK) status = compute_boundary(self)
+    if (status == HSP_OK) status = hsp_boundary_measure(self%boundary, totals=totals, area=area, capacity=n)
+  end function
 
   ! Computes the topology of the boundary that compute_boundary has computed.
   ! <compute topology>
@@ -133,8 +161,38 @@ contains
 
   ! ---- surface.h
 
+  ! Computes the solvent-excluded surface of `count` shells of the boundary that compute_boundary has computed; of all
+  ! of it without `shells`.
+  function compute_surface_of(self, shells, count) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t), intent(in), optional, target :: shells(*)
+    integer(c_int32_t), intent(in) :: count
+    type(hsp_surface_limits) :: limits
+    type(hsp_surface_request) :: request
+    integer(c_int32_t), target :: none
+    integer(c_int32_t) :: status
+    request%executor = self%executor
+    if (present(shells)) then
+      request%count = count
+      ! No shells are not all of them, and an array of no elements has no address.
+      request%shells = c_loc(none)
+      if (count /= 0) request%shells = c_loc(shells)
+    end if
+    status = ready_surface(self)
+    limits = self%surface_limits
+    do while (status == HSP_OK)
+      status = hsp_surface_compute_with(self%surface, self%boundary, request, limits)
+      if (status /= HSP_E_CAPACITY) return
+      status = grow_surface(self, limits)
+    end do
+  end function
+
   ! Computes the solvent-excluded surface over the boundary that compute_boundary has computed.
-  ! <compute surface>
+  function compute_surface(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    status = compute_surface_of(self, count=0_c_int32_t)
+  end function
 
   ! ---- mesh.h
 
@@ -145,8 +203,10 @@ contains
     real(c_double), intent(in) :: edge
     logical, intent(in), optional :: use_surface
     type(hsp_mesh_limits) :: limits
+    type(hsp_mesh_request) :: request
     integer(c_int32_t) :: status
     logical :: smooth
+    request%executor = self%executor
     smooth = .false.
     if (present(use_surface)) smooth = use_surface
     status = HSP_OK
@@ -163,9 +223,9 @@ contains
       end if
       limits = self%mesh_limits
       if (smooth) then
-        status = hsp_mesh_compute_surface(self%mesh, self%surface, edge, limits)
+        status = hsp_mesh_compute_surface_with(self%mesh, self%surface, edge, request, limits)
       else
-        status = hsp_mesh_compute(self%mesh, self%boundary, edge, limits)
+        status = hsp_mesh_compute_with(self%mesh, self%boundary, edge, request, limits)
       end if
       if (status /= HSP_E_CAPACITY) return
       self%mesh_limits = limits
@@ -196,13 +256,15 @@ contains
     real(c_double), intent(in) :: from(3), to(3)
     type(hsp_path), intent(inout) :: path
     type(hsp_paths_limits) :: limits
+    type(hsp_paths_request) :: request
     integer(c_int32_t) :: status
+    request%executor = self%executor
     status = ready_paths(self)
     limits = self%paths_limits
     do while (status == HSP_OK)
-      status = hsp_paths_find(self%paths, from, to, path, limits)
+      status = hsp_paths_find_with(self%paths, from, to, request, path, limits)
       if (status == HSP_E_STATE) then
-        status = hsp_paths_compute(self%paths, self%model, limits)
+        status = hsp_paths_compute_with(self%paths, self%model, request, limits)
         if (status == HSP_OK) cycle
       end if
       if (status /= HSP_E_CAPACITY) return
@@ -229,15 +291,14 @@ contains
     integer(c_int32_t), intent(in) :: count
     type(hsp_tunnel), intent(inout) :: tunnel
     type(hsp_pores_limits) :: limits
+    type(hsp_tunnel_request) :: request
     integer(c_int32_t) :: status
+    request%executor = self%executor
+    request%cheapest = merge(1, 0, cheapest)
     status = ready_pores(self)
     limits = self%pores_limits
     do while (status == HSP_OK)
-      if (cheapest) then
-        status = hsp_pores_find_cheapest_tunnel(self%pores, from, to, avoided, count, tunnel, limits)
-      else
-        status = hsp_pores_find_tunnel(self%pores, from, to, avoided, count, tunnel, limits)
-      end if
+      status = hsp_pores_find_tunnel_with(self%pores, from, to, avoided, count, request, tunnel, limits)
       if (status /= HSP_E_CAPACITY) return
       status = grow_pores(self, limits)
       if (status /= HSP_OK) return
@@ -333,14 +394,20 @@ contains
     class(hsp_workspace), intent(inout), target :: self
     real(c_double), intent(in) :: tension, pressure
     integer(c_int32_t), intent(in) :: tangency
-    real(c_double), intent(in), optional :: sigma(*)
+    real(c_double), intent(in), optional, target :: sigma(*)
     integer(c_int32_t), intent(inout), optional :: first_bad
     type(hsp_moving_limits) :: limits
+    type(hsp_gradient_request) :: request
     integer(c_int32_t) :: status
+    request%executor = self%executor
+    request%tangency = tangency
+    request%tension = tension
+    request%pressure = pressure
+    if (present(sigma)) request%sigma = c_loc(sigma)
     status = ready_moving(self)
     limits = self%moving_limits
     do while (status == HSP_OK)
-      status = hsp_moving_set(self%moving, self%model, sigma, tension, pressure, tangency, limits, first_bad)
+      status = hsp_moving_set_with(self%moving, self%model, request, limits, first_bad)
       if (status /= HSP_E_CAPACITY) return
       ! Moves need room as well.
       limits%neighbours = max(limits%neighbours, min(limits%balls, 256_c_int32_t))
@@ -350,12 +417,25 @@ contains
 
   ! ---- periodic.h
 
-  ! Computes the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
-  ! used.
-  ! <compute periodic>
-
-  ! The same as a request says; arguments and statuses as hsp_periodic_compute_with.
+  ! Computes the union of n balls in a periodic box, as a request says; arguments and statuses as
+  ! hsp_periodic_compute_with. The model is not used.
   ! <compute periodic_with>
+
+  ! The same without a request; arguments and statuses as hsp_periodic_compute.
+  function compute_periodic(self, n, xyz, radius, box, options, first_bad) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t), value :: n
+    real(c_double), intent(in), optional :: xyz(3, *)
+    real(c_double), intent(in), optional :: radius(*)
+    real(c_double), intent(in) :: box(9)
+    type(hsp_model_options), intent(in), optional, target :: options
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    type(hsp_periodic_request) :: request
+    integer(c_int32_t) :: status
+    if (present(options)) request%options = c_loc(options)
+    request%executor = self%executor
+    status = compute_periodic_with(self, n, xyz, radius, box, request, first_bad)
+  end function
 
   ! Drops what was computed from a handle, before the memory of that handle is given back.
 

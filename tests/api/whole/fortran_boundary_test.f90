@@ -1,35 +1,5 @@
 ! The interface as a Fortran program sees it: every function of the module is called, records arrive field by field,
 ! optional arguments arrive as null pointers, and errors as statuses.
-module fortran_loops
-  use, intrinsic :: iso_c_binding, only: c_f_pointer, c_f_procpointer, c_funptr, c_int32_t, c_ptr
-  use hardsphere, only: hsp_task
-  implicit none
-contains
-  function run_backwards(context, tasks, task, data) result(failed) bind(C)
-    type(c_ptr), value :: context, data
-    integer(c_int32_t), value :: tasks
-    type(c_funptr), value :: task
-    procedure(hsp_task), pointer :: one
-    integer(c_int32_t), pointer :: runs
-    integer(c_int32_t) :: failed, k
-    call c_f_pointer(context, runs)
-    call c_f_procpointer(task, one)
-    do k = tasks - 1, 0, -1
-      call one(data, k)
-    end do
-    runs = runs + 1
-    failed = 0
-  end function
-
-  function run_nothing(context, tasks, task, data) result(failed) bind(C)
-    type(c_ptr), value :: context, data
-    integer(c_int32_t), value :: tasks
-    type(c_funptr), value :: task
-    integer(c_int32_t) :: failed
-    failed = 0
-  end function
-end module
-
 program fortran_interface_test
   use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
                                          c_size_t, c_sizeof, c_associated, c_null_char
