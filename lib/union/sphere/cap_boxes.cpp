@@ -1,7 +1,6 @@
 // Boxes, one in the other, as one array: each followed by those that are in it, or by the caps that it lists.
 //
-// As an example a cube that is halved, of whose parts two touch the sphere where it is not covered by one cap, the first
-// with caps 3 and 8, the other with 5:
+// As an example a cube that is halved, of whose parts two list caps, the first one 3 and 8, the other one 5:
 //     word   0               6              14
 //          | cube, ends at 21 | part, lists 2 | 3 8 | part, lists 1 | 5 |
 // A plane that misses a box goes on where the box ends.
@@ -76,8 +75,8 @@ void CapBoxes::write(uint32_t at, const Box &box, uint32_t end, uint32_t listed)
 }
 
 // Writes the parts of a box, and theirs, one after the other. The caps of boxes that are halved are behind all that is
-// written, those of the last one first. False if there is no room, or if it takes too long: planes that can hardly be
-// told apart are together in the smallest boxes.
+// written, those of the last one first. False if there is no room, or if it takes too long: planes that hardly differ
+// are together in the smallest boxes.
 bool CapBoxes::halve(const Caps &caps, const Box &whole) {
   constexpr uint32_t parts = 8, most_tried = 1024;  // for each cap
   struct Halved {

@@ -1,12 +1,12 @@
 // Of one ball with hundreds of large caps, those that matter along the circle of one of them: an index by boxes.
 //
-//     +-------+---+---+   The cube around the unit sphere is halved along each axis, and so are its parts, until few caps
-//     |       |   |+-+|   may touch what is free in one. A box lists these; if nothing in it is free, caps that cover all
-//     |       +---++-+|   of the sphere there. What is free of a circle, and what covers the rest, is listed in the boxes
-//     +-------+---+---+   that its plane goes through (exact/PROOFS.md, section 7).
+//     +-------+---+---+   The cube around the unit sphere is halved along each axis, and so are its parts, until few
+//     |       |   |+-+|   caps may touch what is free in one. A box lists these; if nothing in it is free, caps that
+//     |       +---++-+|   cover all of the sphere there. The boxes that a circle's plane goes through list all that
+//     +-------+---+---+   matters to what is free of it (exact/PROOFS.md, section 7).
 //
-// As an example balls close together on a line and a large ball beside it. All its caps meet each other, and each is free
-// for a short way between the next ones: a box around a part of that way lists those of its balls.
+// As an example balls close together on a line and a large ball beside it. All its caps meet each other, and each is
+// free for a short way between the next ones: a box around a part of that way lists those of its balls.
 #pragma once
 
 #include "core/small_code.hpp"

@@ -230,14 +230,15 @@ struct CrossingPoints {
       : CrossingPoints(caps.axis(j), caps.axis(k) - caps.axis(j), caps.b[j], caps.b[k] - caps.b[j]) {}
 
  private:
-  // Planes u.x = b and w.x = c, with n = u x w. As errors u and b have 3.5e and 7e, w and c 7e + |w| e < 9e and 14e + |c| e
-  // < 16e, so n, with |w| <= 2, less than 3.5 * 2 + 9 + 6 = 22e. For a point p with | |p|^2 - 1 | < 2^-10:
+  // Planes u.x = b and w.x = c, with n = u x w. As errors u and b have 3.5e and 7e, w and c 7e + |w| e <= 9e and
+  // 14e + |c| e <= 16e, and n, as |w| <= 2, less than 3.5 * 2 + 9 + 6 = 22e. For a point p with | |p|^2 - 1 | < 2^-10:
   //   - It is off the true planes by at most R = |u.p - b| + 20e and Q = |w.p - c| + 40e, which have the roundings of
   //     these, too. A step to their line has -R along the true u and, across it and the line, (Q + |u.w| R) / |n|; as
   //     |u.w| = |w|^2 / 2 <= 2, it is no longer than D = R + (Q + 2 R) / N with N = |n| - 32e.
-  //   - There | |p|^2 - 1 | is at most E = | |p|^2 - 1 | + 8e + 4D, if D < 1, and the distance from the line's point that
-  //     is nearest to the sphere's centre at least T = |p.n| / |n| - 3D: the direction of n is off by less than 44e / N,
-  //     and R and Q have 100e / N in D. If T^2 > E the line meets the sphere on that side, at most E / T away.
+  //   - There | |p|^2 - 1 | is at most E = | |p|^2 - 1 | + 8e + 4D, if D < 1, and the distance from the line's point
+  //     that is nearest to the sphere's centre at least T = |p.n| / |n| - 3D: the direction of n is off by less than
+  //     44e / N, its length by 22e / N, and D has 80e / N and more. If T^2 > E the line meets the sphere on that side, at
+  //     most E / T away.
   // A test adds 3.5 + 7 + 4.
   CrossingPoints(const Vec3 &u, const Vec3 &w, double b, double c) {
     constexpr double e = unit_roundoff;
