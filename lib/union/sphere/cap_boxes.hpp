@@ -25,7 +25,7 @@ class CapBoxes {
   explicit CapBoxes(Span<uint32_t> memory) : memory_(memory) {}
 
   // Of all caps, once before the others. False if boxes do not help: then all are around each.
-  bool start(const Caps &caps);
+  [[gnu::cold]] bool start(const Caps &caps);
   // Those that matter along the circle of cap j, j itself, and others, ascending. Valid until the next call.
   Span<const uint32_t> around(const Caps &caps, uint32_t j);
 
@@ -38,8 +38,8 @@ class CapBoxes {
   static constexpr uint32_t all_units = 1U << most_halvings;  // from the cube's centre to its sides
   static constexpr double unit = CellBox{}.half / all_units;
 
-  Found find_in(const Caps &caps, const Box &box, Span<const uint32_t> above);
-  bool halve(const Caps &caps, const Box &whole);
+  [[gnu::cold]] Found find_in(const Caps &caps, const Box &box, Span<const uint32_t> above);
+  [[gnu::cold]] bool halve(const Caps &caps, const Box &whole);
   void write(uint32_t at, const Box &box, uint32_t end, uint32_t listed) const;
 
   Span<uint32_t> memory_;

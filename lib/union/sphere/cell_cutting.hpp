@@ -8,8 +8,8 @@ namespace hsp {
 
 // States of a cap. It is dropped; it is not looked at yet, in this state or one between it and the next; its plane cuts
 // less deep than others do, and waits; it has cut; that is in doubt, and it stays; it is in doubt as it is near a
-// vertex; or it goes through a set of vertices: that and the number of the set. Those from `waits` on are few and have a
-// bit of their own.
+// vertex; or it goes through a set of vertices: that and the number of the set. Those from `waits` on are few and have
+// a bit of their own.
 struct CapState {
   static constexpr uint8_t dropped = 0, not_tried = 1, waits = 0x80, has_cut = waits + 1, stays = waits + 2,
                            near_vertex = waits + 3, tied = waits + 4;

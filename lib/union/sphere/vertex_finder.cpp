@@ -218,13 +218,30 @@ void VertexFinder::cull_and_find(const BallSet &balls, Caps &caps, FixedVector<V
   find(balls, caps, vertices, circles);
 }
 
+// An index, and what it has around a cap.
+struct VertexFinder::CapsAround {
+  void *index;
+  Span<const uint32_t> (*around)(void *index, const Caps &caps, uint32_t j);
+};
+
 template <class Index>
-void VertexFinder::find(const BallSet &balls, const Caps &caps, Index near, FixedVector<VertexRecord> &vertices,
+void VertexFinder::find(const BallSet &balls, const Caps &caps, Index index, FixedVector<VertexRecord> &vertices,
                         FixedVector<CircleRecord> &circles) {
+  index.start(caps);
+  const auto around = [](void *of, const Caps &all, uint32_t j) { return static_cast<Index *>(of)->around(all, j); };
+  find_along_circles(balls, caps, {&index, around}, vertices, circles);
+}
+
+template void VertexFinder::find(const BallSet &, const Caps &, NearCaps, FixedVector<VertexRecord> &,
+                                 FixedVector<CircleRecord> &);
+template void VertexFinder::find(const BallSet &, const Caps &, CapBoxes, FixedVector<VertexRecord> &,
+                                 FixedVector<CircleRecord> &);
+
+void VertexFinder::find_along_circles(const BallSet &balls, const Caps &caps, const CapsAround &index,
+                                      FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
   for (uint8_t &state : state_.part(0, caps.count)) state = 0;
-  near.start(caps);
   const auto test_those_around = [&](uint32_t j) {
-    const Span<const uint32_t> around = near.around(caps, j);
+    const Span<const uint32_t> around = index.around(index.index, caps, j);
     tests_.fill(caps, around);
     hint_[0] = hint_[1] = 0;
     return around;
@@ -232,7 +249,7 @@ void VertexFinder::find(const BallSet &balls, const Caps &caps, Index near, Fixe
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
     if ((state_[j] & covered) != 0) continue;
     for (const uint32_t k : test_those_around(j)) {
-      if (k > j) pair(balls, caps, j, k, vertices);
+      if (k > j) decide_pair(balls, caps, j, k, vertices);
     }
   }
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
@@ -241,11 +258,6 @@ void VertexFinder::find(const BallSet &balls, const Caps &caps, Index near, Fixe
     decide_circle(caps, j, circles);
   }
 }
-
-template void VertexFinder::find(const BallSet &, const Caps &, NearCaps, FixedVector<VertexRecord> &,
-                                 FixedVector<CircleRecord> &);
-template void VertexFinder::find(const BallSet &, const Caps &, CapBoxes, FixedVector<VertexRecord> &,
-                                 FixedVector<CircleRecord> &);
 
 void VertexFinder::find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                                 FixedVector<CircleRecord> &circles) {

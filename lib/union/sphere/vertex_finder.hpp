@@ -65,6 +65,9 @@ class VertexFinder {
   // False if it gave up as integers decide about many pairs: then nothing is found.
   bool search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
               FixedVector<CircleRecord> &circles);
+  struct CapsAround;
+  void find_along_circles(const BallSet &balls, const Caps &caps, const CapsAround &index,
+                          FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles);
   void pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
   bool decide_points(const Caps &caps, uint32_t j, uint32_t k, const CrossingPoints &points,
                      FixedVector<VertexRecord> &vertices);

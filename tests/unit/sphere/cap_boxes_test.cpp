@@ -1,5 +1,5 @@
-// The caps that boxes list along a circle show the same as all caps; and of large caps that all meet each other they list
-// few.
+// The caps that boxes list along a circle show the same as all caps; and of large caps that all meet each other they
+// list few.
 #include "sphere/cap_boxes.hpp"
 
 #include <gtest/gtest.h>
