@@ -16,8 +16,8 @@ namespace hsp {
 
 class CapBoxes {
  public:
-  // Fewer are compared each with each: that is as quick.
-  static constexpr uint32_t fewest = 128;
+  // Fewer are compared each with each: that is as quick. So many have been found to matter (exposed_caps.hpp).
+  static constexpr uint32_t fewest = 160;
   static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest; }
 
   // Memory, [words_for_each caps] or more: with more, lists are shorter.
