@@ -218,30 +218,33 @@ void VertexFinder::cull_and_find(const BallSet &balls, Caps &caps, FixedVector<V
   find(balls, caps, vertices, circles);
 }
 
-// An index, and what it has around a cap.
-struct VertexFinder::CapsAround {
-  void *index;
-  Span<const uint32_t> (*around)(void *index, const Caps &caps, uint32_t j);
+// One index or the other, started.
+struct VertexFinder::CapIndex {
+  const NearCaps *near;
+  CapBoxes *boxes;
+
+  Span<const uint32_t> around(const Caps &caps, uint32_t j) const {
+    return near != nullptr ? near->around(caps, j) : boxes->around(caps, j);
+  }
 };
 
-template <class Index>
-void VertexFinder::find(const BallSet &balls, const Caps &caps, Index index, FixedVector<VertexRecord> &vertices,
+void VertexFinder::find(const BallSet &balls, const Caps &caps, NearCaps near, FixedVector<VertexRecord> &vertices,
                         FixedVector<CircleRecord> &circles) {
-  index.start(caps);
-  const auto around = [](void *of, const Caps &all, uint32_t j) { return static_cast<Index *>(of)->around(all, j); };
-  find_along_circles(balls, caps, {&index, around}, vertices, circles);
+  near.start(caps);
+  find_along_circles(balls, caps, {&near, nullptr}, vertices, circles);
 }
 
-template void VertexFinder::find(const BallSet &, const Caps &, NearCaps, FixedVector<VertexRecord> &,
-                                 FixedVector<CircleRecord> &);
-template void VertexFinder::find(const BallSet &, const Caps &, CapBoxes, FixedVector<VertexRecord> &,
-                                 FixedVector<CircleRecord> &);
+void VertexFinder::find(const BallSet &balls, const Caps &caps, CapBoxes boxes, FixedVector<VertexRecord> &vertices,
+                        FixedVector<CircleRecord> &circles) {
+  boxes.start(caps);
+  find_along_circles(balls, caps, {nullptr, &boxes}, vertices, circles);
+}
 
-void VertexFinder::find_along_circles(const BallSet &balls, const Caps &caps, const CapsAround &index,
+void VertexFinder::find_along_circles(const BallSet &balls, const Caps &caps, const CapIndex &index,
                                       FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
   for (uint8_t &state : state_.part(0, caps.count)) state = 0;
   const auto test_those_around = [&](uint32_t j) {
-    const Span<const uint32_t> around = index.around(index.index, caps, j);
+    const Span<const uint32_t> around = index.around(caps, j);
     tests_.fill(caps, around);
     hint_[0] = hint_[1] = 0;
     return around;

@@ -42,9 +42,10 @@ class VertexFinder {
   // Among caps from caps.first_later on.
   void find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
-  // The same of very many caps, by an index of them: NearCaps, as what meets a circle is near to its cap, or CapBoxes.
-  template <class Index>
-  void find(const BallSet &balls, const Caps &caps, Index index, FixedVector<VertexRecord> &vertices,
+  // The same of very many caps, by an index of them: what meets a circle is near to its cap, or listed in boxes.
+  void find(const BallSet &balls, const Caps &caps, NearCaps near, FixedVector<VertexRecord> &vertices,
+            FixedVector<CircleRecord> &circles);
+  void find(const BallSet &balls, const Caps &caps, CapBoxes boxes, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
   // The same, but where integers decide about many pairs, as of spheres through one point, only caps that matter stay.
   void cull_and_find(const BallSet &balls, Caps &caps, FixedVector<VertexRecord> &vertices,
@@ -65,8 +66,8 @@ class VertexFinder {
   // False if it gave up as integers decide about many pairs: then nothing is found.
   bool search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
               FixedVector<CircleRecord> &circles);
-  struct CapsAround;
-  void find_along_circles(const BallSet &balls, const Caps &caps, const CapsAround &index,
+  struct CapIndex;
+  void find_along_circles(const BallSet &balls, const Caps &caps, const CapIndex &index,
                           FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles);
   void pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
   bool decide_points(const Caps &caps, uint32_t j, uint32_t k, const CrossingPoints &points,
