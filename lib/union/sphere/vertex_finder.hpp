@@ -59,8 +59,9 @@ class VertexFinder {
   void start(const Caps &caps);
   void decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
   void decide_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;
-  // Whether integers have decided about so many pairs since the start that it is quicker to keep exposed caps first.
-  bool asks_much() const { return !small_code && asked_ > 32; }
+  // Whether integers have decided about so many pairs since the start, each with all caps, that it is quicker to keep
+  // exposed caps first.
+  bool asks_much() const { return !small_code && uint64_t{asked_} * tests_.count > 1024; }
 
  private:
   // False if it gave up as integers decide about many pairs: then nothing is found.
