@@ -23,12 +23,12 @@ uint64_t blocks_run = 0;
 enum StageId : size_t { setting, pairing, boundary_stage, measuring, contact_stage, topology_stage, integers, all };
 
 // How much of a stage there may be at most for each ball, pair of balls that meet, vertex and circle: basic blocks, of
-// `integers` questions that no filter answers. Of 9,000 sets that libFuzzer tried, 301 balls whose spheres all go
+// `integers` questions that no filter answers. Of 40,000 sets that libFuzzer tried, 301 balls whose spheres all go
 // through one point once took 18,900 of contacts, with 300 questions, 159 on a line, one fewer than are culled, 6,200
-// of the boundary, 288 around a circle of the lattice 7,200, beside spheres through one point 58,100, with 392
-// questions, 384 around a sphere of the lattice 5,200, with 81, one beside 399 on a line 12,100, with 48, and 400 that
-// stud a large one 5,000 of topology. Of 3,000 random ones the worst now take 6,300 of the boundary, 5,300 of contacts,
-// 1,300 of topology, and 43 questions. Sanitizers make up to five blocks of one.
+// of the boundary, 154 around a circle of the lattice 14,700, 288 there 7,200, beside spheres through one point 58,100,
+// with 392 questions, 384 around a sphere of the lattice 5,200, with 81, one beside 399 on a line 12,100, with 48, and
+// 400 that stud a large one 5,000 of topology. Of 3,000 random ones the worst now take 6,300 of the boundary, 5,300 of
+// contacts, 1,300 of topology, and 43 questions. Sanitizers make up to five blocks of one.
 struct Stage {
   const char *name;
   double most;
