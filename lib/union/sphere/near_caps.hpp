@@ -35,12 +35,12 @@ class NearCaps {
   Span<const uint32_t> around(const Caps &caps, uint32_t j) const;
 
  private:
-  // Whether one meets few of them: on average they are a 32nd of the sphere at most.
+  // Whether one meets few of them: on average they are a 32nd of the sphere at most, and together 16 spheres.
   template <class Real>
   static bool are_small(const Real *b, uint32_t count) {
     Real parts = 0;
     for (uint32_t k = 0; k < count; ++k) parts += 1 - b[k];
-    return parts < static_cast<Real>(count) * Real{0.0625};
+    return parts < static_cast<Real>(count) * Real{0.0625} && parts < 32;
   }
 
   uint32_t square_of(double coordinate) const;
