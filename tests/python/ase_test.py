@@ -72,6 +72,21 @@ class Calculator(unittest.TestCase):
                 energy.append(other.get_potential_energy())
             self.assertAlmostEqual(stress[a, b], (energy[0] - energy[1]) / (2 * step) / atoms.get_volume(), 5)
 
+    def test_arrays_of_the_caller_are_copied(self):
+        """Before the first step, and between steps with and without a box."""
+        atoms = molecule()
+        for made in list, numpy.array:
+            for changed in "radii", "sigma":
+                given = {"radii": made([1.5, 1.8] * 20), "sigma": made([1.0, 0.5] * 20)}
+                calculator = Solvation(0.01, **given)
+                for pbc in False, True:
+                    atoms.cell, atoms.pbc = [12, 12, 12], pbc
+                    given[changed][0] += 1
+                    expected = Solvation(0.01, radii=[1.5, 1.8] * 20, sigma=[1.0, 0.5] * 20)
+                    for name in "energy", "forces", "energies":
+                        same = calculator.get_property(name, atoms) == expected.get_property(name, atoms)
+                        self.assertTrue(numpy.all(same), (made, changed, pbc, name))
+
     def test_half_a_box_is_refused(self):
         atoms = molecule()
         atoms.cell, atoms.pbc = [9, 9, 9], [True, True, False]

@@ -72,6 +72,21 @@ class Trajectory(unittest.TestCase):
         volumes = sorted((p["volume"] for p in listed["pocket_list"] if (p["volume"] or 0) >= 1), reverse=True)
         self.assertTrue(numpy.allclose([p.volume for p in run.results.pockets[0]], volumes, rtol=1e-9))
 
+    def test_radii_of_the_caller_are_copied(self):
+        """They may change before a run; those that Balls refuses are refused."""
+        atoms, kept = self.universe.atoms, numpy.linspace(1.4, 1.9, len(self.universe.atoms))
+        for kind, result, more in (SASA, "area", {}), (Pockets, "volume", {"narrow": 0.8}):
+            expected = kind(atoms, radii=kept, **more).run(stop=2).results[result]
+            self.assertTrue((expected > 0).all())
+            for made in list, numpy.array:
+                radii = made(kept)
+                analysis = kind(atoms, radii=radii, **more)
+                radii[:] = made([3.0] * len(atoms))
+                self.assertTrue((analysis.run(stop=2).results[result] == expected).all(), (kind, made))
+            for wrong in numpy.ma.array(kept, mask=kept < 1.5), kept + 1j:
+                with self.assertRaisesRegex(ValueError, "radii: masked values, or complex numbers"):
+                    kind(atoms, radii=wrong).run(stop=1)
+
     def test_a_box(self):
         def area(side, box):
             universe = MDAnalysis.Universe(CRAMBIN, RUN)

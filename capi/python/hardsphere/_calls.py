@@ -184,8 +184,8 @@ def shape_of(values: Any) -> tuple[int, ...]:
 
 
 def copied(values: Any) -> Any:
-    """The same numbers in memory of their own, for calls to come, which refuse anything else."""
-    if isinstance(values, str):
+    """The same numbers in memory of their own, for calls to come, which refuse anything else. None stays None."""
+    if values is None or isinstance(values, str):
         return values
     try:
         return list(values) if numpy is None else numpy.array(values, subok=True)

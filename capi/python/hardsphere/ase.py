@@ -11,16 +11,19 @@ import numpy
 from ase.calculators.calculator import Calculator, all_changes
 
 import hardsphere
+from hardsphere._calls import copied
 
 
 class Solvation(Calculator):
-    """radii: one for each atom, by element if not given. sigma: weights of the atoms' areas, 1 if not given."""
+    """radii: one for each atom, by element if not given. sigma: weights of the atoms' areas, 1 if not given.
+    Both are copied: arrays may change then."""
     implemented_properties = ["energy", "free_energy", "forces", "energies", "stress"]
 
     def __init__(self, tension: float, pressure: float = 0.0, probe: float = 1.4, radii: Any = None, sigma: Any = None,
                  **keywords: Any):
         super().__init__(**keywords)
-        self.tension, self.pressure, self.probe, self.given, self.sigma = tension, pressure, probe, radii, sigma
+        self.tension, self.pressure, self.probe = tension, pressure, probe
+        self.given, self.sigma = copied(radii), copied(sigma)
         self.balls: Any = None
 
     def calculate(self, atoms: Any = None, properties: Any = ("energy",), system_changes: Any = all_changes) -> None:

@@ -19,6 +19,7 @@ from MDAnalysis.analysis.base import AnalysisBase
 from MDAnalysis.topology.guessers import guess_atom_element
 
 import hardsphere
+from hardsphere._calls import copied
 
 
 def radii_of(atoms: Any) -> Any:
@@ -32,7 +33,8 @@ def radii_of(atoms: Any) -> Any:
 
 class SASA(AnalysisBase):
     """Areas of some atoms, while all of the environment blocks. radii: one for each atom of the environment, in
-    angstrom. box=True: in the frame's periodic box. cavities=True: results.cavities too, a list for each frame."""
+    angstrom; they are copied: an array may change then. box=True: in the frame's periodic box. cavities=True:
+    results.cavities too, a list for each frame."""
 
     def __init__(self, atoms: Any, environment: Any = None, radii: Any = None, probe: float = 1.4, box: bool = False,
                  cavities: bool = False, **keywords: Any):
@@ -40,7 +42,7 @@ class SASA(AnalysisBase):
         if box and cavities:
             raise ValueError("cavities are those of balls in free space")
         self.atoms, self.environment = atoms, atoms if environment is None else environment
-        self.radii = radii_of(self.environment) if radii is None else numpy.asarray(radii, dtype=float)
+        self.radii = radii_of(self.environment) if radii is None else copied(radii)
         self.probe, self.box, self.want_cavities = probe, box, cavities
         rank = {index: k for k, index in enumerate(self.environment.indices)}
         if any(index not in rank for index in self.atoms.indices):
@@ -73,13 +75,14 @@ class SASA(AnalysisBase):
 
 class Pockets(AnalysisBase):
     """Where a narrow probe fits between atoms and a wide one does not get to from the outside, in each frame: those of a
-    volume of `least` or more. radii: one for each atom, in angstrom; pockets have indices of balls, which count these."""
+    volume of `least` or more. radii: one for each atom, in angstrom; they are copied: an array may
+    change then. Pockets have indices of balls, which count the atoms."""
 
     def __init__(self, atoms: Any, radii: Any = None, narrow: float = 1.4, wide: float = 3.0, least: float = 0.0,
                  **keywords: Any):
         super().__init__(atoms.universe.trajectory, **keywords)
         self.atoms, self.narrow, self.wide, self.least = atoms, narrow, wide, least
-        self.radii = radii_of(atoms) if radii is None else numpy.asarray(radii, dtype=float)
+        self.radii = radii_of(atoms) if radii is None else copied(radii)
         self.balls: Any = None
 
     def _prepare(self) -> None:
