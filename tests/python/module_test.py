@@ -435,6 +435,11 @@ class AsPeopleTypeIt(unittest.TestCase):
         columns = molecule.table()
         self.assertEqual({len(column) for column in columns.values()}, {327})
         self.assertEqual(plain(columns["z"])[326], CENTERS[326][2])
+        for column in columns.values():  # the caller's own, to be changed
+            column[0] = 99
+        self.assertEqual((plain(molecule.centers), plain(molecule.radii)), (CENTERS, RADII))
+        self.assertEqual((molecule.atom[0], molecule.element[0], molecule.residue[0], molecule.number[0], molecule.chain[0],
+                          molecule.insertion[0]), ("N", "N", "THR", 1, "A", ""))
         bare = hardsphere.read(f"{SOURCE}/tests/program/inputs/good/one.xyzr")
         self.assertEqual((bare.atom, bare.number, len(plain(bare.centers)[0])), ([""], [None], 3))
         for wrong, why in ((lambda: hardsphere.read("/none.pdb"), "none.pdb"),

@@ -5,6 +5,7 @@
 """
 from __future__ import annotations
 
+from copy import copy
 from typing import Any
 
 from . import program
@@ -49,11 +50,12 @@ class Molecule:
         return Balls(self.centers, self.radii, probe, threads, **options)
 
     def table(self) -> dict[str, Any]:
-        """A column for each label, x, y, z and radius: pandas.DataFrame takes it."""
-        columns: dict[str, Any] = {label: getattr(self, label) for label in LABELS}
+        """A column for each label, x, y, z and radius: pandas.DataFrame takes it. Columns are copies: a change of one is
+        none of the molecule."""
+        columns: dict[str, Any] = {label: copy(getattr(self, label)) for label in LABELS}
         for axis, name in enumerate("xyz"):
-            columns[name] = self.centers[:, axis] if numpy is not None else [row[axis] for row in self.centers]
-        return {**columns, "radius": self.radii}
+            columns[name] = copy(self.centers[:, axis]) if numpy is not None else [row[axis] for row in self.centers]
+        return {**columns, "radius": copy(self.radii)}
 
 
 def read(file: str, *, radii: str | None = None, format: str | None = None, only: str | None = None,
