@@ -36,21 +36,7 @@ uint32_t near_query(const RoundedQueryBall &query, const float *rounded, const u
 }
 
 void sort_ascending(uint32_t *ids, uint32_t count) {
-  const Span<uint32_t> items(ids, count);
-  const auto less = [](uint32_t a, uint32_t b) { return a < b; };
-  constexpr uint32_t few = 64, room = small_code ? 1 : 513;
-  if (small_code || count < few) return sort_in_place(items, less);
-  uint32_t least = ids[0], most = ids[0];
-  for (const uint32_t id : items) {
-    least = id < least ? id : least;
-    most = id > most ? id : most;
-  }
-  // Balls in some cubes have numbers all over their range.
-  const double scale = 1.0 / (static_cast<double>(most - least) + 1.0);
-  uint32_t scratch[room];
-  sort_by_slot(
-      items, {scratch, room},
-      [=](uint32_t id, uint32_t slots) { return static_cast<uint32_t>((id - least) * (scale * slots)); }, less);
+  sort_in_place(Span<uint32_t>(ids, count), [](uint32_t a, uint32_t b) { return a < b; });
 }
 
 void write_ascending(const QueryHits &hits, uint32_t *ids) {

@@ -99,7 +99,7 @@ class RadiusLevels {
   static uint32_t class_of(double radius);
   bool make_levels(const OrderedBalls &order, uint8_t (&level_of)[classes]);
   void put(OrderedBalls &order, const uint8_t (&level_of)[classes]);
-  void find_middle(const OrderedBalls &order);
+  [[gnu::cold]] void find_middle(const OrderedBalls &order);
   // Of cubes in a row most are buckets in a row, so that their balls follow each other in memory.
   uint32_t bucket_of(uint32_t level, const CubeCoordinates &cube) const {
     const int64_t in_row = cube.x & (in_a_row - 1);

@@ -72,13 +72,12 @@ void sort_in_place(Span<T> items, Less less) {
 }
 
 // The same for items that are spread evenly over their range: slot_of(item, slots) < slots says about where in
-// order an item is. O(n) then; else, or where slot_of is mistaken at all, as above. scratch: as many as items; if it has
-// less, there are fewer slots, with more items each.
+// order an item is. O(n) then; else, or where slot_of is mistaken at all, as above. scratch: as many as items.
 template <class T, class SlotOf, class Less>
 void sort_by_slot(Span<T> items, Span<uint32_t> scratch, SlotOf slot_of, Less less) {
   const uint32_t n = items.size();
   if (n < 24) return sort_in_place(items, less);
-  const uint32_t slots = ((n < scratch.size() ? n : scratch.size()) - 1) / 2;
+  const uint32_t slots = (n - 1) / 2;
   const Span<uint32_t> first = scratch.part(0, slots + 1);
   const Span<uint32_t> next = scratch.part(slots + 1, 2 * slots + 1);
   for (uint32_t &each : first) each = 0;
