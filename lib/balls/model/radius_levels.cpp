@@ -177,8 +177,8 @@ void RadiusLevels::build(OrderedBalls &order, const IndexMemory &memory) {
   ball_ = memory.words.part(behind, behind + n + BallSet::read_behind);
   rounded_ = memory.roundings;
   put(order, level_of);
-  // 8 cubes of a level instead of 27; other levels, and that balls are found one by one, is as much again. More hits than
-  // QueryHits has room for are sorted, which takes five times as long as all that.
+  // 8 cubes of a level instead of 27; other levels, and that balls are found one by one, is as much again. More hits
+  // than QueryHits has room for are sorted, which takes five times as long as all that.
   const double pairs = pairs_in(first_, buckets_), looked_at = pairs > double{QueryHits::room} * n ? 96.0 : 16.0;
   if (looked_at * pairs > 27.0 * pairs_in(order.first_ball(), order.cubes())) buckets_ = 0;
 }
