@@ -137,9 +137,10 @@ VertexFinder::decide_points(const Caps &caps, uint32_t j, uint32_t k, const Cros
                                                      FixedVector<VertexRecord> &vertices) {
   const CrossingPoints points =
       small_code ? CrossingPoints(caps, j, k, CapPair(caps, j, k)) : CrossingPoints(caps, j, k);
+  ++effort_;
   if (!small_code && decide_points(caps, j, k, points, vertices)) return;
   exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
-  ++asked_;
+  effort_ += effort_of_integers;
   find_vertices_exactly(balls, caps, tests_, j, k, &points, vertices);
 }
 
@@ -159,7 +160,7 @@ VertexFinder::pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t 
   }
   if (!circles.certainly_cross()) {
     exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
-    ++asked_;
+    effort_ += effort_of_integers;
     if (find_vertices_exactly(balls, caps, tests_, j, k, nullptr, vertices)) {
       state_[j] |= crossed;
       state_[k] |= crossed;
@@ -185,7 +186,7 @@ void VertexFinder::decide_circle(const Caps &caps, uint32_t j, FixedVector<Circl
 void VertexFinder::start(const Caps &caps) {
   tests_.fill(caps);
   for (uint32_t j = 0; j < caps.count; ++j) state_[j] = 0;
-  hint_[0] = hint_[1] = asked_ = 0;
+  hint_[0] = hint_[1] = effort_ = 0;
 }
 
 bool VertexFinder::search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,

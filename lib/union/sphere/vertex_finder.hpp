@@ -47,7 +47,8 @@ class VertexFinder {
             FixedVector<CircleRecord> &circles);
   void find(const BallSet &balls, const Caps &caps, CapBoxes boxes, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
-  // The same, but where integers decide about many pairs, as of spheres through one point, only caps that matter stay.
+  // The same, but where many pairs take long, as of spheres through one point or planes that nearly agree, only caps
+  // that matter stay.
   void cull_and_find(const BallSet &balls, Caps &caps, FixedVector<VertexRecord> &vertices,
                      FixedVector<CircleRecord> &circles);
   // On the circle of the last cap alone.
@@ -59,12 +60,12 @@ class VertexFinder {
   void start(const Caps &caps);
   void decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
   void decide_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;
-  // Whether integers have decided about so many pairs since the start, each with all caps, that it is quicker to keep
-  // exposed caps first.
-  bool asks_much() const { return !small_code && uint64_t{asked_} * tests_.count > 1024; }
+  // Whether so many pairs since the start took more than the first formula, each with all caps, that it is quicker to
+  // keep exposed caps first.
+  bool asks_much() const { return !small_code && uint64_t{effort_} * tests_.count > 1024 * effort_of_integers; }
 
  private:
-  // False if it gave up as integers decide about many pairs: then nothing is found.
+  // False if it gave up as many pairs take long: then nothing is found.
   bool search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
               FixedVector<CircleRecord> &circles);
   struct CapIndex;
@@ -80,9 +81,11 @@ class VertexFinder {
   static constexpr uint8_t crossed = 1;  // its circle crosses another one, so it is not a free circle
   static constexpr uint8_t covered = 2;  // its circle lies inside another cap, so it has no free point at all
 
+  static constexpr uint32_t effort_of_integers = 32;  // for a pair; by the better formula 1
+
   CapTests tests_;
   Span<uint8_t> state_;
-  uint32_t asked_ = 0;         // pairs that integers decided
+  uint32_t effort_ = 0;        // for pairs by more than the first formula: 1 each, more by integers
   uint32_t hint_[2] = {0, 0};  // the groups of test caps that covered the last p- and p+
 };
 

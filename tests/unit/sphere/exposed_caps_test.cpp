@@ -214,6 +214,34 @@ TEST(ExposedCapsOfCopies, AreFewOfManyCopies) {
   EXPECT_GT(compared, 10U);
 }
 
+// Planes that nearly agree, of which doubles alone decide by the better formula: pair by pair that takes longer.
+TEST(ExposedCapsOfCopies, AreKeptWhereEachPairTakesLong) {
+  RandomSource random(10);
+  support::BallList balls;
+  for (int copy = 0; copy < 120; ++copy) {
+    const auto at = [&](int x) { return static_cast<double>(x + random.in(-2000, 2000)); };
+    const double x = at(900000), y = at(300000), z = at(0);
+    balls.add(x, y, z, 1000000);
+  }
+  balls.add(0, 0, 0, 1000001);
+  const BuiltGrid built(balls);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  Search search(balls.size());
+  uint32_t compared = 0;
+  for (uint32_t i = 0; i < balls.size(); ++i) {
+    if (built.grid().balls().r[i] != 1000001) continue;
+    const auto gather = [&] { search.gather(built.grid(), i, runnable_targets().back(), true); };
+    gather();
+    EXPECT_EQ(search.caps().count, 120U);
+    const std::string expected = search.found(built.grid().balls());
+    gather();
+    EXPECT_EQ(search.found(built.grid().balls(), true), expected);
+    EXPECT_LT(search.caps().count, 60U);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 1U);
+}
+
 // All spheres go through one point, radii are of one size or not, and centres in one plane or not: caps that meet the
 // cell in that point alone go, but one that shows the tie.
 TEST(ExposedCapsThroughOnePoint, AreFew) {
