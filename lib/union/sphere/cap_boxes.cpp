@@ -78,7 +78,7 @@ void CapBoxes::write(uint32_t at, const Box &box, uint32_t end, uint32_t listed)
 // written, those of the last one first. False if there is no room, or if it takes too long: planes that hardly differ
 // are together in the smallest boxes.
 bool CapBoxes::halve(const Caps &caps, const Box &whole) {
-  constexpr uint32_t parts = 8, most_tried = 1024;  // for each cap
+  constexpr uint32_t parts = 8, most_tried = 384;  // for each cap
   struct Halved {
     Box box;
     uint32_t at;            // where it is written
