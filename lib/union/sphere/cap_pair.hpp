@@ -237,8 +237,8 @@ struct CrossingPoints {
   //     |u.w| = |w|^2 / 2 <= 2, it is no longer than D = R + (Q + 2 R) / N with N = |n| - 32e.
   //   - There | |p|^2 - 1 | is at most E = | |p|^2 - 1 | + 8e + 4D, if D < 1, and the distance from the line's point
   //     that is nearest to the sphere's centre at least T = |p.n| / |n| - 3D: the direction of n is off by less than
-  //     44e / N, its length by 22e, and D has 80e / N and more. If T^2 > E the line meets the sphere on that side, and
-  //     there at most E / T away.
+  //     44e / N, its length by 22e, and D has 80e / N and more. If T > 0 p is on its side, as p.n / |n| is off by less
+  //     than 40e / N, and if T^2 > E the line meets the sphere there, at most E / T away.
   // A test adds 3.5 + 7 + 4.
   CrossingPoints(const Vec3 &u, const Vec3 &w, double b, double c) {
     constexpr double e = unit_roundoff;
