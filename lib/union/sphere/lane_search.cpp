@@ -130,10 +130,11 @@ bool SearchInLanes::keep_exposed(Caps &caps, ExposedCaps exposed) {
 
 uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &finder, const FreeIntervals &idle,
                              FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
-  bool may_give_up = !small_code;
+  constexpr uint32_t most_in_pairs = 1024;
+  GivesUp gives_up = small_code ? GivesUp::never : GivesUp::soon;
   if (ExposedCaps::are_many(caps)) {
     if (!keep_exposed(caps, finder.exposed_caps())) return 0;
-    may_give_up = false;
+    gives_up = GivesUp::never;
   }
   if (NearCaps::are_many(caps, sweep_.caps.b)) {
     caps.make_doubles();
@@ -141,15 +142,17 @@ uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &fin
     return 0;
   }
   if (CapBoxes::are_many(caps)) {
+    // Where floats are certain of most pairs they are quicker than boxes.
+    if (caps.count < most_in_pairs && find_many(balls, caps, finder, GivesUp::late, vertices, circles)) return 0;
     caps.make_doubles();
     const Span<uint32_t> idle_rows(reinterpret_cast<uint32_t *>(rows_.data()), rows_.size());
     finder.find(balls, caps, CapBoxes(idle_rows), vertices, circles);
     return 0;
   }
   while (caps.count > most_few_caps) {
-    if (find_many(balls, caps, finder, may_give_up, vertices, circles)) return 0;
+    if (find_many(balls, caps, finder, gives_up, vertices, circles)) return 0;
     if (!keep_exposed(caps, finder.exposed_caps())) return 0;
-    may_give_up = false;
+    gives_up = GivesUp::never;
   }
   FewCaps found;
   if (!find_few(caps, found)) {
@@ -169,7 +172,7 @@ uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &fin
   return found.clusters;
 }
 
-bool SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, bool may_give_up,
+bool SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, GivesUp gives_up,
                               FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
   // Of molecules large caps leave fewer circles open.
   constexpr uint32_t many_circles = 32;
@@ -185,7 +188,7 @@ bool SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &fi
   sweep_.count = caps.count;
   sweep_.first_later = caps.first_later;
   start_sweep(target_, sweep_);
-  if (may_give_up && sweep_.exposed_count >= many_circles) return false;
+  if (gives_up == GivesUp::soon && sweep_.exposed_count >= many_circles) return false;
   OpenPair pairs[PairSweep::batch];
   while (const uint32_t found = next_open_pairs(target_, sweep_, pairs)) {
     for (const OpenPair &pair : Span<const OpenPair>(pairs, found)) {
@@ -193,7 +196,7 @@ bool SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &fi
         prepare();
         ++passed_on;
         finder.decide_pair(balls, caps, pair.j, pair.k, vertices);
-        if (!may_give_up || !finder.asks_much()) continue;
+        if (gives_up == GivesUp::never || !finder.asks_much()) continue;
         vertices.set_count(known);
         return false;
       }

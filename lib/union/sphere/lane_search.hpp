@@ -52,8 +52,10 @@ class SearchInLanes {
  private:
   bool keep_exposed(Caps &caps, ExposedCaps exposed);
   bool find_few(Caps &caps, FewCaps &found);
-  // False if it gave up, as it takes long: then nothing is found.
-  bool find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, bool may_give_up,
+  // When a search gives up: late, where many pairs take long; soon, also where many circles are open.
+  enum class GivesUp : uint8_t { never, late, soon };
+  // False if it gave up: then nothing is found.
+  bool find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, GivesUp gives_up,
                  FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles);
 
   Target target_ = Target::baseline;

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -159,6 +161,25 @@ TEST(LaneSearch, CrowdedSets) {
       balls.add(box * x, box * y, box * z, 1.0 + 0.2 * random.fraction());
     }
     EXPECT_GT(expect_same_results("crowded", balls, 0.0, 0.0), 20U);
+  }
+}
+
+// Balls around a circle and on a line that each have an arc on one beside them: with all of its caps lanes find it, or
+// give up, and boxes are for the rest (cap_boxes).
+TEST(LaneSearch, ManyLargeCapsThatAllMatter) {
+  constexpr int n = 200;
+  for (const bool around : {true, false}) {
+    support::BallList balls;
+    for (int k = 0; k < n; ++k) {
+      const double turn = 2 * std::numbers::pi * k / n;
+      if (around) {
+        balls.add(0.9 * std::cos(turn), 0.9 * std::sin(turn), 0.1, 0.5);
+      } else {
+        balls.add(0.001 * (k - n / 2), 1.1, 0.0, 1.0);
+      }
+    }
+    balls.add(0.0, 0.0, 0.0, 1.0);
+    EXPECT_GT(expect_same_results(around ? "around" : "beside", balls, 0.0, 0.0), 390U);
   }
 }
 
