@@ -7,6 +7,22 @@
 #include "sphere/cap_boxes.hpp"
 
 namespace hsp {
+namespace {
+
+// False if a box certainly has no point of the sphere.
+bool touches_sphere(const CellBox &box) {
+  constexpr double doubt = 0x1p-40;
+  double nearest = 0.0, farthest = 0.0;
+  const double centre[3] = {box.x, box.y, box.z};
+  for (const double part : centre) {
+    const double along = std::fabs(part), inner = along > box.half ? along - box.half : 0.0;
+    nearest += inner * inner;
+    farthest += (along + box.half) * (along + box.half);
+  }
+  return nearest <= 1.0 + doubt && farthest >= 1.0 - doubt;
+}
+
+}  // namespace
 
 // In units from the corner of the cube: its centre, and half its side.
 struct CapBoxes::Box {
@@ -27,20 +43,6 @@ struct CapBoxes::Box {
     const auto place = [](uint32_t units) { return (static_cast<double>(units) - all_units) * unit; };
     return {place(x), place(y), place(z), half * unit};
   }
-
-  // False if it certainly has no point of the sphere.
-  bool touches_sphere() const {
-    constexpr double doubt = 0x1p-40;
-    const CellBox box = in_space();
-    double nearest = 0.0, farthest = 0.0;
-    const double centre[3] = {box.x, box.y, box.z};
-    for (const double part : centre) {
-      const double along = std::fabs(part), inner = along > box.half ? along - box.half : 0.0;
-      nearest += inner * inner;
-      farthest += (along + box.half) * (along + box.half);
-    }
-    return nearest <= 1.0 + doubt && farthest >= 1.0 - doubt;
-  }
 };
 
 struct CapBoxes::Found {
@@ -49,9 +51,8 @@ struct CapBoxes::Found {
 };
 
 // Of the caps above, which matter in a box that has this one in it, those that matter there.
-CapBoxes::Found CapBoxes::find_in(const Caps &caps, const Box &box, Span<const uint32_t> above) {
-  const CellBox place = box.in_space();
-  CellCutting cutting(caps, CellCutting::Part::sphere, false, state_, place);
+CapBoxes::Found CapBoxes::find_in(const Caps &caps, const CellBox &box, Span<const uint32_t> above) {
+  CellCutting cutting(caps, CellCutting::Part::sphere, false, state_, box);
   const auto left_of = [&](Span<const uint32_t> numbers) {
     cutting.drop(numbers);
     uint32_t left = 0;
@@ -63,7 +64,7 @@ CapBoxes::Found CapBoxes::find_in(const Caps &caps, const Box &box, Span<const u
   for (const uint32_t k : above) state_[k] = CapState::waits;
   Span<const uint32_t> near = left_of(above);
   for (double least_depth = 0.125; near.size() > most_listed_ && least_depth > 0x1p-13; least_depth *= 0.125) {
-    if (!cutting.cut_by(near, least_depth * place.half)) return {near_.part(0, cutting.covering(near_)), false};
+    if (!cutting.cut_by(near, least_depth * box.half)) return {near_.part(0, cutting.covering(near_)), false};
     near = left_of(near);
   }
   return {near, true};
@@ -99,10 +100,11 @@ bool CapBoxes::halve(const Caps &caps, const Box &whole) {
       continue;
     }
     const Box box = now.box.part(now.part++);
-    if (!box.touches_sphere()) continue;
+    const CellBox place = box.in_space();
+    if (!touches_sphere(place)) continue;
     tried_ += now.count;
     if (tried_ > uint64_t{most_tried} * caps.count) return false;
-    const Found found = find_in(caps, box, boxes_.part(now.above, now.above + now.count));
+    const Found found = find_in(caps, place, boxes_.part(now.above, now.above + now.count));
     const uint32_t count = found.caps.size();
     if (count == 0) continue;
     const bool is_halved = found.may_be_free && count > most_listed_ && depth + 1 < most_halvings;

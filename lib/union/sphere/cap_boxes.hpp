@@ -10,14 +10,14 @@
 #pragma once
 
 #include "core/small_code.hpp"
-#include "sphere/cell_cutting.hpp"
+#include "sphere/exposed_caps.hpp"
 
 namespace hsp {
 
 class CapBoxes {
  public:
-  // Fewer are compared each with each: that is as quick. So many have been found to matter (exposed_caps.hpp).
-  static constexpr uint32_t fewest = 160;
+  // Fewer are compared each with each: that is as quick. Of so many all have been found to matter.
+  static constexpr uint32_t fewest = ExposedCaps::fewest;
   static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest; }
 
   // Memory, [words_for_each caps] or more: with more, lists are shorter.
@@ -38,7 +38,7 @@ class CapBoxes {
   static constexpr uint32_t all_units = 1U << most_halvings;  // from the cube's centre to its sides
   static constexpr double unit = CellBox{}.half / all_units;
 
-  [[gnu::cold]] Found find_in(const Caps &caps, const Box &box, Span<const uint32_t> above);
+  [[gnu::cold]] Found find_in(const Caps &caps, const CellBox &box, Span<const uint32_t> above);
   [[gnu::cold]] bool halve(const Caps &caps, const Box &whole);
   void write(uint32_t at, const Box &box, uint32_t end, uint32_t listed) const;
 

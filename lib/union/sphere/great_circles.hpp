@@ -38,22 +38,15 @@ class FreeIntervals {
 
   // Of many caps those that may touch the free part, in memory that is idle before `find`.
   ExposedCaps exposed_caps() const {
-    uint32_t *const words = reinterpret_cast<uint32_t *>(caps_.data());
     const uint32_t capacity = caps_.size();
-    return {{words, capacity}, {reinterpret_cast<uint8_t *>(words + capacity), capacity}};
+    return {words(0, 1), {reinterpret_cast<uint8_t *>(words(1, 2).data()), capacity}};
   }
   // The same for an index of very many.
   NearCaps near_caps() const {
-    static_assert(sizeof(MeridianCap) >= 3 * sizeof(uint32_t) + sizeof(float));
-    uint32_t *const words = reinterpret_cast<uint32_t *>(caps_.data());
-    const uint32_t capacity = caps_.size();
-    const auto part = [&](uint32_t number) { return Span<uint32_t>(words + size_t{capacity} * number, capacity); };
-    return NearCaps({part(0), part(1), part(2), {reinterpret_cast<float *>(part(3).data()), capacity}});
+    return NearCaps(
+        {words(0, 1), words(1, 2), words(2, 3), {reinterpret_cast<float *>(words(3, 4).data()), caps_.size()}});
   }
-  CapBoxes cap_boxes() const {
-    static_assert(sizeof(MeridianCap) == CapBoxes::words_for_each * sizeof(uint32_t));
-    return CapBoxes({reinterpret_cast<uint32_t *>(caps_.data()), CapBoxes::words_for_each * caps_.size()});
-  }
+  CapBoxes cap_boxes() const { return CapBoxes(words(0, CapBoxes::words_for_each)); }
   // Before the meridians of a ball with these caps, of which there may be so many. Until the last of them the caps stay
   // as they are, and so does the memory.
   void start(const Caps &caps, uint32_t meridians) {
@@ -85,6 +78,12 @@ class FreeIntervals {
   static constexpr uint32_t fewest_indexed = 4;
 
   void make_index(const Caps &caps);
+  // Of the memory as so many words for each cap, side by side, those from `first` on.
+  Span<uint32_t> words(uint32_t first, uint32_t last) const {
+    static_assert(sizeof(MeridianCap) == CapBoxes::words_for_each * sizeof(uint32_t));
+    const uint32_t capacity = caps_.size();
+    return {reinterpret_cast<uint32_t *>(caps_.data()) + size_t{capacity} * first, capacity * (last - first)};
+  }
 
   Span<MeridianCap> caps_;      // those that the meridian crosses; then of these the ones with a free end point
   uint32_t bounding_caps_ = 0;  // of which there are so many

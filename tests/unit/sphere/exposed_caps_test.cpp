@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "built_grid.hpp"
+#include "indexed_search.hpp"
 #include "lattice_lengths.hpp"
 #include "model/block_sweep.hpp"
 #include "random_balls.hpp"
@@ -54,11 +55,7 @@ class Search {
     } else {
       finder_.find(balls, caps_, vertices, circles);
     }
-    std::string text;
-    for (const hsp::VertexRecord &v : vertices.items().part(1, vertices.size())) {
-      text += std::to_string(v.ball[1]) + " " + std::to_string(v.ball[2]) + " " + std::to_string(v.code) + "\n";
-    }
-    for (const hsp::CircleRecord &c : circles.items()) text += std::to_string(c.ball[1]) + "\n";
+    std::string text = text_of(vertices.items().part(1, vertices.size()), circles.items());
     if (!text.empty()) text += std::to_string(clusters_.find(caps_)) + " clusters";
     return text;
   }

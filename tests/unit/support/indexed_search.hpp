@@ -12,6 +12,16 @@
 #include "sphere/great_circles.hpp"
 #include "sphere/vertex_finder.hpp"
 
+// Vertices and circles found on one ball.
+inline std::string text_of(hsp::Span<const hsp::VertexRecord> vertices, hsp::Span<const hsp::CircleRecord> circles) {
+  std::string text;
+  for (const hsp::VertexRecord &v : vertices) {
+    text += std::to_string(v.ball[1]) + " " + std::to_string(v.ball[2]) + " " + std::to_string(v.code) + "\n";
+  }
+  for (const hsp::CircleRecord &c : circles) text += std::to_string(c.ball[1]) + "\n";
+  return text;
+}
+
 class IndexedSearch {
  public:
   explicit IndexedSearch(const oracle::Balls &balls)
@@ -41,12 +51,7 @@ class IndexedSearch {
     hsp::FixedVector<hsp::VertexRecord> vertices({vertices_.data(), static_cast<uint32_t>(vertices_.size())});
     hsp::FixedVector<hsp::CircleRecord> circles({circles_.data(), static_cast<uint32_t>(circles_.size())});
     finder_.find(balls(), caps, index..., vertices, circles);
-    std::string text;
-    for (const hsp::VertexRecord &v : vertices.items()) {
-      text += std::to_string(v.ball[1]) + " " + std::to_string(v.ball[2]) + " " + std::to_string(v.code) + "\n";
-    }
-    for (const hsp::CircleRecord &c : circles.items()) text += std::to_string(c.ball[1]) + "\n";
-    return text;
+    return text_of(vertices.items(), circles.items());
   }
   template <class... Index>
   std::string clusters(Index... index) {
