@@ -83,7 +83,7 @@ hsp_part(union
     contacts/chord_cuts.kernel.cpp
     contacts/chord_ends.cpp
     contacts/chord_ends.kernel.cpp
-    contacts/chord_walk.cpp
+    contacts/chord_walk.cpp contacts/empty_cell.cpp
     contacts/contact_measures.cpp
     contacts/contact_measures.kernel.cpp
     contacts/contacts_builder.cpp

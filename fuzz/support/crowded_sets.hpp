@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fuzz_input.hpp"
+#include "random_balls.hpp"
 #include "random_numbers.hpp"
 
 namespace fuzz {
@@ -49,7 +50,7 @@ class CrowdedSet {
   static int64_t rounded(double x) { return std::llround(x); }
 
   void add_piece() {
-    const uint32_t kind = bytes_.below(10);
+    const uint32_t kind = bytes_.below(11);
     const int64_t count = 1 + int64_t{bytes_.below(most_)};
     const int64_t radius = length(), spacing = length(), more = growth(radius);
     const oracle::LatticeBall way = direction();
@@ -126,6 +127,15 @@ class CrowdedSet {
             for (const int64_t side : {y, -y}) add({x * step, side * step, z * step}, radius * step);
             left -= 2;
           }
+        }
+        break;
+      }
+      case 10: {  // around one ball, whose planes with the others nearly go through one point
+        const double height = bytes_.below(16) / 16.0, width = std::pow(10.0, -static_cast<double>(bytes_.below(5)));
+        oracle::RandomSource random(random_.next());
+        for (const oracle::LatticeBall &ball :
+             oracle::balls_of_near_planes(random, static_cast<size_t>(count), radius, height, width)) {
+          add(centre_of(ball), ball.radius);
         }
         break;
       }

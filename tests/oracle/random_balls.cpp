@@ -112,6 +112,19 @@ Balls studded_ball(RandomSource &random, size_t studs, const LatticePoint &centr
   return balls;
 }
 
+Balls balls_of_near_planes(RandomSource &random, size_t n, int64_t radius, double height, double width) {
+  Balls balls = {{0, 0, 0, radius}};
+  const auto size = static_cast<double>(radius);
+  const auto part = [&random] { return 2 * random.fraction() - 1; };
+  while (balls.size() < n) {
+    const double x = width * part(), y = width * part(), distance = size * (0.85 + 0.65 * part());
+    const double along = distance / std::sqrt(1 + x * x + y * y);
+    balls.push_back({std::llround(along * x), std::llround(along * y), std::llround(along),
+                     std::llround(std::sqrt(size * size + distance * distance - 2 * size * height * along))});
+  }
+  return balls;
+}
+
 Balls belted_balls(RandomSource &random, size_t n) {
   constexpr double large = 100;
   Balls balls = {{0, 0, 0, static_cast<int64_t>(large)}};

@@ -38,6 +38,9 @@ Balls belted_balls(RandomSource &random, size_t n);     // a large ball with rin
 // A ball of radius `large` around a centre, and many small ones with centres on its sphere.
 Balls studded_ball(RandomSource &random, size_t studs, const LatticePoint &centre, int64_t large, int64_t least,
                    int64_t largest);
+// A ball around the origin, and others along z whose planes of equal power with it nearly go through one point there:
+// `height` of its radius away, with normals as far as `width` from z.
+Balls balls_of_near_planes(RandomSource &random, size_t n, int64_t radius, double height, double width);
 
 // Centres and radii as large as a lattice may have them: about the origin, or near a corner of it.
 Balls largest_balls(RandomSource &random, size_t n);

@@ -10,7 +10,9 @@
 #include "contacts/chord_walk.hpp"
 
 #include "contacts/chord_cuts.hpp"
+#include "contacts/empty_cell.hpp"
 #include "core/first_index.hpp"
+#include "core/small_code.hpp"
 
 namespace hsp {
 namespace {
@@ -18,10 +20,53 @@ namespace {
 // A ball that is in contact with an earlier one, but no arrivals are left to it; beside no_id for one that is not.
 constexpr uint32_t no_arrival = no_id - 1;
 
+// Bounds of where caps cut a chord on the way to one of its ends, in doubles: 0 is the point of the sphere that it comes
+// from, 1 the one that it goes to (exact/PROOFS.md, section 7, "First cuts").
+class CutBounds {
+ public:
+  CutBounds(const Caps &caps, const ChordEnd &end) : caps_(caps), points_(caps, end.j, end.k), to_(end.side) {}
+
+  struct Bounds {
+    double least, most;
+  };
+  Bounds of(uint32_t l) const {
+    const double error = points_.error, h = height(l, 1 - to_), H = height(l, to_), fall = h - H;
+    if (H > error) return {never, never};
+    if (!(fall > 2.0 * error)) return {0.0, never};
+    return {(h - error) / fall - roundings, (h + error) / fall + roundings};
+  }
+
+  static constexpr double never = 4.0;
+
+ private:
+  static constexpr double roundings = 0x1p-48;
+  double height(uint32_t l, uint32_t point) const {
+    return caps_.b[l] - dot(caps_.axis(l), {points_.x[point], points_.y[point], points_.z[point]});
+  }
+
+  const Caps &caps_;
+  const CrossingPoints points_;
+  const uint32_t to_;
+};
+
+// Of the cut that is first for certain, if there is one.
+template <class CapAt>
+double most_of_first(const CutBounds &bounds, uint32_t count, CapAt cap_at) {
+  double first = CutBounds::never;
+  for (uint32_t n = 0; n < count; ++n) {
+    const double most = bounds.of(cap_at(n)).most;
+    first = most < first ? most : first;
+  }
+  return first;
+}
+
 // The exact stage: of caps cap_at(0) to cap_at(count - 1), in the direction in which they cut, the one whose power
-// vertex is nearer to its balls than to any other.
+// vertex is nearer to its balls than to any other. Integers are asked about those that may be the first, as far as
+// doubles tell: of thousands whose planes nearly agree, as of balls on several lines, about one or two.
 template <class CapAt>
 uint32_t cut_exactly(const Caps &caps, uint32_t count, CapAt cap_at, const ChordEnd &end) {
+  const CutBounds bounds(caps, end);
+  const double first = most_of_first(bounds, count, cap_at);
   const exact::Predicates predicates = caps.predicates();
   const exact::Plane P = caps.plane(end.j);
   const exact::Plane Q = caps.plane(end.k);
@@ -29,7 +74,7 @@ uint32_t cut_exactly(const Caps &caps, uint32_t count, CapAt cap_at, const Chord
   uint32_t nearest = no_id;
   for (uint32_t n = 0; n < count; ++n) {
     const uint32_t l = cap_at(n);
-    if (l == end.j || l == end.k) continue;
+    if (l == end.j || l == end.k || bounds.of(l).least > first) continue;
     const exact::Plane R = caps.plane(l);
     if (exact::Exact::triple_product_sign(P.v, Q.v, R.v) != direction) continue;
     if (nearest == no_id || predicates.near(P, Q, caps.plane(nearest), R).sign < 0) nearest = l;
@@ -120,6 +165,7 @@ void ChordWalk::start(uint32_t balls, uint32_t own) {
   own_ = own;
   for (uint32_t i = 0; i < balls; ++i) first_arrival_[i] = no_id;
   arrivals_ = 0;
+  spare_arrival_ = no_arrival;
   next_vertex_ = 0;
   lost_ = false;
 }
@@ -128,7 +174,10 @@ void ChordWalk::find(const Boundary &boundary, Caps &caps) {
   const uint32_t *const ball = caps.ball.data();
   for (uint32_t k = caps.first_later; k < caps.count; ++k) cap_of_ball_[ball[k]] = k;
   chord_count_ = vertex_count_ = 0;
-  if (lost_) return try_all_pairs(caps);
+  if (lost_) {
+    if (!skips(caps)) try_all_pairs(caps);
+    return;
+  }
   const uint32_t first = caps.first_later;
   const uint32_t later = caps.count - first;
   if (later <= MaskedChords::most_caps) {
@@ -191,14 +240,18 @@ void ChordWalk::start_from_ends(const Boundary &boundary, const Caps &caps, Chor
     chords.set_end(cap_of(vertex.ball[1]), cap_of(vertex.ball[2]), vertex.positive() ? 1 : 0);
   }
   for (uint32_t n = 0; n < chords.count(); ++n) chords_[n].free_ends = static_cast<uint8_t>(chords.known_ends(n));
-  uint32_t a = first_arrival_[caps.origin];
-  if (a == no_id) return;
-  for (; a != no_arrival; a = next_arrival_[a]) {
+  const uint32_t first = first_arrival_[caps.origin];
+  if (first >= no_arrival) return;
+  uint32_t last = first;
+  for (uint32_t a = first; a != no_arrival; a = next_arrival_[a]) {
+    last = a;
     const uint32_t p = cap_of(arrival_balls_[2 * a]);
     const uint32_t q = cap_of(arrival_balls_[2 * a + 1]);
     const bool ascending = p < q;
     chords.set_end(ascending ? p : q, ascending ? q : p, ascending ? 1 : 0);
   }
+  next_arrival_[last] = spare_arrival_;
+  spare_arrival_ = first;
 }
 
 // Of a power vertex three chords end at the ball at hand; it is found at that of the first two caps.
@@ -216,12 +269,15 @@ void ChordWalk::try_all_pairs(const Caps &caps) {
   }
 }
 
-// One chord of all pairs, whose ends are at later balls.
+// One chord of all pairs, whose ends are at later balls. Mostly there is none.
 template <class Chords>
 void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
+  constexpr uint32_t many_pairs = 256;
   clipper_.start(caps);
+  uint32_t pairs = 0;
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
     for (uint32_t k = j + 1; k < caps.count; ++k) {
+      if (!small_code && ++pairs == many_pairs && is_empty_cell(caps)) return;
       ChordEnds ends;
       if (!clipper_.clip(caps, j, k, ends)) continue;
       for (uint32_t side = 0; side < 2; ++side) add_power_vertex(caps, {j, k, side}, ends.clipper[side], chords);
@@ -270,8 +326,10 @@ void ChordWalk::add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t
     return arrival < no_arrival ? arrival : no_arrival;
   };
   const uint32_t next = reached(first);
-  if (arrivals_ < next_arrival_.size()) {
-    const uint32_t arrival = arrivals_++;
+  if (spare_arrival_ != no_arrival || arrivals_ < next_arrival_.size()) {
+    const bool is_spare = spare_arrival_ != no_arrival;
+    const uint32_t arrival = is_spare ? spare_arrival_ : arrivals_++;
+    spare_arrival_ = is_spare ? next_arrival_[arrival] : no_arrival;
     first_arrival_[first] = arrival;
     arrival_balls_[2 * arrival] = even == 0 ? second : third;
     arrival_balls_[2 * arrival + 1] = even == 0 ? third : second;

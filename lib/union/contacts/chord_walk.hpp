@@ -51,6 +51,9 @@ class ChordWalk {
   // come, in ascending order, once.
   void find(const Boundary &boundary, Caps &caps);
 
+  // Whether nothing is looked for, as the ball has many caps and there is no room for contacts anyhow: one with each
+  // later ball is the most that there may be.
+  bool skips(const Caps &caps) const { return lost_ && caps.count > MaskedChords::most_caps; }
   // Of the ball at hand and later ones, in the order in which they are found.
   Span<const FoundChord> chords() const { return {chords_.data(), chord_count_}; }
   Span<const FoundVertex> vertices() const { return {vertices_.data(), vertex_count_}; }
@@ -92,7 +95,8 @@ class ChordWalk {
   Span<uint32_t> first_arrival_;  // [balls] by first ball
   Span<uint32_t> arrival_balls_;  // [2 contacts] the two later ones
   Span<uint32_t> next_arrival_;   // [contacts]
-  uint32_t arrivals_ = 0;
+  uint32_t arrivals_ = 0;         // places that have been taken
+  uint32_t spare_arrival_ = 0;    // the first of those whose ball has come, by next_arrival_
   uint32_t own_ = 0;
   uint32_t next_vertex_ = 0;  // vertices are in the order of their first balls
   bool lost_ = false;         // there was no room for an arrival: from the next ball on all pairs are looked at

@@ -71,6 +71,7 @@ bool ContactsBuilder::start(const CubeGrid &grid, const Boundary &boundary, uint
   own_balls_ = grid.own_balls();
   some_inside_ = some_trees_ = false;
   lost_across_ = 0;
+  not_found_ = 0;
   needed_.neighbours = neighbours;
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
   walk_.start(balls, own_balls_);
@@ -243,13 +244,17 @@ void ContactsBuilder::measure_vertices(const BallSet &balls, const Boundary &bou
   }
 }
 
+// Around a ball there are less than three times as many chords as contacts, and less than twice as many power vertices. A
+// contact with an image is there from both sides.
 Status ContactsBuilder::check_capacity() {
   const ContactArrays &a = contacts_.a_;
-  needed_.contacts = clamped_count(a.contacts.required());
-  if (limits_.triangles > 0) needed_.triangles = clamped_count(a.triangles.required());
-  if (limits_.tetrahedra > 0) needed_.tetrahedra = clamped_count(a.tetrahedra.required());
-  const bool fits =
-      !a.contacts.overflowed() && needed_.triangles <= limits_.triangles && needed_.tetrahedra <= limits_.tetrahedra;
+  const uint64_t contacts = a.contacts.required() + (own_balls_ < a.balls ? 2 : 1) * not_found_;
+  const uint64_t least = not_found_ > 0 ? uint64_t{limits_.contacts} + 1 : 0;
+  needed_.contacts = clamped_count(contacts < least ? least : contacts);
+  if (limits_.triangles > 0) needed_.triangles = clamped_count(a.triangles.required() + 3 * not_found_);
+  if (limits_.tetrahedra > 0) needed_.tetrahedra = clamped_count(a.tetrahedra.required() + 2 * not_found_);
+  const bool fits = needed_.contacts <= limits_.contacts && needed_.triangles <= limits_.triangles &&
+                    needed_.tetrahedra <= limits_.tetrahedra;
   return fits ? Status::ok : Status::capacity;
 }
 

@@ -94,6 +94,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
         }
         find_chords(boundary);
         before = caps_.count;
+        if (walk_.skips(caps_)) not_found_ += caps_.count - caps_.first_later;
         count_chords(some_elsewhere);
         for (const FoundVertex &vertex : walk_.vertices()) add_power_vertex(grid.balls(), boundary, vertex, images);
       }
@@ -312,6 +313,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
   bool some_inside_ = false;  // others
   bool some_trees_ = false;
   uint32_t lost_across_ = 0;  // contacts with others for which there was no room
+  uint64_t not_found_ = 0;    // at most, of balls whose chords were not looked for as there was no room
   Contacts contacts_;
   CubeCandidates candidates_;
   Caps caps_;

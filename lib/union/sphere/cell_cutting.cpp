@@ -47,6 +47,9 @@ bool CellCutting::cut_by(Span<const uint32_t> numbers, double least_depth) {
         case OuterCell::Cut::unsure:
           state_[number] = near_vertex;
           break;
+        case OuterCell::Cut::full:
+          lacks_room_ = true;
+          [[fallthrough]];
         case OuterCell::Cut::refused:
           state_[number] = stays;
           break;
@@ -58,6 +61,26 @@ bool CellCutting::cut_by(Span<const uint32_t> numbers, double least_depth) {
       }
     }
     t += batch.count;
+  }
+  return true;
+}
+
+bool CellCutting::cut_anew(Span<uint32_t> numbers) {
+  constexpr uint32_t most_tried = 2 * OuterCell::most_faces;
+  cell_.start();
+  bool goes_deep = true;
+  for (uint32_t tried = 0; tried < most_tried; ++tried) {
+    numbers = keep_deepest_first(numbers, goes_deep);
+    if (!goes_deep) break;
+    const uint32_t number = numbers[0];
+    numbers = numbers.part(1, numbers.size());
+    const OuterCell::Cut cut = cell_.cut(caps_.target, plane_of(number));
+    if (cut == OuterCell::Cut::full) break;
+    if (cut == OuterCell::Cut::buries) return false;
+    if (cut == OuterCell::Cut::unsure) state_[number] = near_vertex;
+    if (cut != OuterCell::Cut::cuts) continue;
+    if (leaves_nothing()) return false;
+    state_[number] = has_cut;
   }
   return true;
 }
@@ -91,7 +114,11 @@ bool CellCutting::cut_by_integers(Span<uint32_t> numbers, const CellTies &ties) 
   constexpr uint32_t most_deep = 32;
   bool some_go_deep = true;
   for (uint32_t t = 0, together = 1; t < numbers.size();) {
-    some_go_deep = some_go_deep && t < most_deep && put_deepest_first(numbers.part(t, numbers.size()));
+    if (some_go_deep && t < most_deep) {
+      const uint32_t left = keep_deepest_first(numbers.part(t, numbers.size()), some_go_deep).size();
+      numbers = numbers.part(0, t + left);
+      if (left == 0) break;
+    }
     Sides found;
     const uint32_t end = together < numbers.size() - t ? t + together : numbers.size();
     const uint32_t asked = find_sides(numbers.part(t, end), ties, found);
@@ -116,7 +143,7 @@ bool CellCutting::cut_by_integers(Span<uint32_t> numbers, const CellTies &ties) 
 void CellCutting::drop_by_integers(Span<uint32_t> numbers, const CellTies &ties, TiedSets &sets) {
   uint32_t others = 0;
   for (const uint32_t number : numbers) {
-    if (is_face(number)) continue;
+    if (state_[number] == dropped || is_face(number)) continue;
     state_[number] = stays;
     numbers[others++] = number;
   }
@@ -172,25 +199,37 @@ uint32_t CellCutting::find_certain_sides(Span<const uint32_t> numbers, Sides &fo
   return batch.count;
 }
 
-bool CellCutting::put_deepest_first(Span<uint32_t> numbers) const {
+Span<uint32_t> CellCutting::keep_deepest_first(Span<uint32_t> numbers, bool &goes_deep) {
   CapBatch batch{};
   double most = 0x1p-20;
-  uint32_t deepest = no_id;
-  for (uint32_t t = 0; t < numbers.size(); t += batch.count) {
-    if (!load(numbers.part(t, numbers.size()), batch)) return false;
-    const uint32_t bits = may_cut(batch, batch.all());
-    if (bits == 0) continue;
-    const uint32_t k = deepest_of(batch, bits);
-    if (batch.depth[k] > most) {
-      most = batch.depth[k];
-      deepest = t + k;
+  uint32_t left = 0, deepest = no_id;
+  for (uint32_t t = 0; t < numbers.size();) {
+    if (!load(numbers.part(t, numbers.size()), batch)) {
+      numbers[left++] = numbers[t++];
+      continue;
     }
+    const uint32_t bits = may_cut(batch, batch.all());
+    for (uint32_t k = 0; k < batch.count; ++k) {
+      const uint32_t number = numbers[t + k];
+      if ((bits >> k & 1U) == 0) {
+        state_[number] = dropped;
+        continue;
+      }
+      if (batch.depth[k] > most) {
+        most = batch.depth[k];
+        deepest = left;
+      }
+      numbers[left++] = number;
+    }
+    t += batch.count;
   }
-  if (deepest == no_id) return false;
-  const uint32_t number = numbers[deepest];
-  numbers[deepest] = numbers[0];
-  numbers[0] = number;
-  return true;
+  goes_deep = deepest != no_id;
+  if (goes_deep) {
+    const uint32_t number = numbers[deepest];
+    numbers[deepest] = numbers[0];
+    numbers[0] = number;
+  }
+  return numbers.part(0, left);
 }
 
 uint32_t CellCutting::may_cut(CapBatch &batch, uint32_t asked) const {

@@ -29,6 +29,8 @@ class CellCutting : private CapState {
   // Cuts by those whose planes go deeper than that; the others wait. False if nothing is left. Out of line, as all that
   // has a batch: integers take the stack beside them.
   [[gnu::noinline]] bool cut_by(Span<const uint32_t> numbers, double least_depth);
+  // The same from the start, the deepest of all first, for caps that stay.
+  [[gnu::cold]] bool cut_anew(Span<uint32_t> numbers);
   // After that, some that leave nothing, the faces: how many.
   uint32_t covering(Span<uint32_t> numbers) const;
 
@@ -46,6 +48,8 @@ class CellCutting : private CapState {
 
   const OuterCell &cell() const { return cell_; }
   bool some_wait() const { return some_wait_; }
+  // Whether some stay as there was no room for another face.
+  bool lacks_room() const { return lacks_room_; }
 
  private:
   static OuterCell::Plane plane_of(const CapBatch &batch, uint32_t k, uint32_t number) {
@@ -69,8 +73,9 @@ class CellCutting : private CapState {
   uint32_t find_sides(Span<const uint32_t> numbers, const CellTies &ties, Sides &found);
   [[gnu::noinline]] uint32_t find_certain_sides(Span<const uint32_t> numbers, Sides &found) const;
 
-  // Puts the one whose plane goes deepest to the front. False if none goes deeper than doubles can tell.
-  [[gnu::noinline]] bool put_deepest_first(Span<uint32_t> numbers) const;
+  // Those that may cut, the one whose plane goes deepest first if one goes deeper than doubles can tell; the others are
+  // dropped.
+  [[gnu::noinline]] Span<uint32_t> keep_deepest_first(Span<uint32_t> numbers, bool &goes_deep);
 
   uint32_t may_cut(CapBatch &batch, uint32_t asked) const;
 
@@ -82,7 +87,7 @@ class CellCutting : private CapState {
   bool balls_alone_;
   Span<uint8_t> state_;
   OuterCell cell_;
-  bool some_wait_ = false;
+  bool some_wait_ = false, lacks_room_ = false;
   uint32_t buried_by_ = no_id;
 };
 

@@ -115,6 +115,11 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
     if (!cutting.cut_by(without_copies(caps, order_.part(0, left)), deep)) return false;
   }
   if (cutting.some_wait() && !cutting.cut_by(in_states(count, waits, waits), 0.0)) return false;
+  if (cutting.lacks_room() && in_states(count, stays, stays).size() >= fewest_refused) {
+    const Span<uint32_t> left = in_states(count, has_cut, near_vertex);
+    for (const uint32_t k : left) state_[k] = stays;
+    if (!cutting.cut_anew(left)) return false;
+  }
   cutting.drop(in_states(count, has_cut, near_vertex));
   const Span<uint32_t> near = in_states(count, near_vertex, near_vertex);
   if (near.size() >= fewest_ties) {

@@ -78,7 +78,7 @@ OuterCell::Cut OuterCell::cut(const Plane &plane, const uint64_t (&outside)[2]) 
   const uint32_t off = static_cast<uint32_t>(__builtin_popcountll(outside[0]) + __builtin_popcountll(outside[1]));
   if (off == 0) return Cut::misses;
   if (off == old) return Cut::buries;
-  if (faces == ~uint64_t{0}) return Cut::refused;
+  if (faces == ~uint64_t{0}) return Cut::full;
   const uint32_t face_of_cap = static_cast<uint32_t>(__builtin_ctzll(~faces));
   ux[face_of_cap] = plane.ux;
   uy[face_of_cap] = plane.uy;
@@ -104,10 +104,13 @@ OuterCell::Cut OuterCell::cut(const Plane &plane, const uint64_t (&outside)[2]) 
   });
   // New vertices stand behind the old ones until all are certain.
   uint32_t end = old;
+  bool has_room = true;
   const bool certain = visit_edges([&](uint32_t p, uint32_t q) {
     if ((edges[q] >> p & 1U) != 0) return true;
-    return end < most_vertices && place_vertex(end++, p, q, face_of_cap);
+    has_room = end < most_vertices;
+    return has_room && place_vertex(end++, p, q, face_of_cap);
   });
+  if (!has_room) return Cut::full;
   if (!certain) return Cut::refused;
 
   vertices = 0;

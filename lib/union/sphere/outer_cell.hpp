@@ -50,7 +50,8 @@ struct OuterCell {
     misses,   // the cap certainly touches nothing of it
     cuts,     // the cap's plane is a face now
     unsure,   // nothing has changed: a vertex is too near the plane
-    refused,  // nothing has changed: a new vertex is not certain enough, or there is no room
+    refused,  // nothing has changed: a new vertex is not certain enough
+    full,     // nothing has changed: there is no room for another face, or for its vertices
     buries    // all of it certainly lies in the cap
   };
   struct Plane {

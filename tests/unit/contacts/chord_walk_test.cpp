@@ -239,6 +239,27 @@ TEST(ChordWalk, FindsWhatIsLeftOnAStuddedBall) {
   EXPECT_GE(with_many, 3U);
 }
 
+// Planes that nearly go through one point, so many that a polyhedron has no room for all, and so near to each other that
+// doubles know few cuts: of most balls nothing is left.
+TEST(ChordWalk, FindsWhatIsLeftOfNearPlanes) {
+  oracle::RandomSource random(94);
+  for (const auto &[n, width] : {std::pair<uint32_t, double>{200, 1.0}, {170, 1e-2}, {60, 1e-4}}) {
+    WalkedBalls walked(oracle::in_lengths(oracle::balls_of_near_planes(random, n, 1000000, 0.5, width), 1));
+    EXPECT_EQ(walked.by_walk(4000), walked.by_pairs());
+  }
+}
+
+// Places for arrivals are used again when their ball has come: fewer do than there are power vertices.
+TEST(ChordWalk, UsesPlacesAgain) {
+  oracle::RandomSource random(95);
+  WalkedBalls walked(oracle::in_lengths(oracle::balls_in_box(random, 60, 4000, 900, 1100), 1));
+  const Chords expected = walked.by_pairs();
+  EXPECT_EQ(walked.by_walk(4000), expected);
+  const uint32_t asked = walked.all_asked();
+  EXPECT_EQ(walked.by_walk(static_cast<uint32_t>(expected.size() / 8)), expected);
+  EXPECT_EQ(walked.all_asked(), 2 * asked);  // as many: none was lost
+}
+
 // A ball in a cage of later ones: nothing leads to its chords, neither vertices nor earlier balls.
 TEST(ChordWalk, FindsAllOfABallThatIsBuriedByLaterOnes) {
   oracle::RandomSource random(84);

@@ -363,6 +363,15 @@ TEST(Contacts, OfNoBallsAndOfPoints) {
   for (uint32_t i = 0; i < 4; ++i) EXPECT_EQ(built.cell(i), 0.0);
 }
 
+hsp::Status status_with(const BuiltContacts &built, const hsp::ContactLimits &limits, hsp::ContactLimits &retry) {
+  CarvedMemory memory;
+  hsp::ContactsBuilder builder;
+  memory.carve(builder, limits);
+  const hsp::Status status = builder.build(built.grid(), built.boundary(), built.neighbours());
+  retry = builder.retry_limits();
+  return status;
+}
+
 TEST(Contacts, ReportLimitsThatSuffice) {
   oracle::RandomSource random(77);
   const support::BallList balls = oracle::in_lengths(oracle::dense_balls(random, 14), 1);
@@ -371,17 +380,9 @@ TEST(Contacts, ReportLimitsThatSuffice) {
   const hsp::ContactLimits exact{built.contacts().ball_count(), built.neighbours(), built.contacts().contact_count(),
                                  built.contacts().triangles().size(), built.contacts().tetrahedra().size()};
   ASSERT_GT(exact.tetrahedra, 1U);
-  const auto status_with = [&](const hsp::ContactLimits &limits, hsp::ContactLimits &retry) {
-    CarvedMemory memory;
-    hsp::ContactsBuilder builder;
-    memory.carve(builder, limits);
-    const hsp::Status status = builder.build(built.grid(), built.boundary(), built.neighbours());
-    retry = builder.retry_limits();
-    return status;
-  };
   hsp::ContactLimits retry;
-  EXPECT_EQ(status_with(exact, retry), hsp::Status::ok);
-  EXPECT_EQ(status_with({exact.balls, exact.neighbours, exact.contacts, 0, 0}, retry), hsp::Status::ok);
+  EXPECT_EQ(status_with(built, exact, retry), hsp::Status::ok);
+  EXPECT_EQ(status_with(built, {exact.balls, exact.neighbours, exact.contacts, 0, 0}, retry), hsp::Status::ok);
   for (uint32_t hsp::ContactLimits::*limit :
        {&hsp::ContactLimits::balls, &hsp::ContactLimits::neighbours, &hsp::ContactLimits::contacts,
         &hsp::ContactLimits::triangles, &hsp::ContactLimits::tetrahedra}) {
@@ -390,7 +391,7 @@ TEST(Contacts, ReportLimitsThatSuffice) {
       limits.*limit -= less;
       if (limits.*limit == 0 && limit != &hsp::ContactLimits::balls) limits.*limit = 1;
       uint32_t tries = 0;
-      while (status_with(limits, retry) == hsp::Status::capacity) {
+      while (status_with(built, limits, retry) == hsp::Status::capacity) {
         ASSERT_LT(++tries, 4U);
         ASSERT_GT(retry.*limit, limits.*limit);
         limits = retry;
@@ -398,6 +399,28 @@ TEST(Contacts, ReportLimitsThatSuffice) {
       EXPECT_GT(tries, 0U);
     }
   }
+}
+
+// Where there is no room, chords of balls with more than 64 caps are not looked for: what they may have suffices, too.
+TEST(Contacts, ReportLimitsThatSufficeForManyCaps) {
+  oracle::RandomSource random(78);
+  const oracle::Balls balls = oracle::studded_ball(random, 200, {0, 0, 0}, 100000, 40000, 45000);
+  BuiltContacts built(oracle::in_lengths(balls, 1), 0.0, 1.0, all_simplices);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  const uint32_t contacts = built.contacts().contact_count(), triangles = built.contacts().triangles().size(),
+                 tetrahedra = built.contacts().tetrahedra().size();
+  ASSERT_GT(tetrahedra, 100U);
+  uint32_t with_more = 0;
+  for (const uint32_t room : {1U, tetrahedra / 4, tetrahedra / 2}) {
+    hsp::ContactLimits limits{built.contacts().ball_count(), built.neighbours(), room, 1, 1}, retry;
+    ASSERT_EQ(status_with(built, limits, retry), hsp::Status::capacity);
+    EXPECT_GE(retry.contacts, contacts);
+    with_more += retry.contacts > contacts ? 1 : 0;
+    ASSERT_EQ(status_with(built, retry, limits), hsp::Status::ok);
+    EXPECT_GE(retry.triangles, triangles);
+    EXPECT_GE(retry.tetrahedra, tetrahedra);
+  }
+  EXPECT_GT(with_more, 0U);
 }
 
 // All that is found over a grid: pairs, area and volume by their last bits.

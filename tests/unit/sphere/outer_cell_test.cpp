@@ -207,17 +207,17 @@ TEST(OuterCell, HasRoomForSoManyFaces) {
     const auto cell = std::make_unique<OuterCell>();
     cell->start();
     Random random(77);
-    uint32_t cut = 0, refused = 0;
+    uint32_t cut = 0, full = 0;
     for (uint32_t k = 0; k < 4000; ++k) {
       const Plane plane = random_plane(random, 0.9999L, 0.99991L);
       const OuterCell::Cut answer = cell->cut(target, in_doubles(plane));
       cut += answer == OuterCell::Cut::cuts;
-      refused += answer == OuterCell::Cut::refused;
+      full += answer == OuterCell::Cut::full;
       ASSERT_LE(cell->vertices, OuterCell::most_vertices);
       ASSERT_EQ(cell->vertices + 4, 2 * static_cast<uint32_t>(__builtin_popcountll(cell->faces)));  // three edges each
     }
     EXPECT_GT(cut, 50U);
-    EXPECT_GT(refused, 100U);  // no room
+    EXPECT_GT(full, 100U);
   }
 }
 

@@ -1,0 +1,129 @@
+// The program: the furthest point of the cell along a direction between the normals of three planes. At first it is
+// where these meet. While some plane leaves it out, that takes the place of one of the three (the dual simplex method;
+// exact/PROOFS.md, section 7, "An empty cell").
+//
+// As an example the planes x = 1, y = 1 and z = 1, each of a ball beyond it, and the direction (1, 1, 1), from (1, 1, 1).
+//   x + y + z = 1   leaves it out, and may take the place of any of the three: the furthest points are on it
+//   x + y + z = -1  of a ball on the other side leaves out all where the former holds: nothing is left
+#include "contacts/empty_cell.hpp"
+
+#include "exact/power_vertex.hpp"
+
+namespace hsp {
+namespace {
+
+using exact::Plane;
+
+int orientation(const Plane &P, const Plane &Q, const Plane &R) {
+  return exact::Exact::triple_product_sign(P.v, Q.v, R.v);
+}
+
+// Three planes that meet in one point, right-handed, by their caps.
+class Corner {
+ public:
+  // Of the first ones that do. False if there are none.
+  bool start(const Caps &caps) {
+    if (caps.count < 3) return false;
+    put(caps, 0, 0);
+    for (uint32_t q = 1; q + 1 < caps.count; ++q) {
+      put(caps, 1, q);
+      if (is_zero(cross(plane_[0].v, plane_[1].v))) continue;
+      for (uint32_t r = q + 1; r < caps.count; ++r) {
+        put(caps, 2, r);
+        const int sign = orientation(plane_[0], plane_[1], plane_[2]);
+        if (sign == 0) continue;
+        if (sign < 0) {
+          put(caps, 1, r);
+          put(caps, 2, q);
+        }
+        return true;
+      }
+      return false;
+    }
+    return false;
+  }
+  void put(const Caps &caps, uint32_t place, uint32_t cap) {
+    cap_[place] = cap;
+    plane_[place] = caps.plane(cap);
+  }
+
+  const Plane (&planes() const)[3] { return plane_; }
+  bool has(uint32_t cap) const { return cap == cap_[0] || cap == cap_[1] || cap == cap_[2]; }
+  // The same orientation with S instead of one of them.
+  int with(const Plane &S, uint32_t place) const {
+    return orientation(S, plane_[(place + 1) % 3], plane_[(place + 2) % 3]);
+  }
+
+  // About where they meet, on the unit sphere.
+  Vec3 place(const Caps &caps) const {
+    const Vec3 u = caps.axis(cap_[0]), v = caps.axis(cap_[1]), w = caps.axis(cap_[2]);
+    const Vec3 sum = combine(caps.b[cap_[0]], cross(v, w), caps.b[cap_[1]], cross(w, u));
+    return 1.0 / dot(u, cross(v, w)) * combine(1.0, sum, caps.b[cap_[2]], cross(u, v));
+  }
+  // A direction between their normals, as a plane's.
+  Plane direction(const Caps &caps) const {
+    constexpr double weights[3] = {1048573.0, 1153433.0, 1362907.0};
+    const Vec3 two = combine(weights[0], caps.axis(cap_[0]), weights[1], caps.axis(cap_[1]));
+    const Vec3 sum = combine(1.0, two, weights[2], caps.axis(cap_[2]));
+    return exact::virtual_plane({static_cast<int64_t>(sum.x), static_cast<int64_t>(sum.y), static_cast<int64_t>(sum.z)},
+                                0);
+  }
+
+ private:
+  Plane plane_[3];
+  uint32_t cap_[3] = {0, 0, 0};
+};
+
+// A cap that leaves the corner out: the deepest, as doubles have it, else any. no_id if there is none.
+uint32_t find_violated(const Caps &caps, const Corner &corner) {
+  const exact::PowerVertex vertex(caps.sphere, corner.planes());
+  const Vec3 p = corner.place(caps);
+  double most = 0.0;
+  uint32_t deepest = no_id;
+  for (uint32_t k = 0; k < caps.count; ++k) {
+    const double depth = dot(caps.axis(k), p) - caps.b[k];
+    if (!(depth > most) || corner.has(k)) continue;
+    most = depth;
+    deepest = k;
+  }
+  if (deepest != no_id && vertex.near(caps.plane(deepest)).sign < 0) return deepest;
+  for (uint32_t k = 0; k < caps.count; ++k) {
+    if (!corner.has(k) && vertex.near(caps.plane(k)).sign < 0) return k;
+  }
+  return no_id;
+}
+
+}  // namespace
+
+bool is_empty_cell(const Caps &caps) {
+  constexpr uint32_t most_steps = 64, none = 3;
+  Corner corner;
+  if (!corner.start(caps)) return false;
+  const Plane along = corner.direction(caps);
+  for (uint32_t place = 0; place < 3; ++place) {
+    if (corner.with(along, place) <= 0) return false;
+  }
+  for (uint32_t step = 0; step < most_steps; ++step) {
+    const uint32_t violated = find_violated(caps, corner);
+    if (violated == no_id) return false;
+    const Plane S = caps.plane(violated);
+    uint32_t leaves = none;
+    for (uint32_t place = 0; place < 3; ++place) {
+      if (corner.with(S, place) <= 0) continue;
+      if (leaves == none) {
+        leaves = place;
+        continue;
+      }
+      // The one that stays is neither of these two.
+      const bool next = place == leaves + 1;
+      const int sign = orientation(along, S, corner.planes()[3 - place - leaves]);
+      if (sign == 0) return false;
+      if ((sign < 0) != next) leaves = place;
+    }
+    if (leaves == none) return true;
+    corner.put(caps, leaves, violated);
+  }
+  return false;
+}
+
+}  // namespace hsp
