@@ -20,8 +20,8 @@ namespace {
 // A ball that is in contact with an earlier one, but no arrivals are left to it; beside no_id for one that is not.
 constexpr uint32_t no_arrival = no_id - 1;
 
-// Bounds of where caps cut a chord on the way to one of its ends, in doubles: 0 is the point of the sphere that it comes
-// from, 1 the one that it goes to (exact/PROOFS.md, section 7, "First cuts").
+// Bounds of where caps cut a chord on the way to one of its ends, in doubles: 0 is the point of the sphere that it
+// comes from, 1 the one that it goes to (exact/PROOFS.md, section 7, "First cuts").
 class CutBounds {
  public:
   CutBounds(const Caps &caps, const ChordEnd &end) : caps_(caps), points_(caps, end.j, end.k), to_(end.side) {}

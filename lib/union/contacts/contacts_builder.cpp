@@ -244,8 +244,8 @@ void ContactsBuilder::measure_vertices(const BallSet &balls, const Boundary &bou
   }
 }
 
-// Around a ball there are less than three times as many chords as contacts, and less than twice as many power vertices. A
-// contact with an image is there from both sides.
+// Around a ball there are less than three times as many chords as contacts, and less than twice as many power vertices.
+// A contact with an image is there from both sides.
 Status ContactsBuilder::check_capacity() {
   const ContactArrays &a = contacts_.a_;
   const uint64_t contacts = a.contacts.required() + (own_balls_ < a.balls ? 2 : 1) * not_found_;

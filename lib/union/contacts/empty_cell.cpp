@@ -2,7 +2,8 @@
 // where these meet. While some plane leaves it out, that takes the place of one of the three (the dual simplex method;
 // exact/PROOFS.md, section 7, "An empty cell").
 //
-// As an example the planes x = 1, y = 1 and z = 1, each of a ball beyond it, and the direction (1, 1, 1), from (1, 1, 1).
+// As an example the planes x = 1, y = 1 and z = 1, each of a ball beyond it, and the direction (1, 1, 1).
+//   (1, 1, 1)       is the furthest point
 //   x + y + z = 1   leaves it out, and may take the place of any of the three: the furthest points are on it
 //   x + y + z = -1  of a ball on the other side leaves out all where the former holds: nothing is left
 #include "contacts/empty_cell.hpp"

@@ -66,21 +66,16 @@ bool CellCutting::cut_by(Span<const uint32_t> numbers, double least_depth) {
 }
 
 bool CellCutting::cut_anew(Span<uint32_t> numbers) {
-  constexpr uint32_t most_tried = 2 * OuterCell::most_faces;
+  constexpr uint32_t most_tried = 2 * OuterCell::most_faces, few = 8;
+  const uint32_t most = numbers.size() - numbers.size() / 16;
   cell_.start();
+  lacks_room_ = false;
   bool goes_deep = true;
-  for (uint32_t tried = 0; tried < most_tried; ++tried) {
+  for (uint32_t tried = 0; tried < most_tried && !numbers.empty() && !lacks_room_; ++tried) {
     numbers = keep_deepest_first(numbers, goes_deep);
-    if (!goes_deep) break;
-    const uint32_t number = numbers[0];
+    if (!goes_deep || (tried == few && numbers.size() > most)) break;
+    if (!cut_by(numbers.part(0, 1), 0.0)) return false;
     numbers = numbers.part(1, numbers.size());
-    const OuterCell::Cut cut = cell_.cut(caps_.target, plane_of(number));
-    if (cut == OuterCell::Cut::full) break;
-    if (cut == OuterCell::Cut::buries) return false;
-    if (cut == OuterCell::Cut::unsure) state_[number] = near_vertex;
-    if (cut != OuterCell::Cut::cuts) continue;
-    if (leaves_nothing()) return false;
-    state_[number] = has_cut;
   }
   return true;
 }
@@ -201,8 +196,9 @@ uint32_t CellCutting::find_certain_sides(Span<const uint32_t> numbers, Sides &fo
 
 Span<uint32_t> CellCutting::keep_deepest_first(Span<uint32_t> numbers, bool &goes_deep) {
   CapBatch batch{};
-  double most = 0x1p-20;
-  uint32_t left = 0, deepest = no_id;
+  constexpr double least = 0x1p-20;
+  double most = least;
+  uint32_t left = 0, deepest = 0;
   for (uint32_t t = 0; t < numbers.size();) {
     if (!load(numbers.part(t, numbers.size()), batch)) {
       numbers[left++] = numbers[t++];
@@ -223,12 +219,10 @@ Span<uint32_t> CellCutting::keep_deepest_first(Span<uint32_t> numbers, bool &goe
     }
     t += batch.count;
   }
-  goes_deep = deepest != no_id;
-  if (goes_deep) {
-    const uint32_t number = numbers[deepest];
-    numbers[deepest] = numbers[0];
-    numbers[0] = number;
-  }
+  goes_deep = most > least;
+  const uint32_t number = numbers[deepest];
+  numbers[deepest] = numbers[0];
+  numbers[0] = number;
   return numbers.part(0, left);
 }
 

@@ -29,13 +29,13 @@ class CellCutting : private CapState {
   // Cuts by those whose planes go deeper than that; the others wait. False if nothing is left. Out of line, as all that
   // has a batch: integers take the stack beside them.
   [[gnu::noinline]] bool cut_by(Span<const uint32_t> numbers, double least_depth);
-  // The same from the start, the deepest of all first, for caps that stay.
+  // The same from the start, the deepest of all first, for caps that stay. Ends soon where most matter, as studs do.
   [[gnu::cold]] bool cut_anew(Span<uint32_t> numbers);
   // After that, some that leave nothing, the faces: how many.
   uint32_t covering(Span<uint32_t> numbers) const;
 
   // Drops those that miss what is left. Faces do not: their planes go through vertices.
-  [[gnu::noinline]] void drop(Span<const uint32_t> numbers);
+  [[gnu::cold]] void drop(Span<const uint32_t> numbers);
 
   // Cuts by caps whose planes are near vertices, by integers. False if nothing is left. Those that go deep come first:
   // where planes have a line in common two of them leave the others nearly nothing, which in another order may cut one
@@ -73,9 +73,9 @@ class CellCutting : private CapState {
   uint32_t find_sides(Span<const uint32_t> numbers, const CellTies &ties, Sides &found);
   [[gnu::noinline]] uint32_t find_certain_sides(Span<const uint32_t> numbers, Sides &found) const;
 
-  // Those that may cut, the one whose plane goes deepest first if one goes deeper than doubles can tell; the others are
-  // dropped.
-  [[gnu::noinline]] Span<uint32_t> keep_deepest_first(Span<uint32_t> numbers, bool &goes_deep);
+  // Of one or more those that may cut, the one whose plane goes deepest first if one goes deeper than doubles can tell;
+  // the others are dropped.
+  [[gnu::cold]] Span<uint32_t> keep_deepest_first(Span<uint32_t> numbers, bool &goes_deep);
 
   uint32_t may_cut(CapBatch &batch, uint32_t asked) const;
 

@@ -91,6 +91,7 @@ void ExposedCaps::keep_planes_of_ties(const Caps &caps, TiedSets &sets) {
 bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
   // Where planes nearly agree, as of copies of one ball, the deepest of all is to cut, not one after the other.
   constexpr double deep = 0x1p-5;
+  constexpr uint32_t many_refused = 32;
   const uint32_t count = caps.count;
   CellCutting cutting(caps, part, floats != nullptr, state_);
   if (floats == nullptr) {
@@ -115,12 +116,13 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
     if (!cutting.cut_by(without_copies(caps, order_.part(0, left)), deep)) return false;
   }
   if (cutting.some_wait() && !cutting.cut_by(in_states(count, waits, waits), 0.0)) return false;
-  if (cutting.lacks_room() && in_states(count, stays, stays).size() >= fewest_refused) {
+  cutting.drop(in_states(count, has_cut, near_vertex));
+  if (cutting.lacks_room() && in_states(count, stays, stays).size() >= many_refused) {
     const Span<uint32_t> left = in_states(count, has_cut, near_vertex);
     for (const uint32_t k : left) state_[k] = stays;
     if (!cutting.cut_anew(left)) return false;
+    cutting.drop(in_states(count, has_cut, near_vertex));
   }
-  cutting.drop(in_states(count, has_cut, near_vertex));
   const Span<uint32_t> near = in_states(count, near_vertex, near_vertex);
   if (near.size() >= fewest_ties) {
     const CellTies ties(caps);

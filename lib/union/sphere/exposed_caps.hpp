@@ -34,7 +34,6 @@ class ExposedCaps : private CapState {
   uint32_t fewest_ties = 24;
 
  private:
-  static constexpr uint32_t fewest_refused = 32;
   bool is_tried(uint32_t k) const { return state_[k] == dropped || state_[k] >= waits; }
 
   template <class Real>

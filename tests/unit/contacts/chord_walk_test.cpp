@@ -239,8 +239,8 @@ TEST(ChordWalk, FindsWhatIsLeftOnAStuddedBall) {
   EXPECT_GE(with_many, 3U);
 }
 
-// Planes that nearly go through one point, so many that a polyhedron has no room for all, and so near to each other that
-// doubles know few cuts: of most balls nothing is left.
+// Planes that nearly go through one point, so many that a polyhedron has no room for all, and so near that doubles know
+// few cuts: of most balls nothing is left.
 TEST(ChordWalk, FindsWhatIsLeftOfNearPlanes) {
   oracle::RandomSource random(94);
   for (const auto &[n, width] : {std::pair<uint32_t, double>{200, 1.0}, {170, 1e-2}, {60, 1e-4}}) {

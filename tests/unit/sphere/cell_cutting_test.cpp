@@ -89,8 +89,8 @@ TEST(CellCutting, CapsThatAreDroppedDoNotMatter) {
   EXPECT_GT(points, 1000U);
 }
 
-// Planes that nearly go through one point, and others around a cone: so many cut in the order given that there is no room
-// for more. Of the deepest first few cut.
+// Planes that nearly go through one point, and others around a cone: so many cut in the order given that there is no
+// room for more. Of the deepest first few cut.
 TEST(CellCutting, CutsAnewByTheDeepest) {
   oracle::RandomSource random(70);
   uint32_t without_room = 0, buried = 0, stayed = 0, stay = 0, points = 0;
