@@ -72,9 +72,16 @@ bool VisiblePiece::gather(const BallSet &balls, const CubeBlock &block, uint32_t
 }
 
 void VisiblePiece::find_all(const BallSet &balls, const exact::Vector &direction) {
-  if (ExposedCaps::are_many(caps_) && !finder_.keep_exposed(caps_)) return;
-  caps_.add_half_sphere(opposite(direction));
-  finder_.find(balls, caps_, vertices_, circles_);
+  const exact::Vector back = opposite(direction);
+  const bool many = ExposedCaps::are_many(caps_);
+  if (many && !finder_.keep_exposed(caps_)) return;
+  caps_.add_half_sphere(back);
+  if (!finder_.search(balls, caps_, !many, vertices_, circles_)) {
+    --caps_.count;
+    if (!finder_.exposed_caps().keep(ExposedCaps::Part::sphere, caps_, 0)) return;
+    caps_.add_half_sphere(back);
+    finder_.find(balls, caps_, vertices_, circles_);
+  }
   link();
 }
 

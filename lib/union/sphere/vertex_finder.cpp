@@ -58,9 +58,10 @@ PointAnswer test_point(const CapTests &tests, double x, double y, double z, doub
 // cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
 // inside one of the vertex's three balls and touches it there. This exception makes the flag independent of the ball at
 // which the vertex is decided. If the circles certainly cross, callers may give their points in doubles: then only the
-// caps that these leave open are tested.
+// caps that these leave open are tested. First the one that covered a point last: where many planes go through one
+// point it mostly covers this one, too.
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
-                           const CrossingPoints *points, FixedVector<VertexRecord> &vertices);
+                           const CrossingPoints *points, uint32_t &holder, FixedVector<VertexRecord> &vertices);
 
 // Whether the circle of cap j is free as a whole.
 bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j);
@@ -141,7 +142,7 @@ VertexFinder::decide_points(const Caps &caps, uint32_t j, uint32_t k, const Cros
   if (!small_code && decide_points(caps, j, k, points, vertices)) return;
   exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
   effort_ += effort_of_integers;
-  find_vertices_exactly(balls, caps, tests_, j, k, &points, vertices);
+  find_vertices_exactly(balls, caps, tests_, j, k, &points, holder_, vertices);
 }
 
 // Where size counts there is one copy.
@@ -161,7 +162,7 @@ VertexFinder::pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t 
   if (!circles.certainly_cross()) {
     exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
     effort_ += effort_of_integers;
-    if (find_vertices_exactly(balls, caps, tests_, j, k, nullptr, vertices)) {
+    if (find_vertices_exactly(balls, caps, tests_, j, k, nullptr, holder_, vertices)) {
       state_[j] |= crossed;
       state_[k] |= crossed;
     }
@@ -186,7 +187,7 @@ void VertexFinder::decide_circle(const Caps &caps, uint32_t j, FixedVector<Circl
 void VertexFinder::start(const Caps &caps) {
   tests_.fill(caps);
   for (uint32_t j = 0; j < caps.count; ++j) state_[j] = 0;
-  hint_[0] = hint_[1] = effort_ = 0;
+  hint_[0] = hint_[1] = holder_ = effort_ = 0;
 }
 
 bool VertexFinder::search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
@@ -247,7 +248,7 @@ void VertexFinder::find_along_circles(const BallSet &balls, const Caps &caps, co
   const auto test_those_around = [&](uint32_t j) {
     const Span<const uint32_t> around = index.around(caps, j);
     tests_.fill(caps, around);
-    hint_[0] = hint_[1] = 0;
+    hint_[0] = hint_[1] = holder_ = 0;
     return around;
   };
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
@@ -292,7 +293,7 @@ bool leaves_open(const CrossingPoints &points, const CapTests &tests, uint32_t t
 }
 
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
-                           const CrossingPoints *points, FixedVector<VertexRecord> &vertices) {
+                           const CrossingPoints *points, uint32_t &holder, FixedVector<VertexRecord> &vertices) {
   const exact::Predicates predicates = caps.predicates();
   const exact::Plane P = caps.plane(j);
   const exact::Plane Q = caps.plane(k);
@@ -301,7 +302,9 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
 
   bool free[2] = {true, true};
   bool tied[2] = {crossing.tied, crossing.tied};
-  for (uint32_t t = 0; t < tests.count && (free[0] || free[1]); ++t) {
+  const uint32_t first = holder;
+  for (uint32_t n = 0; n < tests.count && (free[0] || free[1]); ++n) {
+    const uint32_t t = n == 0 ? first : n - (n <= first ? 1 : 0);
     const uint32_t l = tests.cap[t];
     if (l == j || l == k) continue;
     if (points != nullptr && !leaves_open(*points, tests, t, free)) continue;
@@ -310,6 +313,7 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
     const bool ties = (status.tied[0] || status.tied[1]) && !has_ball_inside(balls, caps.ball[l], caps.ball[j]) &&
                       !has_ball_inside(balls, caps.ball[l], caps.ball[k]);
     for (int point = 0; point < 2; ++point) {
+      if (free[point] && status.side[point] >= 0) holder = t;
       free[point] = free[point] && status.side[point] < 0;
       tied[point] = tied[point] || (ties && status.tied[point]);
     }

@@ -51,6 +51,9 @@ class VertexFinder {
   // that matter stay.
   void cull_and_find(const BallSet &balls, Caps &caps, FixedVector<VertexRecord> &vertices,
                      FixedVector<CircleRecord> &circles);
+  // The parts of that: false if it gave up, as many pairs take long; then nothing is found.
+  bool search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
+              FixedVector<CircleRecord> &circles);
   // On the circle of the last cap alone.
   void find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                     FixedVector<CircleRecord> &circles);
@@ -65,9 +68,6 @@ class VertexFinder {
   bool asks_much() const { return !small_code && uint64_t{effort_} * tests_.count > 1024 * effort_of_integers; }
 
  private:
-  // False if it gave up as many pairs take long: then nothing is found.
-  bool search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
-              FixedVector<CircleRecord> &circles);
   struct CapIndex;
   void find_along_circles(const BallSet &balls, const Caps &caps, const CapIndex &index,
                           FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles);
@@ -87,6 +87,7 @@ class VertexFinder {
   Span<uint8_t> state_;
   uint32_t effort_ = 0;        // for pairs by more than the first formula: 1 each, more by integers
   uint32_t hint_[2] = {0, 0};  // the groups of test caps that covered the last p- and p+
+  uint32_t holder_ = 0;        // the test cap that by integers covered the last one
 };
 
 }  // namespace hsp
