@@ -277,7 +277,7 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
   uint32_t pairs = 0;
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
     for (uint32_t k = j + 1; k < caps.count; ++k) {
-      if (!small_code && ++pairs == many_pairs && is_empty_cell(caps)) return;
+      if (!small_code && ++pairs == many_pairs && has_empty_cell(caps)) return;
       ChordEnds ends;
       if (!clipper_.clip(caps, j, k, ends)) continue;
       for (uint32_t side = 0; side < 2; ++side) add_power_vertex(caps, {j, k, side}, ends.clipper[side], chords);

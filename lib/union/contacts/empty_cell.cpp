@@ -5,7 +5,7 @@
 // As an example the planes x = 1, y = 1 and z = 1, each of a ball beyond it, and the direction (1, 1, 1).
 //   (1, 1, 1)       is the furthest point
 //   x + y + z = 1   leaves it out, and may take the place of any of the three: the furthest points are on it
-//   x + y + z = -1  of a ball on the other side leaves out all where the former holds: nothing is left
+//   x + y + z = -1  of a ball on the other side leaves out all where the first three hold: nothing is left
 #include "contacts/empty_cell.hpp"
 
 #include "exact/power_vertex.hpp"
@@ -22,26 +22,25 @@ int orientation(const Plane &P, const Plane &Q, const Plane &R) {
 // Three planes that meet in one point, right-handed, by their caps.
 class Corner {
  public:
-  // Of the first ones that do. False if there are none.
+  // The first plane and others whose normals are about as far as can be from it, and from both. False if these three
+  // do not meet in a point.
   bool start(const Caps &caps) {
-    if (caps.count < 3) return false;
+    const Vec3 u = caps.axis(0);
+    const uint32_t q = largest(caps, [&u](const Vec3 &v) {
+      const Vec3 across = cross(u, v);
+      return dot(across, across);
+    });
+    const Vec3 across = cross(u, caps.axis(q));
+    const uint32_t r = largest(caps, [&across](const Vec3 &v) { return std::fabs(dot(across, v)); });
     put(caps, 0, 0);
-    for (uint32_t q = 1; q + 1 < caps.count; ++q) {
-      put(caps, 1, q);
-      if (is_zero(cross(plane_[0].v, plane_[1].v))) continue;
-      for (uint32_t r = q + 1; r < caps.count; ++r) {
-        put(caps, 2, r);
-        const int sign = orientation(plane_[0], plane_[1], plane_[2]);
-        if (sign == 0) continue;
-        if (sign < 0) {
-          put(caps, 1, r);
-          put(caps, 2, q);
-        }
-        return true;
-      }
-      return false;
+    put(caps, 1, q);
+    put(caps, 2, r);
+    const int sign = orientation(plane_[0], plane_[1], plane_[2]);
+    if (sign < 0) {
+      put(caps, 1, r);
+      put(caps, 2, q);
     }
-    return false;
+    return sign != 0;
   }
   void put(const Caps &caps, uint32_t place, uint32_t cap) {
     cap_[place] = cap;
@@ -55,6 +54,13 @@ class Corner {
     return orientation(S, plane_[(place + 1) % 3], plane_[(place + 2) % 3]);
   }
 
+  // Whether they meet outside the ball: on the line of the first two, not between the points of the sphere.
+  bool is_outside(const exact::Predicates &predicates) const {
+    if (predicates.crossing(plane_[0], plane_[1]).sign < 0) return true;
+    const exact::PointStatus status = predicates.point_status(plane_[0], plane_[1], plane_[2]);
+    return (status.side[0] < 0) == (status.side[1] < 0);
+  }
+
   // About where they meet, on the unit sphere.
   Vec3 place(const Caps &caps) const {
     const Vec3 u = caps.axis(cap_[0]), v = caps.axis(cap_[1]), w = caps.axis(cap_[2]);
@@ -63,7 +69,7 @@ class Corner {
   }
   // A direction between their normals, as a plane's.
   Plane direction(const Caps &caps) const {
-    constexpr double weights[3] = {1048573.0, 1153433.0, 1362907.0};
+    constexpr double weights[3] = {200000033.0, 260000041.0, 340000049.0};
     const Vec3 two = combine(weights[0], caps.axis(cap_[0]), weights[1], caps.axis(cap_[1]));
     const Vec3 sum = combine(1.0, two, weights[2], caps.axis(cap_[2]));
     return exact::virtual_plane({static_cast<int64_t>(sum.x), static_cast<int64_t>(sum.y), static_cast<int64_t>(sum.z)},
@@ -71,6 +77,19 @@ class Corner {
   }
 
  private:
+  template <class Size>
+  static uint32_t largest(const Caps &caps, Size size) {
+    double most = 0.0;
+    uint32_t found = 0;
+    for (uint32_t k = 0; k < caps.count; ++k) {
+      const double of_cap = size(caps.axis(k));
+      if (!(of_cap > most)) continue;
+      most = of_cap;
+      found = k;
+    }
+    return found;
+  }
+
   Plane plane_[3];
   uint32_t cap_[3] = {0, 0, 0};
 };
@@ -96,17 +115,17 @@ uint32_t find_violated(const Caps &caps, const Corner &corner) {
 
 }  // namespace
 
-bool is_empty_cell(const Caps &caps) {
+bool has_empty_cell(const Caps &caps) {
   constexpr uint32_t most_steps = 64, none = 3;
   Corner corner;
-  if (!corner.start(caps)) return false;
+  if (caps.count == 0 || !corner.start(caps)) return false;
   const Plane along = corner.direction(caps);
   for (uint32_t place = 0; place < 3; ++place) {
     if (corner.with(along, place) <= 0) return false;
   }
   for (uint32_t step = 0; step < most_steps; ++step) {
     const uint32_t violated = find_violated(caps, corner);
-    if (violated == no_id) return false;
+    if (violated == no_id) return corner.is_outside(caps.predicates());
     const Plane S = caps.plane(violated);
     uint32_t leaves = none;
     for (uint32_t place = 0; place < 3; ++place) {
