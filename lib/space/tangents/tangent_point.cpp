@@ -371,10 +371,14 @@ double TangentPoint::estimate_closely(Vec3 &off, double &level) {
         quotient(line.P.z, line.D) + height * number_of(line.Q.z), quotient(line.p, line.D));
     return tolerable + 0x1p-20;
   }
-  // z to 2^-24 of a step, by halves: 2^24 z lies in [least, least + 2^size).
-  const Integer unit(INT64_C(1) << 24);
+  // z by halves: 2^bits z lies in [least, least + 2^size). Across the place where two balls touch a point goes much
+  // farther than z, which then needs more bits.
+  const double pace =
+      longest_part({quotient(line.Q.x, line.D), quotient(line.Q.y, line.D), quotient(line.Q.z, line.D)});
+  const int bits = pace > 32.0 ? 60 : 24;
+  const Integer unit(INT64_C(1) << bits);
   Integer least;
-  for (int size = 80; size-- > 0;) {
+  for (int size = 56 + bits; size-- > 0;) {
     const Integer next = least + Integer(INT64_C(1) << size / 2) * Integer(INT64_C(1) << (size + 1) / 2);
     if (sign_at_root(line, -next, unit) >= 0) least = next;
   }

@@ -196,6 +196,29 @@ TEST(TangentPoint, LevelsHalfWayBetweenUnitsAreRoundedUp) {
   EXPECT_GT(above, 100);
 }
 
+// Two balls that touch, and a point h steps beside that place: the gate is h^2 / 2 (h + R) from that point. Its place is
+// known far better than to a step, though distances from the two balls hardly change there.
+TEST(TangentPoint, PlacesBesideWhereTwoBallsTouch) {
+  for (const int64_t R : {INT64_C(100000000), INT64_C(1000000000), INT64_C(1) << 33}) {
+    for (const int64_t h : {1, 2, 3, 5, 10, 30, 100, 1000}) {
+      const PlainBallSet balls({{-R, 0, 0, R}, {R, 0, 0, R}, {0, 0, -h, 0}});
+      const auto r = static_cast<double>(R), depth = static_cast<double>(h);
+      const double level = depth * depth / (2.0 * (depth + r));
+      for (const TangentCurve &curve : {TangentCurve{0, 1, 2}, TangentCurve{1, 2, 0}, TangentCurve{2, 0, 1}}) {
+        TangentPoint point(lines);
+        ASSERT_TRUE(point.find(balls.set(), curve, no_id, false));
+        hsp::Vec3 place{};
+        double found = 0.0;
+        const double error = point.refine(place, found);
+        EXPECT_NEAR(found, level, error);
+        EXPECT_NEAR(place.x, 0.0, 1e-5) << R << ' ' << h;
+        EXPECT_NEAR(place.y, 0.0, 1e-5) << R << ' ' << h;
+        EXPECT_NEAR(place.z, level - depth, 1e-5) << R << ' ' << h;
+      }
+    }
+  }
+}
+
 // From a tied point up a curve: a ball gets nearer or farther as it does at a place a little further up, in long
 // doubles.
 TEST(TangentPoint, DepartureAlongCurves) {
