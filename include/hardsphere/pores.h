@@ -125,10 +125,13 @@ HSP_API int32_t HSP_CALL hsp_pores_compute(hsp_pores *pores, const hsp_model *mo
  *  balls or another box. Limits for the model's balls suffice for boxes that are much larger than their pores; else
  *  images need more.
  *  Points come and go in the caller's frame, however the box is turned inside.
+ *  In a turned box images lie up to a step beside their places. So balls that would tie or touch exactly there may not:
+ *  one point may become several some steps apart, and a gate of radius 0 may open or close. Other vectors for the same
+ *  crystal may have it otherwise.
  *  - Property 1: which image of a ball is given, which upright vectors for the same box, and the order of the balls
  *    have no effect but on numbers of balls, points and shifts, and on the numbers of what is equally wide.
- *  - Property 2: a box of m copies has m times each maximum and gate, of the same radii bit for bit, if these are not a
- *    hundred times the largest ball's.
+ *  - Property 2: an upright box of m copies has m times each maximum and gate, of the same radii bit for bit, if these
+ *    are not a hundred times the largest ball's.
  *
  *  Cost: that of hsp_pores_compute for balls and images.
  *  @retval HSP_E_ARGUMENT    pores or periodic is NULL; options->before is pores; an executor with several workers and
