@@ -22,8 +22,7 @@ void visit_meeting(const BallSet &set, const BallRange &range, const exact::Vect
 // Calls sink(k) for every ball or image that meets the ball around a point of the box, in the grid's order. Its radius
 // must not be larger than that of the largest ball: images that are farther away are not there.
 template <class Sink>
-void visit_balls_at(const PeriodicUnion &periodic, const exact::Vector &point, int64_t radius, Sink sink) {
-  const CubeGrid &grid = periodic.grid();
+void visit_balls_at(const CubeGrid &grid, const exact::Vector &point, int64_t radius, Sink sink) {
   const BallSet &set = grid.balls();
   const CubeBlock block = grid.block_around(grid.cube_at(point));
   for (uint32_t k = 0; k < block.ranges; ++k) {
@@ -59,7 +58,8 @@ template <class Sink>
 void visit_images_at(const PeriodicUnion &periodic, const exact::Vector &point, int64_t radius, Sink sink) {
   const PeriodicImages &images = periodic.images();
   if (radius <= images.largest_radius()) {
-    return visit_balls_at(periodic, point, radius, [&](uint32_t k) { sink(images.ball_of(k), images.shift_of(k)); });
+    return visit_balls_at(periodic.grid(), point, radius,
+                          [&](uint32_t k) { sink(images.ball_of(k), images.shift_of(k)); });
   }
   const PeriodicBox &box = images.box();
   const auto visit_copy = [&](const BoxShift &shift) {
@@ -75,7 +75,7 @@ void visit_images_at(const PeriodicUnion &periodic, const exact::Vector &point, 
 template <class Sink>
 void visit_neighbours_in_box(const PeriodicUnion &periodic, uint32_t i, Sink sink) {
   const exact::LatticeBall own = periodic.balls().ball(periodic.grid().grid_index(i));
-  visit_balls_at(periodic, own.centre, own.radius, [&](uint32_t k) {
+  visit_balls_at(periodic.grid(), own.centre, own.radius, [&](uint32_t k) {
     if (k != i) sink(k);
   });
 }

@@ -96,7 +96,12 @@ Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(a
     if (!(reach < exact::query_radius_limit)) break;
   }
   level_ = balls.n > 0 ? reach : std::numeric_limits<double>::infinity();
-  look(reach);
+  if (!look(reach) && near_count_ == 0 && balls.n > 0 && reach + 2.0 < exact::query_radius_limit) {
+    // It is in too many, or too many tie: of all these the nearest one, and those that are as near.
+    const NearImage nearest = around.find_nearest({start, static_cast<int64_t>(reach + 2.0)}, level_);
+    if (nearest.ball != no_id) near_[near_count_++] = {{1.0, 0.0, 0.0}, level_, nearest};
+    static_cast<void>(look(level_));
+  }
   delta_ = 0.25 * (std::fabs(level_) + static_cast<double>(balls.largest_radius)) + 16.0;
   move(0.0, at_);
 }
@@ -108,9 +113,9 @@ bool Ascent::look(double reach) {
   const double radius = reach > 0.0 ? reach + 2.0 : 2.0;
   known_ = -1.0;
   if (!(radius < exact::query_radius_limit)) return false;
-  const uint32_t hits =
-      balls_.find({{start_.x + offset.x, start_.y + offset.y, start_.z + offset.z}, static_cast<int64_t>(radius)},
-                  found, BallsAround::most);
+  const exact::Vector point{start_.x + offset.x, start_.y + offset.y, start_.z + offset.z};
+  uint32_t hits = balls_.find({point, static_cast<int64_t>(radius)}, found, BallsAround::most);
+  if (hits > BallsAround::most && reach < -2.0) hits = balls_.find_deep(point, reach + 2.0, found, BallsAround::most);
   if (hits == 0 || hits > BallsAround::most) return false;
   const auto seen = [&](const NearImage &image) {
     const exact::LatticeBall ball = balls_.ball(image);

@@ -1,5 +1,7 @@
 #include "pores/balls_around.hpp"
 
+#include <cmath>
+
 namespace hsp {
 
 BallsAround::BallsAround(const CubeGrid &grid) : grid_(&grid) {
@@ -33,6 +35,49 @@ uint32_t BallsAround::find(const LatticeQuery &query, NearImage *near, uint32_t 
     ++hits;
   });
   return hits;
+}
+
+// Calls sink(image) for all that meet a ball, however many.
+template <class Sink>
+void BallsAround::visit(const LatticeQuery &query, Sink sink) const {
+  if (periodic_ != nullptr) {
+    exact::Vector at = query.centre;
+    BoxShift away;
+    if (box()->wrap(at, away) != Status::ok) return;
+    return visit_images_at(*periodic_, at, query.radius, [&](uint32_t ball, const BoxShift &shift) {
+      sink(NearImage{ball, away + shift});
+    });
+  }
+  const auto found = [&](uint32_t ball) { sink(NearImage{ball, {}}); };
+  if (query.radius <= set().largest_radius) return visit_balls_at(*grid_, query.centre, query.radius, found);
+  visit_meeting(set(), {0, set().n}, query.centre, query.radius, [&](uint32_t k) { found(set().caller[k]); });
+}
+
+double BallsAround::gap_of(const NearImage &image, const exact::Vector &point) const {
+  const exact::LatticeBall near = ball(image);
+  const Vec3 y = to_double(point - near.centre);
+  return std::sqrt(dot(y, y)) - static_cast<double>(near.radius);
+}
+
+uint32_t BallsAround::find_deep(const exact::Vector &point, double reach, NearImage *near, uint32_t room) const {
+  uint32_t hits = 0;
+  visit({point, 0}, [&](const NearImage &image) {
+    if (gap_of(image, point) > reach) return;
+    if (hits < room) near[hits] = image;
+    ++hits;
+  });
+  return hits;
+}
+
+NearImage BallsAround::find_nearest(const LatticeQuery &query, double &gap) const {
+  NearImage nearest{no_id, {}};
+  visit(query, [&](const NearImage &image) {
+    const double here = gap_of(image, query.centre);
+    if (nearest.ball != no_id && !(here < gap)) return;
+    nearest = image;
+    gap = here;
+  });
+  return nearest;
 }
 
 }  // namespace hsp

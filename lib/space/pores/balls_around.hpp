@@ -35,8 +35,17 @@ class BallsAround {
   }
   // How many meet a ball; if they are no more than there is room for, these. room: at most `most`.
   uint32_t find(const LatticeQuery &query, NearImage *near, uint32_t room) const;
+  // The same of those whose spheres are within a reach below 0 of a point, by doubles: a point in many balls is deep in
+  // most of them. Looks at all that it is in.
+  uint32_t find_deep(const exact::Vector &point, double reach, NearImage *near, uint32_t room) const;
+  // The nearest one of all that meet a ball, and how far its sphere is from the middle; no_id if there is none.
+  NearImage find_nearest(const LatticeQuery &query, double &gap) const;
 
  private:
+  template <class Sink>
+  void visit(const LatticeQuery &query, Sink sink) const;
+  double gap_of(const NearImage &image, const exact::Vector &point) const;
+
   const CubeGrid *grid_;
   const PeriodicUnion *periodic_ = nullptr;
   LatticeBox centres_;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "built_crystal_pores.hpp"
+#include "built_periodic.hpp"
 #include "built_pores.hpp"
 #include "pockets/class_tree.hpp"
 #include "pore_sets.hpp"
@@ -128,6 +130,87 @@ TEST(Ascent, EndsWhereRoundingTakesWhatIsGained) {
     ASSERT_LT(place.maximum, pores.maxima().size());
     EXPECT_NEAR(pores.maxima()[place.maximum].point.level, place.level, 1.0);
   }
+}
+
+// Ways from there, and the ball that they begin at.
+void check_begin(const BuiltPores &pores, const oracle::Balls &balls, const hsp::exact::Vector &start) {
+  const hsp::Vec3 at{static_cast<double>(start.x), static_cast<double>(start.y), static_cast<double>(start.z)};
+  const double level = nearest_distance(balls, at);
+  hsp::Ascent way(pores.grid(), start);
+  ASSERT_NEAR(way.level(), level, 1e-6);
+  ASSERT_LT(way.nearest_ball().ball, balls.size());
+  ASSERT_NEAR(nearest_distance({balls[way.nearest_ball().ball]}, at), level, 1e-6);
+  double before = level;
+  while (way.step()) {
+    ASSERT_NEAR(way.level(), nearest_distance(balls, at + way.offset()), 1e-4);
+    ASSERT_GE(way.level(), before - 2.0);
+    before = way.level();
+  }
+  ASSERT_FALSE(way.is_lost());
+  hsp::PoreLocation place{};
+  ASSERT_EQ(hsp::locate(pores.builder(), pores.grid(), start, BuiltPores::lowest(balls), place), hsp::Status::ok);
+  ASSERT_NEAR(place.level, level, 1e-6);
+  if (place.maximum == hsp::pore_outside) return;
+  ASSERT_LT(place.maximum, pores.maxima().size());
+  ASSERT_GE(pores.maxima()[place.maximum].point.level, level - 2.0);
+}
+
+// In more balls than there is room for it is deep in most of them.
+TEST(Ascent, BeginsInManyBalls) {
+  constexpr int64_t unit = 100000000;
+  oracle::RandomSource random(4);
+  oracle::Balls balls;
+  const auto along = [&] { return random.in(-unit, unit); };
+  for (int k = 0; k < 300; ++k) balls.push_back({along(), along(), along(), 3 * unit});
+  const BuiltPores pores(balls);
+  ASSERT_EQ(pores.status(), hsp::Status::ok);
+  for (int k = 0; k < 30; ++k) ASSERT_NO_FATAL_FAILURE(check_begin(pores, balls, {along(), along(), along()}));
+}
+
+// Of 672 balls around one point, from there and from a step beside it.
+TEST(Ascent, BeginsWhereManyBallsTie) {
+  constexpr int64_t unit = 1000000, most = 44;
+  for (const int64_t radius : {INT64_C(0), unit / 2, 200 * unit}) {
+    oracle::Balls balls;
+    for (int64_t x = -most; x <= most; ++x) {
+      for (int64_t y = -most; y <= most; ++y) {
+        for (int64_t z = -most; z <= most; ++z) {
+          if (x * x + y * y + z * z == 2009) balls.push_back({x * unit, y * unit, z * unit, radius});
+        }
+      }
+    }
+    ASSERT_EQ(balls.size(), 672U);
+    const BuiltPores pores(balls);
+    ASSERT_EQ(pores.status(), hsp::Status::ok);
+    for (const hsp::exact::Vector &start : {hsp::exact::Vector{0, 0, 0}, {1, 0, 0}, {0, -1, 2}, {3, 5, -2}}) {
+      ASSERT_NO_FATAL_FAILURE(check_begin(pores, balls, start));
+    }
+  }
+}
+
+// So many in one place of a box, whose copies meet; the widest probe is in its middle, from where all are as far.
+TEST(Ascent, BeginsInManyBallsOfABox) {
+  constexpr int64_t unit = 1000000;
+  const oracle::Balls balls(250, {0, 0, 0, 11 * unit / 20});
+  const BuiltCrystalPores pores(balls, {{{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}}}, -3 * unit / 10);
+  ASSERT_EQ(pores.status(), hsp::Status::ok);
+  ASSERT_EQ(pores.maxima().size(), 1U);
+  const auto side = static_cast<double>(unit);
+  const BuiltPeriodic periodic(BuiltPores::listed(balls), {side, 0, 0, 0, side, 0, 0, 0, side});
+  const auto check = [&](const hsp::exact::Vector &start, double distance, bool there) {
+    hsp::PoreLocation place{};
+    ASSERT_EQ(hsp::locate(pores.builder(), hsp::BallsAround(periodic.get()), start, -3 * unit / 10, place),
+              hsp::Status::ok);
+    EXPECT_NEAR(place.level, distance - 0.55 * side, 1e-6);
+    EXPECT_LT(place.ball, balls.size());
+    EXPECT_EQ(place.maximum, there ? 0U : hsp::no_id);
+  };
+  for (const int64_t x : {INT64_C(0), unit / 10, unit / 3}) {
+    const auto distance = static_cast<double>(x);
+    ASSERT_NO_FATAL_FAILURE(check({x, 0, 0}, distance, distance > 0.25 * side));
+    ASSERT_NO_FATAL_FAILURE(check({unit, x - unit, 0}, distance, distance > 0.25 * side));
+  }
+  ASSERT_NO_FATAL_FAILURE(check({unit / 2, unit / 2, unit / 2}, std::sqrt(0.75) * side, true));
 }
 
 TEST(Ascent, NoMixtureOfPointsIsNearerToZero) {

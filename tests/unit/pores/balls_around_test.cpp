@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "built_grid.hpp"
@@ -38,6 +40,14 @@ class Found {
                square(ball.centre.z, query.centre.z) <=
            sum * sum;
   }
+  double gap_of(const Image &image, const hsp::exact::Vector &point) const {
+    const hsp::exact::LatticeBall ball = balls_.ball(
+        {static_cast<uint32_t>(image[0]),
+         {{static_cast<int32_t>(image[1]), static_cast<int32_t>(image[2]), static_cast<int32_t>(image[3])}}});
+    const double x = static_cast<double>(point.x - ball.centre.x), y = static_cast<double>(point.y - ball.centre.y),
+                 z = static_cast<double>(point.z - ball.centre.z);
+    return std::sqrt(x * x + y * y + z * z) - static_cast<double>(ball.radius);
+  }
 
  private:
   hsp::BallsAround balls_;
@@ -48,7 +58,7 @@ class Found {
 
 TEST(BallsAround, AreThoseOfAllImages) {
   oracle::RandomSource random(1);
-  size_t images = 0, own = 0;
+  size_t images = 0, own = 0, all_deep = 0;
   for (int turn = 0; turn < oracle::sets(10); ++turn) {
     support::BallList list;
     for (int64_t n = random.in(1, 6); n > 0; --n) {
@@ -85,6 +95,28 @@ TEST(BallsAround, AreThoseOfAllImages) {
         ASSERT_EQ(found, expected);
       }
       ASSERT_EQ(around.find(query, nullptr, 0), expected.size());
+      // Of these the nearest one, and all that the middle is deep in.
+      double nearest = INFINITY;
+      uint32_t deep = 0;
+      for (const Image &image : expected) {
+        const double gap = in_box.gap_of(image, query.centre);
+        nearest = std::min(nearest, gap);
+        deep += gap <= -50.0 ? 1 : 0;
+      }
+      double gap = INFINITY;
+      const hsp::NearImage first = around.find_nearest(query, gap);
+      ASSERT_EQ(gap, nearest);
+      ASSERT_EQ(first.ball == hsp::no_id, expected.empty());
+      if (!expected.empty()) {
+        ASSERT_EQ(in_box.gap_of({first.ball, first.shift.k[0], first.shift.k[1], first.shift.k[2]}, query.centre), gap);
+      }
+      hsp::NearImage found_deep[hsp::BallsAround::most];
+      ASSERT_EQ(around.find_deep(query.centre, -50.0, found_deep, hsp::BallsAround::most), deep);
+      for (uint32_t i = 0; i < deep && i < hsp::BallsAround::most; ++i) {
+        const auto &[ball, shift] = found_deep[i];
+        ASSERT_LE(in_box.gap_of({ball, shift.k[0], shift.k[1], shift.k[2]}, query.centre), -50.0);
+      }
+      all_deep += deep;
       ASSERT_EQ(alone.at(query), expected_alone);
       images += found.size();
       own += expected_alone.size();
@@ -93,6 +125,7 @@ TEST(BallsAround, AreThoseOfAllImages) {
   }
   EXPECT_GT(images, 500U);
   EXPECT_GT(own, 0U);
+  EXPECT_GT(all_deep, 100U);
 }
 
 }  // namespace
