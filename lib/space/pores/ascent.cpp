@@ -98,8 +98,7 @@ Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(a
   level_ = balls.n > 0 ? reach : std::numeric_limits<double>::infinity();
   if (!look(reach) && near_count_ == 0 && balls.n > 0 && reach + 2.0 < exact::query_radius_limit) {
     // It is in too many, or too many tie: of all these the nearest one, and those that are as near.
-    const NearImage nearest = around.find_nearest({start, static_cast<int64_t>(reach + 2.0)}, level_);
-    if (nearest.ball != no_id) near_[near_count_++] = {{1.0, 0.0, 0.0}, level_, nearest};
+    nearest_ = around.find_nearest({start, static_cast<int64_t>(reach + 2.0)}, level_);
     static_cast<void>(look(level_));
   }
   delta_ = 0.25 * (std::fabs(level_) + static_cast<double>(balls.largest_radius)) + 16.0;
@@ -123,8 +122,7 @@ bool Ascent::look(double reach) {
                  at_.y - static_cast<double>(ball.centre.y - start_.y),
                  at_.z - static_cast<double>(ball.centre.z - start_.z)};
     const double length = length_of(y);
-    return NearBall{length > 0.0 ? (1.0 / length) * y : Vec3{1.0, 0.0, 0.0}, length - static_cast<double>(ball.radius),
-                    image};
+    return NearBall{length > 0.0 ? (1.0 / length) * y : Vec3{1.0, 0.0, 0.0}, length - static_cast<double>(ball.radius)};
   };
   uint32_t nearest_one = 0;
   NearBall first = seen(found[0]);
@@ -135,12 +133,14 @@ bool Ascent::look(double reach) {
     first = other;
   }
   level_ = first.gap;
+  nearest_ = found[nearest_one];
   near_count_ = 0;
   near_[near_count_++] = first;
   for (uint32_t k = 0; k < hits; ++k) {
     const NearBall other = seen(found[k]);
     if (k == nearest_one || other.gap > reach) continue;
-    if (near_count_ == room) return false;
+    if (near_count_ == room && reach - level_ < 0x1p-8 * size()) room_ = room_of_ties;
+    if (near_count_ == room_) return false;
     near_[near_count_++] = other;
   }
   known_ = reach - level_;

@@ -31,7 +31,7 @@ class Ascent {
   // Whether level() is f where the way is; else it is less, as too many balls are near.
   bool level_is_known() const { return known_ >= 0.0; }
   // A ball that is nearest there; no_id without balls.
-  NearImage nearest_ball() const { return near_count_ > 0 ? near_[0].image : NearImage{no_id, {}}; }
+  NearImage nearest_ball() const { return nearest_; }
   // Beyond the box around all centres: from there f rises for ever. Never in a periodic box.
   bool is_outside() const { return outside_; }
   // One step up. False if there is none, or outside, or if steps lead nowhere.
@@ -43,13 +43,13 @@ class Ascent {
 
  private:
   static constexpr uint32_t room = 64;
+  static constexpr uint32_t room_of_ties = 96;  // of near ties, as of a ring of balls, of which a few lead nowhere
   static constexpr uint32_t most_steps = 100000;
   static constexpr uint32_t stretch = 1024;  // so many steps do not lead on if f is no larger after them
   static constexpr double far = 0x1p34;
   struct NearBall {
     Vec3 a;  // unit vector from the centre
     double gap;
-    NearImage image;
   };
 
   bool look(double reach);
@@ -70,10 +70,11 @@ class Ascent {
   exact::Vector start_;
   Vec3 at_{0.0, 0.0, 0.0};
   double level_ = 0.0;
-  double delta_ = 0.0;   // of the next try
-  double known_ = -1.0;  // near_ has all balls within that of the nearest one; below 0: none
-  NearBall near_[room];  // the nearest one first
-  uint32_t near_count_ = 0;
+  double delta_ = 0.0;           // of the next try
+  double known_ = -1.0;          // near_ has all balls within that of the nearest one; below 0: none
+  NearBall near_[room_of_ties];  // the nearest one first
+  uint32_t near_count_ = 0, room_ = room;
+  NearImage nearest_{no_id, {}};
   uint32_t saddles_ = 0;  // that were left
   uint32_t steps_ = 0;
   double before_stretch_ = -std::numeric_limits<double>::infinity();  // f

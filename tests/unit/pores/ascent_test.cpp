@@ -188,6 +188,31 @@ TEST(Ascent, BeginsWhereManyBallsTie) {
   }
 }
 
+// Along the axis of a ring all of its balls nearly tie, up to the rounding of their centres. Others are far above.
+TEST(Ascent, FollowsTheAxisOfARing) {
+  constexpr double unit = 1e8, turn = 6.283185307179586;
+  for (const int count : {60, 90, 96}) {
+    oracle::Balls balls;
+    for (int k = 0; k < count; ++k) {
+      const double angle = turn * (k + 0.1234) / count;
+      balls.push_back({std::llround(8.779 * unit * std::cos(angle)), std::llround(8.779 * unit * std::sin(angle)), 0,
+                       INT64_C(300000000)});
+    }
+    for (const int64_t x : {-6000000000, 6000000000}) {
+      for (const int64_t y : {-6000000000, 6000000000}) balls.push_back({x, y, 6000000000, 100000000});
+    }
+    const BuiltPores pores(balls, 0);
+    ASSERT_EQ(pores.status(), hsp::Status::ok);
+    for (const int64_t z : {10000000, 100000000, 300000000}) {
+      for (const int64_t x : {0, 10, 100000}) {
+        hsp::PoreLocation place{};
+        ASSERT_EQ(hsp::locate(pores.builder(), pores.grid(), {x, 0, z}, 0, place), hsp::Status::ok);
+        ASSERT_EQ(place.maximum, hsp::pore_outside);
+      }
+    }
+  }
+}
+
 // So many in one place of a box, whose copies meet; the widest probe is in its middle, from where all are as far.
 TEST(Ascent, BeginsInManyBallsOfABox) {
   constexpr int64_t unit = 1000000;
