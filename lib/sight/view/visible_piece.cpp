@@ -76,7 +76,7 @@ void VisiblePiece::find_all(const BallSet &balls, const exact::Vector &direction
   const bool many = ExposedCaps::are_many(caps_);
   if (many && !finder_.keep_exposed(caps_)) return;
   caps_.add_half_sphere(back);
-  if (!finder_.search(balls, caps_, !many, vertices_, circles_)) {
+  if (!finder_.search(balls, caps_, !many, vertices_, circles_) && !small_code) {  // small code never gives up
     --caps_.count;
     if (!finder_.exposed_caps().keep(ExposedCaps::Part::sphere, caps_, 0)) return;
     caps_.add_half_sphere(back);

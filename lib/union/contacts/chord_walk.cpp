@@ -65,21 +65,28 @@ double most_of_first(const CutBounds &bounds, uint32_t count, CapAt cap_at) {
 // doubles tell: of thousands whose planes nearly agree, as of balls on several lines, about one or two.
 template <class CapAt>
 uint32_t cut_exactly(const Caps &caps, uint32_t count, CapAt cap_at, const ChordEnd &end) {
-  const CutBounds bounds(caps, end);
-  const double first = most_of_first(bounds, count, cap_at);
-  const exact::Predicates predicates = caps.predicates();
-  const exact::Plane P = caps.plane(end.j);
-  const exact::Plane Q = caps.plane(end.k);
-  const int direction = end.side == 1 ? 1 : -1;
-  uint32_t nearest = no_id;
-  for (uint32_t n = 0; n < count; ++n) {
-    const uint32_t l = cap_at(n);
-    if (l == end.j || l == end.k || bounds.of(l).least > first) continue;
-    const exact::Plane R = caps.plane(l);
-    if (exact::Exact::triple_product_sign(P.v, Q.v, R.v) != direction) continue;
-    if (nearest == no_id || predicates.near(P, Q, caps.plane(nearest), R).sign < 0) nearest = l;
+  const auto cut = [&](auto may_be_first) {
+    const exact::Predicates predicates = caps.predicates();
+    const exact::Plane P = caps.plane(end.j);
+    const exact::Plane Q = caps.plane(end.k);
+    const int direction = end.side == 1 ? 1 : -1;
+    uint32_t nearest = no_id;
+    for (uint32_t n = 0; n < count; ++n) {
+      const uint32_t l = cap_at(n);
+      if (l == end.j || l == end.k || !may_be_first(l)) continue;
+      const exact::Plane R = caps.plane(l);
+      if (exact::Exact::triple_product_sign(P.v, Q.v, R.v) != direction) continue;
+      if (nearest == no_id || predicates.near(P, Q, caps.plane(nearest), R).sign < 0) nearest = l;
+    }
+    return nearest;
+  };
+  if constexpr (small_code) {
+    return cut([](uint32_t) { return true; });
+  } else {
+    const CutBounds bounds(caps, end);
+    const double first = most_of_first(bounds, count, cap_at);
+    return cut([&](uint32_t l) { return !(bounds.of(l).least > first); });
   }
-  return nearest;
 }
 
 double direction_of(const ChordEnd &end) {
@@ -277,7 +284,7 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
   uint32_t pairs = 0;
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
     for (uint32_t k = j + 1; k < caps.count; ++k) {
-      if (!small_code && ++pairs == many_pairs && has_empty_cell(caps)) return;
+      if (++pairs == many_pairs && has_empty_cell(caps)) return;
       ChordEnds ends;
       if (!clipper_.clip(caps, j, k, ends)) continue;
       for (uint32_t side = 0; side < 2; ++side) add_power_vertex(caps, {j, k, side}, ends.clipper[side], chords);

@@ -8,6 +8,7 @@
 //   x + y + z = -1  of a ball on the other side leaves out all where the first three hold: nothing is left
 #include "contacts/empty_cell.hpp"
 
+#include "core/small_code.hpp"
 #include "exact/power_vertex.hpp"
 
 namespace hsp {
@@ -118,7 +119,7 @@ uint32_t find_violated(const Caps &caps, const Corner &corner) {
 bool has_empty_cell(const Caps &caps) {
   constexpr uint32_t most_steps = 64, none = 3;
   Corner corner;
-  if (caps.count == 0 || !corner.start(caps)) return false;
+  if (small_code || caps.count == 0 || !corner.start(caps)) return false;
   const Plane along = corner.direction(caps);
   for (uint32_t place = 0; place < 3; ++place) {
     if (corner.with(along, place) <= 0) return false;

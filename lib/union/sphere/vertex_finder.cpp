@@ -304,7 +304,7 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
   bool tied[2] = {crossing.tied, crossing.tied};
   const uint32_t first = holder;
   for (uint32_t n = 0; n < tests.count && (free[0] || free[1]); ++n) {
-    const uint32_t t = n == 0 ? first : n - (n <= first ? 1 : 0);
+    const uint32_t t = small_code || n > first ? n : n == 0 ? first : n - 1;
     const uint32_t l = tests.cap[t];
     if (l == j || l == k) continue;
     if (points != nullptr && !leaves_open(*points, tests, t, free)) continue;
@@ -313,7 +313,7 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
     const bool ties = (status.tied[0] || status.tied[1]) && !has_ball_inside(balls, caps.ball[l], caps.ball[j]) &&
                       !has_ball_inside(balls, caps.ball[l], caps.ball[k]);
     for (int point = 0; point < 2; ++point) {
-      if (free[point] && status.side[point] >= 0) holder = t;
+      if (!small_code && free[point] && status.side[point] >= 0) holder = t;
       free[point] = free[point] && status.side[point] < 0;
       tied[point] = tied[point] || (ties && status.tied[point]);
     }
