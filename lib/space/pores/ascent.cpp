@@ -105,25 +105,26 @@ Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(a
   move(0.0, at_);
 }
 
+Ascent::NearBall Ascent::seen(const NearImage &image) const {
+  const exact::LatticeBall ball = balls_.ball(image);
+  const Vec3 y{at_.x - static_cast<double>(ball.centre.x - start_.x),
+               at_.y - static_cast<double>(ball.centre.y - start_.y),
+               at_.z - static_cast<double>(ball.centre.z - start_.z)};
+  const double length = length_of(y);
+  return {length > 0.0 ? (1.0 / length) * y : Vec3{1.0, 0.0, 0.0}, length - static_cast<double>(ball.radius)};
+}
+
 // All balls within some distance, and f. False if there are none, or too many.
 bool Ascent::look(double reach) {
   NearImage found[BallsAround::most];
   const exact::Vector offset{nearest(at_.x), nearest(at_.y), nearest(at_.z)};
   const double radius = reach > 0.0 ? reach + 2.0 : 2.0;
-  known_ = -1.0;
+  known_ = crowd_ = -1.0;
   if (!(radius < exact::query_radius_limit)) return false;
   const exact::Vector point{start_.x + offset.x, start_.y + offset.y, start_.z + offset.z};
   uint32_t hits = balls_.find({point, static_cast<int64_t>(radius)}, found, BallsAround::most);
   if (hits > BallsAround::most && reach < -2.0) hits = balls_.find_deep(point, reach + 2.0, found, BallsAround::most);
   if (hits == 0 || hits > BallsAround::most) return false;
-  const auto seen = [&](const NearImage &image) {
-    const exact::LatticeBall ball = balls_.ball(image);
-    const Vec3 y{at_.x - static_cast<double>(ball.centre.x - start_.x),
-                 at_.y - static_cast<double>(ball.centre.y - start_.y),
-                 at_.z - static_cast<double>(ball.centre.z - start_.z)};
-    const double length = length_of(y);
-    return NearBall{length > 0.0 ? (1.0 / length) * y : Vec3{1.0, 0.0, 0.0}, length - static_cast<double>(ball.radius)};
-  };
   uint32_t nearest_one = 0;
   NearBall first = seen(found[0]);
   for (uint32_t k = 1; k < hits; ++k) {
@@ -149,7 +150,9 @@ bool Ascent::look(double reach) {
 
 // How many balls are within delta of the nearest one; they come first. 0 if they are too many to be known.
 uint32_t Ascent::within(double delta) {
-  if (!(known_ >= delta) && !look(level_ + delta)) return 0;
+  if (!(known_ >= delta) && !look(level_ + delta)) {
+    return delta < 0x1p-8 * size() || delta <= 4.0 * tie_reach() ? count_crowd(delta, level_) : 0;
+  }
   uint32_t count = 0;
   for (uint32_t k = 0; k < near_count_; ++k) {
     if (near_[k].gap > level_ + delta) continue;
@@ -157,6 +160,45 @@ uint32_t Ascent::within(double delta) {
     near_[k] = near_[count];
     near_[count++] = other;
   }
+  return count;
+}
+
+// Calls sink(image, near ball) for all balls within some distance, however many.
+template <class Sink>
+void Ascent::visit_around(double reach, Sink sink) const {
+  const exact::Vector point{start_.x + nearest(at_.x), start_.y + nearest(at_.y), start_.z + nearest(at_.z)};
+  const double radius = reach > 0.0 ? reach + 2.0 : 2.0;
+  if (!(radius < exact::query_radius_limit)) return;
+  balls_.visit({point, static_cast<int64_t>(radius)}, [&](const NearImage &image) {
+    const NearBall ball = seen(image);
+    if (ball.gap <= reach) sink(image, ball);
+  });
+}
+
+// Calls sink(near ball) for the balls that within() counted.
+template <class Sink>
+void Ascent::visit_near(uint32_t count, Sink sink) const {
+  if (crowd_ >= 0.0) {
+    return visit_around(level_ + crowd_, [&](const NearImage &, const NearBall &ball) { sink(ball); });
+  }
+  for (uint32_t k = 0; k < count; ++k) sink(near_[k]);
+}
+
+// The nearest ball, f, which is no higher than so much, and how many balls are within delta of that, however many.
+uint32_t Ascent::count_crowd(double delta, double highest) {
+  near_count_ = 0;
+  // The highest that f may be is rounded.
+  visit_around(highest + 2.0, [&](const NearImage &image, const NearBall &ball) {
+    if (near_count_ > 0 && !(ball.gap < near_[0].gap)) return;
+    near_[0] = ball;
+    near_count_ = 1;
+    nearest_ = image;
+  });
+  if (near_count_ == 0) return 0;
+  level_ = near_[0].gap;
+  crowd_ = delta;
+  uint32_t count = 0;
+  visit_near(0, [&](const NearBall &) { ++count; });
   return count;
 }
 
@@ -170,7 +212,8 @@ void Ascent::move(double length, const Vec3 &direction) {
   outside_ = balls_.are_none() || (balls_.box() == nullptr &&
                                    (beyond(at_.x, start_.x, low.x, high.x) || beyond(at_.y, start_.y, low.y, high.y) ||
                                     beyond(at_.z, start_.z, low.z, high.z)));
-  if (length > 0.0 && !look(before + length + delta_) && !look(before + length)) level_ = before;
+  if (!(length > 0.0) || look(before + length + delta_) || look(before + length)) return;
+  if (count_crowd(0.0, before + length) == 0) level_ = before;
 }
 
 // The point of the hull of the directions of so many balls that is nearest to 0, nearly.
@@ -179,16 +222,16 @@ Vec3 Ascent::lead_of(uint32_t count) const {
   uint32_t spanning = 1;
   Vec3 d = basis[0];
   for (int turn = 0; turn < most_turns; ++turn) {
-    uint32_t least = 0;
-    double lowest = dot(near_[0].a, d);
-    for (uint32_t k = 1; k < count; ++k) {
-      const double along = dot(near_[k].a, d);
-      if (!(along < lowest)) continue;
-      least = k;
+    Vec3 least = near_[0].a;
+    double lowest = dot(least, d);
+    visit_near(count, [&](const NearBall &ball) {
+      const double along = dot(ball.a, d);
+      if (!(along < lowest)) return;
+      least = ball.a;
       lowest = along;
-    }
+    });
     if (lowest >= 0.75 * dot(d, d) || spanning == 4) break;
-    basis[spanning++] = near_[least].a;
+    basis[spanning++] = least;
     d = nearest_to_zero(basis, spanning, d);
   }
   return d;
@@ -214,7 +257,7 @@ bool Ascent::step() {
     // Steps may be flat where they are short, as beside a gate.
     if (steepness <= 0.1 * std::sqrt(delta_ / size())) continue;
     double lead = 1.0;
-    for (uint32_t k = 0; k < count; ++k) lead = smaller_of(lead, dot(near_[k].a, d) / steepness);
+    visit_near(count, [&](const NearBall &ball) { lead = smaller_of(lead, dot(ball.a, d) / steepness); });
     if (!(lead > 0.0)) continue;
     const double length = delta_ / (1.0 + lead);
     delta_ = smaller_of(2.0 * delta_, 0.5 * size());
@@ -228,15 +271,38 @@ bool Ascent::step() {
   return leave_saddle(1e-8) || leave_saddle(0.2 * std::sqrt(shortest / size()));
 }
 
+// The directions of some balls that tie. Of a crowd each next one is that which is farthest from those before: of a
+// ring they are all around, so that their plane is known well.
+uint32_t Ascent::choose_tied(uint32_t count, Vec3 *a) const {
+  const uint32_t tied = smaller_of(count, most_tied);
+  for (uint32_t i = 0; i < tied; ++i) {
+    a[i] = near_[crowd_ >= 0.0 ? 0 : i].a;
+    if (crowd_ < 0.0 || i == 0) continue;
+    double farthest = -1.0;
+    visit_near(count, [&](const NearBall &ball) {
+      double least = 4.0;
+      for (uint32_t k = 0; k < i; ++k) least = smaller_of(least, dot(ball.a - a[k], ball.a - a[k]));
+      if (!(least > farthest)) return;
+      farthest = least;
+      a[i] = ball.a;
+    });
+  }
+  return tied;
+}
+
 // Where no way up is steep the nearest balls have directions that are opposite, or three in one plane with the point:
 // as far as others let it, a way leads off at right angles to these, from a gate to both sides.
 bool Ascent::leave_saddle(double slack) {
-  const uint32_t tied = smaller_of(within(tie_reach()), most_tied);
   Vec3 a[most_tied];
-  for (uint32_t i = 0; i < tied; ++i) a[i] = near_[i].a;
+  const uint32_t tied = choose_tied(within(tie_reach()), a);
   const auto leave = [&](const Vec3 &n) {
     const double length = length_of(n);
-    return length > 1e-6 && (leave_along((1.0 / length) * n, slack) || leave_along((-1.0 / length) * n, slack));
+    const auto leave_to = [&](const Vec3 &to) {
+      bool open = true;
+      for (uint32_t i = 0; i < tied && open; ++i) open = dot(a[i], to) > -slack;
+      return open && leave_along(to, slack);
+    };
+    return length > 1e-6 && (leave_to((1.0 / length) * n) || leave_to((-1.0 / length) * n));
   };
   for (uint32_t i = 0; i < tied; ++i) {
     for (uint32_t j = i + 1; j < tied; ++j) {
@@ -258,10 +324,9 @@ bool Ascent::leave_saddle(double slack) {
 bool Ascent::leave_along(const Vec3 &n, double slack) {
   const auto is_open = [&](double delta) {
     const uint32_t count = within(delta);
-    for (uint32_t k = 0; k < count; ++k) {
-      if (!(dot(near_[k].a, n) > -slack)) return false;
-    }
-    return count > 0;
+    bool open = count > 0;
+    visit_near(count, [&](const NearBall &ball) { open = open && dot(ball.a, n) > -slack; });
+    return open;
   };
   if (!is_open(tie_reach())) return false;
   double delta = 4.0 * tie_reach();

@@ -7,6 +7,9 @@
 // of a lattice step: at a maximum, or beside a gate or the middle of a gap of two balls, from where the way goes on at
 // right angles to their directions.
 //
+// Where more balls are within a short delta than there is room for, as along the axis of a ring that ties nearly, none
+// is kept: each pass looks at all balls around once more.
+//
 // Where steps gain no more than rounding takes, as on a ridge of millionths of a step between near ties, f does not
 // rise over many of them. The way ends there, unless it is so far from all balls that rounding takes whole steps.
 #pragma once
@@ -28,8 +31,8 @@ class Ascent {
   // f there, and where it is, seen from the start.
   double level() const { return level_; }
   const Vec3 &offset() const { return at_; }
-  // Whether level() is f where the way is; else it is less, as too many balls are near.
-  bool level_is_known() const { return known_ >= 0.0; }
+  // Whether level() is f where the way is; else it is less, as it is too far from all balls.
+  bool level_is_known() const { return known_ >= 0.0 || crowd_ >= 0.0; }
   // A ball that is nearest there; no_id without balls.
   NearImage nearest_ball() const { return nearest_; }
   // Beyond the box around all centres: from there f rises for ever. Never in a periodic box.
@@ -54,6 +57,14 @@ class Ascent {
 
   bool look(double reach);
   uint32_t within(double delta);
+  // Not inlined: ways up are deep in the stack, and these are not where the most of it is used.
+  [[gnu::noinline]] uint32_t count_crowd(double delta, double highest);
+  template <class Sink>
+  [[gnu::noinline]] void visit_around(double reach, Sink sink) const;
+  template <class Sink>
+  void visit_near(uint32_t count, Sink sink) const;
+  uint32_t choose_tied(uint32_t count, Vec3 *a) const;
+  NearBall seen(const NearImage &image) const;
   Vec3 lead_of(uint32_t count) const;
   double size() const { return std::fabs(level_) + static_cast<double>(balls_.set().largest_radius) + 1.0; }
   // No shorter steps are taken: a fraction of a lattice step, or what doubles know of a way so long.
@@ -72,6 +83,7 @@ class Ascent {
   double level_ = 0.0;
   double delta_ = 0.0;           // of the next try
   double known_ = -1.0;          // near_ has all balls within that of the nearest one; below 0: none
+  double crowd_ = -1.0;          // near_ has the nearest one alone of the many within that; below 0: it is as above
   NearBall near_[room_of_ties];  // the nearest one first
   uint32_t near_count_ = 0, room_ = room;
   NearImage nearest_{no_id, {}};

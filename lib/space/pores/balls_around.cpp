@@ -37,22 +37,6 @@ uint32_t BallsAround::find(const LatticeQuery &query, NearImage *near, uint32_t 
   return hits;
 }
 
-// Calls sink(image) for all that meet a ball, however many.
-template <class Sink>
-void BallsAround::visit(const LatticeQuery &query, Sink sink) const {
-  if (periodic_ != nullptr) {
-    exact::Vector at = query.centre;
-    BoxShift away;
-    if (box()->wrap(at, away) != Status::ok) return;
-    return visit_images_at(*periodic_, at, query.radius, [&](uint32_t ball, const BoxShift &shift) {
-      sink(NearImage{ball, away + shift});
-    });
-  }
-  const auto found = [&](uint32_t ball) { sink(NearImage{ball, {}}); };
-  if (query.radius <= set().largest_radius) return visit_balls_at(*grid_, query.centre, query.radius, found);
-  visit_meeting(set(), {0, set().n}, query.centre, query.radius, [&](uint32_t k) { found(set().caller[k]); });
-}
-
 double BallsAround::gap_of(const NearImage &image, const exact::Vector &point) const {
   const exact::LatticeBall near = ball(image);
   const Vec3 y = to_double(point - near.centre);

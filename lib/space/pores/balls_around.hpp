@@ -40,15 +40,31 @@ class BallsAround {
   uint32_t find_deep(const exact::Vector &point, double reach, NearImage *near, uint32_t room) const;
   // The nearest one of all that meet a ball, and how far its sphere is from the middle; no_id if there is none.
   NearImage find_nearest(const LatticeQuery &query, double &gap) const;
-
- private:
+  // Calls sink(image) for all that meet a ball, however many.
   template <class Sink>
   void visit(const LatticeQuery &query, Sink sink) const;
+
+ private:
   double gap_of(const NearImage &image, const exact::Vector &point) const;
 
   const CubeGrid *grid_;
   const PeriodicUnion *periodic_ = nullptr;
   LatticeBox centres_;
 };
+
+template <class Sink>
+void BallsAround::visit(const LatticeQuery &query, Sink sink) const {
+  if (periodic_ != nullptr) {
+    exact::Vector at = query.centre;
+    BoxShift away;
+    if (box()->wrap(at, away) != Status::ok) return;
+    return visit_images_at(*periodic_, at, query.radius, [&](uint32_t ball, const BoxShift &shift) {
+      sink(NearImage{ball, away + shift});
+    });
+  }
+  const auto found = [&](uint32_t ball) { sink(NearImage{ball, {}}); };
+  if (query.radius <= set().largest_radius) return visit_balls_at(*grid_, query.centre, query.radius, found);
+  visit_meeting(set(), {0, set().n}, query.centre, query.radius, [&](uint32_t k) { found(set().caller[k]); });
+}
 
 }  // namespace hsp

@@ -188,20 +188,48 @@ TEST(Ascent, BeginsWhereManyBallsTie) {
   }
 }
 
-// Along the axis of a ring all of its balls nearly tie, up to the rounding of their centres. Others are far above.
-TEST(Ascent, FollowsTheAxisOfARing) {
+// Along the axis of a ring all of its balls nearly tie, up to the rounding of their centres, or more than there is room
+// for. Others are far above.
+oracle::Balls ring_of(int count) {
   constexpr double unit = 1e8, turn = 6.283185307179586;
-  for (const int count : {60, 90, 96}) {
-    oracle::Balls balls;
-    for (int k = 0; k < count; ++k) {
-      const double angle = turn * (k + 0.1234) / count;
-      balls.push_back({std::llround(8.779 * unit * std::cos(angle)), std::llround(8.779 * unit * std::sin(angle)), 0,
-                       INT64_C(300000000)});
+  oracle::Balls balls;
+  for (int k = 0; k < count; ++k) {
+    const double angle = turn * (k + 0.1234) / count;
+    balls.push_back({std::llround(8.779 * unit * std::cos(angle)), std::llround(8.779 * unit * std::sin(angle)), 0,
+                     INT64_C(300000000)});
+  }
+  for (const int64_t x : {-6000000000, 6000000000}) {
+    for (const int64_t y : {-6000000000, 6000000000}) balls.push_back({x, y, 6000000000, 100000000});
+  }
+  return balls;
+}
+
+TEST(Ascent, FollowsTheAxisOfARing) {
+  for (const int count : {60, 90, 96, 97, 100, 193, 250, 1000}) {
+    const oracle::Balls balls = ring_of(count);
+    const BuiltGrid grid(BuiltPores::listed(balls));
+    for (const int64_t z : {0, 10000000, 100000000, 300000000}) {
+      for (const int64_t x : {0, 10, 100000}) {
+        const hsp::exact::Vector start{x, 0, z};
+        hsp::Ascent way(grid.grid(), start);
+        double level = way.level();
+        while (way.step()) {
+          const hsp::Vec3 &o = way.offset();
+          ASSERT_NEAR(way.level(),
+                      nearest_distance(balls, {static_cast<double>(x) + o.x, o.y, static_cast<double>(z) + o.z}), 1e-4);
+          ASSERT_GE(way.level(), level - 2.0);
+          level = way.level();
+        }
+        ASSERT_FALSE(way.is_lost());
+        ASSERT_TRUE(way.is_outside()) << count << " " << z << " " << x;
+      }
     }
-    for (const int64_t x : {-6000000000, 6000000000}) {
-      for (const int64_t y : {-6000000000, 6000000000}) balls.push_back({x, y, 6000000000, 100000000});
-    }
-    const BuiltPores pores(balls, 0);
+  }
+}
+
+TEST(Ascent, OfARingEndsOnItsSide) {
+  for (const int count : {60, 96, 100}) {
+    const BuiltPores pores(ring_of(count), 0);
     ASSERT_EQ(pores.status(), hsp::Status::ok);
     for (const int64_t z : {10000000, 100000000, 300000000}) {
       for (const int64_t x : {0, 10, 100000}) {
