@@ -66,14 +66,18 @@ bool CellCutting::cut_by(Span<const uint32_t> numbers, double least_depth) {
 }
 
 bool CellCutting::cut_anew(Span<uint32_t> numbers) {
-  constexpr uint32_t most_tried = 2 * OuterCell::most_faces, few = 8;
-  const uint32_t most = numbers.size() - numbers.size() / 16;
+  constexpr uint32_t few = 8, part = 8;
   cell_.start();
   lacks_room_ = false;
   bool goes_deep = true;
-  for (uint32_t tried = 0; tried < most_tried && !numbers.empty() && !lacks_room_; ++tried) {
+  uint32_t most = numbers.size() - numbers.size() / part;
+  for (uint32_t tried = 1; !numbers.empty() && !lacks_room_; ++tried) {
     numbers = keep_deepest_first(numbers, goes_deep);
-    if (!goes_deep || (tried == few && numbers.size() > most)) break;
+    if (!goes_deep) break;
+    if (tried % few == 0) {
+      if (numbers.size() > most) break;
+      most = numbers.size() - numbers.size() / part;
+    }
     if (!cut_by(numbers.part(0, 1), 0.0)) return false;
     numbers = numbers.part(1, numbers.size());
   }

@@ -117,12 +117,6 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
   }
   if (cutting.some_wait() && !cutting.cut_by(in_states(count, waits, waits), 0.0)) return false;
   cutting.drop(in_states(count, has_cut, near_vertex));
-  if (cutting.lacks_room() && in_states(count, stays, stays).size() >= many_refused) {
-    const Span<uint32_t> left = in_states(count, has_cut, near_vertex);
-    for (const uint32_t k : left) state_[k] = stays;
-    if (!cutting.cut_anew(left)) return false;
-    cutting.drop(in_states(count, has_cut, near_vertex));
-  }
   const Span<uint32_t> near = in_states(count, near_vertex, near_vertex);
   if (near.size() >= fewest_ties) {
     const CellTies ties(caps);
@@ -130,6 +124,10 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
     if (!cutting.cut_by_integers(near, ties)) return false;
     cutting.drop_by_integers(near, ties, sets);
     keep_planes_of_ties(caps, sets);
+  }
+  if (cutting.lacks_room() && in_states(count, stays, stays).size() >= many_refused) {
+    if (!cutting.cut_anew(in_states(count, has_cut, near_vertex))) return false;
+    cutting.drop(in_states(count, has_cut, near_vertex));
   }
   kept_ = without_copies(caps, in_states(count, has_cut, near_vertex)).size();
   return true;
