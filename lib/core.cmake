@@ -83,11 +83,12 @@ hsp_part(union
     contacts/chord_cuts.kernel.cpp
     contacts/chord_ends.cpp
     contacts/chord_ends.kernel.cpp
-    contacts/chord_walk.cpp contacts/empty_cell.cpp
+    contacts/chord_walk.cpp
     contacts/contact_measures.cpp
     contacts/contact_measures.kernel.cpp
     contacts/contacts_builder.cpp
     contacts/contacts_check.cpp
+    contacts/empty_cell.cpp
   APART
     boundary/half_edge_links.cpp
     boundary/point_location.cpp

@@ -96,11 +96,8 @@ Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(a
     if (!(reach < exact::query_radius_limit)) break;
   }
   level_ = balls.n > 0 ? reach : std::numeric_limits<double>::infinity();
-  if (!look(reach) && near_count_ == 0 && balls.n > 0 && reach + 2.0 < exact::query_radius_limit) {
-    // It is in too many, or too many tie: of all these the nearest one, and those that are as near.
-    nearest_ = around.find_nearest({start, static_cast<int64_t>(reach + 2.0)}, level_);
-    static_cast<void>(look(level_));
-  }
+  // Where it is in too many, or too many tie: of all these the nearest one, and those that are as near.
+  if (!look(reach) && near_count_ == 0 && balls.n > 0 && count_crowd(0.0, reach) > 0) static_cast<void>(look(level_));
   delta_ = 0.25 * (std::fabs(level_) + static_cast<double>(balls.largest_radius)) + 16.0;
   move(0.0, at_);
 }

@@ -37,31 +37,16 @@ uint32_t BallsAround::find(const LatticeQuery &query, NearImage *near, uint32_t 
   return hits;
 }
 
-double BallsAround::gap_of(const NearImage &image, const exact::Vector &point) const {
-  const exact::LatticeBall near = ball(image);
-  const Vec3 y = to_double(point - near.centre);
-  return std::sqrt(dot(y, y)) - static_cast<double>(near.radius);
-}
-
 uint32_t BallsAround::find_deep(const exact::Vector &point, double reach, NearImage *near, uint32_t room) const {
   uint32_t hits = 0;
   visit({point, 0}, [&](const NearImage &image) {
-    if (gap_of(image, point) > reach) return;
+    const exact::LatticeBall deep = ball(image);
+    const Vec3 y = to_double(point - deep.centre);
+    if (std::sqrt(dot(y, y)) - static_cast<double>(deep.radius) > reach) return;
     if (hits < room) near[hits] = image;
     ++hits;
   });
   return hits;
-}
-
-NearImage BallsAround::find_nearest(const LatticeQuery &query, double &gap) const {
-  NearImage nearest{no_id, {}};
-  visit(query, [&](const NearImage &image) {
-    const double here = gap_of(image, query.centre);
-    if (nearest.ball != no_id && !(here < gap)) return;
-    nearest = image;
-    gap = here;
-  });
-  return nearest;
 }
 
 }  // namespace hsp

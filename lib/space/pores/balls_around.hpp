@@ -38,15 +38,11 @@ class BallsAround {
   // The same of those whose spheres are within a reach below 0 of a point, by doubles: a point in many balls is deep in
   // most of them. Looks at all that it is in.
   uint32_t find_deep(const exact::Vector &point, double reach, NearImage *near, uint32_t room) const;
-  // The nearest one of all that meet a ball, and how far its sphere is from the middle; no_id if there is none.
-  NearImage find_nearest(const LatticeQuery &query, double &gap) const;
   // Calls sink(image) for all that meet a ball, however many.
   template <class Sink>
   void visit(const LatticeQuery &query, Sink sink) const;
 
  private:
-  double gap_of(const NearImage &image, const exact::Vector &point) const;
-
   const CubeGrid *grid_;
   const PeriodicUnion *periodic_ = nullptr;
   LatticeBox centres_;

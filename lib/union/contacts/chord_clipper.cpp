@@ -64,7 +64,7 @@ bool clip_exactly(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &ends, uin
   ends = {{no_id, no_id}};
   const uint32_t first = holder;
   for (uint32_t n = 0; n < caps.count; ++n) {
-    const uint32_t l = n == 0 ? first : n - (n <= first ? 1 : 0);
+    const uint32_t l = with_one_first(n, first);
     if (l == j || l == k) continue;
     const exact::Plane R = caps.plane(l);
     const exact::PointStatus status = predicates.point_status(P, Q, R);

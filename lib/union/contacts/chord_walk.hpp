@@ -99,7 +99,7 @@ class ChordWalk {
   uint32_t spare_arrival_ = 0;    // the first of those whose ball has come, by next_arrival_
   uint32_t own_ = 0;
   uint32_t next_vertex_ = 0;  // vertices are in the order of their first balls
-  bool lost_ = false;         // there was no room for an arrival: from the next ball on all pairs are looked at
+  bool lost_ = false;         // there was no room for an arrival: from the next ball on all pairs of few caps are tried
 };
 
 }  // namespace hsp

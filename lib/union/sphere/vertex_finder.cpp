@@ -304,7 +304,7 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
   bool tied[2] = {crossing.tied, crossing.tied};
   const uint32_t first = holder;
   for (uint32_t n = 0; n < tests.count && (free[0] || free[1]); ++n) {
-    const uint32_t t = small_code || n > first ? n : n == 0 ? first : n - 1;
+    const uint32_t t = small_code ? n : with_one_first(n, first);
     const uint32_t l = tests.cap[t];
     if (l == j || l == k) continue;
     if (points != nullptr && !leaves_open(*points, tests, t, free)) continue;

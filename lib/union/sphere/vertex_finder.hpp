@@ -10,6 +10,11 @@
 
 namespace hsp {
 
+// The n-th of 0, 1, 2, .. where one of them comes before all others.
+constexpr uint32_t with_one_first(uint32_t n, uint32_t one) {
+  return n > one ? n : n == 0 ? one : n - 1;
+}
+
 struct CrossingPoints;
 
 // A copy of the caps, largest first by coarse classes of size: a covered point is most likely covered by one of the

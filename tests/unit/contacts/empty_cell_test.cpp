@@ -42,12 +42,12 @@ void expect_empty_cells(oracle::RandomSource &random, const oracle::Balls &balls
     hsp::Caps &caps = search.caps;
     caps.first_later = 0;
     if (!search.found().empty()) continue;
-    const bool is_empty = hsp::has_empty_cell(caps);
+    const bool is_empty = hsp::has_empty_cell(caps), chord = has_chord(caps);
     ++counts.cells;
     counts.empty += is_empty ? 1 : 0;
-    counts.without_chords += has_chord(caps) ? 0 : 1;
+    counts.without_chords += chord ? 0 : 1;
     if (!is_empty) continue;
-    EXPECT_FALSE(has_chord(caps)) << oracle::to_text(balls) << " ball " << i;
+    EXPECT_FALSE(chord) << oracle::to_text(balls) << " ball " << i;
     for (int sample = 0; sample < 300; ++sample) {
       const auto part = [&random] { return 2 * random.fraction() - 1; };
       const hsp::Vec3 p{part(), part(), part()};
