@@ -272,8 +272,9 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
     const uint32_t left = leave_few(at, reach_along, last, count, count == most && count > most_tried_whole);
     return may_be_new(last, left) ? last + left : last;
   }
-  // More become fewer, as a rule.
-  return last + (9 * count < 8 * most ? count : leave_many(at, reach_along, last, count));
+  // More become fewer, as a rule, unless the cube is small beside their distance: on a ring they become fewer slowly.
+  const bool small = distance(*balls_, candidates_[last], cube.centre) > 8.0 * reach_along;
+  return last + (small || 9 * count >= 8 * most ? leave_many(at, reach_along, last, count) : count);
 }
 
 uint32_t CriticalPoints::leave_many(const Vec3 &at, double half, uint32_t first, uint32_t count) {

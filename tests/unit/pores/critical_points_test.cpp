@@ -146,8 +146,8 @@ TEST(CriticalPoints, RingsByAllSets) {
 TEST(CriticalPoints, RingsTakeFewQuestions) {
   checked_pores::Seen seen;
   for (int kind = 0; kind < pore_sets::ring_kinds; ++kind) {
-    for (const size_t n : {16U, 20U, 60U, 200U}) {
-      for (int decimals = n == 200 ? 8 : 3; decimals <= 8; ++decimals) {
+    for (const size_t n : {16U, 20U, 60U, 200U, 1000U}) {
+      for (int decimals = n >= 200 ? 8 : 3; decimals <= 8; ++decimals) {
         const oracle::Balls balls = pore_sets::ring_set(kind, n, decimals);
         const FoundPoints found(balls, 0);
         ASSERT_EQ(found.status(), hsp::Status::ok);
