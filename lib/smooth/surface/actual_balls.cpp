@@ -71,6 +71,13 @@ int ActualBalls::overlap(uint32_t v, uint32_t w) const {
   });
 }
 
+bool ActualBalls::may_cut_patch(uint32_t other, uint32_t v) const {
+  return decide_at(v, [&](const auto &actual) {
+           const int cuts = actual.cuts_patch(other, v);
+           return cuts == 0 && actual.bits == widest ? 1 : cuts;
+         }) > 0;
+}
+
 namespace {
 
 // The first of the vertices near v, but for w and x, whose probe may have in it a point at the probe's radius from v,

@@ -19,14 +19,16 @@ namespace hsp {
 class ActualBalls {
  public:
   // Bits of the floats that are asked one after the other where doubles are not certain.
-  static constexpr uint32_t widths[] = {384, 768, 1024, 2048};
+  static constexpr uint32_t widest = 2048, widths[] = {384, 768, 1024, widest};
 
   ActualBalls(const BallSet &balls, const Boundary &boundary) : balls_(balls), boundary_(boundary) {}
 
-  // Each of them is 1 or -1; 0 only where no width decides, which has not been seen.
+  // Signs are 1 or -1; 0 only where no width decides, which has not been seen.
 
   // Whether the probes at two vertices overlap.
   int overlap(uint32_t v, uint32_t w) const;
+  // Whether the probe at a vertex may cut off something of the patch of another one.
+  bool may_cut_patch(uint32_t other, uint32_t v) const;
   // Which of the two points that the probes at three vertices have in common are in the patch of the first, and in none
   // of the probes near it: 1 for that with the negative sign, 2 for the other one, or both. 0 also if not decided.
   uint32_t corners(uint32_t a, uint32_t b, uint32_t c, Span<const uint32_t> near) const;

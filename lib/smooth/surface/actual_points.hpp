@@ -2,6 +2,7 @@
 // know their error: doubles, or floats of some width.
 #pragma once
 
+#include "core/extremes.hpp"
 #include "core/small_code.hpp"
 #include "numbers/number_vector.hpp"
 #include "surface/border_points.hpp"
@@ -169,6 +170,21 @@ class ActualPoints : public ActualNumbers<Number> {
     find_inward(v, record.ball[side.first], record.ball[side.second], inward);
     return dot(arm, inward).sign();
   }
+  // Whether the probe at another vertex cuts something off the patch of v, which is none of its corners: it lies over
+  // the patch, or it reaches over a side, and between the ends of this is what is nearest to it (near_probes.hpp).
+  [[gnu::noinline]] int cuts_patch(uint32_t other, uint32_t v) const {
+    Vector way;
+    find_arm_to_vertex(v, other, way);
+    const Number square_of_diameter = probe_weight().scaled(2);
+    Number reach = square_of_diameter - dot(way, way);
+    if (const int overlap = reach.sign(); overlap <= 0) return overlap;
+    reach = reach * dot(way, way);
+    int cuts = inside_of_sides(v, way);
+    for (uint32_t slot = 0; slot < 3 && cuts < 0; ++slot) {
+      cuts = reaches_over_side(v, slot, way, reach, square_of_diameter);
+    }
+    return cuts;
+  }
   // Whether a point at the probe's radius from vertex v, seen from there, is in another probe: with d the way from this
   // one's centre to v, (arm + d)^2 < arm^2.
   [[gnu::noinline]] int in_probe(uint32_t other, uint32_t v, const Vector &arm) const {
@@ -250,6 +266,35 @@ class ActualPoints : public ActualNumbers<Number> {
   }
   void keep(uint32_t name, const Vector &x) const {
     if constexpr (!small_code) this->kept.keep(name, this->bits, x);
+  }
+  // For a way w, the side's normal g and t^2 the square of the probe's diameter: w.g < 0 and
+  // (w.g)^2 t^2 < w^2 (t^2 - w^2) g^2 = reach g^2.
+  [[gnu::noinline]] int reaches_over_side(uint32_t v, uint32_t slot, const Vector &way, const Number &reach,
+                                          const Number &square_of_diameter) const {
+    const VertexRecord &record = this->boundary.vertex(v);
+    const SideOfPatch side = side_of_patch(record, slot);
+    const uint32_t first = record.ball[side.first], last = record.ball[side.second];
+    const int over = over_side(v, first, last, way, reach, square_of_diameter);
+    return over < 0 ? over : smaller_of(over, between_ends(v, first, last, way));
+  }
+  [[gnu::noinline]] int over_side(uint32_t v, uint32_t first, uint32_t last, const Vector &way, const Number &reach,
+                                  const Number &square_of_diameter) const {
+    Vector normal;
+    find_inward(v, first, last, normal);
+    const Number along = dot(way, normal);
+    const int outside = -along.sign();
+    if (outside < 0) return outside;
+    return smaller_of(outside, (reach * dot(normal, normal) - along * along * square_of_diameter).sign());
+  }
+  // For the ends d and e: w.(e d^2 - d d.e) > 0, and the other way round.
+  [[gnu::noinline]] int between_ends(uint32_t v, uint32_t first, uint32_t last, const Vector &way) const {
+    Vector d, e;
+    find_arm_to_ball(v, first, d);
+    find_arm_to_ball(v, last, e);
+    const Number to_first = dot(way, d), to_last = dot(way, e), together = dot(d, e);
+    const int beyond_first = (to_last * dot(d, d) - to_first * together).sign();
+    if (beyond_first < 0) return beyond_first;
+    return smaller_of(beyond_first, (to_first * dot(e, e) - to_last * together).sign());
   }
   // A cusp as seen from the centre of its first ball, others from their first vertex. Doubles are not kept, as their
   // last bits are those of the place that all is seen from.

@@ -51,13 +51,13 @@ Span<BorderArc> CreasedPatches::find_border(const Inputs &in, const NearVertices
 
 Status CreasedPatches::fill(const Inputs &in, CutPatches &cut, Patience &patience) {
   const uint32_t vertices = in.actual.boundary().vertex_count();
-  NearVertices near(in.actual.balls(), in.actual.boundary(), in.chosen, in.grid, in.creases.near_list());
+  NearVertices near(in.actual, in.chosen, in.grid, in.creases.near_list());
   cut.clear();
   keep_vertices(in, words_of<BorderArc>(memory_.size() / words_of_arc));
   for (uint32_t v = 0; v < vertices; ++v) {
-    if (!patience.allows(20000)) return Status::stopped;
-    cut.begin_vertex(v);
     near.find(v);
+    if (!patience.allows(20000 * (1 + uint64_t{near.asked()}))) return Status::stopped;
+    cut.begin_vertex(v);
     if (find_border(in, near, v).empty()) continue;
     const Status status = arcs_.overflowed() ? Status::degenerate : store_patch(in, v, cut);
     if (status != Status::ok) return status;

@@ -1,6 +1,7 @@
 #include "surface/near_vertices.hpp"
 
 #include "core/first_index.hpp"
+#include "core/small_code.hpp"
 #include "core/sorting.hpp"
 #include "surface/probe_caps.hpp"
 
@@ -10,26 +11,43 @@ namespace {
 // Above this error the floats of a triangle's sides say nothing: all probes that overlap count as near.
 constexpr double most_side_error = 0x1p-24;
 constexpr float no_limit = 16.0F;
+// So many that it pays to ask whether each does cut.
+constexpr uint32_t many = 32;
 
 }  // namespace
 
 bool NearVertices::find(uint32_t vertex) {
-  ProbeTriangles triangles;
-  measure_triangles(balls_, boundary_, grid_.positions(), {vertex, vertex, vertex, vertex}, triangles);
-  ProbeSearch search;
-  grid_.start_search(balls_, vertex, search);
-  aim(triangles, 0, search);
-  const double error = vertex_error * static_cast<double>(balls_.largest_radius) * triangles.side_error[0];
-  const bool has_sides =
-      triangles.steradians[0] >= 0.0 && boundary_.root_discriminant(vertex) > 0.0 && error <= most_side_error;
-  if (!has_sides) search.margin = no_limit;
-  list_.clear();
-  for_each_near_probe(boundary_.target(), search, [&](uint32_t other) {
-    if (other != vertex && may_cut(boundary_, chosen_, vertex, other)) list_.push(other);
-  });
+  find_by_floats(vertex);
+  required_ = list_.required();
   if (list_.overflowed()) return false;
+  asked_ = !small_code && list_.size() > many ? list_.size() : 0;
+  if (asked_ > 0) {
+    uint32_t left = 0;
+    for (const uint32_t other : list_.items()) {
+      if (actual_.may_cut_patch(other, vertex)) list_[left++] = other;
+    }
+    list_.shrink(left);
+  }
   sort_in_place(list_.items(), [](uint32_t a, uint32_t b) { return a < b; });
   return true;
+}
+
+void NearVertices::find_by_floats(uint32_t vertex) {
+  const BallSet &balls = actual_.balls();
+  const Boundary &boundary = actual_.boundary();
+  ProbeTriangles triangles;
+  measure_triangles(balls, boundary, grid_.positions(), {vertex, vertex, vertex, vertex}, triangles);
+  ProbeSearch search;
+  grid_.start_search(balls, vertex, search);
+  aim(triangles, 0, search);
+  const double error = vertex_error * static_cast<double>(balls.largest_radius) * triangles.side_error[0];
+  const bool has_sides =
+      triangles.steradians[0] >= 0.0 && boundary.root_discriminant(vertex) > 0.0 && error <= most_side_error;
+  if (!has_sides) search.margin = no_limit;
+  list_.clear();
+  for_each_near_probe(boundary.target(), search, [&](uint32_t other) {
+    if (other != vertex && may_cut(boundary, chosen_, vertex, other)) list_.push(other);
+  });
 }
 
 bool NearVertices::has(uint32_t vertex) const {

@@ -1,7 +1,9 @@
-// The vertices whose probes may cut the patch of one: floats leave out others for certain (near_probes.hpp).
+// The vertices whose probes may cut the patch of one: floats leave out others for certain (near_probes.hpp), and of many
+// that are left numbers of the actual set.
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "surface/actual_balls.hpp"
 #include "surface/chosen_faces.hpp"
 #include "surface/probe_grid.hpp"
 
@@ -10,21 +12,28 @@ namespace hsp {
 class NearVertices {
  public:
   // The list is the caller's.
-  NearVertices(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
-               FixedVector<uint32_t> &list)
-      : balls_(balls), boundary_(boundary), chosen_(chosen), grid_(grid), list_(list) {}
+  NearVertices(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid, FixedVector<uint32_t> &list)
+      : actual_(actual), chosen_(chosen), grid_(grid), list_(list) {}
 
-  // Lists those of this vertex by their numbers. False if there is no room. Nothing of the search stays on the stack.
-  [[gnu::noinline]] bool find(uint32_t vertex);
+  // Lists those of this vertex by their numbers. False if there is no room.
+  bool find(uint32_t vertex);
   Span<const uint32_t> list() const { return list_.items(); }
   bool has(uint32_t vertex) const;
+  // The room that was needed for it, or would be.
+  uint64_t required() const { return required_; }
+  // How many of those were asked about.
+  uint32_t asked() const { return asked_; }
 
  private:
-  const BallSet &balls_;
-  const Boundary &boundary_;
+  // Nothing of the search stays on the stack.
+  [[gnu::noinline]] void find_by_floats(uint32_t vertex);
+
+  const ActualBalls &actual_;
   const ChosenFaces &chosen_;
   const ProbeGrid &grid_;
   FixedVector<uint32_t> &list_;
+  uint64_t required_ = 0;
+  uint32_t asked_ = 0;
 };
 
 }  // namespace hsp

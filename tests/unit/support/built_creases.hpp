@@ -40,7 +40,7 @@ class BuiltCreases {
   const hsp::Creases &creases() const { return creases_; }
   // As the creases have it.
   hsp::Span<hsp::BorderArc> border(uint32_t vertex) {
-    hsp::NearVertices near(actual_.balls(), actual_.boundary(), chosen_, grid_, creases_.near_list());
+    hsp::NearVertices near(actual_, chosen_, grid_, creases_.near_list());
     near.find(vertex);
     return patches_.find_border(inputs(), near, vertex);
   }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "built_surface.hpp"
@@ -122,6 +123,26 @@ int in_patch(const Definitions &real, const Point &x, uint32_t v) {
   return inside;
 }
 
+// How deep points of the patch of one vertex are in the probe at another one, at most, as far as so many points tell.
+Real deepest_in_probe(const Definitions &real, const hsp::Boundary &boundary, uint32_t v, uint32_t other) {
+  constexpr int parts = 60;
+  const Point here = real.vertex(v), there = real.vertex(other);
+  Point corner[3];
+  for (uint32_t slot = 0; slot < 3; ++slot) {
+    const Point arm = real.centre(boundary.vertex(v).ball[slot]) - here;
+    corner[slot] = 1 / length(arm) * arm;
+  }
+  Real most = -2;
+  for (int i = 0; i <= parts; ++i) {
+    for (int j = 0; i + j <= parts; ++j) {
+      const Point mean = static_cast<Real>(i) * corner[0] + static_cast<Real>(j) * corner[1] +
+                         static_cast<Real>(parts - i - j) * corner[2];
+      most = std::max(most, 1 - length(here + 1 / length(mean) * mean - there));
+    }
+  }
+  return most;
+}
+
 // Which points of three vertices are corners, and of their creases what a small way along them shows.
 void ask_about_corners(const Definitions &real, const hsp::ActualBalls &actual, uint32_t a, uint32_t b, uint32_t c,
                        const std::vector<uint32_t> &near, uint64_t &corners) {
@@ -178,7 +199,7 @@ support::BallList random_list(support::Random &random, uint32_t n, double side) 
 TEST(ActualBalls, DefinitionsInRandomSets) {
   if (!oracle::has_long_reals) GTEST_SKIP();
   support::Random random(71);
-  uint64_t corners = 0, cusps = 0, pairs = 0;
+  uint64_t corners = 0, cusps = 0, pairs = 0, patches[2] = {0, 0};
   for (int turn = 0; turn < oracle::rounds(60, 3000) && !testing::Test::HasFailure(); ++turn) {
     const BuiltSurface built(random_list(random, 4 + random.below(6), 2.0), 0.5 + 0.25 * random.below(6), 0x1p-24);
     ASSERT_EQ(built.status(), hsp::Status::ok);
@@ -192,6 +213,13 @@ TEST(ActualBalls, DefinitionsInRandomSets) {
       for (uint32_t b = a + 1; b < n; ++b) {
         expect_sign(actual.overlap(a, b), sign(2 - length(real.vertex(b) - real.vertex(a))));
         ++pairs;
+        for (const auto &[v, other] : {std::pair(a, b), std::pair(b, a)}) {
+          const Real deepest = deepest_in_probe(real, boundary, v, other);
+          if (std::fabs(deepest) > 0.05L) {
+            ++patches[deepest > 0 ? 1 : 0];
+            EXPECT_EQ(actual.may_cut_patch(other, v), deepest > 0);
+          }
+        }
         for (uint32_t c = b + 1; c < n; ++c) ask_about_corners(real, actual, a, b, c, near, corners);
       }
     }
@@ -222,6 +250,8 @@ TEST(ActualBalls, DefinitionsInRandomSets) {
   EXPECT_GT(corners, 300U);
   EXPECT_GT(cusps, 50U);
   EXPECT_GT(pairs, 1000U);
+  EXPECT_GT(patches[0], 500U);
+  EXPECT_GT(patches[1], 50U);
 }
 
 bool on_one_circle(const hsp::Boundary &boundary, uint32_t a, uint32_t b, uint32_t c) {
@@ -241,6 +271,8 @@ std::string all_answers(const BuiltSurface &built, const hsp::ActualBalls &actua
     const std::vector<uint32_t> near = others_below(n, a);
     for (uint32_t b = a + 1; b < n; ++b) {
       add(actual.overlap(a, b));
+      add(actual.may_cut_patch(a, b) ? 1 : -1);
+      add(actual.may_cut_patch(b, a) ? 1 : -1);
       for (uint32_t c = b + 1; c < n; ++c) {
         // The corner of three vertices of one circle would be on its axis, where three bisectors meet.
         if (on_one_circle(built.boundary(), a, b, c)) continue;
@@ -253,6 +285,9 @@ std::string all_answers(const BuiltSurface &built, const hsp::ActualBalls &actua
           // One patch answers for three.
           EXPECT_EQ(actual.in_patch(corner, b), 1);
           EXPECT_EQ(actual.in_patch(corner, c), 1);
+          for (const uint32_t v : {a, b, c}) {
+            for (const uint32_t other : {a, b, c}) EXPECT_TRUE(v == other || actual.may_cut_patch(other, v));
+          }
         }
       }
     }

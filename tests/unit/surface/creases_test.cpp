@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "built_creases.hpp"
 #include "excluded_surface.hpp"
@@ -248,6 +251,41 @@ TEST(Creases, OfBallsThatTouchWhereOthersPass) {
     EXPECT_NEAR(found.creases().creases().size(), creases[k], 6);
     EXPECT_NEAR(found.creases().corners().size(), corners[k], 6);
   }
+}
+
+// Balls around lattice points of a circle, whose spheres meet in two points: about as many vertices as balls are in
+// each of them. Pairs of them are asked about, not triples. What a probe there shows of itself is a pyramid's angle.
+TEST(Creases, OfManyProbesInOnePoint) {
+  constexpr int circle = 325, distance = 845, height = 780;
+  constexpr double probe = 65.0;
+  support::BallList list;
+  for (int y = -circle; y <= circle; ++y) {
+    for (int z = -circle; z <= circle; ++z) {
+      if (y * y + z * z == circle * circle) list.add(0.0, y, z, distance - probe);
+    }
+  }
+  const BuiltSurface built(list, probe, 1e-4);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  const BuiltCreases found(built);
+  ASSERT_EQ(found.status(), hsp::Status::ok);
+  expect_closed(built, found);
+  const uint32_t vertices = built.boundary().vertex_count();
+  EXPECT_EQ(vertices, 2 * (list.size() - 2));
+  EXPECT_LT(found.actual().answers().by_floats, 2 * uint64_t{vertices} * vertices);
+  double area = 0.0;
+  for (uint32_t v = 0; v < vertices; ++v) area += found.patch(v).area;
+  std::vector<double> angles;
+  for (uint32_t i = 0; i < list.size(); ++i) angles.push_back(std::atan2(list.xyz[3 * i + 1], list.xyz[3 * i + 2]));
+  std::sort(angles.begin(), angles.end());
+  angles.push_back(angles.front() + 2 * hsp::pi);
+  double steradians = 0.0;
+  for (size_t k = 0; k + 1 < angles.size(); ++k) {
+    // The triangle of two directions and the axis.
+    const double half = 0.5 * (angles[k + 1] - angles[k]);
+    steradians += 2.0 * (half - std::atan(std::tan(half) * height / distance));
+  }
+  const double p = static_cast<double>(built.balls().probe_steps);
+  EXPECT_NEAR(area / (p * p), 2.0 * steradians, 1e-9);
 }
 
 // A triangle that a probe touches from both sides: the patches of its two vertices meet in a whole circle, as all three
