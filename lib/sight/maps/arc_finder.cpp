@@ -1,6 +1,7 @@
 #include "maps/arc_finder.hpp"
 
 #include "maps/ball_scene.hpp"
+#include "maps/crease_beside_ball.hpp"
 #include "maps/hidden_parts.hpp"
 #include "maps/trigonometric_roots.hpp"
 
@@ -11,7 +12,8 @@ namespace {
 constexpr double level_slope = 0x1p-30;
 
 // The part of a crease that is not known to be hidden shrinks from both ends while occluders are looked at, the highest
-// first. Only in that window roots are looked for.
+// first. Only in that window roots are looked for. After some of them the gaps between hidden parts are known: where
+// many balls are in one place, most others hide nothing of these.
 class CreaseOcclusion : public HiddenParts {
  public:
   CreaseOcclusion(const Crease &crease, FixedVector<HiddenInterval> &hidden)
@@ -31,6 +33,13 @@ class CreaseOcclusion : public HiddenParts {
 
   // Hides what a ball covers. True if nothing is left.
   bool add_ball(const SeenBall &ball, uint32_t id) {
+    uint32_t known = hidden_.size();
+    if (has_many()) {
+      if (const int side = side_of_gaps(ball); side != 0) return side > 0;
+    } else if (++tried_ > few) {
+      known = 0;
+      add_gap({from_, to_});
+    }
     begin_body();
     add_breakpoints(ball, id);
     const auto depth = [&](double from, double to) {
@@ -38,11 +47,56 @@ class CreaseOcclusion : public HiddenParts {
     };
     if (cut(shallow_depth * ball.r * ball.r, depth)) return true;
     if (narrow()) find_middle();
+    if (has_many()) {
+      for (; known < hidden_.size(); ++known) take_from_gaps(hidden_[known].from, hidden_[known].to);
+      if (gaps_ == 0) return true;
+      from_ = gap_[0].ends.from;
+      to_ = gap_[gaps_ - 1].ends.to;
+      find_middle();
+    }
     return from_ >= to_;
   }
+  // Whether so many balls have been tried that gaps are known.
+  bool has_many() const { return tried_ > few; }
 
  private:
   void find_middle() { middle_ = crease_.at(0.5 * (from_ + to_)); }
+
+  [[gnu::noinline]] void add_gap(CreaseEnds ends) {
+    // Where there are many, all between the last two counts as seen.
+    if (gaps_ == most_gaps) ends.from = gap_[--gaps_].ends.from;
+    gap_[gaps_++] = PartOfCrease(ends);
+  }
+  [[gnu::noinline]] void take_from_gaps(double from, double to) {
+    CreaseEnds left[most_gaps + 1];
+    uint32_t count = 0;
+    bool changes = false;
+    for (uint32_t k = 0; k < gaps_; ++k) {
+      const CreaseEnds gap = gap_[k].ends;
+      if (to <= gap.from || from >= gap.to) {
+        left[count++] = gap;
+        continue;
+      }
+      changes = true;
+      if (from > gap.from) left[count++] = {gap.from, from};
+      if (to < gap.to) left[count++] = {to, gap.to};
+    }
+    if (!changes) return;
+    gaps_ = 0;
+    for (uint32_t k = 0; k < count; ++k) add_gap(left[k]);
+  }
+
+  // 1 if all that may be seen is certainly behind the ball, -1 if certainly nothing of it; 0 if roots have to tell.
+  [[gnu::noinline]] int side_of_gaps(const SeenBall &ball) const {
+    const CreaseBesideBall beside(crease_, ball);
+    int all = 0;
+    for (uint32_t k = 0; k < gaps_; ++k) {
+      const int side = beside.side_of(gap_[k]);
+      if (side == 0 || side == -all) return 0;
+      all = side;
+    }
+    return all;
+  }
 
   // Of m + rho (a cos t + b sin t) over |t| <= end, a little widened.
   void extent(double m, double a, double b, const SinCos &end, double &low, double &high) const {
@@ -101,8 +155,11 @@ class CreaseOcclusion : public HiddenParts {
     for (uint32_t k = 0; k < count; ++k) add(root[k], {MapVertexKind::t, id});
   }
 
+  static constexpr uint32_t few = 12, most_gaps = 4;
   const Crease &crease_;
   Vec3 middle_{};
+  PartOfCrease gap_[most_gaps];
+  uint32_t gaps_ = 0, tried_ = 0;
 };
 
 bool may_hide(const SeenBall &ball, const BoundingBox &box) {
@@ -120,7 +177,7 @@ bool may_hide(const SeenBall &ball, const BoundingBox &box) {
 }  // namespace
 
 bool find_crease_arcs(SeenBalls &seen, uint32_t far, uint32_t nearer, Span<const uint32_t> near,
-                      FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs) {
+                      FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs, uint32_t &hider) {
   const Span<const SeenBall> balls = seen.balls();
   const Crease crease(balls[far], balls[nearer]);
   if (!crease.exists) return true;
@@ -129,10 +186,18 @@ bool find_crease_arcs(SeenBalls &seen, uint32_t far, uint32_t nearer, Span<const
   CreaseOcclusion occlusion(crease, hidden);
   const BoundingBox box = occlusion.box();
   if (seen.hides(box, crease.m.z + crease.rise)) return true;
+  // Most often by the same ball as the crease before.
+  if (hider != no_id && hider != nearer && may_hide(balls[hider], box)) {
+    if (CreaseOcclusion(crease, hidden).add_ball(balls[hider], hider)) return true;
+    hidden.clear();
+  }
   const double lowest = crease.is_whole() ? crease.m.z - crease.rise : balls[nearer].z;
   for (const uint32_t k : near) {
     if (balls[k].top() <= lowest) break;
-    if (k != nearer && may_hide(balls[k], box) && occlusion.add_ball(balls[k], k)) return occlusion.certain();
+    if (k != nearer && may_hide(balls[k], box) && occlusion.add_ball(balls[k], k)) {
+      hider = occlusion.has_many() ? k : no_id;
+      return occlusion.certain();
+    }
   }
   const ArcEnd natural{crease.is_whole() ? MapVertexKind::plain : MapVertexKind::tangency, no_id};
   push_visible(hidden.items(), -crease.end, crease.end, natural, far, nearer, arcs);
@@ -230,8 +295,9 @@ bool ArcFinder::find(SeenBalls &seen, const DiscGrid &grid, Patience &patience) 
     const Span<const uint32_t> near = near_.items();
     if (!patience.allows(200 * uint64_t{near.size()} * near.size())) return false;
     if (!find_silhouette_arcs(seen, i, near, hidden_, arcs_)) complete_ = false;
+    uint32_t hider = no_id;
     for (const uint32_t k : near) {
-      if (seen.is_nearer(k, i) && !find_crease_arcs(seen, i, k, near, hidden_, arcs_)) certain_ = false;
+      if (seen.is_nearer(k, i) && !find_crease_arcs(seen, i, k, near, hidden_, arcs_, hider)) certain_ = false;
     }
   }
   return true;

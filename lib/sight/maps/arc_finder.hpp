@@ -11,10 +11,11 @@ namespace hsp {
 inline constexpr uint32_t most_hidden_per_occluder = 6;
 
 // The visible arcs of the crease of two balls. near: as DiscGrid::gather finds them for ball `far`, `nearer` among
-// them. Uses `hidden` [6 near]. False if the crease coincides with a front or silhouette, so that roundings decide what
-// is seen.
+// them. Uses `hidden` [6 near]. hider: a ball that may hide all of it, or no_id; becomes the last one of many that were
+// tried, if it hid the rest. False if the crease coincides with a front or silhouette, so that roundings decide what is
+// seen.
 bool find_crease_arcs(SeenBalls &seen, uint32_t far, uint32_t nearer, Span<const uint32_t> near,
-                      FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs);
+                      FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs, uint32_t &hider);
 
 // The visible arcs of one ball's silhouette. near: as DiscGrid::gather finds them. Uses `hidden` [2 near]. False if
 // where one ball ceases to hide it another one begins to, so that roundings decide whether something is seen between

@@ -70,9 +70,9 @@ class HiddenParts {
   Breakpoint at_[most];
   uint32_t count_ = 0;
   bool certain_ = true;
+  FixedVector<HiddenInterval> &hidden_;
 
  private:
-  FixedVector<HiddenInterval> &hidden_;
   double rest_[2]{};
 };
 

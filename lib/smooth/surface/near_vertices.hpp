@@ -1,5 +1,5 @@
-// The vertices whose probes may cut the patch of one: floats leave out others for certain (near_probes.hpp), and of many
-// that are left numbers of the actual set.
+// The vertices whose probes may cut the patch of one: floats leave out others for certain (near_probes.hpp). Of many
+// that they leave, the actual set says which do.
 #pragma once
 
 #include "core/fixed_vector.hpp"

@@ -6,7 +6,8 @@
 
 namespace {
 
-std::vector<hsp::MapArc> crease_arcs(PlacedBalls &placed, uint32_t far, uint32_t nearer, bool *certain = nullptr) {
+std::vector<hsp::MapArc> crease_arcs(PlacedBalls &placed, uint32_t far, uint32_t nearer, uint32_t &hider,
+                                     bool *certain = nullptr) {
   std::vector<uint32_t> near_memory(placed.seen.balls().size() + 1);
   hsp::FixedVector<uint32_t> near({near_memory.data(), static_cast<uint32_t>(near_memory.size())});
   placed.discs.gather(far, near);
@@ -14,10 +15,51 @@ std::vector<hsp::MapArc> crease_arcs(PlacedBalls &placed, uint32_t far, uint32_t
   hsp::FixedVector<hsp::HiddenInterval> hidden({hidden_memory.data(), static_cast<uint32_t>(hidden_memory.size())});
   std::vector<hsp::MapArc> memory(hidden_memory.size() + 2);
   hsp::FixedVector<hsp::MapArc> found({memory.data(), static_cast<uint32_t>(memory.size())});
-  const bool is_certain = hsp::find_crease_arcs(placed.seen, far, nearer, near.items(), hidden, found);
+  const bool is_certain = hsp::find_crease_arcs(placed.seen, far, nearer, near.items(), hidden, found, hider);
   if (certain != nullptr) *certain = is_certain;
   EXPECT_FALSE(hidden.overflowed() || found.overflowed());
   return {found.items().begin(), found.items().end()};
+}
+
+std::vector<hsp::MapArc> crease_arcs(PlacedBalls &placed, uint32_t far, uint32_t nearer, bool *certain = nullptr) {
+  uint32_t hider = hsp::no_id;
+  return crease_arcs(placed, far, nearer, hider, certain);
+}
+
+// Some balls, each many times, nearly: most creases are hidden by a ball that comes late, and often by the same as the
+// one before.
+TEST(CreaseArcs, OfManyBallsInFewPlaces) {
+  oracle::RandomSource random(10);
+  uint32_t compared = 0, found = 0, hidden_by_one = 0;
+  for (const int64_t apart : {100000, 3000000, 30000000}) {
+    const auto within = [&](int64_t most) { return random.in(-most, most); };
+    oracle::Balls set;
+    for (int place = 0; place < 8; ++place) {
+      const int64_t x = within(150000000), y = within(150000000), z = within(150000000);
+      for (int k = 0; k < 15; ++k) {
+        const int64_t at[3] = {x + within(apart), y + within(apart), z + within(apart)};
+        set.push_back({at[0], at[1], at[2], 100000000 + within(apart)});
+      }
+    }
+    PlacedBalls placed(set, {3, -1, 2});
+    const auto balls = placed.seen.balls();
+    for (uint32_t i = 0; i < balls.size(); ++i) {
+      uint32_t hider = hsp::no_id;
+      for (uint32_t j = 0; j < balls.size(); ++j) {
+        if (i == j || !placed.seen.is_nearer(j, i) || balls[i].inside != 0 || balls[j].inside != 0) continue;
+        const hsp::Crease crease(balls[i], balls[j]);
+        if (!crease.exists) continue;
+        const auto arcs = crease_arcs(placed, i, j, hider);
+        hidden_by_one += hider != hsp::no_id;
+        found += static_cast<uint32_t>(arcs.size());
+        compared +=
+            expect_visible_where_arcs_are(arcs, balls, crease.end, i, j, [&](double t) { return crease.at(t); });
+      }
+    }
+  }
+  EXPECT_GT(found, 50U);
+  EXPECT_GT(hidden_by_one, 300U);
+  EXPECT_GT(compared, 20000U);
 }
 
 TEST(CreaseArcs, AreWhereTheCreaseIsSeen) {

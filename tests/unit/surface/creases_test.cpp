@@ -254,7 +254,7 @@ TEST(Creases, OfBallsThatTouchWhereOthersPass) {
 }
 
 // Balls around lattice points of a circle, whose spheres meet in two points: about as many vertices as balls are in
-// each of them. Pairs of them are asked about, not triples. What a probe there shows of itself is a pyramid's angle.
+// each of them. Pairs of them are asked about, not triples. All patches there make up the angle of a pyramid.
 TEST(Creases, OfManyProbesInOnePoint) {
   constexpr int circle = 325, distance = 845, height = 780;
   constexpr double probe = 65.0;
