@@ -152,19 +152,15 @@ void BallGroup::flag_inner_contacts(MovingRecords &records, const BallCells &cel
 void BallGroup::flag(MovingRecords &records, uint32_t count) const {
   const CubeBlock everything{{{0, near_.n}}, 1};
   const auto record = [&](uint32_t k) -> MovingBall & { return records.ball[near_ball_[k]]; };
-  const auto touches = [&](uint32_t inner, uint32_t outer) {
-    return inner != outer && (near_.r[inner] != near_.r[outer] || record(outer).faces != 0) &&
-           touches_freely_from_inside(near_, everything, inner, outer);
-  };
   for (uint32_t inner = 0; inner < near_.n; ++inner) {
     if (!record(inner).contained) continue;
-    if (inner < count) {
-      for (uint32_t outer = 0; outer < near_.n; ++outer) {
-        if (touches(inner, outer)) record(inner).one_sided = true;
-      }
-    }
-    for (uint32_t outer = 0; outer < count; ++outer) {
-      if (touches(inner, outer)) record(outer).one_sided = true;
+    InnerTouch touch(near_, everything, inner);
+    const uint32_t outers = inner < count ? near_.n : count;
+    for (uint32_t outer = 0; outer < outers; ++outer) {
+      if (inner == outer || (near_.r[inner] == near_.r[outer] && record(outer).faces == 0)) continue;
+      if (!touch.is_free_with(outer)) continue;
+      if (inner < count) record(inner).one_sided = true;
+      if (outer < count) record(outer).one_sided = true;
     }
   }
 }

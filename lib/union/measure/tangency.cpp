@@ -22,19 +22,25 @@ bool lies_inside_another(const CubeGrid &grid, uint32_t i) {
   return false;
 }
 
-bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, uint32_t inner, uint32_t outer) {
-  const exact::LatticeBall own = balls.ball(inner);
-  const exact::LatticeBall container = balls.ball(outer);
+bool InnerTouch::is_free_with(uint32_t outer) {
+  const exact::LatticeBall own = balls_.ball(inner_), container = balls_.ball(outer);
   const int64_t D = container.radius - own.radius;
   const exact::Vector v = own.centre - container.centre;
   if (D < 0 || !within(v, D) || dot(v, v) != D * D) return false;
   if (D == 0) return true;  // equal balls: without a look at third ones, as there may be thousands in one place
+  if (!point_is_known_) {
+    point_is_known_ = true;
+    point_is_free_ = no_third_covers(container, v, D);
+  }
+  return point_is_free_;
+}
 
-  // They touch in the point c + R v/D, c and R of the outer ball. Seen from the centre c_k of a third ball, D times
-  // that is D (c - c_k) + R v, with components below 2^62.
-  for (uint32_t r = 0; r < block.ranges; ++r) {
-    for (uint32_t k = block.range[r].first; k < block.range[r].last; ++k) {
-      const exact::LatticeBall third = balls.ball(k);
+// The point is c + R v/D, c and R of the outer ball. Seen from the centre c_k of a third ball, D times that is
+// D (c - c_k) + R v, with components below 2^62.
+bool InnerTouch::no_third_covers(const exact::LatticeBall &container, const exact::Vector &v, int64_t D) const {
+  for (uint32_t r = 0; r < block_.ranges; ++r) {
+    for (uint32_t k = block_.range[r].first; k < block_.range[r].last; ++k) {
+      const exact::LatticeBall third = balls_.ball(k);
       const exact::Vector w = container.centre - third.centre;
       if (!within(w, third.radius + container.radius)) continue;
       const exact::Vector point{D * w.x + container.radius * v.x, D * w.y + container.radius * v.y,

@@ -10,9 +10,26 @@
 
 namespace hsp {
 
-// Whether ball `inner` touches ball `outer` from inside, in a point that lies inside no third ball; or whether the two
-// are equal.
-bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, uint32_t inner, uint32_t outer);
+// Which balls one ball touches from inside, in a point that lies inside no third ball; or is equal to.
+//
+// They all have that point in common: each ball that contains `inner` contains the point, but not in its interior, and
+// so touches `inner` there. Hence third balls are looked at once for each ball, not for each two that touch.
+class InnerTouch {
+ public:
+  InnerTouch(const BallSet &balls, const CubeBlock &block, uint32_t inner)
+      : balls_(balls), block_(block), inner_(inner) {}
+
+  // Whether the ball touches ball `outer` so.
+  bool is_free_with(uint32_t outer);
+
+ private:
+  bool no_third_covers(const exact::LatticeBall &container, const exact::Vector &v, int64_t D) const;
+
+  const BallSet &balls_;
+  const CubeBlock &block_;
+  uint32_t inner_;
+  bool point_is_known_ = false, point_is_free_ = false;
+};
 
 // Whether a ball lies inside another one, for balls of which the boundary does not know it.
 bool lies_inside_another(const CubeGrid &grid, uint32_t i);
@@ -22,9 +39,10 @@ template <class Visit>
 void visit_balls_touched_from_inside(const CubeGrid &grid, uint32_t i, Visit visit) {
   const BallSet &balls = grid.balls();
   const CubeBlock block = grid.block_around(grid.cube_at(balls.ball(i).centre));
+  InnerTouch touch(balls, block, i);
   for (uint32_t k = 0; k < block.ranges; ++k) {
     for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
-      if (j != i && touches_freely_from_inside(balls, block, i, j)) visit(j);
+      if (j != i && touch.is_free_with(j)) visit(j);
     }
   }
 }
@@ -36,9 +54,11 @@ template <class Visit>
 void visit_free_inner_contacts(const CubeGrid &grid, const Boundary &boundary, Visit visit) {
   const BallSet &balls = grid.balls();
   for (uint32_t i = 0; i < balls.n; ++i) {
-    if (!boundary.is_contained(i) && !boundary.is_left_out(i)) continue;
+    bool is_inside = boundary.is_contained(i);
+    if (!is_inside && !boundary.is_left_out(i)) continue;
     visit_balls_touched_from_inside(grid, i, [&](uint32_t j) {
-      if (boundary.is_left_out(i) && !lies_inside_another(grid, i)) return;
+      is_inside = is_inside || lies_inside_another(grid, i);
+      if (!is_inside) return;
       if (balls.r[i] != balls.r[j] || boundary.is_exposed(j) || boundary.is_left_out(j)) visit(i, j);
     });
   }

@@ -38,6 +38,7 @@ constexpr InnerTouching inner_touchings[] = {
     {3, {{3, 0, 0, 2}, {0, 0, 0, 5}, {5, 3, 4, 5}}, true},
     {3, {{3, 0, 0, 2}, {0, 0, 0, 5}, {5, 3, 3, 5}}, false},
     {3, {{3, 0, 0, 2}, {0, 0, 0, 5}, {1, 0, 0, 5}}, false},
+    {3, {{0, 0, 0, 2}, {3, 0, 0, 5}, {-3, 0, 0, 5}}, false},  // each covers where the other is touched
     // The point has a denominator of nearly 2^30; in the end it is (2, -1, 2)/3 of the radius.
     {2, {{largest_ball - 1, 0, 0, 1}, {0, 0, 0, largest_ball}}, true},
     {3, {{largest_ball - 1, 0, 0, 1}, {0, 0, 0, largest_ball}, {2 * largest_ball, 0, 0, largest_ball}}, true},
@@ -58,7 +59,7 @@ inline uint32_t balls_touch_from_inside() {
     hsp::CubeBlock all;
     all.ranges = 1;
     all.range[0] = {0, c.n};
-    return hsp::touches_freely_from_inside(balls.set(), all, 0, 1) == c.touches;
+    return hsp::InnerTouch(balls.set(), all, 0).is_free_with(1) == c.touches;
   });
 }
 
@@ -69,7 +70,21 @@ inline uint32_t equal_balls_need_no_third() {
   hsp::CubeBlock missing;
   missing.ranges = 1;
   missing.range[0] = {1U << 30, 1U << 31};
-  return hsp::touches_freely_from_inside(balls.set(), missing, 0, 1) ? all_hold : 0;
+  return hsp::InnerTouch(balls.set(), missing, 0).is_free_with(1) ? all_hold : 0;
+}
+
+// Thousands may touch in one place: once it is known to be free, no third ball is looked at.
+inline uint32_t one_look_at_third_balls() {
+  constexpr uint32_t n = 4;
+  GridlessBalls<n> balls;
+  for (int64_t k = 0; k < n; ++k) balls.add(5 - k, 0, 0, 1 + k);
+  hsp::CubeBlock block;
+  block.ranges = 1;
+  block.range[0] = {0, n};
+  hsp::InnerTouch touch(balls.set(), block, 0);
+  if (!touch.is_free_with(1)) return 0;
+  block.range[0] = {1U << 30, 1U << 31};
+  return touch.is_free_with(2) && touch.is_free_with(3) ? all_hold : 0;
 }
 
 struct InnerContacts {
@@ -100,6 +115,7 @@ inline uint32_t contacts_that_bare_something() {
 
 inline constexpr Check measure_tangency[] = {{"balls_touch_from_inside", balls_touch_from_inside},
                                              {"equal_balls_need_no_third", equal_balls_need_no_third},
+                                             {"one_look_at_third_balls", one_look_at_third_balls},
                                              {"contacts_that_bare_something", contacts_that_bare_something}};
 
 }  // namespace cases
