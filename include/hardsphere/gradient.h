@@ -85,7 +85,7 @@ typedef struct hsp_gradient_outputs {
  *  d_centre and d_radius add up those of the ball and of its neighbours. So that of a ball beside one that is 1e8 times
  *  as large has eight digits.
  *  Source: M. L. Connolly 1983, T. J. Richmond 1984 for the area; dV/dc_i is the vector area of ball i's faces.
- *  Cost: O(n + vertices + circles).
+ *  Cost: O(n + vertices + circles). With flags, a look around each ball that lies in another.
  *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with several workers and
  *                            without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
@@ -123,7 +123,7 @@ typedef struct hsp_derivatives_outputs {
  *  - Property 1: tension times the one plus pressure times the other is what hsp_boundary_get_gradient says, up to
  *    rounding; with tension 1 and pressure 0, or 0 and 1, and finite numbers, bit for bit.
  *
- *  Cost: O(n + vertices + circles).
+ *  Cost: O(n + vertices + circles). With flags, a look around each ball that lies in another.
  *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with several workers and
  *                            without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0

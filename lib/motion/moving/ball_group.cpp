@@ -150,7 +150,7 @@ void BallGroup::flag_inner_contacts(MovingRecords &records, const BallCells &cel
 }
 
 void BallGroup::flag(MovingRecords &records, uint32_t count) const {
-  const CubeBlock everything{{{0, near_.n}}, 1};
+  const BallsThatMayMeet everything(CubeBlock{{{0, near_.n}}, 1});
   const auto record = [&](uint32_t k) -> MovingBall & { return records.ball[near_ball_[k]]; };
   for (uint32_t inner = 0; inner < near_.n; ++inner) {
     if (!record(inner).contained) continue;

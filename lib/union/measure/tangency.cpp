@@ -12,14 +12,19 @@ bool within(const exact::Vector &v, int64_t s) {
 
 }  // namespace
 
-bool lies_inside_another(const CubeGrid &grid, uint32_t i) {
-  const CubeBlock block = grid.block_around(grid.cube_at(grid.balls().ball(i).centre));
-  for (uint32_t r = 0; r < block.ranges; ++r) {
-    for (uint32_t j = block.range[r].first; j < block.range[r].last; ++j) {
-      if (lies_inside(grid.balls(), i, j)) return true;
+BallsThatMayMeet::BallsThatMayMeet(const CubeGrid &grid, uint32_t i) {
+  if (const RadiusLevels *const levels = grid.levels()) {
+    const uint32_t found = levels->find_neighbours(grid.balls(), i, few_ball_, most_few);
+    if (found <= most_few) {
+      few_ = found;
+      return;
     }
   }
-  return false;
+  block_ = grid.block_around(grid.cube_at(grid.balls().ball(i).centre));
+}
+
+bool lies_inside_another(const CubeGrid &grid, uint32_t i) {
+  return !BallsThatMayMeet(grid, i).all_of([&](uint32_t j) { return !lies_inside(grid.balls(), i, j); });
 }
 
 bool InnerTouch::is_free_with(uint32_t outer) {
@@ -38,18 +43,15 @@ bool InnerTouch::is_free_with(uint32_t outer) {
 // The point is c + R v/D, c and R of the outer ball. Seen from the centre c_k of a third ball, D times that is
 // D (c - c_k) + R v, with components below 2^62.
 bool InnerTouch::no_third_covers(const exact::LatticeBall &container, const exact::Vector &v, int64_t D) const {
-  for (uint32_t r = 0; r < block_.ranges; ++r) {
-    for (uint32_t k = block_.range[r].first; k < block_.range[r].last; ++k) {
-      const exact::LatticeBall third = balls_.ball(k);
-      const exact::Vector w = container.centre - third.centre;
-      if (!within(w, third.radius + container.radius)) continue;
-      const exact::Vector point{D * w.x + container.radius * v.x, D * w.y + container.radius * v.y,
-                                D * w.z + container.radius * v.z};
-      // On the spheres of the two themselves it lies exactly, and so outside their interiors.
-      if (exact::power(point, D * third.radius).sign() < 0) return false;
-    }
-  }
-  return true;
+  return around_.all_of([&](uint32_t k) {
+    const exact::LatticeBall third = balls_.ball(k);
+    const exact::Vector w = container.centre - third.centre;
+    if (!within(w, third.radius + container.radius)) return true;
+    const exact::Vector point{D * w.x + container.radius * v.x, D * w.y + container.radius * v.y,
+                              D * w.z + container.radius * v.z};
+    // On the spheres of the two themselves it lies exactly, and so outside their interiors.
+    return exact::power(point, D * third.radius).sign() >= 0;
+  });
 }
 
 }  // namespace hsp

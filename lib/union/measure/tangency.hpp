@@ -6,9 +6,38 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/small_code.hpp"
 #include "exact/power.hpp"
 
 namespace hsp {
+
+// Balls among which are all others that meet one: those of a block of cubes; or where levels of radii tell which meet
+// it, and these are few, no others. A block may be the whole set, if one ball is far larger than the rest.
+class BallsThatMayMeet {
+ public:
+  explicit BallsThatMayMeet(const CubeBlock &block) : block_(block) {}
+  BallsThatMayMeet(const CubeGrid &grid, uint32_t i);
+
+  // Calls visit(j) for one after the other, in the grid's order, until it returns false. Whether it never did.
+  template <class Visit>
+  bool all_of(Visit visit) const {
+    for (uint32_t k = 0; k < few_; ++k) {
+      if (!visit(few_ball_[k])) return false;
+    }
+    for (uint32_t r = 0; r < block_.ranges; ++r) {
+      for (uint32_t j = block_.range[r].first; j < block_.range[r].last; ++j) {
+        if (!visit(j)) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  static constexpr uint32_t most_few = small_code ? 1 : 128;
+  CubeBlock block_;  // without ranges if they are few
+  uint32_t few_ = 0;
+  uint32_t few_ball_[most_few];
+};
 
 // Which balls one ball touches from inside, in a point that lies inside no third ball; or is equal to.
 //
@@ -16,8 +45,8 @@ namespace hsp {
 // so touches `inner` there. Hence third balls are looked at once for each ball, not for each two that touch.
 class InnerTouch {
  public:
-  InnerTouch(const BallSet &balls, const CubeBlock &block, uint32_t inner)
-      : balls_(balls), block_(block), inner_(inner) {}
+  InnerTouch(const BallSet &balls, const BallsThatMayMeet &around, uint32_t inner)
+      : balls_(balls), around_(around), inner_(inner) {}
 
   // Whether the ball touches ball `outer` so.
   bool is_free_with(uint32_t outer);
@@ -26,7 +55,7 @@ class InnerTouch {
   bool no_third_covers(const exact::LatticeBall &container, const exact::Vector &v, int64_t D) const;
 
   const BallSet &balls_;
-  const CubeBlock &block_;
+  const BallsThatMayMeet &around_;
   uint32_t inner_;
   bool point_is_known_ = false, point_is_free_ = false;
 };
@@ -38,13 +67,12 @@ bool lies_inside_another(const CubeGrid &grid, uint32_t i);
 template <class Visit>
 void visit_balls_touched_from_inside(const CubeGrid &grid, uint32_t i, Visit visit) {
   const BallSet &balls = grid.balls();
-  const CubeBlock block = grid.block_around(grid.cube_at(balls.ball(i).centre));
-  InnerTouch touch(balls, block, i);
-  for (uint32_t k = 0; k < block.ranges; ++k) {
-    for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
-      if (j != i && touch.is_free_with(j)) visit(j);
-    }
-  }
+  const BallsThatMayMeet around(grid, i);
+  InnerTouch touch(balls, around, i);
+  around.all_of([&](uint32_t j) {
+    if (j != i && touch.is_free_with(j)) visit(j);
+    return true;
+  });
 }
 
 // Calls visit(i, j) for every ball i inside others and every ball j that it touches freely from inside, if moving one

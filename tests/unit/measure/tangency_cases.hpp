@@ -59,7 +59,7 @@ inline uint32_t balls_touch_from_inside() {
     hsp::CubeBlock all;
     all.ranges = 1;
     all.range[0] = {0, c.n};
-    return hsp::InnerTouch(balls.set(), all, 0).is_free_with(1) == c.touches;
+    return hsp::InnerTouch(balls.set(), hsp::BallsThatMayMeet(all), 0).is_free_with(1) == c.touches;
   });
 }
 
@@ -70,7 +70,7 @@ inline uint32_t equal_balls_need_no_third() {
   hsp::CubeBlock missing;
   missing.ranges = 1;
   missing.range[0] = {1U << 30, 1U << 31};
-  return hsp::InnerTouch(balls.set(), missing, 0).is_free_with(1) ? all_hold : 0;
+  return hsp::InnerTouch(balls.set(), hsp::BallsThatMayMeet(missing), 0).is_free_with(1) ? all_hold : 0;
 }
 
 // Thousands may touch in one place: once it is known to be free, no third ball is looked at.
@@ -81,9 +81,11 @@ inline uint32_t one_look_at_third_balls() {
   hsp::CubeBlock block;
   block.ranges = 1;
   block.range[0] = {0, n};
-  hsp::InnerTouch touch(balls.set(), block, 0);
+  hsp::BallsThatMayMeet others(block);
+  hsp::InnerTouch touch(balls.set(), others, 0);
   if (!touch.is_free_with(1)) return 0;
   block.range[0] = {1U << 30, 1U << 31};
+  others = hsp::BallsThatMayMeet(block);
   return touch.is_free_with(2) && touch.is_free_with(3) ? all_hold : 0;
 }
 
