@@ -14,9 +14,11 @@ bool within(const exact::Vector &v, int64_t s) {
 
 BallsThatMayMeet::BallsThatMayMeet(const CubeGrid &grid, uint32_t i) {
   if (const RadiusLevels *const levels = grid.levels()) {
-    const uint32_t found = levels->find_neighbours(grid.balls(), i, few_ball_, most_few);
+    const uint32_t found = levels->find_neighbours(grid.balls(), i, few_, most_few);
     if (found <= most_few) {
-      few_ = found;
+      are_few_ = true;
+      block_.ranges = 1;
+      block_.range[0] = {0, found};
       return;
     }
   }
@@ -51,6 +53,14 @@ bool InnerTouch::no_third_covers(const exact::LatticeBall &container, const exac
                               D * w.z + container.radius * v.z};
     // On the spheres of the two themselves it lies exactly, and so outside their interiors.
     return exact::power(point, D * third.radius).sign() >= 0;
+  });
+}
+
+void flag_free_inner_contacts(const CubeGrid &grid, const Boundary &boundary, uint32_t flag, uint32_t *flags) {
+  const BallSet &balls = grid.balls();
+  visit_free_inner_contacts(grid, boundary, [&](uint32_t inner, uint32_t outer) {
+    flags[balls.caller[inner]] |= flag;
+    flags[balls.caller[outer]] |= flag;
   });
 }
 

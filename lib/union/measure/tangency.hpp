@@ -16,17 +16,14 @@ namespace hsp {
 class BallsThatMayMeet {
  public:
   explicit BallsThatMayMeet(const CubeBlock &block) : block_(block) {}
-  BallsThatMayMeet(const CubeGrid &grid, uint32_t i);
+  [[gnu::cold]] BallsThatMayMeet(const CubeGrid &grid, uint32_t i);
 
   // Calls visit(j) for one after the other, in the grid's order, until it returns false. Whether it never did.
   template <class Visit>
   bool all_of(Visit visit) const {
-    for (uint32_t k = 0; k < few_; ++k) {
-      if (!visit(few_ball_[k])) return false;
-    }
     for (uint32_t r = 0; r < block_.ranges; ++r) {
-      for (uint32_t j = block_.range[r].first; j < block_.range[r].last; ++j) {
-        if (!visit(j)) return false;
+      for (uint32_t k = block_.range[r].first; k < block_.range[r].last; ++k) {
+        if (!visit(are_few_ ? few_[k] : k)) return false;
       }
     }
     return true;
@@ -34,9 +31,9 @@ class BallsThatMayMeet {
 
  private:
   static constexpr uint32_t most_few = small_code ? 1 : 128;
-  CubeBlock block_;  // without ranges if they are few
-  uint32_t few_ = 0;
-  uint32_t few_ball_[most_few];
+  CubeBlock block_;
+  bool are_few_ = false;  // the block is one of their numbers in few_
+  uint32_t few_[most_few];
 };
 
 // Which balls one ball touches from inside, in a point that lies inside no third ball; or is equal to.
@@ -52,7 +49,8 @@ class InnerTouch {
   bool is_free_with(uint32_t outer);
 
  private:
-  bool no_third_covers(const exact::LatticeBall &container, const exact::Vector &v, int64_t D) const;
+  [[gnu::cold, gnu::noinline]] bool no_third_covers(const exact::LatticeBall &container, const exact::Vector &v,
+                                                    int64_t D) const;
 
   const BallSet &balls_;
   const BallsThatMayMeet &around_;
@@ -93,12 +91,6 @@ void visit_free_inner_contacts(const CubeGrid &grid, const Boundary &boundary, V
 }
 
 // Sets a flag of both balls of each such pair. flags [n], in the caller's order.
-inline void flag_free_inner_contacts(const CubeGrid &grid, const Boundary &boundary, uint32_t flag, uint32_t *flags) {
-  const BallSet &balls = grid.balls();
-  visit_free_inner_contacts(grid, boundary, [&](uint32_t inner, uint32_t outer) {
-    flags[balls.caller[inner]] |= flag;
-    flags[balls.caller[outer]] |= flag;
-  });
-}
+void flag_free_inner_contacts(const CubeGrid &grid, const Boundary &boundary, uint32_t flag, uint32_t *flags);
 
 }  // namespace hsp
