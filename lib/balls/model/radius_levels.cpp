@@ -157,7 +157,7 @@ uint32_t RadiusLevels::class_of(double radius) {
 bool RadiusLevels::may_save_work(const OrderedBalls &order) {
   const BallSet &balls = order.balls();
   const bool some_are_small = balls.smallest_radius >= 0 && 8 * balls.smallest_radius <= order.side();
-  return balls.n >= fewest_balls && !order.has_images() && (some_are_small || balls.n / 16 >= order.cubes()) &&
+  return balls.n >= fewest_balls && (some_are_small || balls.n / 16 >= order.cubes()) &&
          pairs_in(order.first_ball(), order.cubes()) >= many_pairs_a_ball * balls.n;
 }
 

@@ -9,6 +9,7 @@
 
 #include "brute_queries.hpp"
 #include "built_grid.hpp"
+#include "carved_memory.hpp"
 #include "lattice_lengths.hpp"
 #include "model/neighbour_lists.hpp"
 #include "model/queries.hpp"
@@ -104,6 +105,39 @@ TEST(RadiusLevels, AnswerAsALookAtEveryBall) {
     }
   }
   EXPECT_LT(4 * seemed_too_little, answered);
+}
+
+// The last third of them are images that surround the others, as in a box with a colloid in its solvent.
+TEST(RadiusLevels, AnswerForImages) {
+  oracle::RandomSource random(55);
+  const oracle::Balls balls = small_and_large(random, 3000, 6, 1500);
+  const auto n = static_cast<uint32_t>(balls.size());
+  CarvedMemory memory, grid_memory;
+  hsp::BallSet given;
+  memory.carve(given, n);
+  given.n = n;
+  given.lattice = hsp::exact::Lattice::with_step(1.0);
+  for (uint32_t k = 0; k < n; ++k) {
+    const oracle::LatticeBall &ball = balls[k];
+    given.store(k, {{ball.x, ball.y, ball.z}, ball.radius, k});
+    given.largest_radius = std::max(given.largest_radius, ball.radius);
+  }
+  hsp::CubeGrid grid;
+  grid_memory.carve(grid, n);
+  grid.build(given, n - n / 3);
+  ASSERT_NE(grid.levels(), nullptr);
+  for (uint32_t i = 0; i < n; ++i) {
+    std::vector<uint32_t> expected = oracle::neighbours(balls, i), found(n);
+    for (uint32_t &ball : expected) ball = grid.grid_index(ball);
+    std::sort(expected.begin(), expected.end());
+    const uint32_t count = grid.levels()->find_neighbours(grid.balls(), grid.grid_index(i), found.data(), n);
+    if (count == hsp::no_id) {
+      EXPECT_GE(balls[i].radius, 12000);  // reaches very many cubes
+      continue;
+    }
+    found.resize(count);
+    EXPECT_EQ(found, expected) << "ball " << i;
+  }
 }
 
 // Not where cubes are no wider than balls need, nor where all balls are of one size.
