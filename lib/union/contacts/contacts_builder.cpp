@@ -30,9 +30,6 @@ CubeBlock part_from(const CubeBlock &block, uint32_t i) {
   return part;
 }
 
-// So many contacts of one ball are looked at one by one.
-constexpr uint32_t most_listed = 32;
-
 // Of a contact in a tree, each increased by 1, or 0. They are where its rim will be, which is 0.
 struct Children {
   uint32_t of[2];
@@ -75,7 +72,7 @@ bool ContactsBuilder::start(const CubeGrid &grid, const Boundary &boundary, uint
   needed_.neighbours = neighbours;
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
   walk_.start(balls, own_balls_);
-  for (uint32_t i = 0; i < balls; ++i) some_inside_ = some_inside_ || boundary.is_contained(i);
+  for (uint32_t i = 0; i < balls && !some_inside_; ++i) some_inside_ = boundary.is_contained(i);
   candidates_.start(contacts_.a_.row, boundary.target());
   return true;
 }
@@ -99,19 +96,6 @@ void ContactsBuilder::clear(uint32_t balls) {
   // While contacts are found, the first one of each ball with later balls.
   for (uint32_t i = 0; i <= balls; ++i) a.first_in_row[i] = no_id;
   for (uint32_t i = 0; i < balls; ++i) a.share_volume[i] = a.contact_area[i] = 0.0;
-}
-
-uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b, uint32_t counted) {
-  const ContactArrays &arrays = contacts_.a_;
-  uint32_t left = most_listed;
-  for (uint32_t id = arrays.first_in_row[a]; id != no_id; id = arrays.links[id]) {
-    if (arrays.contacts[id].ball[1] == b) return id;
-    if (small_code || --left > 0) continue;
-    id = find_in_tree(a, b);
-    if (id != no_id) return id;
-    break;
-  }
-  return add_contact(a, b, counted);
 }
 
 // Of a ball with very many contacts most are in a tree, too, from the one on whose code says so: by the bits of the
@@ -161,17 +145,24 @@ void ContactsBuilder::fell_trees() {
 
 uint32_t ContactsBuilder::add_contact(uint32_t a, uint32_t b, uint32_t counted) {
   ContactArrays &arrays = contacts_.a_;
-  const bool fits = arrays.contacts.required() < arrays.contacts.capacity();
-  if (!fits && counted == 0) return no_room;
-  const uint32_t id = arrays.contacts.size();
-  arrays.contacts.push({{a, b}, 0, 0, 0.0, 0.0});
-  if (!fits) {
-    lost_across_ += b < own_balls_ ? 0U : 1U;
-    return no_room;
+  const uint64_t number = arrays.contacts.required();
+  if (number < arrays.contacts.capacity()) {
+    const uint32_t id = static_cast<uint32_t>(number);
+    arrays.contacts.set_count(number + 1);
+    arrays.contacts[id] = {{a, b}, 0, 0, 0.0, 0.0};
+    arrays.links[id] = arrays.first_in_row[a];
+    arrays.first_in_row[a] = id;
+    return id;
   }
-  arrays.links[id] = arrays.first_in_row[a];
-  arrays.first_in_row[a] = id;
-  return id;
+  arrays.contacts.set_count(number + counted);
+  lost_across_ += b < own_balls_ ? 0U : counted;
+  return no_room;
+}
+
+// In a box power vertices of this ball also find contacts of it that are kept here and seen as those of two images.
+uint32_t ContactsBuilder::first_contact_of_cap(uint32_t cap) {
+  const uint32_t own = caps_.origin, other = caps_.ball[cap];
+  return contact_of_cap_[cap] = own_balls_ == contacts_.a_.balls ? add_contact(own, other) : find_contact(own, other);
 }
 
 // Those of later balls, or all.
@@ -262,13 +253,15 @@ Status ContactsBuilder::check_capacity() {
 // which does not depend on the order of the input.
 bool ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] Target target, Patience &patience) {
   ContactArrays &a = contacts_.a_;
+  for (uint32_t i = 0, count = a.balls; i < count; ++i) a.first_in_row[i] = 0;  // how many its row will have
   ContactMeasures measures;
   for (uint32_t first = 0; first < a.contacts.size(); first += ContactMeasures::capacity) {
     if (!patience.allows(100 * uint64_t{ContactMeasures::capacity})) return false;
     const uint32_t left = a.contacts.size() - first;
     const uint32_t count = left < ContactMeasures::capacity ? left : ContactMeasures::capacity;
+    const Span<ContactRecord> contacts = a.contacts.items().part(first, first + count);
     for (uint32_t s = 0; s < ContactMeasures::capacity; ++s) {
-      const ContactRecord &contact = a.contacts[first + (s < count ? s : 0)];
+      const ContactRecord &contact = contacts[s < count ? s : 0];
       measures.ball[0][s] = contact.ball[0];
       measures.ball[1][s] = contact.ball[1];
       measures.area[s] = contact.area;
@@ -277,14 +270,16 @@ bool ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] Ta
     bool certain = false;
     if constexpr (has_lanes) certain = measure_contacts_in_lanes(target, arrays_of(balls), measures);
     for (uint32_t s = 0; s < count; ++s) {
-      ContactRecord &contact = a.contacts[first + s];
+      ContactRecord &contact = contacts[s];
       if (!certain && measure_contact_in_integers(balls, measures, s)) contact.code |= ContactRecord::touching_bit;
       contact.chords /= 2;
       contact.area = measures.area[s];
       contact.rim = measures.rim[s];
       for (uint32_t side = 0; side < 2; ++side) {
-        a.contact_area[contact.ball[side]] += measures.area[s];
-        a.share_volume[contact.ball[side]] += measures.cone[side][s];
+        const uint32_t ball = contact.ball[side];
+        ++a.first_in_row[ball];
+        a.contact_area[ball] += measures.area[s];
+        a.share_volume[ball] += measures.cone[side][s];
       }
     }
   }
@@ -299,32 +294,25 @@ void ContactsBuilder::close_shares() {
   }
 }
 
-// Rows in the order in which contacts were found; then all balls in the caller's order, each to the rows of those that
-// it is in contact with.
+// Rows in the order in which contacts were found; then all balls in the caller's order, the last one first, each to the
+// ends of the rows of those that it is in contact with.
 void ContactsBuilder::make_rows(const CubeGrid &grid, Patience &patience) {
   ContactArrays &a = contacts_.a_;
   candidates_.end();
   const ChordWalk::SpareArrays spare = walk_.end();
-  const Span<uint32_t> found = spare.of_contacts, next = spare.of_balls;
-  for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = 0;
-  const uint32_t contacts = a.contacts.size();
-  in_parts(patience, IdRange{0, contacts}, 50, [&](IdRange some) {
-    for (const uint32_t id : some) {
-      for (const uint32_t ball : a.contacts[id].ball) ++a.first_in_row[ball];
-    }
-  });
+  const Span<uint32_t> found = spare.of_contacts, end = spare.of_balls;
   end_rows(a.first_in_row, a.balls);
-  in_parts(patience, IdRange{0, contacts}, 50, [&](IdRange some) {  // from the last one on
-    for (uint32_t id = contacts - some.first, end = contacts - some.last; id-- > end;) {
+  for (uint32_t i = 0; i < a.balls; ++i) end[i] = a.first_in_row[i];
+  in_parts(patience, IdRange{0, a.contacts.size()}, 50, [&](IdRange some) {
+    for (const uint32_t id : some) {
       for (const uint32_t ball : a.contacts[id].ball) found[--a.first_in_row[ball]] = id;
     }
   });
   if (!patience.allows(0)) return;
-  for (uint32_t i = 0; i < a.balls; ++i) next[i] = a.first_in_row[i];
-  for (uint32_t given = 0; given < a.balls && patience.allows(200); ++given) {
-    const uint32_t i = grid.grid_index(given);
+  for (uint32_t given = a.balls; given > 0 && patience.allows(200);) {
+    const uint32_t i = grid.grid_index(--given);
     for (const uint32_t id : found.part(a.first_in_row[i], a.first_in_row[i + 1])) {
-      a.row[next[a.contacts[id].other(i)]++] = id;
+      a.row[--end[a.contacts[id].other(i)]] = id;
     }
   }
 }
@@ -343,11 +331,11 @@ void ContactsBuilder::count_simplices(const Boundary &boundary) {
       count(0, SimplexKind::interior);
     }
   }
-  for (const ContactRecord &contact : a.contacts.items()) {
-    count(1, contact.is_circle() ? SimplexKind::singular
-             : contact.has_arc() ? SimplexKind::regular
-                                 : SimplexKind::interior);
-  }
+  constexpr uint32_t arc = ContactRecord::arc_bit, circle = ContactRecord::circle_bit;
+  uint32_t with_code[(arc | circle) + 1] = {};
+  for (const ContactRecord &contact : a.contacts.items()) ++with_code[contact.code & (arc | circle)];
+  const uint32_t edges[3] = {with_code[circle] + with_code[arc | circle], with_code[arc], with_code[0]};
+  for (uint32_t kind = 0; kind < 3; ++kind) a.simplices.of[1][kind] = edges[kind];
   a.simplices.of[3][static_cast<uint32_t>(SimplexKind::interior)] = clamped_count(a.tetrahedra.required());
 }
 

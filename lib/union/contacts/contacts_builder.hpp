@@ -14,6 +14,7 @@
 #include "contacts/chord_ends.hpp"
 #include "contacts/chord_walk.hpp"
 #include "core/patience.hpp"
+#include "core/small_code.hpp"
 #include "measure/areas.hpp"
 #include "model/block_sweep.hpp"
 #include "sphere/cube_candidates.hpp"
@@ -102,7 +103,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
     measure_vertices(grid.balls(), boundary);
     fell_trees();
     const Span<uint32_t> contact_with = walk_.end().of_balls;
-    for (uint32_t i = 0; i < contacts_.a_.balls; ++i) contact_with[i] = no_id;
+    for (uint32_t i = 0, balls = contacts_.a_.balls; i < balls; ++i) contact_with[i] = no_id;
     for (uint32_t i = 0; i < own_balls_; ++i) {
       if (!patience.allows(2000)) return Status::stopped;
       add_free_edges(grid.balls(), boundary, i, images, contact_with);
@@ -129,6 +130,8 @@ class ContactsBuilder : public Limited<ContactLimits> {
   // it is found in another copy of the box.
   static constexpr uint32_t no_room = no_id - 1;
   static constexpr uint32_t elsewhere = no_id - 2;
+  // So many contacts of one ball are looked at one by one.
+  static constexpr uint32_t most_listed = 32;
 
   bool start(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
   void clear(uint32_t balls);
@@ -139,17 +142,21 @@ class ContactsBuilder : public Limited<ContactLimits> {
   void count_chords(bool some_elsewhere);
   void measure_vertices(const BallSet &balls, const Boundary &boundary);
   bool is_elsewhere(uint32_t cap) const { return contact_of_cap_[cap] == elsewhere; }
-  // In a box power vertices of this ball also find contacts of it that are kept here and seen as those of two images.
   uint32_t contact_of_cap(uint32_t cap) {
-    uint32_t &id = contact_of_cap_[cap];
-    if (id == no_id) {
-      const bool is_new = own_balls_ == contacts_.a_.balls;
-      id = is_new ? add_contact(caps_.origin, caps_.ball[cap]) : find_contact(caps_.origin, caps_.ball[cap]);
-    }
-    return id == elsewhere ? no_room : id;
+    const uint32_t id = contact_of_cap_[cap];
+    return id == no_id ? first_contact_of_cap(cap) : id == elsewhere ? no_room : id;
   }
+  uint32_t first_contact_of_cap(uint32_t cap);
   // no_room if there is none and none may be added, which is counted if it is asked for.
-  uint32_t find_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
+  uint32_t find_contact(uint32_t a, uint32_t b, uint32_t counted = 1) {
+    const ContactArrays &arrays = contacts_.a_;
+    uint32_t id = arrays.first_in_row[a];
+    for (uint32_t left = most_listed; id != no_id && (small_code || left > 0); --left, id = arrays.links[id]) {
+      if (arrays.contacts[id].ball[1] == b) return id;
+    }
+    if (!small_code && id != no_id) id = find_in_tree(a, b);
+    return id != no_id ? id : add_contact(a, b, counted);
+  }
   uint32_t add_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
   uint32_t find_in_tree(uint32_t a, uint32_t b);
   void fell_trees();
@@ -300,6 +307,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
       other_side.ball[0] = images.ball_of(image);
       other_side.ball[1] = images.moved_back(own, image);
       if (other_side.ball[1] == no_id) return false;
+      for (const uint32_t ball : other_side.ball) ++a.first_in_row[ball];
       a.contacts.push(other_side);
     }
     if (lost_across_ > 0) a.contacts.set_count(a.contacts.required() + lost_across_);
