@@ -49,11 +49,12 @@ HSP_KERNEL(uint32_t, measure_power_vertices, (const BallArrays &balls, PowerVert
 // Vertex s of a batch.
 void measure_in_integers(const BallSet &balls, PowerVertexBatch &batch, uint32_t s);
 
-// The same of both ends of each arc of a batch that has been evaluated, for the contact with the ball that cuts out its
-// circle; 0 where there is no arc. The radius is that of the batch's ball. False if doubles do not serve for one: that
-// is not a number.
-HSP_KERNEL(bool, measure_free_ends, (const ArcBatch &batch, double radius, double (&parts)[ArcBatch::room]),
-           (batch, radius, parts))
+// The same of both ends of each arc of a batch that has been evaluated with its products, for the contact with the ball
+// that cuts out its circle; 0 where there is no arc. The radius is that of the batch's ball. False if doubles do not
+// serve for one: that is not a number. And the sum that AreaSums has, too.
+HSP_KERNEL(bool, measure_free_ends,
+           (const ArcBatch &batch, double radius, double (&parts)[ArcBatch::room], double &cosines),
+           (batch, radius, parts, cosines))
 // Arc s of a batch on ball `own`.
 double free_ends_in_integers(const BallSet &balls, uint32_t own, const ArcBatch &batch, uint32_t s);
 

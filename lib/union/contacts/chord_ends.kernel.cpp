@@ -1,5 +1,5 @@
 #include "contacts/chord_ends.hpp"
-#include "lanes/wide.hpp"
+#include "measure/lane_sums.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
@@ -30,7 +30,6 @@ struct EndKernel {
 
     Plane(const Ball &own, const Ball &other)
         : v(other.centre - own.centre), U(dot(v, v)), h(U - (other.r - own.r) * (other.r + own.r)) {}
-    Plane(const Vector &vector, const Real &height) : v(vector), U(dot(v, v)), h(height) {}
   };
 
   // The line of two planes, as chord_line.hpp has it.
@@ -90,29 +89,38 @@ struct EndKernel {
   }
 
   // An arc begins at the vertex of its slot, on the circles of this and the previous one, and ends at that of the next.
-  static bool measure_arcs(const ArcBatch &batch, double radius, double (&parts)[ArcBatch::room]) {
-    double before[ArcBatch::room] = {};  // at a slot's vertex, for the circle of the previous slot
+  static bool measure_arcs(const ArcBatch &batch, double radius, double (&parts)[ArcBatch::room], double &cosines) {
+    double before[ArcBatch::room];  // at a slot's vertex, for the circle of the previous slot
+    before[batch.count] = 0.0;
+    const Real own = L::all(radius);
+    const ArcProducts &products = *batch.products;
     for (uint32_t s = 0; s < batch.count; s += n) {
       const ArcBatch &b = by_one_register(batch);
       const uint32_t *const previous = b.previous + s;
-      const Plane P({L::gather(b.vx, previous), L::gather(b.vy, previous), L::gather(b.vz, previous)},
-                    L::gather(b.scaled_height, previous));
-      const Plane Q({L::load(b.vx + s), L::load(b.vy + s), L::load(b.vz + s)}, L::load(b.scaled_height + s));
-      const Line line(P, Q);
-      const Real own = L::all(radius), r = L::gather(b.other_radius, previous), next_r = L::load(b.other_radius + s);
+      const Real U = L::gather(products.square, previous), h = L::gather(b.scaled_height, previous);
+      const Real V = L::load(products.square + s), next_h = L::load(b.scaled_height + s);
+      const Real uv = L::load(b.product_with_previous + s), N = L::load(products.square_of_normal + s);
+      const Real r = L::gather(b.other_radius, previous), next_r = L::load(b.other_radius + s);
       const Mask alike = are_alike(L::smaller(own, L::smaller(r, next_r)), L::larger(own, L::larger(r, next_r)));
       const Real scale =
-          L::valid(L::both(alike, line.N >= least_square * (P.U * Q.U)), line.scale(L::load(b.root_discriminant + s)));
-      L::store(before + s, scale * line.beta);
-      L::store(parts + s, scale * line.alpha);
+          L::valid(L::both(alike, N >= least_square * (U * V)), L::load(b.root_discriminant + s) / (8.0 * N));
+      L::store(before + s, scale * (next_h * U - h * uv));
+      L::store(parts + s, scale * (h * V - next_h * uv));
     }
     Mask unserved{};
-    for (uint32_t s = 0; s < batch.count; s += n) {
-      const Mask arc = L::load_mask(batch.arc + s);
-      const Real both = L::kept(arc, L::load(parts + s) + L::gather(before, batch.next + s));
-      L::store(parts + s, both);
-      unserved |= both != both;
+    double sums[sum_lanes];
+    for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
+      Real sum = L::all(0.0);
+      for (uint32_t s = lane; s < batch.count; s += sum_lanes) {
+        const ArcBatch &b = by_one_register(batch);
+        const Real both = L::kept(L::load_mask(b.arc + s), L::load(parts + s) + L::gather(before, b.next + s));
+        L::store(parts + s, both);
+        unserved |= both != both;
+        sum += L::load(b.twice_height + s) * L::load(b.angle + s);
+      }
+      L::store(sums + lane, sum);
     }
+    cosines = sum_of_lanes(sums);
     return !L::any(unserved);
   }
 };
@@ -122,8 +130,8 @@ struct EndKernel {
 uint32_t measure_power_vertices(const BallArrays &balls, PowerVertexBatch &batch, uint32_t count) {
   return EndKernel<register_lanes>::measure_all(balls, batch, count);
 }
-bool measure_free_ends(const ArcBatch &batch, double radius, double (&parts)[ArcBatch::room]) {
-  return EndKernel<register_lanes>::measure_arcs(batch, radius, parts);
+bool measure_free_ends(const ArcBatch &batch, double radius, double (&parts)[ArcBatch::room], double &cosines) {
+  return EndKernel<register_lanes>::measure_arcs(batch, radius, parts, cosines);
 }
 
 }  // namespace hsp::HSP_TARGET

@@ -247,11 +247,13 @@ class ContactsBuilder : public Limited<ContactLimits> {
     const double radius = balls.r[i];
     FreeSurface surface(boundary, radius);
     ArcBatches arcs(balls, boundary, i);
+    ArcProducts products;
+    arcs.batch().products = &products;
     while (arcs.next()) {
       const ArcBatch &batch = arcs.batch();
-      surface.add(batch);
-      double ends[ArcBatch::room];
-      const bool all_served = measure_free_ends(boundary.target(), batch, radius, ends);
+      double ends[ArcBatch::room], cosines = 0.0;
+      const bool all_served = measure_free_ends(boundary.target(), batch, radius, ends, cosines);
+      surface.add(batch, {cosines, {}});
       for (uint32_t s = 0; s < batch.count; ++s) {
         const uint32_t other = batch.other[s];
         if (other < i || !batch.has_piece(s)) continue;

@@ -33,14 +33,10 @@ bool ArcBatches::fill() {
 }
 
 void ArcBatches::evaluate() {
-  const bool complete = evaluate_in_doubles();
+  const bool complete = evaluate_arcs(boundary_.target(), ball_of_set(balls_, ball_), batch_);
   for (uint32_t s = first_circle_; s < batch_.count; ++s) batch_.angle[s] = 2 * pi;
   batch_.any_touching = false;
   if (!complete) complete_from_integers();
-}
-
-bool ArcBatches::evaluate_in_doubles() {
-  return evaluate_arcs(boundary_.target(), ball_of_set(balls_, ball_), batch_);
 }
 
 // A slot of its own: a circle, and a half-edge on it or none.
@@ -168,15 +164,11 @@ void ArcBatches::complete_from_integers() {
     if (batch_.arc[s] != 0 && is_missing(batch_.px[batch_.next[s]])) vertex_from_integers(batch_.next[s]);
   }
   // Most arcs that lacked but a vertex are well-conditioned.
-  complete_arcs();
+  complete_arcs(boundary_.target(), batch_);
   for (uint32_t s = 0; s < count; ++s) {
     if (batch_.arc[s] != 0 && is_missing(batch_.angle[s])) arc_from_integers(s);
   }
   for (uint32_t s = count; s < count + sum_lanes - 1; ++s) batch_.twice_height[s] = batch_.twice_height[count - 1];
-}
-
-void ArcBatches::complete_arcs() {
-  hsp::complete_arcs(boundary_.target(), batch_);
 }
 
 void ArcBatches::circle_from_integers(uint32_t s) {

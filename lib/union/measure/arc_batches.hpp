@@ -63,10 +63,8 @@ class ArcBatches {
   }
   void put_circles();
   void pad();
-  bool evaluate_in_doubles();
   // Few slots are ill-conditioned.
   [[gnu::cold]] void complete_from_integers();
-  void complete_arcs();
   void circle_from_integers(uint32_t s);
   void vertex_from_integers(uint32_t s);
   void arc_from_integers(uint32_t s);

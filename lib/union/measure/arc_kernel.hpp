@@ -79,6 +79,7 @@ struct ArcKernel {
       const Mask served = L::both((1.0 - cosine) * (1.0 + cosine) >= least_square_of_radius, U <= most_U);
       store(b.vx, b.vy, b.vz, s, v);
       L::store(b.other_radius + s, other_radius);
+      if (b.products != nullptr) L::store(b.products->square + s, U);
       L::store(b.square_of_distance + s, L::valid(served, U));
       L::store(b.scaled_height + s, scaled_height);
       store(b.ux, b.uy, b.uz, s, inverse * v);
@@ -112,6 +113,7 @@ struct ArcKernel {
         const Real root = L::load(b.root_discriminant + s);
         const Real UU = L::gather(b.square_of_distance, before) * L::load(b.square_of_distance + s);
         const CircleCrossing<Vector, Real> crossing(v_in, H_in, v_out, H_out);
+        if (b.products != nullptr) L::store(b.products->square_of_normal + s, crossing.nn);
         const Real cosine = square * product - H_in * H_out;
         const Mask served = crossing.nn >= least_square_of_sine * UU;
         store(b.px, b.py, b.pz, s, crossing.point(L::valid(served, root)));

@@ -25,6 +25,8 @@ struct BallOfSet {
 // The lanes of every sum over arcs, whatever the width of the registers: term k goes to lane k % 4.
 inline constexpr uint32_t sum_lanes = 4;
 
+struct ArcProducts;
+
 struct ArcBatch {
   static constexpr uint32_t capacity = 32;
   static constexpr uint32_t room = capacity + sum_lanes;  // kernels read whole registers
@@ -54,9 +56,16 @@ struct ArcBatch {
   // For weighted sums, unless all weights are 1: weight times radius of the other ball.
   bool has_weights = false;
   double other_weight[room];
+  ArcProducts *products = nullptr;  // where a caller wants them
 
   // Whether a slot has an arc or is a whole circle.
   bool has_piece(uint32_t s) const { return arc[s] != 0 || angle[s] != 0.0; }
+};
+
+// Of all slots, also where doubles do not serve: the square of v, and that of its vector product with v of the previous
+// slot.
+struct ArcProducts {
+  double square[ArcBatch::room], square_of_normal[ArcBatch::room];
 };
 
 // Sums over a batch.

@@ -171,11 +171,14 @@ void compare_free_ends(const oracle::Balls &balls, FreeEnds &seen) {
   for (uint32_t i = 0; i < built.balls().n; ++i) {
     const double r = built.balls().r[i];
     hsp::ArcBatches arcs(built.balls(), built.boundary(), i);
+    hsp::ArcProducts products;
+    arcs.batch().products = &products;
     while (arcs.next()) {
       const hsp::ArcBatch &batch = arcs.batch();
       ++seen.batches;
-      double first[hsp::ArcBatch::room];
-      const bool all_served = hsp::measure_free_ends(hsp::Target::baseline, batch, r, first);
+      double first[hsp::ArcBatch::room], cosines = 0.0;
+      const bool all_served = hsp::measure_free_ends(hsp::Target::baseline, batch, r, first, cosines);
+      EXPECT_EQ(cosines, hsp::sum_areas(hsp::Target::baseline, batch, r).cosines);
       bool any_unserved = false;
       for (uint32_t s = 0; s < batch.count; ++s) {
         any_unserved = any_unserved || first[s] != first[s];
@@ -193,8 +196,9 @@ void compare_free_ends(const oracle::Balls &balls, FreeEnds &seen) {
       }
       EXPECT_EQ(all_served, !any_unserved);
       for (const hsp::Target target : runnable_targets()) {
-        double found[hsp::ArcBatch::room];
-        EXPECT_EQ(hsp::measure_free_ends(target, batch, r, found), all_served);
+        double found[hsp::ArcBatch::room], same = 0.0;
+        EXPECT_EQ(hsp::measure_free_ends(target, batch, r, found, same), all_served);
+        EXPECT_EQ(same, cosines);
         for (uint32_t s = 0; s < batch.count; ++s) {
           EXPECT_TRUE(found[s] == first[s] || (found[s] != found[s] && first[s] != first[s]));
         }
