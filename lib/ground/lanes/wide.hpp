@@ -115,11 +115,20 @@ struct Wide {
   }
 
   static int64_t sum(const Mask &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 8) {
+      const __m256i fours = _mm256_add_epi32(__m256i(a), _mm256_permute4x64_epi64(__m256i(a), 0x4E));
+      const __m256i twos = _mm256_add_epi32(fours, _mm256_shuffle_epi32(fours, 0x4E));
+      return _mm256_cvtsi256_si32(_mm256_add_epi32(twos, _mm256_shuffle_epi32(twos, 0xB1)));
+    }
+#endif
     int64_t total = 0;
     for (uint32_t k = 0; k < n; ++k) total += a[k];
     return total;
   }
-  static uint32_t count(const Mask &mask) { return static_cast<uint32_t>(-sum(mask)); }
+  static uint32_t count(const Mask &mask) {
+    return static_cast<uint32_t>(-sum(mask));
+  }
 
   // Of eight floats GCC 12 makes copies of halves without these instructions.
   static Real load(const T *p) {
@@ -166,6 +175,7 @@ struct Wide {
   // The larger and the smaller of two, b if they are equal or not numbers, as the instructions of SSE2 have it.
   static Real larger(const Real &a, const Real &b) {
 #if defined(__AVX2__)
+    if constexpr (n == 8) return Real(_mm256_max_ps(__m256(a), __m256(b)));
     if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_max_pd(__m256d(a), __m256d(b)));
 #endif
 #if defined(__SSE2__)
@@ -175,12 +185,26 @@ struct Wide {
   }
   static Real smaller(const Real &a, const Real &b) {
 #if defined(__AVX2__)
+    if constexpr (n == 8) return Real(_mm256_min_ps(__m256(a), __m256(b)));
     if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_min_pd(__m256d(a), __m256d(b)));
 #endif
 #if defined(__SSE2__)
     if constexpr (n == 2 && sizeof(T) == 8) return Real(_mm_min_pd(__m128d(a), __m128d(b)));
 #endif
     return select(a < b, a, b);
+  }
+
+  static T least(const Real &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 8) {
+      const __m256 fours = _mm256_min_ps(__m256(a), _mm256_permute2f128_ps(__m256(a), __m256(a), 1));
+      const __m256 twos = _mm256_min_ps(fours, _mm256_permute_ps(fours, 0x4E));
+      return _mm256_cvtss_f32(_mm256_min_ps(twos, _mm256_permute_ps(twos, 0xB1)));
+    }
+#endif
+    T least = a[0];
+    for (uint32_t k = 1; k < n; ++k) least = a[k] < least ? a[k] : least;
+    return least;
   }
 
   // Without what is behind the point, for numbers below 2^63 in size.

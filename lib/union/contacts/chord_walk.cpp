@@ -9,10 +9,10 @@
 // So one search finds 4 chords, each with one free end, and 1 power vertex: 4 triangles and a tetrahedron.
 #include "contacts/chord_walk.hpp"
 
-#include "contacts/chord_cuts.hpp"
 #include "contacts/empty_cell.hpp"
 #include "core/first_index.hpp"
 #include "core/small_code.hpp"
+#include "sphere/float_caps.hpp"
 
 namespace hsp {
 namespace {
@@ -89,8 +89,9 @@ uint32_t cut_exactly(const Caps &caps, uint32_t count, CapAt cap_at, const Chord
   }
 }
 
-double direction_of(const ChordEnd &end) {
-  return end.side == 1 ? 1.0 : -1.0;
+template <class Caps>
+CapPointers<double> pointers_of(const Caps &caps) {
+  return {caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data()};
 }
 
 // Empty caps after the last one, for callers that read whole registers.
@@ -124,7 +125,7 @@ class ChordWalk::NearCuts {
     Span<const uint32_t> near = near_.around(caps_, caps_.b[end.j] < caps_.b[end.k] ? end.k : end.j);
     near = near.part(index_in(near, caps_.first_later), near.size());
     const uint32_t count = near.size();
-    if (count + 3 <= half_ && count < CapColumns::most_caps) {
+    if (count + 3 <= half_) {
       for (uint32_t n = 0; n < count; ++n) {
         memory_.ux[n] = caps_.ux[near[n]];
         memory_.uy[n] = caps_.uy[near[n]];
@@ -133,9 +134,8 @@ class ChordWalk::NearCuts {
       }
       memory_.count = count;
       pad(memory_);
-      const CapColumns columns{memory_.ux.data(), memory_.uy.data(), memory_.uz.data(), memory_.b.data()};
       const uint32_t cut =
-          nearest_cut(target, columns, 0, count, index_in(near, end.j), index_in(near, end.k), direction_of(end));
+          nearest_cut(target, pointers_of(memory_), 0, count, index_in(near, end.j), index_in(near, end.k), end.side);
       if (cut != no_cut) return near[cut];
     }
     return cut_exactly(
@@ -175,6 +175,22 @@ void ChordWalk::start(uint32_t balls, uint32_t own) {
   spare_arrival_ = no_arrival;
   next_vertex_ = 0;
   lost_ = false;
+}
+
+bool ChordWalk::gather_in_floats(const BallSet &balls, uint32_t i, uint32_t n, Caps &caps) {
+  if constexpr (has_lanes) {
+    const CapTests &memory = clipper_.memory();
+    const auto half = [](const Span<double> &array) { return reinterpret_cast<float *>(array.data()); };
+    const FloatCaps floats{half(memory.ux), half(memory.uy), half(memory.uz), half(memory.b)};
+    if (n <= MaskedChords::most_caps &&
+        make_float_caps(caps.target, arrays_of(balls), i, caps.ball.data(), n, floats)) {
+      floats_ = {floats.x, floats.y, floats.z, floats.b};
+      lacks_doubles_ = true;
+      caps.take_circles(balls, i, n, 0, nullptr);
+      return true;
+    }
+  }
+  return false;
 }
 
 void ChordWalk::find(const Boundary &boundary, Caps &caps) {
@@ -232,11 +248,13 @@ void ChordWalk::walk(const Boundary &boundary, Caps &caps, Chords &&chords) {
       }
     }
     if (!are_many) {
-      pad(caps);
+      if (!in_floats()) pad(caps);
       walk_on([&](const ChordEnd &end) { return cut_of(caps, end, target); });
     }
   }
   chord_count_ = chords.count();
+  floats_ = {};
+  lacks_doubles_ = false;
 }
 
 template <class Chords>
@@ -294,13 +312,15 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
 }
 
 // Of a chord that survives and does not end in a vertex of the boundary at this side.
-uint32_t ChordWalk::cut_of(const Caps &caps, const ChordEnd &end, Target target) const {
-  if (caps.count < CapColumns::most_caps) {
-    const CapColumns columns{caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data()};
-    const uint32_t cut = nearest_cut(target, columns, caps.first_later, caps.count, end.j, end.k, direction_of(end));
-    if (cut != no_cut) return cut;
+uint32_t ChordWalk::cut_in_doubles(Caps &caps, const ChordEnd &end, Target target) {
+  if (lacks_doubles_) {
+    lacks_doubles_ = false;
+    caps.make_doubles();
+    pad(caps);
   }
   const uint32_t first = caps.first_later;
+  const uint32_t cut = nearest_cut(target, pointers_of(caps), first, caps.count, end.j, end.k, end.side);
+  if (cut != no_cut) return cut;
   return cut_exactly(
       caps, caps.count - first, [first](uint32_t n) { return first + n; }, end);
 }

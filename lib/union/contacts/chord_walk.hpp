@@ -16,6 +16,7 @@
 
 #include "boundary/boundary.hpp"
 #include "contacts/chord_clipper.hpp"
+#include "contacts/chord_cuts.hpp"
 #include "contacts/chord_tables.hpp"
 #include "contacts/contacts.hpp"
 
@@ -45,8 +46,11 @@ class ChordWalk {
   void keep_exposed(const Boundary &boundary, Caps &caps) const {
     constexpr uint32_t many_of_pairs = 32;
     const uint32_t many = asks_for_all_caps(boundary, caps.origin) ? many_of_pairs : ExposedCaps::fewest;
-    if (!clipper_.exposed_caps().keep(ExposedCaps::Part::ball, caps, many)) caps.count = 0;
+    if (caps.count >= many && !clipper_.exposed_caps().keep(ExposedCaps::Part::ball, caps, many)) caps.count = 0;
   }
+  // The caps of ball i by n later balls, which are in caps.ball, as gather_given() finds them, but first in floats, and
+  // in doubles when these do not tell where a chord is cut. False if they are many or one is not certain.
+  bool gather_in_floats(const BallSet &balls, uint32_t i, uint32_t n, Caps &caps);
   // The next ball of the boundary by its caps, without those of balls inside other ones. All others that have caps must
   // come, in ascending order, once.
   void find(const Boundary &boundary, Caps &caps);
@@ -80,7 +84,15 @@ class ChordWalk {
   void start_from_any(const Caps &caps, Chords &chords);
   template <class Chords>
   void start_from_ends(const Boundary &boundary, const Caps &caps, Chords &chords);
-  uint32_t cut_of(const Caps &caps, const ChordEnd &end, Target target) const;
+  bool in_floats() const { return has_lanes && floats_.x != nullptr; }
+  uint32_t cut_of(Caps &caps, const ChordEnd &end, Target target) {
+    if constexpr (has_lanes) {
+      const uint32_t cut = in_floats() ? nearest_cut(target, floats_, 0, caps.count, end.j, end.k, end.side) : no_cut;
+      if (cut != no_cut) return cut;
+    }
+    return cut_in_doubles(caps, end, target);
+  }
+  uint32_t cut_in_doubles(Caps &caps, const ChordEnd &end, Target target);
   template <class Chords>
   void add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t clipper, Chords &chords);
 
@@ -88,8 +100,10 @@ class ChordWalk {
   Span<FoundChord> chords_;     // [3 neighbours]
   Span<FoundVertex> vertices_;  // [2 neighbours]
   uint32_t chord_count_ = 0, vertex_count_ = 0;
-  Span<uint32_t> heads_;        // [neighbours] for ListedChords
-  Span<uint32_t> cap_of_ball_;  // [balls]
+  CapPointers<float> floats_{};  // caps of the ball at hand, in memory of the clipper, if it has such
+  bool lacks_doubles_ = false;   // and not yet others
+  Span<uint32_t> heads_;         // [neighbours] for ListedChords
+  Span<uint32_t> cap_of_ball_;   // [balls]
   // Arrivals: a chord of three balls, known at the fourth one of a power vertex. It ends there at the side of p+ if its
   // two later balls are ascending, else at that of p-.
   Span<uint32_t> first_arrival_;  // [balls] by first ball

@@ -171,7 +171,10 @@ void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary
   if (walk_.asks_for_all_caps(boundary, i)) return caps_.gather(balls, block, i, nullptr);
   if (in_lanes) {
     const uint32_t found = candidates_.later(i, caps_.ball.data(), caps_.capacity());
-    if (found <= caps_.capacity()) return caps_.gather_given(balls, i, found);
+    if (found <= caps_.capacity()) {
+      if (!some_inside_ && walk_.gather_in_floats(balls, i, found, caps_)) return;
+      return caps_.gather_given(balls, i, found);
+    }
   }
   caps_.gather(balls, part_from(block, i + 1), i, nullptr);
 }
