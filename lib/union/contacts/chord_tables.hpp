@@ -2,7 +2,8 @@
 //   set_end(j, k, side)   of the chord of caps j < k; whether it is new
 //   count()               how many there are, in the order in which they came
 //   known_ends(n)         how many ends are known of the n-th of these, 1 or 2
-//   next_open(end)        an end that is not known of a chord of which the other one is; false if there is none
+//   next_open(end)        an end that is not known of a chord of which the other one is, each once; false if there is
+//                         none
 #pragma once
 
 #include <cstring>
@@ -33,14 +34,14 @@ class MaskedChords {
 
   // Of caps from `first` on. There is room for one chord more than there are.
   MaskedChords(Span<FoundChord> chords, uint32_t first, uint32_t caps) : chords_(chords.data()), first_(first) {
-    if (caps > 0) std::memset(known_, 0, caps * sizeof known_[0]);
+    for (uint64_t(&known)[most_caps] : known_) std::memset(known, 0, caps * sizeof known[0]);
   }
 
   bool set_end(uint32_t j, uint32_t k, uint32_t side) {
-    uint64_t(&known)[2] = known_[j - first_];
+    const uint32_t row = j - first_;
     const uint64_t bit = UINT64_C(1) << (k - first_);
-    const bool is_new = ((known[0] | known[1]) & bit) == 0;
-    known[side] |= bit;
+    const bool is_new = ((known_[0][row] | known_[1][row]) & bit) == 0;
+    known_[side][row] |= bit;
     FoundChord &chord = chords_[count_];
     chord.cap[0] = j;
     chord.cap[1] = k;
@@ -57,7 +58,7 @@ class MaskedChords {
     for (; seen_ < count_; ++seen_) {
       const uint32_t is_side = is_known(seen_, 0);
       if (is_side == is_known(seen_, 1)) continue;
-      const auto [j, k] = chords_[seen_].cap;
+      const auto [j, k] = chords_[seen_++].cap;
       end = {j, k, is_side};
       return true;
     }
@@ -67,13 +68,13 @@ class MaskedChords {
  private:
   uint32_t is_known(uint32_t n, uint32_t side) const {
     const auto [j, k] = chords_[n].cap;
-    return static_cast<uint32_t>(known_[j - first_][side] >> (k - first_) & 1);
+    return static_cast<uint32_t>(known_[side][j - first_] >> (k - first_) & 1);
   }
 
   FoundChord *chords_;
   uint32_t first_, count_ = 0;
-  uint32_t seen_ = 0;             // chords of which both ends are known, from the first on
-  uint64_t known_[most_caps][2];  // by first cap and side: a bit for each second one
+  uint32_t seen_ = 0;             // chords of which no end is asked for any more, from the first on
+  uint64_t known_[2][most_caps];  // by side and first cap: a bit for each second one
 };
 
 // For any number: lists by first caps, ascending in the second ones.
@@ -106,6 +107,7 @@ class ListedChords {
     for (; seen_ < count_; ++seen_) {
       const FoundChord &chord = chords_[seen_];
       if (chord.known == 3) continue;
+      ++seen_;
       end = {chord.cap[0], chord.cap[1], chord.known == 1 ? 1U : 0U};
       return true;
     }
@@ -116,7 +118,7 @@ class ListedChords {
   Span<FoundChord> chords_;
   Span<uint32_t> heads_;
   uint32_t first_, count_ = 0;
-  uint32_t seen_ = 0;  // chords of which both ends are known, from the first on
+  uint32_t seen_ = 0;  // chords of which no end is asked for any more, from the first on
 };
 
 }  // namespace hsp

@@ -195,7 +195,8 @@ bool ChordWalk::gather_in_floats(const BallSet &balls, uint32_t i, uint32_t n, C
 
 void ChordWalk::find(const Boundary &boundary, Caps &caps) {
   const uint32_t *const ball = caps.ball.data();
-  for (uint32_t k = caps.first_later; k < caps.count; ++k) cap_of_ball_[ball[k]] = k;
+  uint32_t *const cap_of_ball = cap_of_ball_.data();
+  for (uint32_t k = caps.first_later, last = caps.count; k < last; ++k) cap_of_ball[ball[k]] = k;
   chord_count_ = vertex_count_ = 0;
   if (lost_) {
     if (!skips(caps)) try_all_pairs(caps);
@@ -236,7 +237,7 @@ void ChordWalk::walk(const Boundary &boundary, Caps &caps, Chords &&chords) {
   if (chords.next_open(open)) {
     const auto walk_on = [&](auto cut_of) {
       do {
-        add_power_vertex(caps, open, cut_of(open), chords);
+        add_power_vertex<!small_code && !Chords::for_many>(caps, open, cut_of(open), chords);
       } while (chords.next_open(open));
     };
     const Target target = boundary.target();
@@ -268,14 +269,14 @@ void ChordWalk::start_from_ends(const Boundary &boundary, const Caps &caps, Chor
   const uint32_t first = first_arrival_[caps.origin];
   if (first >= no_arrival) return;
   uint32_t last = first;
-  for (uint32_t a = first; a != no_arrival; a = next_arrival_[a]) {
+  for (uint32_t a = first; a != no_arrival; a = next_arrival_[a / 2]) {
     last = a;
-    const uint32_t p = cap_of(arrival_balls_[2 * a]);
-    const uint32_t q = cap_of(arrival_balls_[2 * a + 1]);
+    const uint32_t p = cap_of(arrival_balls_[a]);
+    const uint32_t q = cap_of(arrival_balls_[a + 1]);
     const bool ascending = p < q;
     chords.set_end(ascending ? p : q, ascending ? q : p, ascending ? 1 : 0);
   }
-  next_arrival_[last] = spare_arrival_;
+  next_arrival_[last / 2] = spare_arrival_;
   spare_arrival_ = first;
 }
 
@@ -288,7 +289,7 @@ void ChordWalk::try_all_pairs(const Caps &caps) {
       if (!clipper_.clip(caps, j, k, ends)) continue;
       chords_[chord_count_++] = {{j, k}, static_cast<uint8_t>(ends.free_ends()), 0, no_id};
       for (const uint32_t l : ends.clipper) {
-        if (l != no_id && l > k) vertices_[vertex_count_++] = {{j, k, l}, {1, 1, 1}};
+        if (l != no_id && l > k) vertices_[vertex_count_++] = {{j, k, l}, 7};
       }
     }
   }
@@ -305,7 +306,7 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
       if (++pairs == many_pairs && has_empty_cell(caps)) return;
       ChordEnds ends;
       if (!clipper_.clip(caps, j, k, ends)) continue;
-      for (uint32_t side = 0; side < 2; ++side) add_power_vertex(caps, {j, k, side}, ends.clipper[side], chords);
+      for (uint32_t side = 0; side < 2; ++side) add_power_vertex<false>(caps, {j, k, side}, ends.clipper[side], chords);
       return;
     }
   }
@@ -327,46 +328,51 @@ uint32_t ChordWalk::cut_in_doubles(Caps &caps, const ChordEnd &end, Target targe
 
 // Of caps a < b < c the ends lie at the side of p+ for the pairs a b and b c, and of p- for a c, if their axes are a
 // right-handed system; and the other way round. Seen from ball a, whose chord with b and c ends at the ball at hand, it
-// is the other way round too.
-template <class Chords>
+// is the other way round too. The chord that led here may be known, or become known with the others.
+template <bool is_known, class Chords>
 void ChordWalk::add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t clipper, Chords &chords) {
   const auto [j, k, side] = end;
-  const uint32_t a = clipper < j ? clipper : j;
-  const uint32_t c = clipper < k ? k : clipper;
+  const uint32_t behind_j = clipper > j ? 1 : 0, before_k = clipper < k ? 1 : 0;
+  const uint32_t a = behind_j != 0 ? j : clipper;
+  const uint32_t c = before_k != 0 ? k : clipper;
   const uint32_t b = j ^ k ^ clipper ^ a ^ c;
-  const uint32_t even = side ^ (b == clipper ? 1U : 0U);
-  const uint32_t first = caps.ball[a];
-  const uint32_t second = caps.ball[b];
-  const uint32_t third = caps.ball[c];
+  const uint32_t even = side ^ (behind_j & before_k);
   FoundVertex &vertex = vertices_[vertex_count_++];
   vertex.cap[0] = a;
   vertex.cap[1] = b;
   vertex.cap[2] = c;
-  vertex.new_chords[0] = chords.set_end(a, b, even) ? 1 : 0;
-  vertex.new_chords[1] = chords.set_end(a, c, 1 - even) ? 1 : 0;
-  vertex.new_chords[2] = chords.set_end(b, c, even) ? 1 : 0;
+  if constexpr (is_known) {
+    const uint32_t with_j = chords.set_end(a, behind_j != 0 ? clipper : j, side ^ behind_j) ? 1 : 0;
+    const uint32_t with_k = chords.set_end(before_k != 0 ? clipper : k, c, side ^ before_k) ? 1 : 0;
+    vertex.new_chords = with_j << (1 - before_k) | with_k << (1 + behind_j);
+  } else {
+    const uint32_t ab = chords.set_end(a, b, even) ? 1 : 0;
+    const uint32_t ac = chords.set_end(a, c, 1 - even) ? 2 : 0;
+    vertex.new_chords = ab | ac | (chords.set_end(b, c, even) ? 4 : 0);
+  }
 
+  const uint32_t first = caps.ball[a];
+  const uint32_t second = caps.ball[b];
+  const uint32_t third = caps.ball[c];
   if (first >= own_) return;  // as are b and c
   // Where nothing has arrived yet, something has now.
-  const auto reached = [this](uint32_t ball) {
-    const uint32_t arrival = first_arrival_[ball];
-    return arrival < no_arrival ? arrival : no_arrival;
-  };
-  const uint32_t next = reached(first);
-  if (spare_arrival_ != no_arrival || arrivals_ < next_arrival_.size()) {
-    const bool is_spare = spare_arrival_ != no_arrival;
-    const uint32_t arrival = is_spare ? spare_arrival_ : arrivals_++;
-    spare_arrival_ = is_spare ? next_arrival_[arrival] : no_arrival;
-    first_arrival_[first] = arrival;
-    arrival_balls_[2 * arrival] = even == 0 ? second : third;
-    arrival_balls_[2 * arrival + 1] = even == 0 ? third : second;
-    next_arrival_[arrival] = next;
-  } else {
-    first_arrival_[first] = no_arrival;
+  static_assert((no_id & ~1U) == no_arrival);
+  uint32_t *const arrived = first_arrival_.data();
+  arrived[first] &= ~1U;
+  arrived[second] &= ~1U;
+  arrived[third] &= ~1U;
+  const bool is_spare = spare_arrival_ != no_arrival;
+  if (!is_spare && arrivals_ == next_arrival_.size()) {
+    arrived[first] = no_arrival;
     lost_ = true;
+    return;
   }
-  first_arrival_[second] = reached(second);
-  first_arrival_[third] = reached(third);
+  const uint32_t arrival = is_spare ? spare_arrival_ : 2 * arrivals_++;
+  if (is_spare) spare_arrival_ = next_arrival_[arrival / 2];
+  next_arrival_[arrival / 2] = arrived[first];
+  arrived[first] = arrival;
+  arrival_balls_[arrival + even] = second;
+  arrival_balls_[arrival + (1 - even)] = third;
 }
 
 }  // namespace hsp

@@ -24,8 +24,8 @@ namespace hsp {
 
 // A power vertex of the ball at hand.
 struct FoundVertex {
-  uint32_t cap[3];         // ascending
-  uint32_t new_chords[3];  // 1 for each chord of caps 01, 02 and 12 that was not known before, else 0
+  uint32_t cap[3];      // ascending
+  uint32_t new_chords;  // bits 0, 1 and 2 for the chords of caps 01, 02 and 12: it was not known before
 };
 
 class ChordWalk {
@@ -77,11 +77,11 @@ class ChordWalk {
  private:
   class NearCuts;
 
-  void try_all_pairs(const Caps &caps);
+  [[gnu::cold]] void try_all_pairs(const Caps &caps);
   template <class Chords>
   void walk(const Boundary &boundary, Caps &caps, Chords &&chords);
   template <class Chords>
-  void start_from_any(const Caps &caps, Chords &chords);
+  [[gnu::cold]] void start_from_any(const Caps &caps, Chords &chords);
   template <class Chords>
   void start_from_ends(const Boundary &boundary, const Caps &caps, Chords &chords);
   bool in_floats() const { return has_lanes && floats_.x != nullptr; }
@@ -93,7 +93,7 @@ class ChordWalk {
     return cut_in_doubles(caps, end, target);
   }
   uint32_t cut_in_doubles(Caps &caps, const ChordEnd &end, Target target);
-  template <class Chords>
+  template <bool is_known, class Chords>
   void add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t clipper, Chords &chords);
 
   ChordClipper clipper_;

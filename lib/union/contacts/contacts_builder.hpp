@@ -184,7 +184,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
         if (vertices_.ends[3 + k][s] == 0) return no_room;
       }
       const ContactPair pair = place_in_box({{one, other}}, images);
-      return pair.ball[0] == no_id ? no_room : find_contact(pair.ball[0], pair.ball[1], vertex.new_chords[k]);
+      return pair.ball[0] == no_id ? no_room : find_contact(pair.ball[0], pair.ball[1], vertex.new_chords >> k & 1);
     };
     vertices_.contact[0][s] = contact_of_cap(a);
     vertices_.contact[1][s] = contact_of_cap(b);
