@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lanes/target.hpp"
+#include "model/ball_range.hpp"
 #include "sphere/near_balls.hpp"
 
 namespace hsp {
@@ -17,12 +18,11 @@ struct CandidateBlock {
   float doubt = 0.0F;  // doubt_nearby(side)
 };
 
-// Appends balls first .. last - 1, for which there is room.
-HSP_KERNEL(void, add_candidates,
-           (CandidateBlock & block, const BallArrays &balls, uint32_t first, uint32_t last, const double (&centre)[3]),
-           (block, balls, first, last, centre))
-// Puts candidates that meet nothing behind the last one.
-HSP_KERNEL(void, end_candidates, (CandidateBlock & block), (block))
+// The balls of these ranges, one after the other, for which there is room, and behind them some that meet nothing.
+HSP_KERNEL(void, set_candidates,
+           (CandidateBlock & block, const BallArrays &balls, const BallRange *range, uint32_t ranges,
+            const double (&centre)[3]),
+           (block, balls, range, ranges, centre))
 
 // The ids of the other candidates that are not certainly disjoint from candidate `own`, as they stand in the block, of
 // which `earlier` stand before it. Returns their number, or a larger one than `most` if they are more. Room for most +

@@ -42,21 +42,23 @@ class NearLanes {
 
 }  // namespace
 
-void add_candidates(CandidateBlock &block, const BallArrays &balls, uint32_t first, uint32_t last,
+void set_candidates(CandidateBlock &block, const BallArrays &balls, const BallRange *range, uint32_t ranges,
                     const double (&centre)[3]) {
-  for (uint32_t j = first; j < last; j += Floats::lanes) {
-    const uint32_t to = block.count + (j - first);
-    relative(balls.x + j, centre[0]).store(block.x + to);
-    relative(balls.y + j, centre[1]).store(block.y + to);
-    relative(balls.z + j, centre[2]).store(block.z + to);
-    to_floats(Doubles::load(balls.r + j), Doubles::load(balls.r + j + Doubles::lanes)).store(block.r + to);
-    (Integers::ascending() + Integers::all(j)).store(block.ball + to);
+  const CandidateBlock to = block;
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < ranges; ++k) {
+    const auto [first, last] = range[k];
+    for (uint32_t j = first, c = count; j < last; j += Floats::lanes, c += Floats::lanes) {
+      relative(balls.x + j, centre[0]).store(to.x + c);
+      relative(balls.y + j, centre[1]).store(to.y + c);
+      relative(balls.z + j, centre[2]).store(to.z + c);
+      to_floats(Doubles::load(balls.r + j), Doubles::load(balls.r + j + Doubles::lanes)).store(to.r + c);
+      (Integers::ascending() + Integers::all(j)).store(to.ball + c);
+    }
+    count += last - first;
   }
-  block.count += last - first;
-}
-
-void end_candidates(CandidateBlock &block) {
-  store_far_balls(block.x + block.count, block.y + block.count, block.z + block.count, block.r + block.count);
+  store_far_balls(to.x + count, to.y + count, to.z + count, to.r + count);
+  block.count = count;
 }
 
 uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most, uint32_t &earlier) {

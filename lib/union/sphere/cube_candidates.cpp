@@ -34,18 +34,15 @@ bool CandidatesInLanes::start_cube(const CubeGrid &grid, uint32_t cube, uint32_t
 bool CandidatesInLanes::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
                                     const double (&centre)[3], double side) {
   uint32_t total = 0;
-  for (uint32_t k = 0; k < block.ranges; ++k) total += block.range[k].last - block.range[k].first;
-  if (total > block_.room) return false;
-  block_.doubt = static_cast<float>(doubt_nearby(side));
-  block_.count = 0;
-  first_own_ = first_own;
-  const BallArrays arrays = arrays_of(balls);
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange range = block.range[k];
-    if (range.first <= first_own && first_own < range.last) own_rank_ = block_.count + (first_own - range.first);
-    add_candidates(target_, block_, arrays, range.first, range.last, centre);
+    if (range.first <= first_own && first_own < range.last) own_rank_ = total + (first_own - range.first);
+    total += range.last - range.first;
   }
-  end_candidates(target_, block_);
+  if (total > block_.room) return false;
+  block_.doubt = static_cast<float>(doubt_nearby(side));
+  first_own_ = first_own;
+  set_candidates(target_, block_, arrays_of(balls), block.range, block.ranges, centre);
   return true;
 }
 

@@ -47,9 +47,8 @@ struct Candidates {
                               static_cast<double>(centre.z)};
     // In two parts that end where no vector does.
     const hsp::BallArrays arrays{x.data(), y.data(), z.data(), r.data()};
-    hsp::add_candidates(target, block, arrays, 0, n / 3, middle);
-    hsp::add_candidates(target, block, arrays, n / 3, n, middle);
-    hsp::end_candidates(target, block);
+    const hsp::BallRange parts[2] = {{0, n / 3}, {n / 3, n}};
+    hsp::set_candidates(target, block, arrays, parts, 2, middle);
   }
 };
 
