@@ -35,7 +35,8 @@ class CreaseOcclusion : public HiddenParts {
   bool add_ball(const SeenBall &ball, uint32_t id) {
     uint32_t known = hidden_.size();
     if (has_many()) {
-      if (const int side = side_of_gaps(ball); side != 0) return side > 0;
+      const int side = CreaseBesideBall(crease_, ball).side_of({gap_, gaps_});
+      if (side != 0) return side > 0;
     } else if (++tried_ > few) {
       known = 0;
       add_gap({from_, to_});
@@ -46,15 +47,16 @@ class CreaseOcclusion : public HiddenParts {
       return depth_behind(count_ == 0 ? middle_ : crease_.at(0.5 * (from + to)), ball);
     };
     if (cut(shallow_depth * ball.r * ball.r, depth)) return true;
-    if (narrow()) find_middle();
-    if (has_many()) {
-      for (; known < hidden_.size(); ++known) take_from_gaps(hidden_[known].from, hidden_[known].to);
-      if (gaps_ == 0) return true;
-      from_ = gap_[0].ends.from;
-      to_ = gap_[gaps_ - 1].ends.to;
-      find_middle();
+    if (!has_many()) {
+      if (narrow()) find_middle();
+      return from_ >= to_;
     }
-    return from_ >= to_;
+    for (; known < hidden_.size(); ++known) take_from_gaps(hidden_[known].from, hidden_[known].to);
+    if (gaps_ == 0) return true;
+    from_ = gap_[0].ends.from;
+    to_ = gap_[gaps_ - 1].ends.to;
+    find_middle();
+    return false;
   }
   // Whether so many balls have been tried that gaps are known.
   bool has_many() const { return tried_ > few; }
@@ -84,18 +86,6 @@ class CreaseOcclusion : public HiddenParts {
     if (!changes) return;
     gaps_ = 0;
     for (uint32_t k = 0; k < count; ++k) add_gap(left[k]);
-  }
-
-  // 1 if all that may be seen is certainly behind the ball, -1 if certainly nothing of it; 0 if roots have to tell.
-  [[gnu::noinline]] int side_of_gaps(const SeenBall &ball) const {
-    const CreaseBesideBall beside(crease_, ball);
-    int all = 0;
-    for (uint32_t k = 0; k < gaps_; ++k) {
-      const int side = beside.side_of(gap_[k]);
-      if (side == 0 || side == -all) return 0;
-      all = side;
-    }
-    return all;
   }
 
   // Of m + rho (a cos t + b sin t) over |t| <= end, a little widened.

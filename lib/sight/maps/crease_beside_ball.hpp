@@ -49,17 +49,18 @@ class CreaseBesideBall {
     low_ = 0x1p-30 * ball.r;
   }
 
-  // 1 if all of it is, -1 if nothing of it is, else 0.
-  int side_of(const PartOfCrease &part) const {
-    const double squared = part.step * part.step;
+  // 1 if all of these parts is, -1 if nothing of them is, else 0.
+  [[gnu::noinline]] int side_of(Span<const PartOfCrease> parts) const {
     int all = 0;
-    Values before = at(part.node[0]);
-    for (uint32_t k = 1; k <= PartOfCrease::steps; ++k) {
-      const Values here = at(part.node[k]);
-      const int side = side_between(before, here, squared);
-      if (side == 0 || side == -all) return 0;
-      all = side;
-      before = here;
+    for (const PartOfCrease &part : parts) {
+      Values before = at(part.node[0]);
+      for (uint32_t k = 1; k <= PartOfCrease::steps; ++k) {
+        const Values here = at(part.node[k]);
+        const int side = side_between(before, here, part.step * part.step);
+        if (side == 0 || side == -all) return 0;
+        all = side;
+        before = here;
+      }
     }
     return all;
   }

@@ -67,7 +67,7 @@ int ActualBalls::overlap(uint32_t v, uint32_t w) const {
   return decide_at(v, [&](const auto &actual) {
     auto u = vector_of(actual);
     actual.find_arm_to_vertex(v, w, u);
-    return (actual.probe_weight().scaled(2) - dot(u, u)).sign();
+    return (actual.square_of_diameter() - dot(u, u)).sign();
   });
 }
 

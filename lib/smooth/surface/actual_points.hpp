@@ -99,6 +99,7 @@ class ActualPoints : public ActualNumbers<Number> {
     const Number p = probe();
     return p * p;
   }
+  Number square_of_diameter() const { return probe_weight().scaled(2); }
   // Each into x.
   void find_centre(uint32_t ball, Vector &x) const { this->find_difference(origin_, ball, x); }
   // Floats are kept as they are found; doubles as seen from the first ball, where they are precise.
@@ -175,14 +176,12 @@ class ActualPoints : public ActualNumbers<Number> {
   [[gnu::noinline]] int cuts_patch(uint32_t other, uint32_t v) const {
     Vector way;
     find_arm_to_vertex(v, other, way);
-    const Number square_of_diameter = probe_weight().scaled(2);
-    Number reach = square_of_diameter - dot(way, way);
+    const Number square = dot(way, way);
+    Number reach = square_of_diameter() - square;
     if (const int overlap = reach.sign(); overlap <= 0) return overlap;
-    reach = reach * dot(way, way);
+    reach = reach * square;
     int cuts = inside_of_sides(v, way);
-    for (uint32_t slot = 0; slot < 3 && cuts < 0; ++slot) {
-      cuts = reaches_over_side(v, slot, way, reach, square_of_diameter);
-    }
+    for (uint32_t slot = 0; slot < 3 && cuts < 0; ++slot) cuts = reaches_over_side(v, slot, way, reach);
     return cuts;
   }
   // Whether a point at the probe's radius from vertex v, seen from there, is in another probe: with d the way from this
@@ -267,24 +266,23 @@ class ActualPoints : public ActualNumbers<Number> {
   void keep(uint32_t name, const Vector &x) const {
     if constexpr (!small_code) this->kept.keep(name, this->bits, x);
   }
-  // For a way w, the side's normal g and t^2 the square of the probe's diameter: w.g < 0 and
+  // For a way w, the side's normal g and t the probe's diameter: w.g < 0 and
   // (w.g)^2 t^2 < w^2 (t^2 - w^2) g^2 = reach g^2.
-  [[gnu::noinline]] int reaches_over_side(uint32_t v, uint32_t slot, const Vector &way, const Number &reach,
-                                          const Number &square_of_diameter) const {
+  [[gnu::noinline]] int reaches_over_side(uint32_t v, uint32_t slot, const Vector &way, const Number &reach) const {
     const VertexRecord &record = this->boundary.vertex(v);
     const SideOfPatch side = side_of_patch(record, slot);
     const uint32_t first = record.ball[side.first], last = record.ball[side.second];
-    const int over = over_side(v, first, last, way, reach, square_of_diameter);
+    const int over = over_side(v, first, last, way, reach);
     return over < 0 ? over : smaller_of(over, between_ends(v, first, last, way));
   }
-  [[gnu::noinline]] int over_side(uint32_t v, uint32_t first, uint32_t last, const Vector &way, const Number &reach,
-                                  const Number &square_of_diameter) const {
+  [[gnu::noinline]] int over_side(uint32_t v, uint32_t first, uint32_t last, const Vector &way,
+                                  const Number &reach) const {
     Vector normal;
     find_inward(v, first, last, normal);
     const Number along = dot(way, normal);
     const int outside = -along.sign();
     if (outside < 0) return outside;
-    return smaller_of(outside, (reach * dot(normal, normal) - along * along * square_of_diameter).sign());
+    return smaller_of(outside, (reach * dot(normal, normal) - along * along * square_of_diameter()).sign());
   }
   // For the ends d and e: w.(e d^2 - d d.e) > 0, and the other way round.
   [[gnu::noinline]] int between_ends(uint32_t v, uint32_t first, uint32_t last, const Vector &way) const {

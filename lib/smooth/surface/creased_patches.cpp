@@ -56,7 +56,7 @@ Status CreasedPatches::fill(const Inputs &in, CutPatches &cut, Patience &patienc
   keep_vertices(in, words_of<BorderArc>(memory_.size() / words_of_arc));
   for (uint32_t v = 0; v < vertices; ++v) {
     near.find(v);
-    if (!patience.allows(20000 * (1 + uint64_t{near.asked()}))) return Status::stopped;
+    if (!patience.allows(20000 * (1 + near.asked()))) return Status::stopped;
     cut.begin_vertex(v);
     if (find_border(in, near, v).empty()) continue;
     const Status status = arcs_.overflowed() ? Status::degenerate : store_patch(in, v, cut);

@@ -58,7 +58,7 @@ Status Creases::find_corners(NearVertices &near, Patience &patience) {
     most_near_ = larger_count(most_near_, clamped_count(near.required()));
     if (!fits) continue;
     const Span<const uint32_t> others = near.list();
-    if (!patience.allows(5000 + of_a_pair * uint64_t{near.asked()})) return Status::stopped;
+    if (!patience.allows(5000 + of_a_pair * near.asked())) return Status::stopped;
     for (uint32_t k = 0; k < others.size(); ++k) {
       if (others[k] > a && !patience.allows(of_a_pair * uint64_t{others.size() - k})) return Status::stopped;
       for (uint32_t j = k + 1; others[k] > a && j < others.size(); ++j) {
@@ -138,7 +138,7 @@ void Creases::add_corner_ends(uint32_t v, uint32_t w, uint32_t x) {
 Status Creases::find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, NearVertices &near, Patience &patience) {
   for (uint32_t v = 0; v < actual_->boundary().vertex_count(); ++v) {
     near.find(v);
-    if (!patience.allows(5000 + of_a_pair * uint64_t{near.asked()})) return Status::stopped;
+    if (!patience.allows(5000 + of_a_pair * near.asked())) return Status::stopped;
     for (const uint32_t w : near.list()) {
       if (w < v) continue;
       if (!patience.allows(of_a_pair)) return Status::stopped;

@@ -1,7 +1,6 @@
 #include "surface/near_vertices.hpp"
 
 #include "core/first_index.hpp"
-#include "core/small_code.hpp"
 #include "core/sorting.hpp"
 #include "surface/probe_caps.hpp"
 
@@ -11,8 +10,6 @@ namespace {
 // Above this error the floats of a triangle's sides say nothing: all probes that overlap count as near.
 constexpr double most_side_error = 0x1p-24;
 constexpr float no_limit = 16.0F;
-// So many that it pays to ask whether each does cut.
-constexpr uint32_t many = 32;
 
 }  // namespace
 
@@ -20,8 +17,7 @@ bool NearVertices::find(uint32_t vertex) {
   find_by_floats(vertex);
   required_ = list_.required();
   if (list_.overflowed()) return false;
-  asked_ = !small_code && list_.size() > many ? list_.size() : 0;
-  if (asked_ > 0) {
+  if (asked() > 0) {
     uint32_t left = 0;
     for (const uint32_t other : list_.items()) {
       if (actual_.may_cut_patch(other, vertex)) list_[left++] = other;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/small_code.hpp"
 #include "surface/actual_balls.hpp"
 #include "surface/chosen_faces.hpp"
 #include "surface/probe_grid.hpp"
@@ -21,10 +22,13 @@ class NearVertices {
   bool has(uint32_t vertex) const;
   // The room that was needed for it, or would be.
   uint64_t required() const { return required_; }
-  // How many of those were asked about.
-  uint32_t asked() const { return asked_; }
+  // How many of those were asked about, if there was room.
+  uint64_t asked() const { return !small_code && required_ > many ? required_ : 0; }
 
  private:
+  // So many that it pays to ask whether each does cut.
+  static constexpr uint32_t many = 32;
+
   // Nothing of the search stays on the stack.
   [[gnu::noinline]] void find_by_floats(uint32_t vertex);
 
@@ -33,7 +37,6 @@ class NearVertices {
   const ProbeGrid &grid_;
   FixedVector<uint32_t> &list_;
   uint64_t required_ = 0;
-  uint32_t asked_ = 0;
 };
 
 }  // namespace hsp

@@ -32,18 +32,24 @@ struct EndKernel {
         : v(other.centre - own.centre), U(dot(v, v)), h(U - (other.r - own.r) * (other.r + own.r)) {}
   };
 
-  // The line of two planes, as chord_line.hpp has it.
-  struct Line {
-    Vector normal;
+  // The line of two planes, as chord_line.hpp has it: from squares and heights of both, their product, and the square
+  // of the normal.
+  struct LineNumbers {
     Real N, alpha, beta;
 
-    Line(const Plane &P, const Plane &Q) : normal(cross(P.v, Q.v)), N(dot(normal, normal)) {
-      const Real uv = dot(P.v, Q.v);
-      alpha = P.h * Q.U - Q.h * uv;
-      beta = Q.h * P.U - P.h * uv;
-    }
+    LineNumbers(const Real &U, const Real &h, const Real &V, const Real &k, const Real &uv, const Real &square)
+        : N(square), alpha(h * V - k * uv), beta(k * U - h * uv) {}
     Real third() const { return ((N + N) - alpha) - beta; }
     Real scale(const Real &t) const { return t / (8.0 * N); }
+  };
+  struct Line : LineNumbers {
+    Vector normal;
+
+    Line(const Plane &P, const Plane &Q) : Line(P, Q, cross(P.v, Q.v)) {}
+
+   private:
+    Line(const Plane &P, const Plane &Q, const Vector &across)
+        : LineNumbers(P.U, P.h, Q.U, Q.h, dot(P.v, Q.v), dot(across, across)), normal(across) {}
   };
 
   // n vertices. Returns the mask of those that are served.
@@ -97,15 +103,15 @@ struct EndKernel {
     for (uint32_t s = 0; s < batch.count; s += n) {
       const ArcBatch &b = by_one_register(batch);
       const uint32_t *const previous = b.previous + s;
-      const Real U = L::gather(products.square, previous), h = L::gather(b.scaled_height, previous);
-      const Real V = L::load(products.square + s), next_h = L::load(b.scaled_height + s);
-      const Real uv = L::load(b.product_with_previous + s), N = L::load(products.square_of_normal + s);
+      const Real U = L::gather(products.square, previous), V = L::load(products.square + s);
+      const LineNumbers line(U, L::gather(b.scaled_height, previous), V, L::load(b.scaled_height + s),
+                             L::load(b.product_with_previous + s), L::load(products.square_of_normal + s));
       const Real r = L::gather(b.other_radius, previous), next_r = L::load(b.other_radius + s);
       const Mask alike = are_alike(L::smaller(own, L::smaller(r, next_r)), L::larger(own, L::larger(r, next_r)));
       const Real scale =
-          L::valid(L::both(alike, N >= least_square * (U * V)), L::load(b.root_discriminant + s) / (8.0 * N));
-      L::store(before + s, scale * (next_h * U - h * uv));
-      L::store(parts + s, scale * (h * V - next_h * uv));
+          L::valid(L::both(alike, line.N >= least_square * (U * V)), line.scale(L::load(b.root_discriminant + s)));
+      L::store(before + s, scale * line.beta);
+      L::store(parts + s, scale * line.alpha);
     }
     Mask unserved{};
     double sums[sum_lanes];

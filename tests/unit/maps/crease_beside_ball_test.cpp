@@ -20,7 +20,7 @@ TEST(CreaseBesideBall, AsManyPointsOfTheCreaseHaveIt) {
     const double first = crease.end * (2.0 * random.fraction() - 1.0);
     const hsp::PartOfCrease part(
         {turn % 4 == 0 ? -crease.end : first, first + (crease.end - first) * random.fraction()});
-    const int side = hsp::CreaseBesideBall(crease, ball[2]).side_of(part);
+    const int side = hsp::CreaseBesideBall(crease, ball[2]).side_of({&part, 1});
     bool some_behind = false, all_behind = true;
     constexpr int points = 200;
     for (int k = 0; k <= points; ++k) {
