@@ -5195,7 +5195,7 @@ contains
   pure function hsp_map_bytes_bound(balls, neighbours, edges) result(bytes)
     integer(c_int32_t), intent(in) :: balls, neighbours, edges
     integer(c_size_t) :: bytes
-    bytes = 32768_c_size_t + 288_c_size_t*int(balls, c_size_t) + 208_c_size_t*int(neighbours, c_size_t) &
+    bytes = 32768_c_size_t + 288_c_size_t*int(balls, c_size_t) + 248_c_size_t*int(neighbours, c_size_t) &
       + 352_c_size_t*int(edges, c_size_t)
   end function
 

@@ -64,7 +64,7 @@ HSP_API int32_t HSP_CALL hsp_map_bytes(const hsp_map_limits *limits, size_t *byt
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_MAP_BYTES(balls, neighbours, edges) \
-  ((size_t)32768 + (size_t)288 * (size_t)(balls) + (size_t)208 * (size_t)(neighbours) + (size_t)352 * (size_t)(edges))
+  ((size_t)32768 + (size_t)288 * (size_t)(balls) + (size_t)248 * (size_t)(neighbours) + (size_t)352 * (size_t)(edges))
 
 /** Make an empty map in caller memory of any alignment; sets *map.
  *  @retval HSP_E_ARGUMENT  a null pointer
@@ -81,7 +81,8 @@ HSP_API int32_t HSP_CALL hsp_map_init(void *memory, size_t bytes, const hsp_map_
  *  - Property 2: hsp_map_check finds nothing.
  *
  *  Cost: O(n log n), and for each ball that may be seen the balls whose discs meet its disc and that reach higher:
- *  O(n + k) expected for k edges of molecules; at worst, with all discs in one place, O(n^3).
+ *  O(n + k) expected for k edges of molecules; at worst, with all discs in one place, O(n^2) and O(e^3) for e balls
+ *  that have a free point.
  *  @retval HSP_E_ARGUMENT    map or model is NULL; unknown pieces or flags; an executor with several workers and
  *                            without run
  *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0, or

@@ -3,6 +3,7 @@ hsp_part(sight
   STANDS_ON union
   HEADERS view map sticks picture
   SOURCES
+    view/covered_balls.cpp
     view/depth_buffer.cpp
     view/depth_order.cpp
     view/depth_rows.kernel.cpp

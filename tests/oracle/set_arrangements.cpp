@@ -111,6 +111,16 @@ Balls with_copies(const Balls &balls) {
   return set;
 }
 
+Balls as_models(const Balls &balls, size_t models, int64_t most, RandomSource &random) {
+  Balls set;
+  for (size_t model = 0; model < models; ++model)
+    for (LatticeBall ball : balls) {
+      for (int64_t *const own : {&ball.x, &ball.y, &ball.z}) *own += random.in(-most, most);
+      set.push_back(ball);
+    }
+  return set;
+}
+
 Balls with_half_sizes(const Balls &balls) {
   Balls set = balls;
   for (const LatticeBall &b : balls) set.push_back({b.x, b.y, b.z, b.radius / 2});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lattice_ball.hpp"
+#include "random_balls.hpp"
 
 namespace oracle {
 
@@ -38,5 +39,8 @@ std::vector<Balls> one_step_off(const Balls &balls);
 Balls with_copies(const Balls &balls);      // the same
 Balls with_half_sizes(const Balls &balls);  // concentric, half as large
 Balls with_tangents(const Balls &balls);    // half as large, touching it from inside
+
+// The set so many times, as models of one molecule are: each ball moved by at most `most` along each axis.
+Balls as_models(const Balls &balls, size_t models, int64_t most, RandomSource &random);
 
 }  // namespace oracle

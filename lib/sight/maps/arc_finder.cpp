@@ -251,6 +251,15 @@ bool add_hidden(const SeenBall &own, const SeenBall &other, uint32_t id, bool ne
   return false;
 }
 
+Span<const uint32_t> leave_out_covered(SeenBalls &seen, Span<uint32_t> near, Patience &patience) {
+  uint32_t left = 0;
+  for (const uint32_t k : near) {
+    near[left] = k;
+    left += seen.is_covered(k, patience) ? 0U : 1U;
+  }
+  return near.part(0, left);
+}
+
 }  // namespace
 
 bool find_silhouette_arcs(SeenBalls &seen, uint32_t ball, Span<const uint32_t> near,
@@ -282,7 +291,11 @@ bool ArcFinder::find(SeenBalls &seen, const DiscGrid &grid, Patience &patience) 
     grid.gather(i, near_);
     needed_neighbours_ = larger_count(needed_neighbours_, clamped_count(near_.required()));
     if (near_.overflowed()) continue;
-    const Span<const uint32_t> near = near_.items();
+    Span<const uint32_t> near = near_.items();
+    if (CoveredBalls::are_many(near.size())) {
+      if (seen.is_covered(i, patience)) continue;
+      near = leave_out_covered(seen, near_.items(), patience);
+    }
     if (!patience.allows(200 * uint64_t{near.size()} * near.size())) return false;
     if (!find_silhouette_arcs(seen, i, near, hidden_, arcs_)) complete_ = false;
     uint32_t hider = no_id;

@@ -5,7 +5,7 @@ namespace hsp {
 void MapBuilder::carve(Workspace &workspace, const MapLimits &limits) {
   limit(limits);
   map_.carve(workspace, limits.edges);
-  seen_.carve(workspace, limits.balls);
+  seen_.carve(workspace, limits.balls, limits.neighbours);
   discs_.carve(workspace, limits.balls);
   arcs_.carve(workspace, limits);
   const MapSizes most{limits.balls, limits.balls, limits.edges};

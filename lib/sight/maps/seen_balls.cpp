@@ -36,8 +36,9 @@ Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, const Pe
   return combine(1.0, centre, perturbation.size / 2 * balls.r[i], direction_of_shift(balls, i, perturbation.way));
 }
 
-void SeenBalls::carve(Workspace &workspace, uint32_t balls) {
+void SeenBalls::carve(Workspace &workspace, uint32_t balls, uint32_t neighbours) {
   hidden_.carve(workspace, balls);
+  covered_.carve(workspace, neighbours);
   visible_ = workspace.take<uint8_t>(balls);
   balls_ = workspace.take<SeenBall>(balls);
   count_ = 0;
@@ -46,8 +47,17 @@ void SeenBalls::carve(Workspace &workspace, uint32_t balls) {
 // A ball that is hidden as a whole hides nothing that others do not hide too, and does not cut what is seen.
 bool SeenBalls::choose(const CubeGrid &grid, const ViewFrame &frame, Patience &patience) {
   const BallSet &balls = grid.balls();
-  for (uint32_t i = 0; i < balls.n; ++i) visible_[i] = balls.r[i] > 0.0 ? 1 : 0;
+  for (uint32_t i = 0; i < balls.n; ++i) visible_[i] = balls.r[i] > 0.0 ? open : hidden;
+  covered_.start(grid);
   return hidden_.hide(grid, frame, visible_, patience);
+}
+
+bool SeenBalls::is_covered(uint32_t k, Patience &patience) {
+  const uint32_t ball = balls_[k].ball;
+  if (visible_[ball] == open) {
+    visible_[ball] = patience.allows(20000) && covered_.contains(ball) ? hidden : uncovered;
+  }
+  return visible_[ball] == hidden;
 }
 
 void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, const Perturbation &perturbation,
@@ -55,7 +65,7 @@ void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, const Pertur
   moved_ = perturbation.size > 0.0;
   count_ = 0;
   for (uint32_t i = 0; i < balls.n; ++i) {
-    if (visible_[i] == 0) continue;
+    if (visible_[i] == hidden) continue;
     Vec3 centre = frame.centre_of(balls, i);
     if (moved_) centre = moved_centre(balls, i, centre, perturbation);
     balls_[count_++] = {centre.x, centre.y, centre.z, balls.r[i], i, 0};

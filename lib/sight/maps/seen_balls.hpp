@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/workspace.hpp"
+#include "view/covered_balls.hpp"
 #include "view/occlusion.hpp"
 
 namespace hsp {
@@ -43,7 +44,7 @@ Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, const Pe
 
 class SeenBalls {
  public:
-  void carve(Workspace &workspace, uint32_t balls);
+  void carve(Workspace &workspace, uint32_t balls, uint32_t neighbours);
 
   // Leaves out what is hidden as a whole for certain; that is so for every perturbation afterwards.
   // False if that is stopped.
@@ -57,11 +58,19 @@ class SeenBalls {
   bool is_nearer(uint32_t a, uint32_t b) const {
     return balls_[a].z > balls_[b].z || (balls_[a].z == balls_[b].z && a < b);
   }
+  // Whether others are known to cover the sphere of ball k. It is asked once, and such balls are left out for every
+  // perturbation afterwards.
+  bool is_covered(uint32_t k, Patience &patience);
+
   // Whether everything in the box is hidden for certain up to a height. Only of balls that are not moved.
   bool hides(const BoundingBox &box, double height) { return !moved_ && hidden_.floor().is_above(box, height); }
 
  private:
+  // In visible_, covered ones as hidden.
+  static constexpr uint8_t hidden = 0, open = 1, uncovered = 2;
+
   OcclusionCuller hidden_;
+  CoveredBalls covered_;
   Span<uint8_t> visible_;  // [balls]
   Span<SeenBall> balls_;   // [balls]
   uint32_t count_ = 0;

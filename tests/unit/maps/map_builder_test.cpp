@@ -61,6 +61,16 @@ TEST(MapBuilder, ShowsRandomSets) {
   for (int time = 0; time < 4; ++time) EXPECT_EQ(complaint(oracle::loose_balls(random, 2000), directions[3], 400), "");
 }
 
+// Most of their balls are covered by others.
+TEST(MapBuilder, ShowsModelsOfOneMolecule) {
+  oracle::RandomSource random(16);
+  for (const int64_t most : {0, 3, 300}) {
+    const Balls atoms = oracle::grown(oracle::loose_balls(random, 12), 100);
+    const Balls balls = oracle::as_models(atoms, 80, most, random);
+    for (const Direction &towards : directions) EXPECT_EQ(complaint(balls, towards, 200), "") << most;
+  }
+}
+
 TEST(MapBuilder, ShowsLatticesAlongTheirAxes) {
   for (const int64_t radius : {1, 2, 3, 4})
     for (const Direction &towards : directions) {

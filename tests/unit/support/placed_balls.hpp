@@ -13,7 +13,7 @@ class PlacedBalls {
   explicit PlacedBalls(const oracle::Balls &balls, const std::array<double, 3> &towards = {0, 0, 1},
                        double perturbation = 0)
       : grid_(oracle::in_lengths(balls, 1)) {
-    seen_memory_.carve(seen, size());
+    seen_memory_.carve(seen, size(), size());
     disc_memory_.carve(discs, size());
     hsp::ViewFrame frame;
     hsp::look_from({{towards[0], towards[1], towards[2]}, {0, 1, 0}}, frame);

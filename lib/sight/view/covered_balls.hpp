@@ -1,0 +1,35 @@
+// Balls whose spheres other balls cover, which integers decide: nothing of them is seen. In sets of many overlaps, as
+// models of one molecule are, most balls are covered, though few lie inside another one.
+//
+// All of them may be left out at once: where a line of sight first meets the union is a point of a sphere that no ball
+// has inside, and that ball is not covered.
+#pragma once
+
+#include "model/cube_grid.hpp"
+#include "sphere/exposed_caps.hpp"
+
+namespace hsp {
+
+class CoveredBalls {
+ public:
+  // Fewer near balls are dealt with as they are.
+  static bool are_many(uint32_t balls) { return !small_code && balls >= ExposedCaps::fewest; }
+
+  // Memory for so many caps of one ball. Of a ball that has more some are looked at, which may not tell that it is
+  // covered.
+  void carve(Workspace &workspace, uint32_t caps);
+  void start(const CubeGrid &grid) { grid_ = &grid; }
+
+  // Of a ball in grid order, its radius above 0. False if that is not certain.
+  bool contains(uint32_t ball);
+
+ private:
+  uint32_t take_some_near(uint32_t ball);
+
+  const CubeGrid *grid_ = nullptr;
+  Caps caps_;
+  Span<uint32_t> order_;
+  Span<uint8_t> state_;
+};
+
+}  // namespace hsp
