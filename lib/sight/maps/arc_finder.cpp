@@ -292,16 +292,20 @@ bool ArcFinder::find(SeenBalls &seen, const DiscGrid &grid, Patience &patience) 
     needed_neighbours_ = larger_count(needed_neighbours_, clamped_count(near_.required()));
     if (near_.overflowed()) continue;
     Span<const uint32_t> near = near_.items();
+    bool marked = false;
     if (CoveredBalls::are_many(near.size())) {
       if (seen.is_covered(i, patience)) continue;
       near = leave_out_covered(seen, near_.items(), patience);
+      marked = seen.mark_creases(i, patience);
     }
     if (!patience.allows(200 * uint64_t{near.size()} * near.size())) return false;
     if (!find_silhouette_arcs(seen, i, near, hidden_, arcs_)) complete_ = false;
     uint32_t hider = no_id;
     for (const uint32_t k : near) {
-      if (seen.is_nearer(k, i) && !find_crease_arcs(seen, i, k, near, hidden_, arcs_, hider)) certain_ = false;
+      if (!seen.is_nearer(k, i) || (marked && !seen.may_crease(k))) continue;
+      if (!find_crease_arcs(seen, i, k, near, hidden_, arcs_, hider)) certain_ = false;
     }
+    if (marked) seen.unmark_creases();
   }
   return true;
 }

@@ -39,7 +39,7 @@ Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, const Pe
 void SeenBalls::carve(Workspace &workspace, uint32_t balls, uint32_t neighbours) {
   hidden_.carve(workspace, balls);
   covered_.carve(workspace, neighbours);
-  visible_ = workspace.take<uint8_t>(balls);
+  workspace.take_each(balls, visible_, creases_);
   balls_ = workspace.take<SeenBall>(balls);
   count_ = 0;
 }
@@ -47,7 +47,10 @@ void SeenBalls::carve(Workspace &workspace, uint32_t balls, uint32_t neighbours)
 // A ball that is hidden as a whole hides nothing that others do not hide too, and does not cut what is seen.
 bool SeenBalls::choose(const CubeGrid &grid, const ViewFrame &frame, Patience &patience) {
   const BallSet &balls = grid.balls();
-  for (uint32_t i = 0; i < balls.n; ++i) visible_[i] = balls.r[i] > 0.0 ? open : hidden;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    visible_[i] = balls.r[i] > 0.0 ? open : hidden;
+    creases_[i] = 0;
+  }
   covered_.start(grid);
   return hidden_.hide(grid, frame, visible_, patience);
 }
@@ -58,6 +61,16 @@ bool SeenBalls::is_covered(uint32_t k, Patience &patience) {
     visible_[ball] = patience.allows(20000) && covered_.contains(ball) ? hidden : uncovered;
   }
   return visible_[ball] == hidden;
+}
+
+bool SeenBalls::mark_creases(uint32_t k, Patience &patience) {
+  if (moved_ || !patience.allows(20000)) return false;
+  static_cast<void>(covered_.contains(balls_[k].ball));
+  return covered_.visit_neighbours([this](uint32_t ball) { creases_[ball] = 1; });
+}
+
+void SeenBalls::unmark_creases() {
+  static_cast<void>(covered_.visit_neighbours([this](uint32_t ball) { creases_[ball] = 0; }));
 }
 
 void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, const Perturbation &perturbation,

@@ -61,6 +61,11 @@ class SeenBalls {
   // Whether others are known to cover the sphere of ball k. It is asked once, and such balls are left out for every
   // perturbation afterwards.
   bool is_covered(uint32_t k, Patience &patience);
+  // Marks the balls that may have a crease with ball k, which is not covered. False if all may, and none is marked: also
+  // where balls are moved, which may uncover creases.
+  bool mark_creases(uint32_t k, Patience &patience);
+  bool may_crease(uint32_t k) const { return creases_[balls_[k].ball] != 0; }
+  void unmark_creases();
 
   // Whether everything in the box is hidden for certain up to a height. Only of balls that are not moved.
   bool hides(const BoundingBox &box, double height) { return !moved_ && hidden_.floor().is_above(box, height); }
@@ -72,6 +77,7 @@ class SeenBalls {
   OcclusionCuller hidden_;
   CoveredBalls covered_;
   Span<uint8_t> visible_;  // [balls]
+  Span<uint8_t> creases_;  // [balls]
   Span<SeenBall> balls_;   // [balls]
   uint32_t count_ = 0;
   bool moved_ = false;

@@ -15,21 +15,30 @@ class CoveredBalls {
   // Fewer near balls are dealt with as they are.
   static bool are_many(uint32_t balls) { return !small_code && balls >= ExposedCaps::fewest; }
 
-  // Memory for so many caps of one ball. Of a ball that has more some are looked at, which may not tell that it is
-  // covered.
+  // Memory for so many caps of one ball. Of a ball that has more those are kept that may have a free part, again and
+  // again; where these alone are nearly as many the answer is not certain.
   void carve(Workspace &workspace, uint32_t caps);
   void start(const CubeGrid &grid) { grid_ = &grid; }
 
   // Of a ball in grid order, its radius above 0. False if that is not certain.
   bool contains(uint32_t ball);
+  // Of the last ball, which is not covered: calls visit(other) for all whose circles on its sphere may have a free part.
+  // False, and no call, if that is not known.
+  template <class Visit>
+  bool visit_neighbours(Visit visit) const {
+    if (!all_known_) return false;
+    for (const uint32_t other : caps_.ball.part(0, caps_.count)) visit(other);
+    return true;
+  }
 
  private:
-  uint32_t take_some_near(uint32_t ball);
+  bool keep_exposed(uint32_t ball, uint32_t count);
 
   const CubeGrid *grid_ = nullptr;
   Caps caps_;
   Span<uint32_t> order_;
   Span<uint8_t> state_;
+  bool all_known_ = false;
 };
 
 }  // namespace hsp

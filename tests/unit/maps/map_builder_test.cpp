@@ -71,6 +71,18 @@ TEST(MapBuilder, ShowsModelsOfOneMolecule) {
   }
 }
 
+// Balls on lines along the direction, whose discs agree: they are moved, and creases that others covered are seen.
+TEST(MapBuilder, ShowsManyBallsOneBehindTheOther) {
+  oracle::RandomSource random(19);
+  for (int time = 0; time < 4; ++time) {
+    Balls balls;
+    for (int64_t line = 0; line < 2; ++line)
+      for (int ball = 0; ball < 90; ++ball) balls.push_back({line * 600'000, 0, random.in(-400, 400), 536'433});
+    EXPECT_EQ(complaint(balls, along_z, 100), "");
+    EXPECT_GT(BuiltMap(balls, along_z).map().perturbation, 0);
+  }
+}
+
 TEST(MapBuilder, ShowsLatticesAlongTheirAxes) {
   for (const int64_t radius : {1, 2, 3, 4})
     for (const Direction &towards : directions) {
