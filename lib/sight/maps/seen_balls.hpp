@@ -61,8 +61,8 @@ class SeenBalls {
   // Whether others are known to cover the sphere of ball k. It is asked once, and such balls are left out for every
   // perturbation afterwards.
   bool is_covered(uint32_t k, Patience &patience);
-  // Marks the balls that may have a crease with ball k, which is not covered. False if all may, and none is marked: also
-  // where balls are moved, which may uncover creases.
+  // Marks the balls that may have a crease with ball k, which is not covered. False if all may, and none is marked; so
+  // it is where balls are moved, which may uncover creases.
   bool mark_creases(uint32_t k, Patience &patience);
   bool may_crease(uint32_t k) const { return creases_[balls_[k].ball] != 0; }
   void unmark_creases();

@@ -22,8 +22,8 @@ class CoveredBalls {
 
   // Of a ball in grid order, its radius above 0. False if that is not certain.
   bool contains(uint32_t ball);
-  // Of the last ball, which is not covered: calls visit(other) for all whose circles on its sphere may have a free part.
-  // False, and no call, if that is not known.
+  // Of the last ball, which is not covered: calls visit(other) for all whose circles on its sphere may have a free
+  // part. False, and no call, if that is not known.
   template <class Visit>
   bool visit_neighbours(Visit visit) const {
     if (!all_known_) return false;
