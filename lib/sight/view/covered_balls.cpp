@@ -23,7 +23,7 @@ bool CoveredBalls::contains(uint32_t ball) {
       if (count == room) {
         if (!keep_exposed(ball, count)) return true;
         count = caps_.count;
-        all_known_ = count <= room - (room + 3) / 4;
+        all_known_ = 4 * uint64_t{count} < 3 * uint64_t{room};
         if (!all_known_) return false;
       }
       caps_.ball[count++] = j;

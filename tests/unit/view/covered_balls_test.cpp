@@ -102,8 +102,10 @@ TEST_F(CoveredBalls, AreTheSameWithLittleRoom) {
 }
 
 TEST_F(CoveredBalls, AreNotCertainWithoutRoom) {
-  take_models(30, 300, 2);
-  EXPECT_EQ(count_covered(), 0U);
+  for (const uint32_t caps : {0U, 2U}) {
+    take_models(30, 300, caps);
+    EXPECT_EQ(count_covered(), 0U);
+  }
   EXPECT_FALSE(covered.visit_neighbours([](uint32_t) { FAIL(); }));
 }
 
