@@ -522,9 +522,10 @@ typedef struct hsp_tunnel_point {
  *  where one is short: nearer to the one before than 1/256 of its radius are gates, maxima and ends alone. An end
  *  within two lattice steps of a maximum or gate is that as well, and has its record but for the place.
  *  - Property 1: two of them are no farther apart than a tenth of the distance of either from the centre of a ball that
- *    is nearest to both, or to either if none is to both; but for a leap from the outside, and for parts of curves that
- *    doubles do not know to 64 lattice steps, which have no points. Else, if a ball is nearest to both, the
- *    radius halfway between them is no more than the mean of theirs, and less than 1/800 of that distance below it.
+ *    is nearest to both, or to either if none is to both, or than 40 lattice steps; but for a leap from the outside,
+ *    and for parts of curves that doubles do not know to 64 lattice steps, which have no points. Else, if a ball is
+ *    nearest to both, the radius halfway between them is no more than the mean of theirs, and less than 1/800 of that
+ *    distance below it, up to some lattice steps.
  *
  *  @retval HSP_E_ARGUMENT  pores is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL

@@ -214,43 +214,76 @@ void TunnelFinder::leave_out_near_points() {
 }
 
 // From a point, moved by a copy's translation, to near its maximum, or outside. A step is a straight line, of which
-// there are points between where it is long beside how far the centres of the balls are that are nearest along it.
+// there are points between where it is long beside how far the centres of the balls are that are nearest along it: in
+// parts as long as each other, or, where those would be many beside a ball that is far smaller than the step is long,
+// the shorter the nearer they are to it.
 Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &start, const Vec3 &by,
                                 const BoxShift &copy, Patience &patience) {
-  constexpr double apart = 1.0 / 12.0;
+  constexpr double apart = 1.0 / 12.0, shortest = 32.0;
   constexpr uint32_t most_parts = 256;
-  const auto reach_of = [&](const Ascent &at) {
-    const NearImage near = at.nearest_ball();
-    return near.ball == no_id ? at.level() : at.level() + static_cast<double>(balls.ball(near).radius);
+  struct Place {
+    Vec3 position;
+    double level;
+    NearImage near;
   };
-  const auto put = [&](const Ascent &at, const Vec3 &position) {
-    const NearImage near = at.nearest_ball();
-    points_.push({position, at.level(), {near.ball, no_id, no_id, no_id}, {}, near.shift + copy, no_id, no_id});
+  const auto place_of = [](const Ascent &at, const Vec3 &position) {
+    return Place{position, at.level(), at.nearest_ball()};
+  };
+  const auto reach_of = [&](const Place &at) {
+    return at.near.ball == no_id ? at.level : at.level + static_cast<double>(balls.ball(at.near).radius);
+  };
+  const auto put = [&](const Place &at) {
+    points_.push({at.position, at.level, {at.near.ball, no_id, no_id, no_id}, {}, at.near.shift + copy, no_id, no_id});
   };
   Ascent way(balls, start);
   const Vec3 origin = position_of(start) + by;
-  put(way, origin + way.offset());
+  Place here = place_of(way, origin + way.offset());
+  put(here);
   for (;;) {
     const Vec3 before = way.offset();
-    double reach = reach_of(way);
+    const double reach_before = reach_of(here);
     if (!patience.allows(50000)) return Status::stopped;
     if (!way.step()) break;
+    here = place_of(way, origin + way.offset());
     const Vec3 step = way.offset() - before;
     const double length = std::sqrt(dot(step, step));
-    reach = smaller_of(reach, reach_of(way));
+    const auto between = [&](double share) {
+      const Vec3 off = before + share * step;
+      const exact::Vector at{start.x + nearest(off.x), start.y + nearest(off.y), start.z + nearest(off.z)};
+      return place_of(Ascent(balls, at), position_of(at) + by);
+    };
+    double reach = smaller_of(reach_before, reach_of(here));
     const uint64_t first = points_.required();
-    for (uint32_t parts = 1; parts < most_parts && length > parts * apart * reach;) {
+    uint32_t parts = 1;
+    while (parts < most_parts && length > parts * apart * reach) {
       while (parts < most_parts && length > parts * apart * reach) ++parts;
       points_.set_count(first);
+      if (length > parts * apart * reach) break;
       for (uint32_t k = 1; k < parts && patience.allows(10000); ++k) {
-        const Vec3 off = before + (k / static_cast<double>(parts)) * step;
-        const exact::Vector at{start.x + nearest(off.x), start.y + nearest(off.y), start.z + nearest(off.z)};
-        const Ascent between(balls, at);
-        put(between, position_of(at) + by);
-        reach = smaller_of(reach, reach_of(between));
+        const Place at = between(k / static_cast<double>(parts));
+        put(at);
+        reach = smaller_of(reach, reach_of(at));
       }
     }
-    put(way, origin + way.offset());
+    if (length > parts * apart * reach) {
+      points_.set_count(first);
+      double share = 0.0, part = 1.0;
+      reach = reach_before;
+      while (patience.allows(10000)) {
+        const bool ends = part >= 1.0 - share;
+        const Place at = ends ? here : between(share + part);
+        if (part * length > larger_of(apart * smaller_of(reach, reach_of(at)), shortest)) {
+          part *= 0.5;
+          continue;
+        }
+        if (ends) break;
+        put(at);
+        reach = reach_of(at);
+        share += part;
+        part = smaller_of(2.0 * part, 1.0 - share);
+      }
+    }
+    put(here);
   }
   return way.is_lost() ? Status::check : Status::ok;
 }

@@ -245,6 +245,37 @@ TEST(Tunnel, IsTheWidestThatAvoidsGates) {
   EXPECT_GT(blocked, 3);
 }
 
+// From beside a ball without a radius, and beside a small one, into a wide cage: points get the farther apart the
+// farther they are from it, and are no more than it takes.
+TEST(Tunnel, PointsLieCloseBesideASmallBall) {
+  constexpr int64_t side = int64_t{1} << 30;
+  for (const int64_t radius : {int64_t{0}, int64_t{1000}}) {
+    oracle::Balls balls = {{0, 0, 0, radius}};
+    for (int k = 0; k < 8; ++k) {
+      balls.push_back(
+          {(k & 1) != 0 ? side : -side, (k & 2) != 0 ? side : -side, (k & 4) != 0 ? side : -side, side / 2});
+    }
+    BuiltPores pores(balls, 0);
+    ASSERT_EQ(pores.status(), hsp::Status::ok);
+    hsp::TunnelFinder finder;
+    Limited limited{finder, pores};
+    CarvedMemory memory;
+    memory.carve(limited, uint32_t{20000});
+    for (const int64_t off : {radius + 400, radius + 20000}) {
+      const hsp::exact::Vector from{off, off / 7, -off / 3}, to{side / 2, 0, side / 3};
+      for (const hsp::exact::Vector *end : {static_cast<const hsp::exact::Vector *>(nullptr), &to}) {
+        const int unknown_before = unknown_parts;
+        hsp::TunnelSummary found{};
+        ASSERT_EQ(finder.find(pores.builder(), pores.grid(), {from, end, {}, 0, false}, found), hsp::Status::ok);
+        ASSERT_TRUE(found.there);
+        ASSERT_NO_FATAL_FAILURE(check_points(balls, pores, finder, found));
+        EXPECT_EQ(unknown_parts, unknown_before);
+        EXPECT_LT(finder.points().size(), 600U);
+      }
+    }
+  }
+}
+
 // Through a porous cube from corner to corner: stopped on the way it is not said that there is none.
 TEST(Tunnel, StopsAtEachQuestion) {
   constexpr int side = 9;
