@@ -399,6 +399,11 @@ TEST(Choices, AreRefusedBySentences) {
                              "_pdbx_struct_assembly_gen.oper_expression (1-3)\n"
                              "_pdbx_struct_assembly_gen.asym_id_list A\n" +
                                  mmcif_tags + "ATOM C CA . GLY A A 1 0 0 0 1 1\n");
+  const TemporaryFile backwards("g.cif",
+                                "data_a\n_pdbx_struct_assembly_gen.assembly_id 1\n"
+                                "_pdbx_struct_assembly_gen.oper_expression 3-1\n"
+                                "_pdbx_struct_assembly_gen.asym_id_list A\n" +
+                                    mmcif_tags + "ATOM C CA . GLY A A 1 0 0 0 1 1\n");
   const TemporaryFile blocks("e.cif", "data_a\n" + mmcif_tags + "ATOM C CA . GLY A A 1 0 0 0 1 1\ndata_b\n" +
                                           mmcif_tags + "ATOM C CA . GLY A A 1 0 0 0 1 1\n");
   const TemporaryFile chain("f.pqr",
@@ -439,6 +444,9 @@ TEST(Choices, AreRefusedBySentences) {
       {{listed.path(), "--assembly", "3"}, 1, listed.path() + ": no assembly '3': the file has 1, 2"},
       {{listed.path(), "--assembly", "2"}, 1, listed.path() + ": assembly '2' has none of the chains that are read"},
       {{broken.path(), "--assembly", "1"}, 1, broken.path() + ": _pdbx_struct_assembly_gen: there is no operator '1'"},
+      {{backwards.path(), "--assembly", "1"},
+       1,
+       backwards.path() + ": _pdbx_struct_assembly_gen: there is no operator '3-1'"},
       {{blocks.path(), "--models", "merged"},
        1,
        blocks.path() + ":32: --models merged is of one structure: here begins another block or component"},

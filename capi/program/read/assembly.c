@@ -179,7 +179,7 @@ static bool add_item(const struct assemblies *assemblies, struct field item, str
   const size_t before = dash == NULL ? 0 : (size_t)(dash - item.text);
   if (dash == NULL || find_operator(assemblies, item) != NULL ||
       number_parse_count(item.text, before, &low) != NUMBER_OK ||
-      number_parse_count(dash + 1, item.length - before - 1, &high) != NUMBER_OK) {
+      number_parse_count(dash + 1, item.length - before - 1, &high) != NUMBER_OK || high < low) {
     return add_named(assemblies, item, list, failure);
   }
   for (uint64_t number = low; number <= high; ++number) {
