@@ -471,6 +471,12 @@ class AsPeopleTypeIt(unittest.TestCase):
                                  (known["radius"], known["balls"], len(known["mouths"])))
                 self.assertEqual(pocket.mouth, known["mouth_radius"] if pocket.mouths else 0.0)
         self.assertEqual(hardsphere.pockets([[0, 0, 0]], [1]), [])
+        # A mouth of three balls nearly on a line, whose plug is larger than the lattice of the balls has room for.
+        centers = [(2.428, 3.786, 0.351), (1.174, 3.4, 0.459), (1.559, 1.337, 2.72), (3.714, 0.699, 2.959),
+                   (2.936, 3.343, 2.213), (3.694, 1.451, 1.659), (0.918, 3.118, 1.922), (1.078, 0.679, 2.883),
+                   (2.423, 2.843, 1.547)]
+        wide_open, = hardsphere.pockets(centers, [0.74, 0.44, 0.94, 0.32, 0.72, 0.98, 0.91, 0.39, 0.51], 0.2, 1.0)
+        self.assertEqual((wide_open.volume, wide_open.mouths), (0.0, 4))
 
     def test_meshes_in_files(self):
         mesh = hardsphere.surface_mesh(CENTERS, RADII, 1.5, probe=1.4, smooth=True)

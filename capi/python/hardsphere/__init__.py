@@ -321,10 +321,13 @@ class Balls(_Set):
         return sorted(pockets, key=lambda pocket: -1.0 if pocket.volume is None else pocket.volume, reverse=True)
 
     def _sizes_of_pockets(self, pores: Pores) -> Any:
-        """With plugs in the mouths, and with more of them while there are leaks."""
+        """With plugs in the mouths, and with more of them while there are leaks; on a coarser lattice where a plug is too
+        large for that of the balls."""
         step = self.model.get_info().step
         with_plugs, before, sizes = pores.get_plugged_balls(), 0, None
         while len(with_plugs.radius) > before:
+            while max(with_plugs.radius) >= (2 ** 30 - 1) * step:
+                step *= 10.0
             plugged = Balls(with_plugs.xyz, with_plugs.radius, step=step)
             space = plugged.pores().handle
             sizes = pores.measure_pockets(space, plugged.boundary)
