@@ -85,10 +85,11 @@ HSP_API int32_t HSP_CALL hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *b
 HSP_API int32_t HSP_CALL hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits, hsp_mesh **mesh);
 
 /** Triangles for a computed boundary, with edges of about the given length: the van der Waals surface, or with a probe
- *  the solvent-accessible one. Triangles are at most that large, up to rounding, and smaller where the surface has
- *  shorter arcs or curves that are close to each other. Boundary and model must outlive the mesh,
- *  which can be read while these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see
- *  LIMITS in hardsphere.h; at most twenty retries.
+ *  the solvent-accessible one. Edges have that length in the mean; one of a hundred is longer than 1.7 times, the
+ *  longest, beside borders, up to some 2.5 times. They are shorter where the surface has shorter arcs or curves that
+ *  are close to each other. Boundary and model must outlive the mesh, which can be read while these hold the same
+ *  (RESULTS in hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h; at most twenty
+ *  retries.
  *  - Property 1: the triangles are closed surfaces as described above, and the number of vertices less half that of
  *    triangles is the Euler characteristic of hsp_boundary_get_counts, or the status says that there are none.
  *  - Property 2: the same model, boundary and edge_length yield the same bytes on every machine.

@@ -20,11 +20,25 @@ inline support::BallList molecule_balls(const std::filesystem::path &file,
   return with_radii(support::read_atoms(file, records), support::Radii::van_der_waals);
 }
 
+// Of all edges, as a part of the length that they should have about.
+inline double longest_edge(const mesh_result &mesh) {
+  double most = 0.0;
+  for (uint32_t t = 0; t < mesh.counts.triangles; ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const double(&a)[3] = mesh.xyz[mesh.corners[t][k]];
+      const double(&b)[3] = mesh.xyz[mesh.corners[t][(k + 1) % 3]];
+      most = std::max(most, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+    }
+  }
+  return most / mesh.edge;
+}
+
 inline void expect_sound(const MadeMesh &mesh, int64_t euler) {
   ASSERT_EQ(mesh.status(), HSP_OK) << hsp_status_text(mesh.status());
   const char *const fault = mesh_fault(&mesh.get());
   EXPECT_EQ(fault, nullptr) << (fault == nullptr ? "" : fault);
   EXPECT_EQ(mesh.euler(), euler);
+  EXPECT_LT(longest_edge(mesh.get()), 2.5);
   if (mesh.get().surface != nullptr) return;
   const char *const broken = broken_mesh_vertices(&mesh.get());
   EXPECT_EQ(broken, nullptr) << (broken == nullptr ? "" : broken);
