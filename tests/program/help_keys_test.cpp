@@ -88,4 +88,23 @@ TEST(HelpKeys, AreAllThatAreWritten) {
   }
 }
 
+// Those of what was read, which all commands write, for each kind of file.
+TEST(HelpKeys, OfWhatWasReadAreInTheHelpOfAll) {
+  const std::set<std::string> words = words_of(run_program({"--help"}).out);
+  const std::vector<std::vector<std::string>> runs = {
+      {"model", "good/water.pdb"}, {"model", "good/water.cif"},    {"model", "good/atomic_number.xyz"},
+      {"model", "good/cage.xyzr"}, {"model", "good/elements.pdb"}, {"model", "good/assembly.cif", "--assembly=1"}};
+  for (std::vector<std::string> run : runs) {
+    run.emplace_back("--json");
+    const Outcome outcome = run_program(run);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = read_json(outcome.out);
+    ASSERT_TRUE(json.has_value()) << run[1];
+    std::set<std::string> keys;
+    gather_keys((*json)["input"], keys);
+    EXPECT_GT(keys.size(), 20U);
+    for (const std::string &key : keys) EXPECT_EQ(words.count(key), 1U) << run[1] << ": " << key;
+  }
+}
+
 }  // namespace
