@@ -87,6 +87,28 @@ class Calculator(unittest.TestCase):
                         same = calculator.get_property(name, atoms) == expected.get_property(name, atoms)
                         self.assertTrue(numpy.all(same), (made, changed, pbc, name))
 
+    def test_energies_of_atoms_sum_to_the_energy(self):
+        atoms = molecule()
+        for pbc in False, True:
+            atoms.cell, atoms.pbc = [12, 12, 12], pbc
+            atoms.calc = Solvation(0.01, 0.002, sigma=[1.0, 0.5] * 20)
+            self.assertAlmostEqual(atoms.get_potential_energies().sum(), atoms.get_potential_energy(), 10)
+
+    def test_after_a_step_that_was_refused_nothing_is_of_the_balls_of_before(self):
+        for change in {"numbers": [7, 16]}, {"pbc": False}:
+            atoms = ase.Atoms("CO", positions=[[0, 0, 0], [1.2, 0, 0]], cell=[3, 3, 3], pbc=True)
+            atoms.calc = Solvation(1.0, probe=0.0)
+            atoms.get_potential_energy()
+            for name, value in change.items():
+                setattr(atoms, name, value)
+            atoms.positions[0] = numpy.nan
+            with self.assertRaises(ValueError):
+                atoms.get_potential_energy()
+            atoms.positions[0] = 0.0
+            again = atoms.copy()
+            again.calc = Solvation(1.0, probe=0.0)
+            self.assertEqual(atoms.get_potential_energy(), again.get_potential_energy())
+
     def test_half_a_box_is_refused(self):
         atoms = molecule()
         atoms.cell, atoms.pbc = [9, 9, 9], [True, True, False]

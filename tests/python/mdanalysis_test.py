@@ -95,6 +95,15 @@ class Trajectory(unittest.TestCase):
         self.assertTrue(numpy.allclose(area(90, True), area(90, False), rtol=1e-9))
         self.assertTrue((area(30, True) < area(30, False) - 1).all())
 
+    def test_a_frame_without_a_box_is_not_in_that_of_the_frame_before(self):
+        def without_the_second(frame):
+            frame.dimensions = [30, 30, 30, 90, 90, 90] if frame.frame == 0 else None
+            return frame
+        self.universe.trajectory.add_transformations(without_the_second)
+        self.assertGreater(SASA(self.universe.atoms, box=True).run(stop=1).results.area[0], 0)
+        with self.assertRaisesRegex(ValueError, "frame 1 has no box"):
+            SASA(self.universe.atoms, box=True).run(stop=2)
+
     def test_the_lines_of_the_guide(self):
         run = run_block_of_page("MDAnalysis")["run"]
         self.assertAlmostEqual(run.results.area[0], SASA(self.universe.atoms).run(stop=1).results.area[0], 2)

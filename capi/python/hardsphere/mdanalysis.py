@@ -55,6 +55,8 @@ class SASA(AnalysisBase):
         self.results.cavities = []
 
     def _single_frame(self) -> None:
+        if self.box and self._ts.dimensions is None:  # which would be the box of the frame before
+            raise ValueError(f"frame {self._ts.frame} has no box")
         more = {"vectors": self._ts.triclinic_dimensions} if self.box else {}
         if self.balls is None:
             kind, alone = (hardsphere.Box, {"areas_alone": True}) if self.box else (hardsphere.Balls, {})
