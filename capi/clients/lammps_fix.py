@@ -87,17 +87,6 @@ class Surface:
             traceback.print_exc()
             os._exit(1)  # a callback of C has no other way to end a run
 
-    def _mean(self, at: Any, radii: Any) -> Any:
-        """Of the energy over the window, from two volumes: its value and slope."""
-        value, slope = 0.0, numpy.zeros((len(radii), 3))
-        for side in 1, -1:
-            self.model.set(at, numpy.maximum(0, radii + side * self.window), **self.options)
-            self.boundary.compute_with(self.model, threads=self.threads)
-            found = self.boundary.get_gradient(pressure=side * self.tension / (2 * self.window),
-                                               only=["energy", "d_centre"], threads=self.threads)
-            value, slope = value + found.energy.value, slope + found.d_centre
-        return value, slope
-
     def _compute(self, own: int, x: int, forces: int) -> None:
         sums = numpy.zeros(7)  # energy, and virial as LAMMPS has it: xx yy zz xy xz yz
         if own > 0:  # else there is no memory of positions
