@@ -218,6 +218,16 @@ class Values(unittest.TestCase):
         higher = hardsphere.Balls(corners, [1.0] * 8).pores(floor=2.6)
         self.assertEqual(len(higher.maxima), 0)
 
+    def test_pores_of_two_floors(self):
+        """The first one stays as it is, in a box too."""
+        for balls in hardsphere.Balls(CENTERS, RADII), hardsphere.Box(CENTERS, RADII, [40, 40, 40]):
+            space = balls.pores()
+            above = balls.pores(0.5)
+            self.assertLess(len(above.maxima), len(space.maxima))
+            self.assertEqual(space.handle.get_counts().maxima, len(space.maxima))
+            self.assertEqual(above.handle.get_counts().maxima, len(above.maxima))
+            self.assertIs(balls.pores(0.5).handle, above.handle)
+
     def test_sizes_of_pockets(self):
         """The same cube, whose faces are closed by plugs; it is what eight eighths of balls leave of a cube."""
         corners = [[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 4)]

@@ -159,8 +159,8 @@ class _Set:
     def __init__(self, probe: float, threads: int, options: dict[str, float]):
         self._options, self._threads = {"probe": probe, **options}, threads
         self._radii: Any = None
-        self._computed: dict[str, Any] = {}
-        self._handles: dict[str, Any] = {}
+        self._computed: dict[Any, Any] = {}
+        self._handles: dict[Any, Any] = {}
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({getattr(self, 'n', 0)} balls, probe {self._options['probe']:g})"
@@ -170,14 +170,17 @@ class _Set:
             self._computed[name] = compute()
         return self._computed[name]
 
-    def _handle(self, kind: type, *given: Any, key: Any = None, compute: str = "compute", **named: Any) -> Any:
-        """A handle of a kind, computed from others once for each set of balls and key."""
-        handle = self._handles.setdefault(kind, kind())
+    def _handle(self, kind: type, *given: Any, key: Any = None, own: Any = None, compute: str = "compute",
+                **named: Any) -> Any:
+        """A handle of a kind, computed from others once for each set of balls and key; a handle of its own for each
+        `own`, where callers keep them."""
+        place = kind, own
+        handle = self._handles.setdefault(place, kind())
         ready = (compute, key)
-        if self._computed.get(kind) != ready:
-            self._computed.pop(kind, None)
+        if self._computed.get(place) != ready:
+            self._computed.pop(place, None)
             getattr(handle, compute)(*given, **named)
-            self._computed[kind] = ready
+            self._computed[place] = ready
         return handle
 
     def _drop(self) -> None:
@@ -299,7 +302,7 @@ class Balls(_Set):
 
     def pores(self, floor: float | None = None) -> Space:
         """Free space for probes of any radius from the floor on: 0, or what is given."""
-        return _space(self._handle(Pores, self.model, key=floor, floor=floor))
+        return _space(self._handle(Pores, self.model, own=floor, floor=floor))
 
     def pockets(self, narrow: float = 1.4, wide: float = 3.0) -> list[Pocket]:
         """Where a probe of the radius `narrow` fits and one of the radius `wide` does not get to from the outside, that
@@ -430,7 +433,7 @@ class Box(_Set):
 
     def pores(self, floor: float | None = None) -> Space:
         """As those of Balls; `handle` answers `.get_channels(radius)`, too."""
-        return _space(self._handle(Pores, self.handle, key=floor, compute="compute_periodic", floor=floor))
+        return _space(self._handle(Pores, self.handle, own=floor, compute="compute_periodic", floor=floor))
 
 
 def _space(handle: Pores) -> Space:
