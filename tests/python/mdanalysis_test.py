@@ -104,6 +104,13 @@ class Trajectory(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "frame 1 has no box"):
             SASA(self.universe.atoms, box=True).run(stop=2)
 
+    def test_atoms_that_change_from_frame_to_frame_are_refused(self):
+        atoms = self.universe.select_atoms("prop x > 8", updating=True)
+        for call in (lambda: SASA(atoms), lambda: SASA(self.universe.atoms[:9], environment=atoms), lambda: Pockets(atoms),
+                     lambda: SASA(atoms, environment=self.universe.atoms)):
+            with self.assertRaisesRegex(ValueError, "a selection that updates"):
+                call()
+
     def test_the_lines_of_the_guide(self):
         run = run_block_of_page("MDAnalysis")["run"]
         self.assertAlmostEqual(run.results.area[0], SASA(self.universe.atoms).run(stop=1).results.area[0], 2)

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy
 from MDAnalysis.analysis.base import AnalysisBase
+from MDAnalysis.core.groups import UpdatingAtomGroup
 from MDAnalysis.topology.guessers import guess_atom_element
 
 import hardsphere
@@ -31,6 +32,13 @@ def radii_of(atoms: Any) -> Any:
     return numpy.array([known[element] for element in elements])
 
 
+def _lasting(atoms: Any) -> Any:
+    """Atoms that are the same in all frames, as radii and results have one place for each."""
+    if isinstance(atoms, UpdatingAtomGroup):
+        raise ValueError("a selection that updates has other atoms in other frames")
+    return atoms
+
+
 class SASA(AnalysisBase):
     """Areas of some atoms, while all of the environment blocks. radii: one for each atom of the environment, in
     angstrom; they are copied: an array may change then. box=True: in the frame's periodic box. cavities=True:
@@ -41,7 +49,7 @@ class SASA(AnalysisBase):
         super().__init__(atoms.universe.trajectory, **keywords)
         if box and cavities:
             raise ValueError("cavities are those of balls in free space")
-        self.atoms, self.environment = atoms, atoms if environment is None else environment
+        self.atoms, self.environment = _lasting(atoms), _lasting(atoms if environment is None else environment)
         self.radii = radii_of(self.environment) if radii is None else copied(radii)
         self.probe, self.box, self.want_cavities = probe, box, cavities
         rank = {index: k for k, index in enumerate(self.environment.indices)}
@@ -83,7 +91,7 @@ class Pockets(AnalysisBase):
     def __init__(self, atoms: Any, radii: Any = None, narrow: float = 1.4, wide: float = 3.0, least: float = 0.0,
                  **keywords: Any):
         super().__init__(atoms.universe.trajectory, **keywords)
-        self.atoms, self.narrow, self.wide, self.least = atoms, narrow, wide, least
+        self.atoms, self.narrow, self.wide, self.least = _lasting(atoms), narrow, wide, least
         self.radii = radii_of(atoms) if radii is None else copied(radii)
         self.balls: Any = None
 
