@@ -18,7 +18,8 @@
  *   floor     the radius of the narrowest probe of interest: what is below it is not looked for
  *
  * Which balls have a maximum or a gate, what its two sides lead up to, and the order of levels are decided in integers,
- * ties included; points and radii are doubles of that. Maxima and gates are numbered from the widest on.
+ * ties included; points and radii are doubles of that, which may differ in their last bits where levels tie. Maxima and
+ * gates are numbered from the widest on.
  *
  * In a periodic box each maximum and gate is there once for all of its copies, and nothing is outside. Two ends of one
  * part of free space may be of two copies: then it goes on for ever, in one, two or three directions: a channel. */
@@ -270,7 +271,8 @@ typedef struct hsp_pore_percolation {
 /** The widest probes that get through a box; *percolation becomes the record. Twice `largest` is the largest cavity
  *  diameter of frameworks, twice through[0] their pore-limiting diameter, twice included[0] that of the largest cavity
  *  on the way.
- *  - Property 1: through[0] >= through[1] >= through[2], and through[0] is the largest of `along`.
+ *  - Property 1: through[0] >= through[1] >= through[2], and through[0] is the largest of `along`; up to the last bits
+ *    where gates tie, whose radii may be rounded in several ways.
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
