@@ -4,6 +4,7 @@ hsp_part(smooth
   HEADERS surface mesh
   SOURCES
     surface/actual_balls.cpp
+    surface/actual_numbers.cpp
     surface/arc_figures.cpp
     surface/concave_patches.cpp
     surface/covered_gaps.cpp
