@@ -13,28 +13,39 @@ RolledBall rolled_ball(const BallSet &balls, const Boundary &boundary, uint32_t 
 
 }  // namespace
 
+double half_way_between_cusps(const BallSet &balls, uint32_t a, uint32_t b) {
+  const exact::LatticeBall own = balls.ball(a);
+  const exact::Plane plane = exact::plane_of(own, balls.ball(b));
+  const int64_t U = dot(plane.v, plane.v);
+  if (plane.h <= 0 || plane.h >= 2 * U) return 0.0;
+  const exact::Sphere smaller{4 * (own.radius - balls.probe_steps) * (own.radius + balls.probe_steps), own.index};
+  const double Delta = exact::Exact::circle_discriminant(smaller, plane);
+  return Delta < 0.0 ? 0.5 * std::sqrt(-Delta / static_cast<double>(U)) : 0.0;
+}
+
 SaddlePatches::SaddlePatches(const BallSet &balls, const Boundary &boundary, uint32_t ball)
     : balls_(balls), boundary_(boundary), ball_(ball), rolled_(rolled_ball(balls, boundary, ball)) {}
 
-// Small circles from exact integers.
-void SaddlePatches::find_circle_radii(const ArcBatch &batch) {
-  if (hsp::find_circle_radii(boundary_.target(), batch, rolled_.radius, circle_radius_)) return;
+// Small circles, and those that are nearly as large as the probe, from exact integers.
+void SaddlePatches::find_circles(const ArcBatch &batch) {
+  if (find_saddle_circles(boundary_.target(), batch, rolled_, circles_)) return;
   const exact::LatticeBall own = balls_.ball(ball_);
   for (uint32_t s = 0; s < batch.count + sum_lanes - 1; ++s) {
-    if (s < batch.count && circle_radius_[s] == circle_radius_[s]) continue;
+    if (s < batch.count && circles_.radius[s] == circles_.radius[s]) continue;
     const uint32_t other = batch.other[s];
-    circle_radius_[s] = CircleGeometry(exact::sphere_of(own), exact::plane_of(own, balls_.ball(other))).radius;
+    circles_.radius[s] = CircleGeometry(exact::sphere_of(own), exact::plane_of(own, balls_.ball(other))).radius;
+    circles_.half_way[s] = half_way_between_cusps(balls_, ball_, other);
   }
 }
 
 SaddleMeasures SaddlePatches::measure(const ArcBatch &batch) {
-  find_circle_radii(batch);
-  return measure_saddles(boundary_.target(), batch, circle_radius_, rolled_);
+  find_circles(batch);
+  return measure_saddles(boundary_.target(), batch, circles_, rolled_);
 }
 
 SaddleDerivatives SaddlePatches::differentiate(const ArcBatch &batch) {
-  find_circle_radii(batch);
-  return differentiate_saddles(boundary_.target(), batch, circle_radius_, rolled_);
+  find_circles(batch);
+  return differentiate_saddles(boundary_.target(), batch, circles_, rolled_);
 }
 
 }  // namespace hsp

@@ -22,45 +22,60 @@ struct SaddleKernel {
   using Mask = typename L::Mask;
   using Vector = VectorOf<Real>;
 
-  // Below this share of the sphere's radius, squared, rounding of the height tells in the circle's radius.
-  static constexpr double least_square_of_radius = 1.0 / 64;
+  // Below these shares, of squares, rounding of the height tells in the circle's radius, and in how far its cusps are
+  // from its middle.
+  static constexpr double least_square_of_radius = 1.0 / 64, least_square_of_half_way = 0x1p-16;
 
-  static bool find_radii(const ArcBatch &b, double radius, double (&circle_radius)[ArcBatch::room]) {
+  // p^2 - rho^2 is h^2 - (R^2 - p^2), which loses less where balls are small.
+  static bool find_circles(const ArcBatch &b, const RolledBall &ball, SaddleCircles &circles) {
+    const double radius = ball.radius, excess = (radius - ball.probe) * (radius + ball.probe);
     Mask unserved{};
     for (uint32_t s = 0; s < b.count; s += n) {
       const Real height = 0.5 * L::load(b.twice_height + s);
       const Real square = (radius - height) * (radius + height);
-      const Mask served = square >= least_square_of_radius * radius * radius;
-      L::store(circle_radius + s, L::valid(served, L::square_root(L::kept(served, square))));
+      const Real square_of_height = height * height;
+      const Real half_way = square_of_height - excess;
+      const Mask served = L::both(square >= least_square_of_radius * radius * radius,
+                                  L::absolute(half_way) >= least_square_of_half_way * square_of_height);
+      const Mask between = L::both(height > 0.0, height * L::load(b.inverse_distance + s) < 1.0);
+      const Mask cusped = L::both(between, half_way > 0.0);
+      L::store(circles.radius + s, L::valid(served, L::square_root(L::kept(served, square))));
+      L::store(circles.half_way + s, L::square_root(L::kept(cusped, half_way)));
       unserved |= ~served;
     }
     return !L::any(unserved);
   }
 
   // Integrals of 1, cos, sin, cos^2 and sin cos over a side's part of the profile, -t <= a <= min(0, t'), or up to its
-  // cusp; 0 if that is empty.
+  // cusp; 0 if that is empty. Between balls that are near each other it is as short as their distance, by which
+  // derivatives are divided, so nothing here is the small difference of two rounded numbers. From its end a to its end
+  // b it has the sine
+  //   h/R up to 0,   rho d/(R R') up to t', as h + h' = d,   rho (h - k)/(R p) up to the cusp, k^2 = p^2 - rho^2,
+  // where h^2 - k^2 = R^2 - p^2; and sin b - sin a = t (cos a + cos b), cos a - cos b = t (sin a + sin b) with
+  // t = tan((b - a)/2).
   struct Profile {
     Real T, S, Q, C2, SC;
 
-    Profile(const Real &probe, const Real &rho, const Real &height, const Real &radius, const Real &other_height,
-            const Real &other_radius) {
-      const Mask cusped = L::both(L::both(rho<probe, height> 0.0), other_height > 0.0);
-      const Mask turned = other_height < 0.0;
+    Profile(const Real &probe, const Real &rho, const Real &half_way, const Real &height, const Real &radius,
+            const Real &other_height, const Real &other_radius) {
+      const Mask cusped = half_way > 0.0;
+      const Mask whole = ~(cusped | (other_height < 0.0));
       const Real sin_a = -height / radius;
       const Real cos_a = rho / radius;
       const Real end = L::select(cusped, probe, other_radius);
-      const Real narrow = L::square_root(L::kept(cusped, (probe - rho) * (probe + rho)));
-      const Real ended = L::kept(cusped | turned, rho / end);
-      const Real sin_b = L::select(cusped, -narrow, L::kept(turned, other_height)) / end;
-      const Real cos_b = L::select(cusped | turned, ended, L::all(1.0));
-      const Real sine = sin_b * cos_a - cos_b * sin_a;
-      const Mask there = L::both(L::both(height > 0.0, rho > 0.0), sine > 0.0);
+      const Real sin_b = L::kept(~whole, L::select(cusped, -half_way, other_height) / end);
+      const Real cos_b = L::select(whole, L::all(1.0), rho / end);
+      const Real rise =
+          L::select(cusped, (radius - probe) * (radius + probe) / (height + half_way), height + other_height);
+      const Real sine = L::select(whole, -sin_a, cos_a * rise / end);
+      const Mask there = L::both(rho > 0.0, sine > 0.0);
       const Real cosine = cos_b * cos_a + sin_b * sin_a;
-      T = L::kept(there, turn_angle<n>(cosine, L::select(there, sine, L::all(1.0))));
-      S = L::kept(there, sin_b - sin_a);
-      Q = L::kept(there, cos_a - cos_b);
-      C2 = 0.5 * (T + L::kept(there, sin_b * cos_b - sin_a * cos_a));
-      SC = 0.5 * S * L::kept(there, sin_b + sin_a);
+      const Real tangent = sine / (1.0 + cosine);
+      T = L::kept(there, half_turn_angle<L>(cosine, L::select(there, sine, L::all(1.0))).sum());
+      S = L::kept(there, tangent * (cos_a + cos_b));
+      Q = L::kept(there, tangent * (sin_a + sin_b));
+      C2 = 0.5 * (T + L::kept(there, sine * (cos_a * cos_b - sin_a * sin_b)));
+      SC = 0.5 * S * L::kept(there, sin_a + sin_b);
     }
     // Those of two sides, seen from the first.
     Profile(const Profile &own, const Profile &other)
@@ -75,12 +90,13 @@ struct SaddleKernel {
   };
 
   struct Slot {
-    Real probe, rho, inverse_rho, height, other_height, radius, other_radius, inverse_distance, angle;
+    Real probe, rho, half_way, inverse_rho, height, other_height, radius, other_radius, inverse_distance, angle;
     Vector axis, half_X;
 
-    Slot(const ArcBatch &b, const double (&circle_radius)[ArcBatch::room], const RolledBall &ball, uint32_t s)
+    Slot(const ArcBatch &b, const SaddleCircles &circles, const RolledBall &ball, uint32_t s)
         : probe(L::all(ball.probe)),
-          rho(L::load(circle_radius + s)),
+          rho(L::load(circles.radius + s)),
+          half_way(L::load(circles.half_way + s)),
           inverse_rho(L::kept(rho > 0.0, 1.0 / rho)),
           height(0.5 * L::load(b.twice_height + s)),
           radius(L::all(ball.radius)),
@@ -91,8 +107,8 @@ struct SaddleKernel {
           half_X{0.5 * L::load(b.Xx + s), 0.5 * L::load(b.Xy + s), 0.5 * L::load(b.Xz + s)} {
       other_height = 1.0 / inverse_distance - height;
     }
-    Profile own_profile() const { return Profile(probe, rho, height, radius, other_height, other_radius); }
-    Profile other_profile() const { return Profile(probe, rho, other_height, other_radius, height, radius); }
+    Profile own_profile() const { return Profile(probe, rho, half_way, height, radius, other_height, other_radius); }
+    Profile other_profile() const { return Profile(probe, rho, half_way, other_height, other_radius, height, radius); }
   };
 
   // With rho I = X/2 the integral of rho e over the arc:
@@ -161,13 +177,12 @@ struct SaddleKernel {
     }
   };
 
-  static SaddleMeasures measure(const ArcBatch &b, const double (&circle_radius)[ArcBatch::room],
-                                const RolledBall &ball) {
+  static SaddleMeasures measure(const ArcBatch &b, const SaddleCircles &circles, const RolledBall &ball) {
     Lanes area, triple_volume;
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
       MeasureSums sums;
       for (uint32_t s = lane; s < b.count; s += sum_lanes) {
-        const Slot slot(by_one_register(b), circle_radius, ball, s);
+        const Slot slot(by_one_register(b), circles, ball, s);
         sums.add(slot, slot.own_profile(), ball);
       }
       area.put(lane, sums.area);
@@ -176,15 +191,14 @@ struct SaddleKernel {
     return {area.sum(), triple_volume.sum()};
   }
 
-  static SaddleDerivatives differentiate(const ArcBatch &b, const double (&circle_radius)[ArcBatch::room],
-                                         const RolledBall &ball) {
+  static SaddleDerivatives differentiate(const ArcBatch &b, const SaddleCircles &circles, const RolledBall &ball) {
     Lanes area, triple_volume, area_radius, volume_radius, area_offset;
     VectorLanes area_centre, volume_centre;
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
       MeasureSums measures;
       DerivativeSums sums;
       for (uint32_t s = lane; s < b.count; s += sum_lanes) {
-        const Slot slot(by_one_register(b), circle_radius, ball, s);
+        const Slot slot(by_one_register(b), circles, ball, s);
         const Profile own = slot.own_profile();
         measures.add(slot, own, ball);
         sums.add(slot, Profile(own, slot.other_profile()));

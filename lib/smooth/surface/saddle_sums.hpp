@@ -29,15 +29,18 @@ struct SaddleDerivatives {
   double area_offset;
 };
 
-// The radius of the circle in every slot, and in those behind the last that kernels read along; not a number where
-// doubles do not serve. False if there is such a one.
-HSP_KERNEL(bool, find_circle_radii, (const ArcBatch &batch, double radius, double (&circle_radius)[ArcBatch::room]),
-           (batch, radius, circle_radius))
+// The circle in every slot, and in those behind the last that kernels read along: its radius, not a number where
+// doubles do not serve, and how far its cusps are from its middle; 0 if it has none.
+struct SaddleCircles {
+  double radius[ArcBatch::room], half_way[ArcBatch::room];
+};
+
+// False if doubles do not serve for all of them.
+HSP_KERNEL(bool, find_saddle_circles, (const ArcBatch &batch, const RolledBall &ball, SaddleCircles &circles),
+           (batch, ball, circles))
 HSP_KERNEL(SaddleMeasures, measure_saddles,
-           (const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room], const RolledBall &ball),
-           (batch, circle_radius, ball))
+           (const ArcBatch &batch, const SaddleCircles &circles, const RolledBall &ball), (batch, circles, ball))
 HSP_KERNEL(SaddleDerivatives, differentiate_saddles,
-           (const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room], const RolledBall &ball),
-           (batch, circle_radius, ball))
+           (const ArcBatch &batch, const SaddleCircles &circles, const RolledBall &ball), (batch, circles, ball))
 
 }  // namespace hsp

@@ -2,16 +2,14 @@
 
 namespace hsp::HSP_TARGET {
 
-bool find_circle_radii(const ArcBatch &batch, double radius, double (&circle_radius)[ArcBatch::room]) {
-  return SaddleKernel<register_lanes>::find_radii(batch, radius, circle_radius);
+bool find_saddle_circles(const ArcBatch &batch, const RolledBall &ball, SaddleCircles &circles) {
+  return SaddleKernel<register_lanes>::find_circles(batch, ball, circles);
 }
-SaddleMeasures measure_saddles(const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room],
-                               const RolledBall &ball) {
-  return SaddleKernel<register_lanes>::measure(batch, circle_radius, ball);
+SaddleMeasures measure_saddles(const ArcBatch &batch, const SaddleCircles &circles, const RolledBall &ball) {
+  return SaddleKernel<register_lanes>::measure(batch, circles, ball);
 }
-SaddleDerivatives differentiate_saddles(const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room],
-                                        const RolledBall &ball) {
-  return SaddleKernel<register_lanes>::differentiate(batch, circle_radius, ball);
+SaddleDerivatives differentiate_saddles(const ArcBatch &batch, const SaddleCircles &circles, const RolledBall &ball) {
+  return SaddleKernel<register_lanes>::differentiate(batch, circles, ball);
 }
 
 }  // namespace hsp::HSP_TARGET

@@ -79,9 +79,9 @@ struct ProbeCap {
 };
 
 Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uint32_t circle, uint32_t side) {
-  const CirclePosition position = position_of_circle(balls, cusped.ball(circle, 0), cusped.ball(circle, 1));
-  const double p = static_cast<double>(balls.probe_steps);
-  const double along = half_way_between_cusps(p, position.radius);
+  const uint32_t a = cusped.ball(circle, 0), b = cusped.ball(circle, 1);
+  const CirclePosition position = position_of_circle(balls, a, b);
+  const double along = half_way_between_cusps(balls, a, b);
   return {position.centre.ball, position.centre.offset + (side == 0 ? -along : along) * position.axis};
 }
 
@@ -149,7 +149,7 @@ ArcPosition position_of_side(const BallSet &balls, const Boundary &boundary, con
   if (map.cusped_circle_of(edge.source) != no_id) {
     const uint32_t ball = (edge.part == 0) == first ? own : other;
     const CircleGeometry circle(balls, ball, ball == own ? other : own);
-    const double to_cusp = half_way_between_cusps(p, circle.radius);
+    const double to_cusp = half_way_between_cusps(balls, own, other);
     angle = arc_tangent(circle.height, circle.radius) - arc_tangent(to_cusp, circle.radius);
     if (!(angle > 0.0)) angle = 0.0;
   }

@@ -22,7 +22,7 @@ JointKernel::Real lane(double x) {
 
 // The circle of two balls, and the profiles of the probe on it.
 struct SaddleCircle {
-  double probe, radius, height, other_height, distance, ball_radius, other_ball_radius;
+  double probe, radius, half_way, height, other_height, distance, ball_radius, other_ball_radius;
 
   // Computed on the ball of lower rank, so that all see the same.
   SaddleCircle(const BallSet &balls, uint32_t a, uint32_t b)
@@ -32,14 +32,16 @@ struct SaddleCircle {
     const bool in_order = balls.ranks_before(a, b);
     const CircleGeometry circle(balls, in_order ? a : b, in_order ? b : a);
     radius = circle.radius;
+    // Most circles are larger than the probe for certain.
+    half_way = probe < (1.0 - 0x1p-40) * radius ? 0.0 : half_way_between_cusps(balls, a, b);
     height = in_order ? circle.height : distance - circle.height;
     other_height = in_order ? distance - circle.height : circle.height;
   }
   // Seen from a, the parts at a and b times a number each.
   Profile weighted(double weight, double other_weight) const {
     const auto part = [this](double own_height, double own_radius, double opposite_height, double opposite_radius) {
-      return Profile(lane(probe), lane(radius), lane(own_height), lane(own_radius), lane(opposite_height),
-                     lane(opposite_radius));
+      return Profile(lane(probe), lane(radius), lane(half_way), lane(own_height), lane(own_radius),
+                     lane(opposite_height), lane(opposite_radius));
     };
     return {weight, part(height, ball_radius, other_height, other_ball_radius), other_weight,
             part(other_height, other_ball_radius, height, ball_radius)};
@@ -81,24 +83,24 @@ double WeightedJoints::weight_of_vertex(uint32_t vertex) const {
 }
 
 void WeightedJoints::add_saddles(const ArcBatch &batch, const SaddlePatches &saddles) {
-  const double(&circle_radius)[ArcBatch::room] = saddles.circle_radius();
+  const SaddleCircles &circles = saddles.circles();
   for (uint32_t s = 0; s < batch.count; ++s) {
     const double other_weight = weight_of(batch.other[s]);
-    if (other_weight == weight_ || !batch.has_piece(s) || !(circle_radius[s] > 0.0)) continue;
-    const JointKernel::Slot slot(batch, circle_radius, saddles.rolled(), s);
+    if (other_weight == weight_ || !batch.has_piece(s) || !(circles.radius[s] > 0.0)) continue;
+    const JointKernel::Slot slot(batch, circles, saddles.rolled(), s);
     const Profile other = slot.other_profile();
     JointKernel::DerivativeSums part;
     part.add(slot, Profile(0.0, other, other_weight - weight_, other));
     sums_.centre = sums_.centre + to_vector(part.area_centre);
     sums_.radius += part.area_radius[0];
     sums_.offset += part.area_offset[0];
-    add_waist(batch, s, circle_radius[s], weight_ - other_weight);
+    if (!(circles.half_way[s] > 0.0)) add_waist(batch, s, circles.radius[s], weight_ - other_weight);
     sums_.one_sided = sums_.one_sided || (p_ > 0.0 && lies_at_a_centre(batch.other[s]));
   }
 }
 
-// Where the plane of the circle passes beyond a centre the saddle is all the other ball's, up to the border of the
-// patch on that ball.
+// Of a circle without cusps. Where its plane passes beyond a centre the saddle is all the other ball's, up to the
+// border of the patch on that ball.
 void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, double difference) {
   const double height = 0.5 * batch.twice_height[s];
   const double other_height = 1.0 / batch.inverse_distance[s] - height;
@@ -108,7 +110,6 @@ void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, do
   const double other_R = balls_.r[batch.other[s]];
   const Vec3 u{batch.ux[s], batch.uy[s], batch.uz[s]};
   const Vec3 rho_I = 0.5 * Vec3{batch.Xx[s], batch.Xy[s], batch.Xz[s]};
-  if (has_cusps(p_, rho, height, other_height)) return;
   if (height >= 0.0 && other_height >= 0.0) {
     const double waist = per_distance * (rho - p_);
     sums_.centre = sums_.centre + combine(waist * angle * height, u, waist * (1.0 - p_ / rho), rho_I);

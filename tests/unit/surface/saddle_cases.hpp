@@ -21,7 +21,7 @@ constexpr SaddleCase saddle_cases[] = {
 // One side of an arc, as a batch of a single slot.
 struct SaddleSide {
   hsp::ArcBatch batch{};
-  double circle_radius[hsp::ArcBatch::room]{};
+  hsp::SaddleCircles circles{};
   double radii[2];
   hsp::RolledBall ball{};
 
@@ -36,17 +36,16 @@ struct SaddleSide {
       batch.uz[s] = 1;
       batch.inverse_distance[s] = 1 / (c.height + c.other_height);
       batch.twice_height[s] = 2 * c.height;
-      circle_radius[s] = c.circle_radius;
     }
     batch.angle[0] = angle;
     batch.Xx[0] = X.x;
     batch.Xy[0] = X.y;
     batch.Xz[0] = X.z;
     ball = {radii, c.radius, c.probe, {arm.x, arm.y, arm.z - c.height}};
+    hsp::find_saddle_circles(hsp::Target::baseline, batch, ball, circles);
+    for (double &radius : circles.radius) radius = c.circle_radius;
   }
-  hsp::SaddleMeasures measure() const {
-    return hsp::measure_saddles(hsp::Target::baseline, batch, circle_radius, ball);
-  }
+  hsp::SaddleMeasures measure() const { return hsp::measure_saddles(hsp::Target::baseline, batch, circles, ball); }
 };
 
 inline uint32_t area_and_volume_by_quadrature() {
@@ -83,9 +82,12 @@ inline uint32_t area_and_volume_by_quadrature() {
   });
 }
 
+// At the probe's radius from the circle, on its axis.
 inline uint32_t cusps_where_the_profile_meets_the_axis() {
   return first_failing(saddle_cases, [](const SaddleCase &c) {
-    return hsp::has_cusps(c.probe, c.circle_radius, c.height, c.other_height) == c.cusps;
+    const double half_way = SaddleSide(c, 1, {0, 0, 0}).circles.half_way[0];
+    const double square = c.cusps ? c.probe * c.probe - c.circle_radius * c.circle_radius : 0.0;
+    return near(half_way * half_way, square, 1e-14 * c.probe * c.probe);
   });
 }
 
@@ -127,7 +129,7 @@ inline uint32_t derivative_by_the_offset() {
     constexpr double h = 1e-5;
     const SaddleSide side(c, 1, {0, 0, 0});
     const double found =
-        2 * hsp::differentiate_saddles(hsp::Target::baseline, side.batch, side.circle_radius, side.ball).area_offset;
+        2 * hsp::differentiate_saddles(hsp::Target::baseline, side.batch, side.circles, side.ball).area_offset;
     return near(found, (area(c.probe + h) - area(c.probe - h)) / (2 * h), 1e-6);
   });
 }

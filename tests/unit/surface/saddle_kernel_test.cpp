@@ -51,28 +51,29 @@ struct RandomSaddles {
 
 struct Results {
   bool served = false;
-  double circle_radius[ArcBatch::room]{};
+  hsp::SaddleCircles circles{};
   hsp::SaddleMeasures measures{};
   hsp::SaddleDerivatives derivatives{};
 };
 
 struct Kernel {
-  using Radii = double[ArcBatch::room];
-  std::function<bool(const ArcBatch &, double, Radii &)> find_radii;
-  std::function<hsp::SaddleMeasures(const ArcBatch &, const Radii &, const hsp::RolledBall &)> measure;
-  std::function<hsp::SaddleDerivatives(const ArcBatch &, const Radii &, const hsp::RolledBall &)> differentiate;
+  using Circles = hsp::SaddleCircles;
+  std::function<bool(const ArcBatch &, const hsp::RolledBall &, Circles &)> find_circles;
+  std::function<hsp::SaddleMeasures(const ArcBatch &, const Circles &, const hsp::RolledBall &)> measure;
+  std::function<hsp::SaddleDerivatives(const ArcBatch &, const Circles &, const hsp::RolledBall &)> differentiate;
 
   [[nodiscard]] Results run(const RandomSaddles &saddles) const {
     Results results;
     const ArcBatch &batch = saddles.batch;
-    results.served = find_radii(batch, saddles.ball.radius, results.circle_radius);
+    results.served = find_circles(batch, saddles.ball, results.circles);
     // Patches that doubles did not serve are found elsewhere, slots after the last included.
     for (uint32_t s = 0; s < batch.count + hsp::sum_lanes - 1; ++s) {
-      double &rho = results.circle_radius[s];
+      double &rho = results.circles.radius[s];
       if (s >= batch.count || rho != rho) rho = 50;
+      if (s >= batch.count) results.circles.half_way[s] = 0;
     }
-    results.measures = measure(batch, results.circle_radius, saddles.ball);
-    results.derivatives = differentiate(batch, results.circle_radius, saddles.ball);
+    results.measures = measure(batch, results.circles, saddles.ball);
+    results.derivatives = differentiate(batch, results.circles, saddles.ball);
     return results;
   }
 };
@@ -80,23 +81,23 @@ struct Kernel {
 template <uint32_t n>
 Kernel kernel() {
   using K = hsp::SaddleKernel<n>;
-  return {K::find_radii, K::measure, K::differentiate};
+  return {K::find_circles, K::measure, K::differentiate};
 }
 Kernel kernel_of(hsp::Target target) {
-  return {[=](const ArcBatch &batch, double radius, Kernel::Radii &radii) {
-            return hsp::find_circle_radii(target, batch, radius, radii);
+  return {[=](const ArcBatch &batch, const hsp::RolledBall &ball, Kernel::Circles &circles) {
+            return hsp::find_saddle_circles(target, batch, ball, circles);
           },
-          [=](const ArcBatch &batch, const Kernel::Radii &radii, const hsp::RolledBall &ball) {
-            return hsp::measure_saddles(target, batch, radii, ball);
+          [=](const ArcBatch &batch, const Kernel::Circles &circles, const hsp::RolledBall &ball) {
+            return hsp::measure_saddles(target, batch, circles, ball);
           },
-          [=](const ArcBatch &batch, const Kernel::Radii &radii, const hsp::RolledBall &ball) {
-            return hsp::differentiate_saddles(target, batch, radii, ball);
+          [=](const ArcBatch &batch, const Kernel::Circles &circles, const hsp::RolledBall &ball) {
+            return hsp::differentiate_saddles(target, batch, circles, ball);
           }};
 }
 
 void expect_same(const Results &a, const Results &b) {
   EXPECT_EQ(a.served, b.served);
-  EXPECT_EQ(std::memcmp(a.circle_radius, b.circle_radius, sizeof a.circle_radius), 0);
+  EXPECT_EQ(std::memcmp(&a.circles, &b.circles, sizeof a.circles), 0);
   EXPECT_EQ(std::memcmp(&a.measures, &b.measures, sizeof a.measures), 0);
   EXPECT_EQ(std::memcmp(&a.derivatives, &b.derivatives, sizeof a.derivatives), 0);
 }
