@@ -95,12 +95,12 @@ void WeightedJoints::add_saddles(const ArcBatch &batch, const SaddlePatches &sad
     sums_.radius += part.area_radius[0];
     sums_.offset += part.area_offset[0];
     if (!(circles.half_way[s] > 0.0)) add_waist(batch, s, circles.radius[s], weight_ - other_weight);
-    sums_.one_sided = sums_.one_sided || (p_ > 0.0 && lies_at_a_centre(batch.other[s]));
   }
 }
 
 // Of a circle without cusps. Where its plane passes beyond a centre the saddle is all the other ball's, up to the
-// border of the patch on that ball.
+// border of the patch on that ball. That jumps where the plane passes through the centre, so integers tell, which both
+// balls see alike.
 void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, double difference) {
   const double height = 0.5 * batch.twice_height[s];
   const double other_height = 1.0 / batch.inverse_distance[s] - height;
@@ -110,11 +110,14 @@ void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, do
   const double other_R = balls_.r[batch.other[s]];
   const Vec3 u{batch.ux[s], batch.uy[s], batch.uz[s]};
   const Vec3 rho_I = 0.5 * Vec3{batch.Xx[s], batch.Xy[s], batch.Xz[s]};
-  if (height >= 0.0 && other_height >= 0.0) {
+  const exact::LatticeBall own = balls_.ball(ball_), opposite = balls_.ball(batch.other[s]);
+  const int64_t own_h = exact::plane_of(own, opposite).h, other_h = exact::plane_of(opposite, own).h;
+  sums_.one_sided = sums_.one_sided || (p_ > 0.0 && (own_h == 0 || other_h == 0));
+  if (own_h >= 0 && other_h >= 0) {
     const double waist = per_distance * (rho - p_);
     sums_.centre = sums_.centre + combine(waist * angle * height, u, waist * (1.0 - p_ / rho), rho_I);
     sums_.radius += waist * angle * R;
-  } else if (other_height < 0.0) {
+  } else if (other_h < 0) {
     const double shrinkage = shrinkage_of_faces(balls_, batch.other[s]);
     const double ring = per_distance * shrinkage * shrinkage * other_R;
     sums_.centre = sums_.centre + combine(ring * height * angle, u, ring, rho_I);
@@ -127,12 +130,6 @@ void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, do
     sums_.centre = sums_.centre + combine(inclined / R, rho_I, inclined * height * angle / R, u);
     sums_.radius += inclined * angle;
   }
-}
-
-// Whether the plane of a circle passes through one of the two centres.
-bool WeightedJoints::lies_at_a_centre(uint32_t other) const {
-  const exact::LatticeBall own = balls_.ball(ball_), opposite = balls_.ball(other);
-  return exact::plane_of(own, opposite).h == 0 || exact::plane_of(opposite, own).h == 0;
 }
 
 // Of the concave patch and its creases, the integrals that multiply the speed of the vertex. On a crease with the axis

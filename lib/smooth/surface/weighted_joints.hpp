@@ -51,7 +51,6 @@ class WeightedJoints {
   double weight_of(uint32_t ball) const { return weights_.of(balls_, ball); }
   double weight_of_vertex(uint32_t vertex) const;
   void add_waist(const ArcBatch &batch, uint32_t s, double circle_radius, double difference);
-  bool lies_at_a_centre(uint32_t other) const;
   Vec3 concave_part(uint32_t vertex, const Vec3 &offset, double mean);
   Vec3 turning_part(const uint32_t (&ball)[2], const SphereArc &crease, const Vec3 &offset, double half_difference);
 
