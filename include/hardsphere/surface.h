@@ -272,6 +272,10 @@ HSP_API int32_t HSP_CALL hsp_surface_measure_with(const hsp_surface *surface,
  *  Shares are less smooth than their sum. Where an arc or a vertex is born what one ball has passes to another with a
  *  square root: next to that derivatives grow without bound. Where the plane of an arc or a circle passes a ball's
  *  centre, or a ball touches another from inside, they jump, which HSP_SURFACE_DEGENERATE flags.
+ *  Accuracy: the sums of Properties 1 and 2 are some 1e-15 off, times radii with the probe, their squares for the
+ *  volume, and the sizes of the derivatives; 1e-12 in nearly tied sets, 1e-9 where balls are a few lattice steps apart.
+ *  The error of a single derivative is about what moving centres by 2^-53 of the radii would do to it: of two balls
+ *  that are a few steps apart, at one vertex with a third one, derivatives have eight digits.
  *  Cost: O(n + size of the boundary).
  *  @retval HSP_E_ARGUMENT    surface or outputs is NULL; tangency is not HSP_TANGENT_OVERLAP; an executor with several
  *                            workers and without run

@@ -12,8 +12,9 @@ Vec3 to_vector(const double (&a)[3]) {
   return {a[0], a[1], a[2]};
 }
 
-// The concave patch at a vertex of ball i, at this offset from the ball's centre.
-void add_concave(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i, uint32_t vertex,
+// The concave patch at a vertex of ball i, at this offset from the ball's centre. Returns what the vertex's speed is
+// multiplied by in the derivatives of the area.
+Vec3 add_concave(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i, uint32_t vertex,
                  const Vec3 &offset, SurfaceGradient &result) {
   const double p = static_cast<double>(balls.probe_steps);
   const ConcavePatch patch = surface.patch(vertex);
@@ -28,10 +29,10 @@ void add_concave(const BallSet &balls, const Boundary &boundary, const Surface &
     creases.angle += own.angle;
   }
   result.area_offset += (2 * patch.area / p - p * creases.angle) / 3;
-  if (root == 0.0) return;
+  const Vec3 q_area = combine(2 * p, patch.vector_area, -p, creases.directions);
+  if (root == 0.0) return q_area;
 
   const Vec3 q_volume = -p * p * patch.vector_area;
-  const Vec3 q_area = combine(2 * p, patch.vector_area, -p, creases.directions);
   const VertexContacts contacts(balls, boundary, vertex, i, offset);
   const Vec3 n = contacts.normal[0];
   const double z_area = dot(q_area, contacts.share);
@@ -40,6 +41,7 @@ void add_concave(const BallSet &balls, const Boundary &boundary, const Surface &
   result.area_radius += z_area;
   result.volume_centre = combine(1.0, result.volume_centre, z_volume, n);
   result.volume_radius += z_volume;
+  return q_area;
 }
 
 // Of one of a ball's faces, or of all.
@@ -64,8 +66,8 @@ SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary
       if (batch.arc[s] == 0) continue;
       const uint32_t vertex = boundary.half_edge(arcs.half_edge(s)).vertex;
       const Vec3 offset = 0.5 * Vec3{batch.px[s], batch.py[s], batch.pz[s]};
-      add_concave(balls, boundary, surface, i, vertex, offset, result);
-      if (weighted && boundary.root_discriminant(vertex) > 0.0) joints.add_vertex(vertex, offset);
+      const Vec3 q_area = add_concave(balls, boundary, surface, i, vertex, offset, result);
+      if (weighted && boundary.root_discriminant(vertex) > 0.0) joints.add_vertex(vertex, offset, q_area);
     }
     // Without a probe an arc is what its saddle becomes in the limit, a circle of radius 0 is not.
     result.degenerate = result.degenerate || (balls.probe_steps == 0 && batch.any_touching);

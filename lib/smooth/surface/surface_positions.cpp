@@ -213,15 +213,15 @@ bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32
 // In doubles, as it is asked by tasks, which have little stack. Where the vertices beside a crease are near each other
 // the way from one to the other tells of the axis by half the digits or fewer. If they are on one circle the plane of
 // the crease contains that circle's axis, which tells better. A cusp at an end of it is found from its circle, too, as
-// the planes of crease and side, which meet there, are nearly one.
+// the planes of crease and side, which meet there, may be nearly one.
 VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
-  // From these heights down ways between vertices have too few digits for a cusp; for the axis; for anything.
-  constexpr double low = 0x1p-8, lower = 0x1p-12, lowest = 0x1p-18;
+  // From this height down ways between vertices have too few digits for the axis.
+  constexpr double low = 0x1p-12;
   const CutPatches &cut = surface.cut_patches();
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
   const Position centre = position_of_vertex(balls, boundary, vertex);
   ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
-  VertexCrease crease{{own.axis, own.height, cut.arc(arc).angle, {0.0, 0.0, 0.0}}, false, true};
+  VertexCrease crease{{own.axis, own.height, cut.arc(arc).angle, {0.0, 0.0, 0.0}}, true};
   const double p = static_cast<double>(balls.probe_steps);
   const uint32_t next = cut.arc(arc).next, across = cut.arc(arc).across;
   if (next == arc) {
@@ -231,12 +231,10 @@ VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, con
   const uint32_t start_cusp = cusp_of_corner(boundary, surface, cut.arc(arc).corner);
   const uint32_t end_cusp = cusp_of_corner(boundary, surface, cut.arc(next).corner);
   const bool has_cusps = start_cusp != no_id && end_cusp != no_id;
-  const bool is_low = own.height < low;
-  if (own.height < lower) {
+  if (own.height < low) {
     // Between cusps a crease lies on the other side of the circle's axis than its vertices.
     const double order = !has_cusps || start_cusp != (end_cusp ^ 1) ? 0.0 : end_cusp % 2 == 0 ? -1.0 : 1.0;
     const bool is_turned = own.turn(balls, boundary, centre, vertex, across, order);
-    crease.is_thin = is_turned && own.height < lowest;
     crease.is_certain = is_turned || 2 * own.height >= coincident_distance;
     crease.arc.axis = own.axis;
   }
@@ -246,21 +244,21 @@ VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, con
   }
   // Where the crease meets another arc, of which it may be the one before.
   const auto end_at = [&](uint32_t cusp, uint32_t other, bool is_start) {
-    if (cusp != no_id && is_low) {
+    if (cusp != no_id) {
       const Position position = position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
       return 1.0 / p * difference(balls, centre, position);
     }
     ProbeCap cap(balls, boundary, centre, vertex, cut.arc(other));
     if (!cut.arc(other).is_side()) {
       const uint32_t third = cut.arc(other).across;
-      if (cap.height < (own.height < lower ? lower : lowest)) {
+      if (cap.height < low) {
         cap.turn(balls, boundary, centre, vertex, third, 0.0);
-      } else if (own.height >= lower) {
+      } else if (own.height >= low) {
         // Of three vertices the two others may be near each other. Then both planes are nearly one, and theirs, which
         // has the same line with each, tells where it is.
         const Position opposite = position_of_vertex(balls, boundary, across);
         ProbeCap between(difference(balls, opposite, position_of_vertex(balls, boundary, third)), p);
-        if (between.height < lower && between.turn(balls, boundary, opposite, across, third, 0.0)) {
+        if (between.height < low && between.turn(balls, boundary, opposite, across, third, 0.0)) {
           cap.height = dot(between.axis, 1.0 / p * difference(balls, centre, opposite)) + between.height;
           cap.axis = between.axis;
         }

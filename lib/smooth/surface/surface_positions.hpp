@@ -21,7 +21,6 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
 // vertex across.
 struct VertexCrease {
   SphereArc arc;
-  bool is_thin;     // the two vertices are on one circle, and so near each other that their distance hardly matters
   bool is_certain;  // if not, its axis is lost in rounding, and its height and chord are 0
 };
 VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc);

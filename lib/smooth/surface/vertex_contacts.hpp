@@ -3,20 +3,22 @@
 // where g_0 = (n_1 x n_2) / det(n_0, n_1, n_2) and so on.
 #pragma once
 
-#include "boundary/boundary.hpp"
+#include "measure/boundary_positions.hpp"
 
 namespace hsp {
 
 struct VertexContacts {
-  uint32_t ball[3];  // that which sees it first; the others in the order of the vertex's record
+  uint32_t slot;     // in the vertex's record, of the ball that sees it
+  uint32_t ball[3];  // that one first; the others in the order of the record, which begins anew behind its last
   Vec3 normal[3];
-  Vec3 share;   // g_0
-  double sign;  // of the determinant
+  Vec3 share;      // g_0
+  double sign;     // of the determinant
+  double inverse;  // of its size
 
   // A vertex with a discriminant above 0. `offset` from the centre of ball `own` to it.
   VertexContacts(const BallSet &balls, const Boundary &boundary, uint32_t vertex, uint32_t own, const Vec3 &offset) {
     const VertexRecord &record = boundary.vertex(vertex);
-    const uint32_t slot = record.slot_of(own);
+    slot = record.slot_of(own);
     ball[0] = own;
     normal[0] = (1.0 / balls.r[own]) * offset;
     double twice = 2.0 * balls.r[own];
@@ -27,8 +29,18 @@ struct VertexContacts {
     }
     // The determinant has the vertex's sign; its size is exact but for rounding.
     sign = record.positive() ? 1.0 : -1.0;
-    share = sign * twice / boundary.root_discriminant(vertex) * cross(normal[1], normal[2]);
+    inverse = twice / boundary.root_discriminant(vertex);
+    find_share();
   }
+  // The same as all three balls see it, to the last bit.
+  void see_as_all(const BallSet &balls, const Position &vertex) {
+    for (uint32_t k = 0; k < 3; ++k)
+      normal[k] = (1.0 / balls.r[ball[k]]) * (vertex.offset - balls.difference(vertex.ball, ball[k]));
+    find_share();
+  }
+
+ private:
+  void find_share() { share = sign * inverse * cross(normal[1], normal[2]); }
 };
 
 }  // namespace hsp

@@ -1,5 +1,6 @@
 #include "surface/weighted_joints.hpp"
 
+#include "core/extremes.hpp"
 #include "sphere/arc_geometry.hpp"
 #include "surface/saddle_kernel.hpp"
 #include "surface/surface_areas.hpp"
@@ -75,11 +76,12 @@ struct SideSpeed {
 
 }  // namespace
 
-// The mean of its balls' weights; their own if they are equal.
+// The mean of its balls' weights: their own if they are equal, and the same in whatever order they come.
 double WeightedJoints::weight_of_vertex(uint32_t vertex) const {
   const VertexRecord &record = boundary_.vertex(vertex);
-  const double first = weight_of(record.ball[0]);
-  return first + ((weight_of(record.ball[1]) - first) + (weight_of(record.ball[2]) - first)) / 3;
+  const double a = weight_of(record.ball[0]), b = weight_of(record.ball[1]), c = weight_of(record.ball[2]);
+  const double least = smaller_of(smaller_of(a, b), c);
+  return least + ((a - least) + (b - least) + (c - least)) / 3;
 }
 
 void WeightedJoints::add_saddles(const ArcBatch &batch, const SaddlePatches &saddles) {
@@ -132,73 +134,86 @@ void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, do
   }
 }
 
-// Of the concave patch and its creases, the integrals that multiply the speed of the vertex. On a crease with the axis
-// a towards the vertex across, at the height c, the conormals n and n' of the two sides are (a - c w)/s and
-// (-a - c w')/s: half the sum of the two weights belongs to n + n', half their difference to n - n' = 2 s a.
-Vec3 WeightedJoints::concave_part(uint32_t vertex, const Vec3 &offset, double mean) {
-  const ConcavePatch patch = surface_.patch(vertex);
-  Vec3 sum = (mean - weight_) * 2 * p_ * patch.vector_area;
+// Of the creases across which the weight is another one, the integrals that multiply the speed of the vertex, beside
+// those for equal weights. On a crease with the axis a towards the vertex across, at the height c, the conormals n and
+// n' of the two sides are (a - c w)/s and (-a - c w')/s: half the sum of the two weights belongs to n + n', half their
+// difference to n - n' = 2 s a.
+Vec3 WeightedJoints::crease_part(uint32_t vertex, const Vec3 &offset, double mean) {
+  Vec3 sum{0.0, 0.0, 0.0};
   const CutPatches &cut = surface_.cut_patches();
   if (!cut.is_cut(vertex)) return sum;
   for (const uint32_t a : cut.arcs_of_vertex(vertex)) {
     const PatchArc &arc = cut.arc(a);
     if (arc.is_side()) continue;
-    const double across = weight_of_vertex(arc.across);
-    if (across == weight_ && mean == weight_) continue;
+    const double half_difference = 0.5 * (mean - weight_of_vertex(arc.across));
+    if (half_difference == 0.0) continue;
     const VertexCrease found = crease_on_probe(balls_, boundary_, surface_, a);
     const SphereArc &crease = found.arc;
     const double c = crease.height;
-    const double square_of_radius = (1.0 - c) * (1.0 + c);
     const Vec3 radial = cross(crease.chord, crease.axis);
-    const double half_sum = 0.5 * (mean + across) - weight_;
-    const double half_difference = 0.5 * (mean - across);
-    sum = combine(1.0, sum, -p_ * half_sum * c, combine(c * crease.angle, crease.axis, 1.0, radial));
-    uint32_t ball[2];
-    if (found.is_thin && find_common_circle(boundary_, vertex, arc.across, ball)) {
-      sum = sum + turning_part(ball, crease, offset, half_difference);
+    if (found.is_certain && turn_crease(vertex, arc.across, crease, offset, half_difference, sum)) {
+      sum = combine(1.0, sum, p_ * half_difference * c, combine(c * crease.angle, crease.axis, 1.0, radial));
       continue;
     }
-    sums_.one_sided = sums_.one_sided || (!found.is_certain && half_difference != 0.0);
-    const double slope = c > 0.0 ? 1.0 / c : 0.0;
-    sum = combine(1.0, sum, p_ * half_difference * square_of_radius, combine(crease.angle, crease.axis, slope, radial));
+    sums_.one_sided = sums_.one_sided || !found.is_certain;
+    sum = combine(1.0, sum, p_ * half_difference, combine(crease.angle, crease.axis, c > 0.0 ? 1.0 / c : 0.0, radial));
   }
   return sum;
 }
 
-// The difference's part on a crease between two vertices of one circle that are hardly apart: the limit, without their
-// distance. Its plane turns with the circle's axis, like that of a side (PROOFS.md, section 9).
-Vec3 WeightedJoints::turning_part(const uint32_t (&ball)[2], const SphereArc &crease, const Vec3 &offset,
-                                  double half_difference) {
+// The difference's part on a crease between two vertices of one circle: its plane turns with the circle's axis, like
+// that of a side, and the middle of the two vertices is on it (PROOFS.md, section 9). False if they are not on one, or
+// if that is nearer to the axis than to the vertices, whose distance tells more then.
+bool WeightedJoints::turn_crease(uint32_t vertex, uint32_t across, const SphereArc &crease, const Vec3 &offset,
+                                 double half_difference, Vec3 &by_vertex) {
+  uint32_t ball[2];
+  if (!find_common_circle(boundary_, vertex, across, ball)) return false;
   const uint32_t own = ball_ == ball[1] ? ball[1] : ball[0];
   const uint32_t other = own == ball[1] ? ball[0] : ball[1];
-  const SaddleCircle circle(balls_, own, other);
+  SaddleCircle circle(balls_, own, other);
+  const double aside = p_ * crease.height;
+  const double middle = (circle.radius - aside) * (circle.radius + aside);
+  if (!(middle > aside * aside)) return false;
+  circle.radius = std::sqrt(middle);
   const Vec3 along = (1.0 / circle.distance) * balls_.difference(own, other);
-  const Vec3 across = cross(crease.axis, along);
-  const bool is_outward = dot(offset - balls_.difference(ball_, own), across) > 0.0;
-  const Vec3 directions = half_difference * cross(crease.chord, crease.axis);
-  const double inward = is_outward ? -dot(directions, across) : dot(directions, across);
-  const SideSpeed speed(circle, half_difference * crease.angle, inward, dot(directions, along));
+  const Vec3 radial = cross(crease.axis, along);
+  const bool is_outward = dot(offset - balls_.difference(ball_, own), radial) > 0.0;
+  const double weight = half_difference * (1.0 - crease.height) * (1.0 + crease.height);
+  const Vec3 directions = weight * cross(crease.chord, crease.axis);
+  const double inward = is_outward ? -dot(directions, radial) : dot(directions, radial);
+  const SideSpeed speed(circle, weight * crease.angle, inward, dot(directions, along));
   if (ball_ == own) sums_.centre = combine(1.0, sums_.centre, speed.of_centre, crease.axis);
-  return speed.of_vertex * crease.axis;
+  by_vertex = combine(1.0, by_vertex, speed.of_vertex, crease.axis);
+  return true;
 }
 
-void WeightedJoints::add_vertex(uint32_t vertex, const Vec3 &offset) {
+// Apart, too, from what is done without weights.
+[[gnu::noinline]] void WeightedJoints::add_vertex(uint32_t vertex, const Vec3 &offset, const Vec3 &equal_weights) {
   const double mean = weight_of_vertex(vertex);
-  const VertexContacts contacts(balls_, boundary_, vertex, ball_, offset);
-  Vec3 by_vertex = concave_part(vertex, offset, mean);
-  const double other[3] = {weight_ - mean, weight_of(contacts.ball[1]) - mean, weight_of(contacts.ball[2]) - mean};
+  add_sides(vertex, offset, mean, combine(mean - weight_, equal_weights, 1.0, crease_part(vertex, offset, mean)));
+}
+
+// With what else multiplies the speed of the vertex. Apart, so that its numbers are not on the stack below creases.
+[[gnu::noinline]] void WeightedJoints::add_sides(uint32_t vertex, const Vec3 &offset, double mean, Vec3 by_vertex) {
+  // With a small determinant the vertex moves so far that rounding tells in what its balls get. That is large, but the
+  // sum is not, if all three have the same sums and normals.
+  constexpr double most_inverse = 0x1p9;
+  VertexContacts contacts(balls_, boundary_, vertex, ball_, offset);
+  if (contacts.inverse > most_inverse) contacts.see_as_all(balls_, position_of_vertex(balls_, boundary_, vertex));
   // Side k faces ball k: out of the saddle, towards that ball, across the plane through the other two and the vertex.
+  Vec3 part[3];
   for (uint32_t k = 0; k < 3; ++k) {
     const uint32_t a = k == 0 ? 1 : 0;
     const uint32_t b = k == 2 ? 1 : 2;
-    const SideSpeed speed(balls_, contacts.ball[a], contacts.ball[b], other[a], other[b]);
+    const SideSpeed speed(balls_, contacts.ball[a], contacts.ball[b], weight_of(contacts.ball[a]) - mean,
+                          weight_of(contacts.ball[b]) - mean);
     const Vec3 normal = cross(contacts.normal[a], contacts.normal[b]);
     const double sine = std::sqrt(dot(normal, normal));
-    if (!(sine > 0.0)) continue;
-    const Vec3 outward = ((k == 1 ? contacts.sign : -contacts.sign) / sine) * normal;
-    by_vertex = combine(1.0, by_vertex, speed.of_vertex, outward);
-    if (k != 0) sums_.centre = combine(1.0, sums_.centre, speed.of_centre, outward);
+    const double scale = sine > 0.0 ? (k == 1 ? contacts.sign : -contacts.sign) / sine : 0.0;
+    part[k] = scale * speed.of_vertex * normal;
+    if (k != 0) sums_.centre = combine(1.0, sums_.centre, scale * speed.of_centre, normal);
   }
+  for (uint32_t slot = 0; slot < 3; ++slot) by_vertex = by_vertex + part[(slot + 3 - contacts.slot) % 3];
   const double z = dot(by_vertex, contacts.share);
   sums_.centre = combine(1.0, sums_.centre, z, contacts.normal[0]);
   sums_.radius += z;

@@ -42,7 +42,8 @@ class WeightedJoints {
   // The arcs and circles of a batch, of which `saddles` has the radii.
   void add_saddles(const ArcBatch &batch, const SaddlePatches &saddles);
   // A vertex on the ball with a discriminant above 0. `offset` from the ball's centre to it.
-  void add_vertex(uint32_t vertex, const Vec3 &offset);
+  // equal_weights: what its speed is multiplied by in the derivatives for equal weights.
+  void add_vertex(uint32_t vertex, const Vec3 &offset, const Vec3 &equal_weights);
 
   double weight() const { return weight_; }
   const AreaDerivatives &sums() const { return sums_; }
@@ -51,8 +52,10 @@ class WeightedJoints {
   double weight_of(uint32_t ball) const { return weights_.of(balls_, ball); }
   double weight_of_vertex(uint32_t vertex) const;
   void add_waist(const ArcBatch &batch, uint32_t s, double circle_radius, double difference);
-  Vec3 concave_part(uint32_t vertex, const Vec3 &offset, double mean);
-  Vec3 turning_part(const uint32_t (&ball)[2], const SphereArc &crease, const Vec3 &offset, double half_difference);
+  void add_sides(uint32_t vertex, const Vec3 &offset, double mean, Vec3 by_vertex);
+  Vec3 crease_part(uint32_t vertex, const Vec3 &offset, double mean);
+  bool turn_crease(uint32_t vertex, uint32_t across, const SphereArc &crease, const Vec3 &offset,
+                   double half_difference, Vec3 &by_vertex);
 
   const BallSet &balls_;
   const Boundary &boundary_;

@@ -196,6 +196,95 @@ static void probes_across_a_ring(void) {
   get_moved(5, xyz, radius, way, 0, 2.04393179, weights, 1e-10);
 }
 
+/* By closed forms, in 60 digits: the saddle between two balls is as narrow as they are near each other, and derivatives
+ * are divided by that. */
+static void balls_two_steps_apart(void) {
+  static const double xyz[6] = {0, 0, 0, 2e-8, 0, 0};
+  static const double radius[2] = {1.22521372, 1.22521371};
+  static const double weights[2] = {1, 1};
+  static const signed char way[8] = {0};
+  check_scene("balls two steps apart");
+  get_moved(2, xyz, radius, way, 0, 3.24383570, weights, 1e-13);
+  CHECK(fabs(alone.centre[3] + 0.55651909719893416) < 1e-13);
+  CHECK(fabs(alone.radius[0] + 2.2260765150092296) < 1e-13);
+  CHECK(fabs(alone.radius[1] + 0.74202547695563361) < 1e-13);
+}
+
+/* Sets that are nearly tied, in steps of 1e-8: x, y, z, radius, weight. */
+typedef struct tied_set {
+  const char *name;
+  double limit; /* of the sums */
+  uint32_t n;
+  double probe;
+  double ball[4][5];
+} tied_set;
+static const tied_set tied_sets[] = {
+    {"two balls a step apart, whose circle lies beyond a centre",
+     1e-12,
+     2,
+     324383570,
+     {{50000001, 100000000, 0, 122521372, 1}, {50000001, 99999999, 1, 122521371, 1}}},
+    {"a circle that is nearly as large as the probe",
+     1e-13,
+     2,
+     50000000,
+     {{99999972, 300000016, 200000021, 100000024, 0}, {100000016, 100000024, -14, 99999994, -0.865}}},
+    {"a circle whose plane nearly goes through a centre",
+     1e-12,
+     2,
+     200000000,
+     {{100000003, 400000000, 299999998, 50000000, 0}, {199999999, 200000002, 199999997, 149999998, 0.181}}},
+    {"points 37 steps apart, which are cusps of a crease",
+     1e-9,
+     3,
+     141355143,
+     {{99999990, 199999990, 10, 0, 0}, {100000000, 199999970, -20, 0, -0.625}, {100000030, 20, 20, 50000010, 0}}},
+    {"points 41 steps apart, at cusps between creases of unequal weights",
+     1e-11,
+     4,
+     204747818,
+     {{20, 199999990, 200000000, 0, 0},
+      {200000020, 199999980, 99999980, 100000000, 0},
+      {-10, 200000010, 199999970, 0, 0},
+      {10, 0, 20, 100000010, 1.5}}},
+    {"a concave patch between two balls 4 steps apart and a third one",
+     1e-12,
+     3,
+     50000000,
+     {{0, 0, 0, 100000000, 0}, {3, 1, -2, 100000000, 0}, {50000000, 210000000, 0, 110000000, 1}}},
+    {"creases that end at one between vertices 7 millionths of the probe apart",
+     1e-11,
+     4,
+     174175107,
+     {{12820963, 166482867, -81679276, 11707739, 1},
+      {-137370868, 27746224, -202412628, 72018872, 0},
+      {-78600438, -211824394, 10849411, 52022434, 0},
+      {124061543, 21932760, -178672894, 44448556, 0}}},
+    {"the same where doubles cut the patches",
+     1e-10,
+     4,
+     154473905,
+     {{14180113, 142351021, -135616445, 42646847, 0},
+      {-150735919, -41161496, -141119808, 56073804, 0},
+      {151501872, 169873354, 13732205, 73557910, 2},
+      {29875947, 84885101, 181477646, 48089766, 0}}}};
+
+static void nearly_tied(void) {
+  static const signed char way[16] = {0};
+  uint32_t k, i, x;
+  for (k = 0; k < sizeof tied_sets / sizeof *tied_sets; ++k) {
+    const tied_set *set = &tied_sets[k];
+    double xyz[12], radius[4], weights[4];
+    for (i = 0; i < set->n; ++i) {
+      for (x = 0; x < 3; ++x) xyz[3 * i + x] = 1e-8 * set->ball[i][x];
+      radius[i] = 1e-8 * set->ball[i][3];
+      weights[i] = set->ball[i][4];
+    }
+    check_scene("%s", set->name);
+    get_moved(set->n, xyz, radius, way, 0, 1e-8 * set->probe, weights, set->limit);
+  }
+}
+
 int main(void) {
   static ball_set set;
   ball_set_make(3, &set);
@@ -207,5 +296,7 @@ int main(void) {
   ring_of_probes();
   corners_of_probes();
   probes_across_a_ring();
+  balls_two_steps_apart();
+  nearly_tied();
   return check_report();
 }
