@@ -13,19 +13,20 @@ Vec3 difference(const BallSet &balls, const Position &from, const Position &to) 
   return balls.difference(from.ball, to.ball) + (to.offset - from.offset);
 }
 
-Vec3 scaled_to(const Vec3 &v, double length) {
-  const double own = std::sqrt(dot(v, v));
-  return own > 0.0 ? (length / own) * v : Vec3{0.0, 0.0, 0.0};
+// 0 if it has no direction.
+Vec3 unit(const Vec3 &v) {
+  const double length = std::sqrt(dot(v, v));
+  return length > 0.0 ? (1.0 / length) * v : Vec3{0.0, 0.0, 0.0};
 }
 
 Vec3 towards(const BallSet &balls, const Position &position, uint32_t ball) {
-  return scaled_to(balls.difference(position.ball, ball) - position.offset, 1.0);
+  return unit(balls.difference(position.ball, ball) - position.offset);
 }
 
 // The unit normal of the side that is opposite to a ball, away from this.
 Vec3 beyond_side(const BallSet &balls, const VertexRecord &vertex, const Position &from, uint32_t slot) {
-  const Vec3 normal = scaled_to(
-      cross(towards(balls, from, vertex.ball[(slot + 1) % 3]), towards(balls, from, vertex.ball[(slot + 2) % 3])), 1.0);
+  const Vec3 normal =
+      unit(cross(towards(balls, from, vertex.ball[(slot + 1) % 3]), towards(balls, from, vertex.ball[(slot + 2) % 3])));
   return dot(normal, towards(balls, from, vertex.ball[slot])) > 0.0 ? -normal : normal;
 }
 
@@ -39,7 +40,7 @@ struct ProbeCap {
     // Squares of the shortest ways are below the range of doubles.
     constexpr double least = 0x1p-400;
     const double length = std::sqrt(dot(to, to));
-    axis = length > least ? scaled_to(to, 1.0) : scaled_to(1.0 / least * (1.0 / least * to), 1.0);
+    axis = length > least ? unit(to) : unit(1.0 / least * (1.0 / least * to));
     height = length / (2 * p);
     if (height > 1.0) height = 1.0;
   }
@@ -64,7 +65,7 @@ struct ProbeCap {
     const CirclePosition circle = position_of_circle(balls, ball[0], ball[1]);
     const double p = static_cast<double>(balls.probe_steps);
     const Vec3 out = combine(1.0, difference(balls, circle.centre, from), p * height, axis);
-    const Vec3 turned = scaled_to(cross(circle.axis, out), 1.0);
+    const Vec3 turned = unit(cross(circle.axis, out));
     const double cosine = order == 0.0 ? dot(turned, axis) : order;
     if (!(std::fabs(cosine) > 0.75)) return false;
     axis = cosine > 0.0 ? turned : -turned;
@@ -153,7 +154,7 @@ ArcPosition position_of_side(const BallSet &balls, const Boundary &boundary, con
     angle = arc_tangent(circle.height, circle.radius) - arc_tangent(to_cusp, circle.radius);
     if (!(angle > 0.0)) angle = 0.0;
   }
-  return {centre, scaled_to(normal, 1.0), p, angle};
+  return {centre, unit(normal), p, angle};
 }
 
 }  // namespace
