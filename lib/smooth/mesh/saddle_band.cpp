@@ -2,6 +2,7 @@
 
 #include "sphere/arc_geometry.hpp"
 #include "surface/saddle.hpp"
+#include "surface/surface_areas.hpp"
 
 namespace hsp {
 
@@ -44,7 +45,7 @@ void SaddleBand::set_circle(uint32_t ball_0, uint32_t ball_1) {
 double SaddleBand::width() const {
   double share = 0.0;
   for (const uint32_t b : ball_) {
-    const double own = balls_.r[b] > 0.0 ? (balls_.r[b] - probe_) / balls_.r[b] : 0.0;
+    const double own = shrinkage_of_faces(balls_, b);
     if (own > share) share = own;
   }
   return angle_ * radius_ * share;
@@ -58,8 +59,7 @@ Vec3 SaddleBand::outward(uint32_t k, uint32_t segments) const {
 SaddleBand::Point SaddleBand::on_ball(uint32_t side, const Vec3 &outward) const {
   const uint32_t own = ball_[side];
   const Vec3 arm = direction_from(balls_, own, probe(outward));
-  const double R = balls_.r[own];
-  return {{own, (R > 0.0 ? (R - probe_) / R : 0.0) * arm}, unit(arm, side == 0 ? axis_ : -axis_), own};
+  return {{own, shrinkage_of_faces(balls_, own) * arm}, unit(arm, side == 0 ? axis_ : -axis_), own};
 }
 
 SaddleBand::Point SaddleBand::at(const Vec3 &outward, uint32_t part, uint32_t l, uint32_t segments) const {
