@@ -6,13 +6,6 @@
 #include "surface/covered_gaps.hpp"
 
 namespace hsp {
-namespace {
-
-double squared(const Vec3 &a) {
-  return dot(a, a);
-}
-
-}  // namespace
 
 void ProbeCaps::carve(Workspace &workspace, uint32_t neighbours) {
   caps_.carve(workspace, neighbours + sides);
@@ -61,7 +54,7 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   const double diameter = 2 * static_cast<double>(balls.probe_steps);
   const double coincident = 0.5 * diameter * coincident_distance;
   const Vec3 to = grid.difference(balls, vertex_, other);
-  const double square = squared(to);
+  const double square = dot(to, to);
   const double overlap = diameter * diameter - square;
   const double rounding = 8 * diameter * vertex_error * static_cast<double>(balls.largest_radius);
   if (overlap <= rounding) {
@@ -177,8 +170,8 @@ void ProbeCaps::sort_and_merge() {
     bool again = false;
     for (uint32_t j = kept_; j-- > 0 && !again;) {
       if (all[k].distance - all[j].distance > merge_distance_) break;
-      again = squared(combine(all[k].distance, all[k].axis, -all[j].distance, all[j].axis)) <=
-              merge_distance_ * merge_distance_;
+      const Vec3 between = combine(all[k].distance, all[k].axis, -all[j].distance, all[j].axis);
+      again = dot(between, between) <= merge_distance_ * merge_distance_;
     }
     if (again) continue;
     const Other kept = all[k];
