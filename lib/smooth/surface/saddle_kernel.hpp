@@ -6,7 +6,7 @@
 //   x = y + p (-cos(a) e + sin(a) u),  -t_i <= a <= t_j,  tan t_i = h_i / rho,
 // with h_i the height of the circle's plane above c_i. The two balls share it at a = 0. Nothing cuts it but its own
 // axis (PROOFS.md, section 4): where rho < p and the plane lies between the centres, what remains ends at the cusps,
-// cos a = rho/p. Where rho and p are equal up to rounding both answers are right: the piece between is empty.
+// cos a = rho/p.
 #pragma once
 
 #include "lanes/angle.hpp"
