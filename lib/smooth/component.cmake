@@ -35,6 +35,7 @@ hsp_part(smooth
     mesh/boundary_outline.cpp
     mesh/concave_outline.cpp
     mesh/convex_outline.cpp
+    mesh/fixed_edges.cpp
     mesh/mesh_builder.cpp
     mesh/patch_from_loops.cpp
     mesh/pinched_cells.cpp
