@@ -294,6 +294,8 @@ bool ArcFinder::find(SeenBalls &seen, const DiscGrid &grid, Patience &patience) 
     Span<const uint32_t> near = near_.items();
     bool marked = false;
     if (CoveredBalls::are_many(near.size())) {
+      // So many there is memory for with every limit that suffices, and the map is the same with all of these.
+      seen.use_room(needed_neighbours_);
       if (seen.is_covered(i, patience)) continue;
       near = leave_out_covered(seen, near_.items(), patience);
       marked = seen.mark_creases(i, patience);

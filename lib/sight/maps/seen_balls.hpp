@@ -58,6 +58,8 @@ class SeenBalls {
   bool is_nearer(uint32_t a, uint32_t b) const {
     return balls_[a].z > balls_[b].z || (balls_[a].z == balls_[b].z && a < b);
   }
+  // How many caps of a ball the next two look at together.
+  void use_room(uint32_t caps) { covered_.use_room(caps); }
   // Whether others are known to cover the sphere of ball k. It is asked once, and such balls are left out for every
   // perturbation afterwards.
   bool is_covered(uint32_t k, Patience &patience);

@@ -13,17 +13,16 @@ void CoveredBalls::carve(Workspace &workspace, uint32_t caps) {
 bool CoveredBalls::contains(uint32_t ball) {
   const BallSet &balls = grid_->balls();
   const CubeBlock block = grid_->block_around(grid_->cube_at(balls.ball(ball).centre));
-  const uint32_t room = caps_.capacity();
   uint32_t count = 0;
   for (uint32_t range = 0; range < block.ranges; ++range) {
     for (uint32_t j = block.range[range].first; j < block.range[range].last; ++j) {
       const bool meets = meet(balls.x[j] - balls.x[ball], balls.y[j] - balls.y[ball], balls.z[j] - balls.z[ball],
                               balls.r[j] + balls.r[ball]);
       if (!meets || j == ball) continue;
-      if (count == room) {
+      if (count == room_) {
         if (!keep_exposed(ball, count)) return true;
         count = caps_.count;
-        all_known_ = 4 * uint64_t{count} < 3 * uint64_t{room};
+        all_known_ = 4 * uint64_t{count} < 3 * uint64_t{room_};
         if (!all_known_) return false;
       }
       caps_.ball[count++] = j;

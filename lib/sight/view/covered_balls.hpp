@@ -18,7 +18,13 @@ class CoveredBalls {
   // Memory for so many caps of one ball. Of a ball that has more those are kept that may have a free part, again and
   // again; where these alone are nearly as many the answer is not certain.
   void carve(Workspace &workspace, uint32_t caps);
-  void start(const CubeGrid &grid) { grid_ = &grid; }
+  void start(const CubeGrid &grid) {
+    grid_ = &grid;
+    use_room(caps_.capacity());
+  }
+  // Uses memory for so many caps, if there is so much: whether an answer is certain must not depend on how much there
+  // happens to be.
+  void use_room(uint32_t caps) { room_ = caps < caps_.capacity() ? caps : caps_.capacity(); }
 
   // Of a ball in grid order, its radius above 0. False if that is not certain.
   bool contains(uint32_t ball);
@@ -38,6 +44,7 @@ class CoveredBalls {
   Caps caps_;
   Span<uint32_t> order_;
   Span<uint8_t> state_;
+  uint32_t room_ = 0;
   bool all_known_ = false;
 };
 

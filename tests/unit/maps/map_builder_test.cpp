@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "built_map.hpp"
@@ -275,6 +276,34 @@ TEST(MapBuilder, TellsTheLimitsThatSuffice) {
     EXPECT_EQ(build_with({60, 0, 0}), hsp::Status::capacity);
     EXPECT_EQ(build_with(built.builder().retry_limits()), hsp::Status::capacity);
     EXPECT_EQ(build_with(built.builder().retry_limits()), hsp::Status::ok);
+  }
+}
+
+// A large ball has a crease that ties at the height of a third ball, inside a fourth. Some 200 balls are before it, and
+// as many studs behind: how many of its caps are looked at together decides whether it is known that the crease is
+// covered, and that must not follow from memory that is more than enough.
+TEST(MapBuilder, IsTheSameWithAllLimitsThatSuffice) {
+  oracle::RandomSource random(20);
+  Balls balls = {{0, 0, 0, 5'000'000},
+                 {4'000'000, 2'000'000, 2'000'000, 3'000'000},
+                 {3'000'000, -1'500'000, 4'000'000, 1'500'000},
+                 {2'857'738, 1'428'869, 1'428'869, 3'150'000}};
+  const auto within = [&random](int64_t most) { return random.in(-most, most); };
+  for (int ball = 0; ball < 180; ++ball)
+    balls.push_back({within(4'000'000), within(4'000'000), 8'000'000 + within(1'000'000), 50'000});
+  while (balls.size() < 400) {
+    const double x = static_cast<double>(within(1000)), y = static_cast<double>(within(1000));
+    const double z = static_cast<double>(random.in(-1000, -100)), part = 5e6 / std::sqrt(x * x + y * y + z * z);
+    if (z * part > -500'000) continue;
+    balls.push_back({std::llround(x * part), std::llround(y * part), std::llround(z * part), 50'000});
+  }
+  BuiltMap built(balls);
+  const hsp::MapLimits exact = built.builder().needed();
+  ASSERT_LT(exact.neighbours, 200U);
+  for (const uint32_t neighbours : {exact.neighbours, 256U, 10'000U}) {
+    built.take({exact.balls, neighbours, exact.edges});
+    ASSERT_EQ(built.builder().build(built.grid(), {{0, 0, 1}, {0, 1, 0}}), hsp::Status::ok);
+    EXPECT_GT(built.map().perturbation, 0) << neighbours;
   }
 }
 
