@@ -49,7 +49,12 @@ Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction, P
   centre_on(balls, map_.frame);
   if (!seen_.choose(grid, map_.frame, patience)) return Status::stopped;
   for (const Perturbation &perturbation : perturbations) {
-    const Status status = build_moved(balls, perturbation, patience);
+    Status status = build_moved(balls, perturbation, patience);
+    for (int time = 0; time < 8 && seen_.some_are_late(); ++time) {
+      if (status != Status::check && status != Status::ok) return status;
+      seen_.ask_of_those_inside(patience);
+      status = build_moved(balls, perturbation, patience);
+    }
     if (status != Status::check) return status;
   }
   map_.clear();

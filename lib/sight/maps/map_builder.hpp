@@ -8,7 +8,8 @@
 // built again: by at most 2^-20 of each ball's radius, then by 2^-17 and 2^-14. The map says by how much; it is one of
 // the moved balls. If none of them fits, there is a status and no map.
 //
-// Balls whose spheres others cover are left out where many balls are in one place (view/covered_balls.hpp).
+// Balls whose spheres others cover are left out where many balls are in one place (view/covered_balls.hpp), also where
+// all are moved: it is the map of the others then. If it turns out after a move of some, the same move is made again.
 //
 // A ball that reaches less out of another one than 2^-40 of that one's radius counts as inside, and balls that reach
 // less into each other than 2^-41 of both radii together do not meet.

@@ -59,8 +59,15 @@ bool SeenBalls::is_covered(uint32_t k, Patience &patience) {
   const uint32_t ball = balls_[k].ball;
   if (visible_[ball] == open) {
     visible_[ball] = patience.allows(20000) && covered_.contains(ball) ? hidden : uncovered;
+    if (visible_[ball] == hidden) some_are_late_ = true;
   }
   return visible_[ball] == hidden;
+}
+
+void SeenBalls::ask_of_those_inside(Patience &patience) {
+  for (uint32_t k = 0; k < count_; ++k) {
+    if (balls_[k].inside != 0) static_cast<void>(is_covered(k, patience));
+  }
 }
 
 bool SeenBalls::mark_creases(uint32_t k, Patience &patience) {
@@ -76,6 +83,7 @@ void SeenBalls::unmark_creases() {
 void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, const Perturbation &perturbation,
                       Patience &patience) {
   moved_ = perturbation.size > 0.0;
+  some_are_late_ = false;
   count_ = 0;
   for (uint32_t i = 0; i < balls.n; ++i) {
     if (visible_[i] == hidden) continue;

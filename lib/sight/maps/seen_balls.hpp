@@ -63,6 +63,11 @@ class SeenBalls {
   // Whether others are known to cover the sphere of ball k. It is asked once, and such balls are left out for every
   // perturbation afterwards.
   bool is_covered(uint32_t k, Patience &patience);
+  // Whether such balls were found after the balls were moved and placed: as a rule ones that lay inside others before.
+  // They were left out near some balls and not near others, and may show where the move has uncovered them.
+  bool some_are_late() const { return moved_ && some_are_late_; }
+  // Asks that of those inside others, too, which would be the next ones.
+  void ask_of_those_inside(Patience &patience);
   // Marks the balls that may have a crease with ball k, which is not covered. False if all may, and none is marked; so
   // it is where balls are moved, which may uncover creases.
   bool mark_creases(uint32_t k, Patience &patience);
@@ -83,6 +88,7 @@ class SeenBalls {
   Span<SeenBall> balls_;   // [balls]
   uint32_t count_ = 0;
   bool moved_ = false;
+  bool some_are_late_ = false;
 };
 
 }  // namespace hsp

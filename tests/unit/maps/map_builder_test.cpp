@@ -307,6 +307,22 @@ TEST(MapBuilder, IsTheSameWithAllLimitsThatSuffice) {
   }
 }
 
+// A few lattice steps apart, many of them inside others until they are moved: only then they are found to be covered, and
+// the least move suffices all the same.
+TEST(MapBuilder, LeavesOutTheSameBallsEverywhere) {
+  oracle::RandomSource random(21);
+  int farther = 0;
+  for (int time = 0; time < 30; ++time) {
+    Balls balls(350);
+    for (oracle::LatticeBall &ball : balls)
+      ball = {random.in(-3, 3), random.in(0, 6), random.in(0, 6), 100'000'000 + random.in(0, 2)};
+    const BuiltMap built(balls);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    farther += built.map().perturbation > 0x1p-19 * 1e8;
+  }
+  EXPECT_LT(farther, 6);
+}
+
 TEST(MapBuilder, RefusesDirectionsThatAreNone) {
   BuiltMap built({{0, 0, 0, 5}});
   EXPECT_EQ(built.status(), hsp::Status::ok);
