@@ -153,26 +153,9 @@ class MapChecker : FirstViolation<MapInvariant> {
     return good || fail(MapInvariant::euler, no_id);
   }
 
-  // How far an edge's curve ends from its vertices.
-  void measure_ends(uint32_t e, double off[2]) const {
-    const MapEdge &edge = map_.edges[e];
-    for (int end = 0; end < 2; ++end) {
-      const Vec3 point = map_.scene.at(edge.body, edge.nearer, end == 0 ? edge.from : edge.to);
-      const MapVertex &vertex = map_.vertices[edge.vertex[end]];
-      const double dx = point.x - vertex.x;
-      const double dy = point.y - vertex.y;
-      off[end] = std::sqrt(dx * dx + dy * dy);
-    }
-  }
-
   bool positions() {
-    const double tolerance = position_tolerance(map_);
-    for (uint32_t e = 0; e < map_.edges.size(); ++e) {
-      double off[2];
-      measure_ends(e, off);
-      if (!(off[0] <= tolerance && off[1] <= tolerance)) return fail(MapInvariant::positions, e);
-    }
-    return true;
+    const uint32_t e = first_edge_off_its_vertices(map_);
+    return e == no_id || fail(MapInvariant::positions, e);
   }
 
   bool areas() {
@@ -199,7 +182,7 @@ class MapChecker : FirstViolation<MapInvariant> {
     map_.visit_loop(loop, [&](uint32_t h) {
       const double a = curve_of(map_, h / 2).ellipse.longer_half_axis();
       double off[2];
-      measure_ends(h / 2, off);
+      measure_ends(map_, h / 2, off);
       const double farther = off[0] > off[1] ? off[0] : off[1];
       const double reach = a + 3 * largest_ + 2 * farther;
       slack.missing += 0.5 * a * (off[0] + off[1]);

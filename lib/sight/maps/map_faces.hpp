@@ -98,6 +98,7 @@ class MapFaceFinder {
   //   the labels of a loop's edges name two bodies;
   //   a loop has no labels, and nowhere along it is it certain which body is behind;
   //   labels are not trusted, and another body is behind for certain than they say;
+  //   an edge ends elsewhere than at its vertices;
   //   what a side of an edge shows has no front at the middle of the edge, or has one before it;
   //   beside a short edge another body is behind a contour than the loop says;
   //   unless all arcs are there for certain, behind the middle of some contour cannot be what the loop there says;
@@ -109,7 +110,8 @@ class MapFaceFinder {
   template <class Sight>
   bool find(const Sight &sight, MapTrust trust, Map &map, Patience &patience) {
     if (!trace_loops(map, patience) || !name_owners(sight, trust, map, patience)) return false;
-    if (!patience.allows(200 * uint64_t{map.edges.size()}) || first_side_without_front(map) != no_id) return false;
+    if (!patience.allows(500 * uint64_t{map.edges.size()})) return false;
+    if (first_edge_off_its_vertices(map) != no_id || first_side_without_front(map) != no_id) return false;
     if (!fits_beside_short_edges(map, sight, patience)) return false;
     if (trust != MapTrust::all_arcs && !fits_behind_contours(map, sight, patience)) return false;
     if (!patience.allows(50 * uint64_t{map.edges.size()}) || !fits_euler(map)) return false;

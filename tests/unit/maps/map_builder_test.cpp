@@ -211,6 +211,16 @@ TEST(MapBuilder, ShowsBallsThatNearlyCoincide) {
   for (const double area : seen_areas(built, 2)) EXPECT_NEAR(area, 0.5 * std::numbers::pi * 4e16, 1e-6 * 4e16);
 }
 
+// Two of three balls nearly coincide, and where their crease is follows from less than the tolerance: edges ended beside
+// their vertices.
+TEST(MapBuilder, ShowsEdgesThatEndAtTheirVertices) {
+  EXPECT_EQ(complaint({{141421365, 141421350, 150000009, 200000003},
+                       {141421365, -141421362, 150000009, 200000000},
+                       {141421365, 141421347, 150000006, 200000003}},
+                      {1, 1, 1}, 100),
+            "");
+}
+
 // Rows across rows: the map is quadratic in the number of rows.
 TEST(MapBuilder, ShowsCrossingRows) {
   Balls rows;
