@@ -22,7 +22,8 @@
  *
  * Unlike all else but the smooth surface a map rests on floating-point roots. Labels hold it together, not positions:
  * whatever does not fit shows while it is linked. Then every ball is moved by a tiny part of its radius, the same for
- * the same ball, and the map of these is made; hsp_map_info says how far. So there is a map that holds all the
+ * the same ball, and the map of these is made; hsp_map_info says how far. Where many balls are in one place, those whose
+ * spheres others cover before the move stay hidden. So there is a map that holds all the
  * invariants of hsp_map_check, or a status and none. The same input yields the same bytes on every machine. */
 #ifndef HARDSPHERE_MAP_H
 #define HARDSPHERE_MAP_H
@@ -76,7 +77,7 @@ HSP_API int32_t HSP_CALL hsp_map_init(void *memory, size_t bytes, const hsp_map_
 /** Find what is seen from one direction; any number of times, from any directions. options: where to look from, as for
  *  hsp_view_compute, NULL for the defaults; pieces and flags have to be good there and have no effect here. The model
  *  must outlive the map, which can be read while the model holds the same balls (RESULTS in hardsphere.h). On failure
- *  it holds no results. limits: see LIMITS in hardsphere.h; at most 21 retries.
+ *  it holds no results. limits: see LIMITS in hardsphere.h; at most 39 retries.
  *  - Property 1: the order of the balls has no effect but on the numbers of balls.
  *  - Property 2: hsp_map_check finds nothing.
  *

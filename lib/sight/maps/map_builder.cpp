@@ -50,8 +50,7 @@ Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction, P
   if (!seen_.choose(grid, map_.frame, patience)) return Status::stopped;
   for (const Perturbation &perturbation : perturbations) {
     Status status = build_moved(balls, perturbation, patience);
-    for (int time = 0; time < 8 && seen_.some_are_late(); ++time) {
-      if (status != Status::check && status != Status::ok) return status;
+    if (seen_.some_are_late() && (status == Status::check || status == Status::ok)) {
       seen_.ask_of_those_inside(patience);
       status = build_moved(balls, perturbation, patience);
     }
