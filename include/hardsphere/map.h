@@ -22,9 +22,9 @@
  *
  * Unlike all else but the smooth surface a map rests on floating-point roots. Labels hold it together, not positions:
  * whatever does not fit shows while it is linked. Then every ball is moved by a tiny part of its radius, the same for
- * the same ball, and the map of these is made; hsp_map_info says how far. Where many balls are in one place, those whose
- * spheres others cover before the move stay hidden. So there is a map that holds all the
- * invariants of hsp_map_check, or a status and none. The same input yields the same bytes on every machine. */
+ * the same ball, and the map of these is made; hsp_map_info says how far. Where many balls are in one place, those
+ * whose spheres others cover before the move stay hidden. So there is a map that holds all the invariants of
+ * hsp_map_check, or a status and none. The same input yields the same bytes on every machine. */
 #ifndef HARDSPHERE_MAP_H
 #define HARDSPHERE_MAP_H
 

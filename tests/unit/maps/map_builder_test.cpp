@@ -211,8 +211,7 @@ TEST(MapBuilder, ShowsBallsThatNearlyCoincide) {
   for (const double area : seen_areas(built, 2)) EXPECT_NEAR(area, 0.5 * std::numbers::pi * 4e16, 1e-6 * 4e16);
 }
 
-// Two of three balls nearly coincide, and where their crease is follows from less than the tolerance: edges ended beside
-// their vertices.
+// Two of three balls nearly coincide, so that little says where their crease is: edges ended beside their vertices.
 TEST(MapBuilder, ShowsEdgesThatEndAtTheirVertices) {
   EXPECT_EQ(complaint({{141421365, 141421350, 150000009, 200000003},
                        {141421365, -141421362, 150000009, 200000000},
@@ -317,8 +316,8 @@ TEST(MapBuilder, IsTheSameWithAllLimitsThatSuffice) {
   }
 }
 
-// A few lattice steps apart, many of them inside others until they are moved: only then they are found to be covered, and
-// the least move suffices all the same.
+// A few lattice steps apart, many of them inside others until they are moved: only then they are found to be covered,
+// and the least move suffices all the same.
 TEST(MapBuilder, LeavesOutTheSameBallsEverywhere) {
   oracle::RandomSource random(21);
   int farther = 0;
