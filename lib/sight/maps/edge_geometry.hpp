@@ -43,28 +43,27 @@ double position_tolerance(const Map &map) {
   return 0x1p-18 * map.scene.largest();
 }
 
-// How far an edge's curve ends from its vertices.
+// How far one end of an edge's curve is from its vertex.
 template <class Map>
-void measure_ends(const Map &map, uint32_t e, double off[2]) {
+double end_off_vertex(const Map &map, uint32_t e, uint32_t end) {
   const MapEdge &edge = map.edges[e];
-  for (int end = 0; end < 2; ++end) {
-    const Vec3 point = map.scene.at(edge.body, edge.nearer, end == 0 ? edge.from : edge.to);
-    const MapVertex &vertex = map.vertices[edge.vertex[end]];
-    const double dx = point.x - vertex.x;
-    const double dy = point.y - vertex.y;
-    off[end] = std::sqrt(dx * dx + dy * dy);
-  }
+  const Vec3 point = map.scene.at(edge.body, edge.nearer, end == 0 ? edge.from : edge.to);
+  const MapVertex &vertex = map.vertices[edge.vertex[end]];
+  const double dx = point.x - vertex.x;
+  const double dy = point.y - vertex.y;
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 // The first edge that ends elsewhere than at its vertices; no_id if there is none. Where spheres nearly coincide, two
 // of them leave little of where their curve is, and it may be elsewhere than a third curve through its end says.
-template <class Map>
-uint32_t first_edge_off_its_vertices(const Map &map) {
+// has_end(half-edge that leaves there): whether an end is looked at.
+template <class Map, class HasEnd>
+uint32_t first_edge_off_its_vertices(const Map &map, HasEnd has_end) {
   const double tolerance = position_tolerance(map);
   for (uint32_t e = 0; e < map.edges.size(); ++e) {
-    double off[2];
-    measure_ends(map, e, off);
-    if (!(off[0] <= tolerance && off[1] <= tolerance)) return e;
+    for (uint32_t end = 0; end < 2; ++end) {
+      if (has_end(2 * e + end) && !(end_off_vertex(map, e, end) <= tolerance)) return e;
+    }
   }
   return no_id;
 }

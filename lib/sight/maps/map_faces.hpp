@@ -111,7 +111,9 @@ class MapFaceFinder {
   bool find(const Sight &sight, MapTrust trust, Map &map, Patience &patience) {
     if (!trace_loops(map, patience) || !name_owners(sight, trust, map, patience)) return false;
     if (!patience.allows(500 * uint64_t{map.edges.size()})) return false;
-    if (first_edge_off_its_vertices(map) != no_id || first_side_without_front(map) != no_id) return false;
+    // Each vertex is where the edge ends that leaves it.
+    const auto has_end = [&map](uint32_t h) { return map.vertices[map.edges[h / 2].vertex[h % 2]].leaving != h; };
+    if (first_edge_off_its_vertices(map, has_end) != no_id || first_side_without_front(map) != no_id) return false;
     if (!fits_beside_short_edges(map, sight, patience)) return false;
     if (trust != MapTrust::all_arcs && !fits_behind_contours(map, sight, patience)) return false;
     if (!patience.allows(50 * uint64_t{map.edges.size()}) || !fits_euler(map)) return false;
