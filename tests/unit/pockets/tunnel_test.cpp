@@ -173,6 +173,17 @@ struct Limited {
     finder.carve(workspace, pores.maxima().size(), pores.gates().size(), points);
   }
 };
+// With room for more points than tunnels here have.
+class RoomyFinder : public hsp::TunnelFinder {
+ public:
+  explicit RoomyFinder(const BuiltPores &pores) {
+    Limited limited{*this, pores};
+    memory_.carve(limited, uint32_t{20000});
+  }
+
+ private:
+  CarvedMemory memory_;
+};
 
 TEST(Tunnel, IsTheWidestThatAvoidsGates) {
   oracle::RandomSource random(1);
@@ -184,10 +195,7 @@ TEST(Tunnel, IsTheWidestThatAvoidsGates) {
     BuiltPores pores(balls, floor);
     ASSERT_EQ(pores.status(), hsp::Status::ok);
     if (pores.maxima().empty()) continue;
-    hsp::TunnelFinder finder;
-    Limited limited{finder, pores};
-    CarvedMemory memory;
-    memory.carve(limited, uint32_t{20000});
+    RoomyFinder finder(pores);
     const auto any_place = [&] {
       const auto last = static_cast<int64_t>(pores.maxima().size()) - 1;
       const hsp::Vec3 &at = pores.maxima()[static_cast<uint32_t>(random.in(0, last))].point.position;
@@ -257,10 +265,7 @@ TEST(Tunnel, PointsLieCloseBesideASmallBall) {
     }
     BuiltPores pores(balls, 0);
     ASSERT_EQ(pores.status(), hsp::Status::ok);
-    hsp::TunnelFinder finder;
-    Limited limited{finder, pores};
-    CarvedMemory memory;
-    memory.carve(limited, uint32_t{20000});
+    RoomyFinder finder(pores);
     for (const int64_t off : {radius + 400, radius + 20000}) {
       const hsp::exact::Vector from{off, off / 7, -off / 3}, to{side / 2, 0, side / 3};
       for (const hsp::exact::Vector *end : {static_cast<const hsp::exact::Vector *>(nullptr), &to}) {
@@ -287,10 +292,7 @@ TEST(Tunnel, StopsAtEachQuestion) {
   }
   BuiltPores pores(balls, 0);
   ASSERT_EQ(pores.status(), hsp::Status::ok);
-  hsp::TunnelFinder finder;
-  Limited limited{finder, pores};
-  CarvedMemory memory;
-  memory.carve(limited, uint32_t{20000});
+  RoomyFinder finder(pores);
   const hsp::exact::Vector from{50, 50, 50}, to{750, 750, 750};
   hsp::TunnelSummary found{};
   expect_stops_at_questions(5, 200, [&](const hsp::Executor &executor) {
