@@ -1,4 +1,5 @@
-// Numbers as text against the C library: the first of 15, 16 and 17 digits that strtod reads back, and "%.*f".
+// Numbers as text against the C library: the first of 15, 16 and 17 digits that strtod reads back, "%.*g"
+// and "%.*f".
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,6 +33,13 @@ std::string fixed(double value, int decimals) {
   return text;
 }
 
+std::string general(double value, int digits) {
+  char text[NUMBER_BYTES];
+  const size_t length = number_text_general(text, value, digits);
+  EXPECT_EQ(length, std::strlen(text));
+  return text;
+}
+
 std::string exact_by_trial(double value) {
   char text[64];
   for (int digits = 15; digits <= 17; ++digits) {
@@ -47,10 +55,19 @@ std::string fixed_by_printf(double value, int decimals) {
   return text;
 }
 
+std::string general_by_printf(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
 // Both signs, as the text must not depend on it.
 void check(double value, int decimals) {
   for (const double number : {value, -value}) {
     ASSERT_EQ(exact(number), exact_by_trial(number)) << std::hexfloat << number;
+    for (const int digits : {decimals + 1, 17 - decimals}) {
+      ASSERT_EQ(general(number, digits), general_by_printf(number, digits)) << std::hexfloat << number << ' ' << digits;
+    }
     if (std::fabs(number) >= 1e21) continue;
     ASSERT_EQ(fixed(number, decimals), fixed_by_printf(number, decimals)) << std::hexfloat << number;
   }
@@ -81,6 +98,10 @@ TEST(NumberText, PowersOfTen) {
 TEST(NumberText, ZerosAndTheLeastAndTheLargest) {
   EXPECT_EQ(exact(0.0), "0");
   EXPECT_EQ(exact(-0.0), "0");
+  EXPECT_EQ(general(0.0, 9), "0");
+  EXPECT_EQ(general(-0.0, 9), "-0");
+  EXPECT_EQ(general(999999.5, 6), "1e+06");
+  EXPECT_EQ(general(0.0000999996, 5), "0.0001");
   EXPECT_EQ(fixed(0.0, 4), "0.0000");
   EXPECT_EQ(fixed(-0.0, 1), "-0.0");
   EXPECT_EQ(exact(0.1), "0.1");
@@ -97,6 +118,7 @@ TEST(NumberText, ZerosAndTheLeastAndTheLargest) {
 TEST(NumberText, WhatIsNotFinite) {
   for (const double value : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_EQ(exact(value), exact_by_trial(value));
+    EXPECT_EQ(general(value, 9), general_by_printf(value, 9));
     EXPECT_EQ(fixed(value, 3), fixed_by_printf(value, 3));
   }
 }

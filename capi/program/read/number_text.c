@@ -174,29 +174,38 @@ static inline size_t write_thousandths(char *out, bool negative, uint32_t thousa
   return (size_t)(at - out);
 }
 
+/* Its first digits, so many, and how many of them are behind the point. False: printf is to write it. */
+static inline bool first_digits(const struct binary *number, int digits, struct scaled *of, int *decimals) {
+  /* By the power of two: as many decimals as there are, or one too many. */
+  const int log2 = number->exponent + FRACTION_BITS;
+  *decimals = digits - 1 - (log2 >= 0 ? log2 * 315653 >> 20 : -(-log2 * 315653 >> 20) - 1);
+  if (*decimals > MOST_POWER - 2 || *decimals < 0 || !scale(number, *decimals, of)) return false;
+  if (of->digits <= power_of_5[digits] << digits) return true;
+  return --*decimals >= 0 && scale(number, *decimals, of);
+}
+
 /* By as few of 15 to 17 digits as read back; 0: it is left to printf. A function of its own: what is most common has
  * few registers to save then. */
 __attribute__((noinline)) static size_t by_digits_that_read_back(char *out, double value) {
   const struct binary number = binary_of(value);
-  /* The decimals of 15 digits, by the power of two: right, or one too many. */
-  const int log2 = number.exponent + FRACTION_BITS;
-  int decimals = 14 - (log2 >= 0 ? log2 * 315653 >> 20 : -(-log2 * 315653 >> 20) - 1);
-  struct scaled scaled = {0, 0, 0};
-  do {
-    if (decimals > MOST_POWER - 2 || decimals < 0 || !scale(&number, decimals, &scaled)) return 0;
-    --decimals;
-  } while (scaled.digits > UINT64_C(1000000000000000));
-  ++decimals;
+  int decimals;
+  struct scaled scaled;
+  if (!first_digits(&number, 15, &scaled, &decimals)) return 0;
   for (int digits = 15; digits < 17 && !reads_back(&number, decimals, &scaled); ++digits) {
     if (!scale(&number, ++decimals, &scaled)) return 0;
   }
   return write_general(out, number.negative, scaled.digits, decimals);
 }
 
+/* Doubles whose digits 128-bit integers hold. */
+static inline bool is_moderate(double magnitude) {
+  return magnitude >= 1e-10 && magnitude < 1e14;
+}
+
 /* 0: it is left to printf. */
 static size_t exact_in_128_bits(char *out, double value) {
   const double magnitude = value < 0.0 ? -value : value;
-  if (!(magnitude >= 1e-10 && magnitude < 1e14)) return 0;
+  if (!is_moderate(magnitude)) return 0;
   /* As files write coordinates and radii: three decimals. */
   const double thousands = magnitude * 1000.0;
   if (thousands >= 1.0 && thousands < 999999.0) {
@@ -204,6 +213,20 @@ static size_t exact_in_128_bits(char *out, double value) {
     if ((double)nearest / 1000.0 == magnitude) return write_thousandths(out, value < 0.0, nearest);
   }
   return by_digits_that_read_back(out, value);
+}
+
+static size_t general_in_128_bits(char *out, double value, int digits) {
+  const struct binary number = binary_of(value);
+  if (value == 0.0) return write_decimal(out, number.negative, 0, 0);
+  int decimals;
+  struct scaled scaled;
+  if (!is_moderate(value < 0.0 ? -value : value) || digits < 1 || digits > 15 ||
+      !first_digits(&number, digits, &scaled, &decimals)) {
+    return 0;
+  }
+  /* One digit more, as 9.6 has if one is asked for, is a power of ten. */
+  if (decimals == 0 && scaled.digits == power_of_5[digits] << digits) return 0;
+  return write_general(out, number.negative, scaled.digits, decimals);
 }
 
 static size_t fixed_in_128_bits(char *out, double value, int decimals) {
@@ -225,6 +248,13 @@ static size_t exact_in_128_bits(char *out, double value) {
   return 0;
 }
 
+static size_t general_in_128_bits(char *out, double value, int digits) {
+  (void)out;
+  (void)value;
+  (void)digits;
+  return 0;
+}
+
 static size_t fixed_in_128_bits(char *out, double value, int decimals) {
   (void)out;
   (void)value;
@@ -242,6 +272,11 @@ size_t number_text_exact(char out[NUMBER_BYTES], double value) {
     if (digits == 17 || strtod(out, NULL) == value) length = (size_t)written;
   }
   return length;
+}
+
+size_t number_text_general(char out[NUMBER_BYTES], double value, int digits) {
+  const size_t length = general_in_128_bits(out, value, digits);
+  return length > 0 ? length : (size_t)snprintf(out, NUMBER_BYTES, "%.*g", digits, value);
 }
 
 size_t number_text_fixed(char out[NUMBER_BYTES], double value, int decimals) {

@@ -14,5 +14,8 @@ char *number_text_digits(char *end, uint64_t value);
  * "%.17g", with "0" for both zeros. Returns the length. */
 size_t number_text_exact(char out[NUMBER_BYTES], double value);
 
+/* "%.*g" with 1 to 17 significant digits. Returns the length. */
+size_t number_text_general(char out[NUMBER_BYTES], double value, int digits);
+
 /* "%.*f" with 0 to 10 decimals of a value below 1e21. Returns the length. */
 size_t number_text_fixed(char out[NUMBER_BYTES], double value, int decimals);

@@ -48,7 +48,8 @@ static const char *take_count(const char *format, va_list *arguments, int *count
   return format;
 }
 
-/* The items that nearly all formats consist of: texts, characters, whole numbers, and numbers with so many decimals.
+/* The items that nearly all formats consist of: texts, characters, whole numbers, and numbers with so many decimals or
+ * significant digits.
  * False: there is something else in it. */
 static bool add_plainly(struct text_buffer *buffer, const char *format, va_list *arguments) {
   for (;;) {
@@ -90,6 +91,9 @@ static bool add_plainly(struct text_buffer *buffer, const char *format, va_list 
       const double value = va_arg(*arguments, double);
       if (!(value < 1e21 && value > -1e21)) return false;
       add_field(buffer, number, number_text_fixed(number, value, decimals), columns, left);
+    } else if (*format == 'g' && decimals >= 1 && decimals <= 17) {
+      const size_t count = number_text_general(number, va_arg(*arguments, double), decimals);
+      add_field(buffer, number, count, columns, left);
     } else if (*format == '%') {
       text_buffer_append(buffer, "%", 1);
     } else {
