@@ -71,17 +71,18 @@ void sort_in_place(Span<T> items, Less less) {
   }
 }
 
-// The same for items that are spread evenly over their range: slot_of(item, slots) < slots says about where in
-// order an item is. O(n) then; else, or where slot_of is mistaken at all, as above. scratch: as many as items.
-template <class T, class SlotOf, class Less>
-void sort_by_slot(Span<T> items, Span<uint32_t> scratch, SlotOf slot_of, Less less) {
-  const uint32_t n = items.size();
-  if (n < 24) return sort_in_place(items, less);
-  const uint32_t slots = (n - 1) / 2;
+// The same for items of which slot_of(item) < slots says about where in order an item is: O(n) where slots hold few
+// items each; else, or where slot_of is mistaken at all, as above. scratch: 2 slots + 1. Where goes_on() says no it
+// ends, with items lost.
+template <class T, class SlotOf, class Less, class GoesOn>
+void sort_by_slot(Span<T> items, Span<uint32_t> scratch, uint32_t slots, SlotOf slot_of, Less less, GoesOn goes_on) {
   const Span<uint32_t> first = scratch.part(0, slots + 1);
   const Span<uint32_t> next = scratch.part(slots + 1, 2 * slots + 1);
   for (uint32_t &each : first) each = 0;
-  for (const T &item : items) ++first[slot_of(item, slots) + 1];
+  for (const T &item : items) {
+    if (!goes_on()) return;
+    ++first[slot_of(item) + 1];
+  }
   for (uint32_t p = 0; p < slots; ++p) {
     first[p + 1] += first[p];
     next[p] = first[p];
@@ -89,12 +90,13 @@ void sort_by_slot(Span<T> items, Span<uint32_t> scratch, SlotOf slot_of, Less le
   for (uint32_t p = 0; p < slots; ++p) {
     while (next[p] < first[p + 1]) {
       T item = items[next[p]];
-      for (uint32_t q = slot_of(item, slots); q != p; q = slot_of(item, slots)) {
+      for (uint32_t q = slot_of(item); q != p; q = slot_of(item)) {
         const T displaced = items[next[q]];
         items[next[q]++] = item;
         item = displaced;
       }
       items[next[p]++] = item;
+      if (!goes_on()) return;
     }
   }
   bool in_order = true;
@@ -104,6 +106,15 @@ void sort_by_slot(Span<T> items, Span<uint32_t> scratch, SlotOf slot_of, Less le
     if (first[p] > 0 && less(items[first[p]], items[first[p] - 1])) in_order = false;
   }
   if (!in_order) sort_in_place(items, less);
+}
+
+// The same for items that are spread evenly over their range: slot_of(item, slots) < slots. scratch: as many as items.
+template <class T, class SlotOf, class Less>
+void sort_by_slot(Span<T> items, Span<uint32_t> scratch, SlotOf slot_of, Less less) {
+  if (items.size() < 24) return sort_in_place(items, less);
+  const uint32_t slots = (items.size() - 1) / 2;
+  sort_by_slot(
+      items, scratch, slots, [&](const T &item) { return slot_of(item, slots); }, less, [] { return true; });
 }
 
 // Sorts three items, and returns whether the number of exchanges is odd.

@@ -285,18 +285,29 @@ void MeshBuilder::sort_by_patches(Patience &patience) {
   const Span<MeshTriangle> triangles = mesh_.triangles_.items();
   if (triangles.empty()) return;
   bool sorted = true;
+  uint32_t last = triangles[0].patch;
   in_parts(patience, IdRange{1, triangles.size()}, 5, [&](IdRange some) {
-    for (const uint32_t t : some) sorted &= triangles[t - 1].patch <= triangles[t].patch;
+    for (const uint32_t t : some) {
+      sorted &= triangles[t - 1].patch <= triangles[t].patch;
+      last = triangles[t].patch > last ? triangles[t].patch : last;
+    }
   });
   if (sorted) return;
-  sort_in_place(triangles, [&](const MeshTriangle &a, const MeshTriangle &b) {
-    if (!patience.allows(50)) return false;
-    if (a.patch != b.patch) return a.patch < b.patch;
-    for (uint32_t k = 0; k < 3; ++k) {
-      if (a.vertex[k] != b.vertex[k]) return a.vertex[k] < b.vertex[k];
-    }
-    return false;
-  });
+  // vertex_moves_ is free again. A slot is a patch if there is room for all, or some patches that follow each other.
+  uint32_t shift = 0;
+  while (last >> shift >= (vertex_moves_.size() - 1) / 2) ++shift;
+  sort_by_slot(
+      triangles, vertex_moves_, (last >> shift) + 1,
+      [shift](const MeshTriangle &triangle) { return triangle.patch >> shift; },
+      [&](const MeshTriangle &a, const MeshTriangle &b) {
+        if (!patience.allows(50)) return false;
+        if (a.patch != b.patch) return a.patch < b.patch;
+        for (uint32_t k = 0; k < 3; ++k) {
+          if (a.vertex[k] != b.vertex[k]) return a.vertex[k] < b.vertex[k];
+        }
+        return false;
+      },
+      [&] { return patience.allows(30); });
 }
 
 }  // namespace hsp

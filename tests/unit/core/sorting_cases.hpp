@@ -64,6 +64,27 @@ inline uint32_t sorted_by_slot() {
   });
 }
 
+// With few slots and no more scratch memory than these need, and as long as it may go on.
+inline uint32_t sorted_by_few_slots() {
+  constexpr uint32_t counts[] = {1, 2, 7, 50, 99};
+  return first_failing(counts, [](uint32_t slots) {
+    uint32_t asked = 0;
+    const auto sort = [&](hsp::Span<uint32_t> items, hsp::Span<uint32_t> scratch, uint32_t most) {
+      const auto slot_of = [slots](uint32_t item) { return item * slots / 200; };
+      hsp::sort_by_slot(items, scratch.part(0, 2 * slots + 1), slots, slot_of, ascending,
+                        [&] { return asked++ < most; });
+    };
+    const bool sorted = sorted_whatever_the_length([&](hsp::Span<uint32_t> items, hsp::Span<uint32_t>) {
+                          uint32_t scratch[200];
+                          sort(items, hsp::Span<uint32_t>(scratch, 200), ~UINT32_C(0));
+                        }) == all_hold;
+    uint32_t items[3] = {150, 100, 50}, scratch[200];
+    asked = 0;
+    sort(hsp::Span<uint32_t>(items, 3), hsp::Span<uint32_t>(scratch, 200), 2);
+    return sorted && asked == 3 && items[0] == 150;
+  });
+}
+
 // The comparison alone decides: here larger items come first.
 inline uint32_t sorted_by_the_given_order() {
   int items[30];
@@ -124,6 +145,7 @@ inline uint32_t places_in_a_heap() {
 
 inline constexpr Check core_sorting[] = {{"sorted_in_place", sorted_in_place},
                                          {"sorted_by_slot", sorted_by_slot},
+                                         {"sorted_by_few_slots", sorted_by_few_slots},
                                          {"sorted_by_the_given_order", sorted_by_the_given_order},
                                          {"three_sorted", three_sorted},
                                          {"places_in_a_heap", places_in_a_heap}};
