@@ -4,6 +4,7 @@ hsp_part(ground
     core/elementary.cpp
     core/executor.cpp
     core/key_ranks.kernel.cpp
+    core/sorting.cpp
     exact/exact_predicates.cpp exact/power_vertex.cpp)
 hsp_part(balls
   STANDS_ON ground

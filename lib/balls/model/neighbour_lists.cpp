@@ -9,6 +9,7 @@
 #include "model/neighbour_lists.hpp"
 
 #include "core/ahead.hpp"
+#include "core/sorting.hpp"
 #include "model/meeting.hpp"
 #include "model/pair_block.hpp"
 #include "model/queries.hpp"
@@ -342,8 +343,7 @@ void list_in_smaller_row(const CubeGrid &grid, Span<uint32_t> first, Span<uint32
   for (uint32_t i = 0; i < n; ++i) first[i] = first[i + 1];
   if (!PairWalk(grid, PairRows::smaller, first, ids).run(patience)) return;
   for (uint32_t i = 0; i < n && patience.allows(1000); ++i) {
-    const Span<uint32_t> row = ids.part(first[i], first[i + 1]);
-    sort_ascending(row.data(), row.size());
+    sort_ascending(ids.part(first[i], first[i + 1]));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/extremes.hpp"
 #include "core/small_code.hpp"
+#include "core/sorting.hpp"
 
 namespace hsp {
 namespace {
@@ -170,7 +171,7 @@ class HitFinder {
       return true;
     });
   });
-  sort_ascending(result.ids, result.hits);
+  sort_ascending(Span<uint32_t>(result.ids, result.hits));
 }
 
 // Nothing is written to the caller's array before it is known that all hits fit. Not inlined, so that hits of two ways

@@ -35,10 +35,6 @@ uint32_t near_query(const RoundedQueryBall &query, const float *rounded, const u
   return found;
 }
 
-void sort_ascending(uint32_t *ids, uint32_t count) {
-  sort_in_place(Span<uint32_t>(ids, count), [](uint32_t a, uint32_t b) { return a < b; });
-}
-
 void write_ascending(const QueryHits &hits, uint32_t *ids) {
   constexpr uint32_t few = small_code ? 0 : 24;
   if (hits.count <= few) {
@@ -51,7 +47,7 @@ void write_ascending(const QueryHits &hits, uint32_t *ids) {
     return;
   }
   for (uint32_t k = 0; k < hits.count; ++k) ids[k] = hits.ids[k];
-  sort_ascending(ids, hits.count);
+  sort_ascending(Span<uint32_t>(ids, hits.count));
 }
 
 }  // namespace hsp

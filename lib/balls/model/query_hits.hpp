@@ -76,7 +76,6 @@ HSP_KERNEL(uint32_t, near_query_in_lanes,
             uint32_t count, uint32_t *near),
            (query, rounded, ids, ranges, count, near))
 
-void sort_ascending(uint32_t *ids, uint32_t count);
 // Writes the hits, if there are no more than the room, in ascending order.
 void write_ascending(const QueryHits &hits, uint32_t *ids);
 // At ids[count ..] there may be more that is the caller's, `room` ids in all: it is read and written as it was.

@@ -11,6 +11,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/sorting.hpp"
+
 namespace hsp {
 namespace {
 
@@ -73,7 +75,7 @@ class RadiusLevels::Found {
     }
     store();
     if (found_ > room_) return found_;
-    sort_ascending(ids_, found_);
+    sort_ascending(Span<uint32_t>(ids_, found_));
     uint32_t kept = 0;
     for (uint32_t k = 0; k < found_; ++k) {
       if (kept == 0 || ids_[k] != ids_[kept - 1]) ids_[kept++] = ids_[k];

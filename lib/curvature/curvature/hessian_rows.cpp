@@ -1,5 +1,6 @@
 #include "curvature/hessian_rows.hpp"
 
+#include "core/sorting.hpp"
 #include "measure/input_order.hpp"
 #include "measure/sums_in_parts.hpp"
 #include "measure/tangency.hpp"
@@ -7,7 +8,7 @@
 namespace hsp {
 
 void HessianRows::begin(uint32_t row) const {
-  sort_in_place(Span<uint32_t>(ball + first[row], length(row)), [](uint32_t a, uint32_t b) { return a < b; });
+  sort_ascending(Span<uint32_t>(ball + first[row], length(row)));
   double *const entry = block + 9 * size_t{first[row]};
   for (size_t k = 0; k < 9 * size_t{length(row)}; ++k) entry[k] = 0.0;
 }

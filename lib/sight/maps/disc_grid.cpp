@@ -87,7 +87,7 @@ void DiscGrid::gather(uint32_t i, FixedVector<uint32_t> &near) const {
       if (dx * dx + dy * dy < sum * sum && k != i && other.inside == 0) near.push(k);
     }
   });
-  sort_in_place(near.items(), [](uint32_t a, uint32_t b) { return a < b; });
+  sort_ascending(near.items());
 }
 
 DiscGrid::Highest DiscGrid::highest_at(double x, double y, uint32_t except) const {

@@ -29,7 +29,7 @@ Paint::Paint(const PictureInput &input, const PictureOptions &options, const Pag
 void Paint::find_shades(Span<uint32_t> scratch) {
   const uint32_t paths = input_.paths.size();
   for (uint32_t p = 0; p < paths; ++p) scratch[p] = key_of(p);
-  sort_in_place(scratch.part(0, paths), [](uint32_t a, uint32_t b) { return a < b; });
+  sort_ascending(scratch.part(0, paths));
   uint32_t distinct = 0;
   for (uint32_t p = 0; p < paths; ++p) {
     if (p == 0 || scratch[p] != scratch[distinct - 1]) scratch[distinct++] = scratch[p];

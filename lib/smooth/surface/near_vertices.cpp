@@ -24,7 +24,7 @@ bool NearVertices::find(uint32_t vertex) {
     }
     list_.shrink(left);
   }
-  sort_in_place(list_.items(), [](uint32_t a, uint32_t b) { return a < b; });
+  sort_ascending(list_.items());
   return true;
 }
 

@@ -137,7 +137,7 @@ void PocketFinder::gather(const PoresBuilder &pores, double narrow) {
   for (Pocket &pocket : pockets_.items()) {
     if (pocket.last_mouth > pocket.first_mouth) pocket.mouth = mouths_[pocket.first_mouth];
     const Span<uint32_t> all = balls_.part(pocket.first_ball, pocket.last_ball);
-    sort_in_place(all, [](uint32_t a, uint32_t b) { return a < b; });
+    sort_ascending(all);
     uint32_t kept = 0;
     for (uint32_t k = 0; k < all.size(); ++k) {
       if (k == 0 || all[k] != all[kept - 1]) all[kept++] = all[k];

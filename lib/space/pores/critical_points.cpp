@@ -366,7 +366,7 @@ void CriticalPoints::search_ties(Cube &cube) {
     if (!(searched > around) || searched < 0.125 * static_cast<double>(cube.half)) continue;
     cube.searched_centre = x;
     cube.searched_half = static_cast<int64_t>(searched);
-    sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
+    sort_ascending(tied);
     const Block left{x, static_cast<double>(static_cast<int64_t>(around)) + 1.0},
         own{cube.centre, static_cast<double>(cube.half + 1)};
     if (!meet(left, own)) return;

@@ -156,7 +156,7 @@ void CriticalPoints::try_tied(TangentPoint &point, Span<const uint32_t> near, co
     if (sign == 0) at_point_[size++] = ball;
   }
   const Span<uint32_t> tied = at_point_.part(0, size);
-  sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
+  sort_ascending(tied);
   const PointKind kind = kind_of(*balls_, point, tied, room_);
   // Found anew by its name.
   constexpr uint32_t unnamed[4] = {no_id, no_id, no_id, no_id};

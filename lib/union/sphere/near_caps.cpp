@@ -75,7 +75,7 @@ Span<const uint32_t> NearCaps::around(const Caps &caps, uint32_t j) const {
     add_those(memory_.square_first[first], memory_.square_first[last + 1]);
   }
   add_those(placed_, caps.count);
-  sort_in_place(memory_.near.part(0, found), [](uint32_t p, uint32_t q) { return p < q; });
+  sort_ascending(memory_.near.part(0, found));
   return memory_.near.part(0, found);
 }
 

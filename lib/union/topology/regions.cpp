@@ -175,7 +175,7 @@ void list_balls_of_region(const BallSet &balls, const Boundary &boundary, const 
                           Span<uint32_t> ids) {
   uint32_t listed = 0;
   visit_balls_of_region(boundary, topology, region, [&](uint32_t ball) { ids[listed++] = balls.caller[ball]; });
-  sort_in_place(ids, [](uint32_t a, uint32_t b) { return a < b; });
+  sort_ascending(ids);
 }
 
 uint32_t region_of_point(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
