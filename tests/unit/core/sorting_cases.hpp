@@ -47,6 +47,37 @@ inline uint32_t sorted_in_place() {
       [](hsp::Span<uint32_t> items, hsp::Span<uint32_t>) { hsp::sort_in_place(items, ascending); });
 }
 
+// Also numbers of which sort_ascending takes off two at a time: the median of the first, the middle and the last one is
+// the second of all, and what is left is such a list again.
+inline uint32_t sorted_ascending() {
+  const bool short_ones = sorted_whatever_the_length([](hsp::Span<uint32_t> items, hsp::Span<uint32_t>) {
+                            hsp::sort_ascending(items);
+                          }) == all_hold;
+  constexpr uint32_t n = 1000;
+  uint32_t taken_off[n] = {};
+  for (uint32_t size = 0; size < n; size += 2) {
+    const uint32_t begin = n - size - 2, middle = (size + 2) / 2;
+    taken_off[begin] = begin;
+    taken_off[begin + 1] = taken_off[begin + middle];
+    taken_off[begin + middle] = begin + 1;
+  }
+  const auto is_sorted = [](auto number_of) {
+    uint32_t items[n], expected[n];
+    for (uint32_t k = 0; k < n; ++k) items[k] = expected[k] = number_of(k);
+    hsp::sort_in_place(hsp::Span<uint32_t>(expected, n), ascending);
+    hsp::sort_ascending(hsp::Span<uint32_t>(items, n));
+    for (uint32_t k = 0; k < n; ++k) {
+      if (items[k] != expected[k]) return false;
+    }
+    return true;
+  };
+  const bool all = is_sorted([](uint32_t k) { return k * 2654435761U; }) &&
+                   is_sorted([](uint32_t k) { return k * 2654435761U >> 31; }) &&
+                   is_sorted([](uint32_t k) { return k < n / 2 ? k : n - k; }) &&
+                   is_sorted([&](uint32_t k) { return taken_off[k]; });
+  return short_ones && all ? all_hold : 0;
+}
+
 // Hints about the slots of every kind: the truth, nothing, nearly the truth, the opposite.
 inline uint32_t sorted_by_slot() {
   struct Guess {
@@ -144,6 +175,7 @@ inline uint32_t places_in_a_heap() {
 }
 
 inline constexpr Check core_sorting[] = {{"sorted_in_place", sorted_in_place},
+                                         {"sorted_ascending", sorted_ascending},
                                          {"sorted_by_slot", sorted_by_slot},
                                          {"sorted_by_few_slots", sorted_by_few_slots},
                                          {"sorted_by_the_given_order", sorted_by_the_given_order},
