@@ -7,18 +7,19 @@ namespace hsp {
 // Quicksort around the median of three. The smaller part goes on and the larger one waits, so that few do; where parts
 // are cut badly too often they are left to sort_in_place.
 void sort_ascending(Span<uint32_t> numbers) {
-  const auto less = [](uint32_t a, uint32_t b) { return a < b; };
-  if (small_code || numbers.size() < 24) return sort_in_place(numbers, less);
-  constexpr uint32_t most_waiting = 16;
-  Span<uint32_t> waiting[most_waiting];
+  constexpr uint32_t most_waiting = small_code ? 0 : 16;
+  struct Part {
+    uint32_t first, last;
+  } waiting[16];
   uint32_t waits = 0;
   uint64_t left = 40 * uint64_t{numbers.size()};  // numbers to compare
-  for (Span<uint32_t> part = numbers;;) {
+  for (Part all = {0, numbers.size()};;) {
+    const Span<uint32_t> part = numbers.part(all.first, all.last);
     const uint32_t n = part.size();
     if (n < 24 || n > left || waits == most_waiting) {
-      sort_in_place(part, less);
+      sort_in_place(part, [](uint32_t a, uint32_t b) { return a < b; });
       if (waits == 0) return;
-      part = waiting[--waits];
+      all = waiting[--waits];
       continue;
     }
     left -= n;
@@ -33,10 +34,10 @@ void sort_ascending(Span<uint32_t> numbers) {
       part[j] = part[i];
       part[i] = smaller;
     }
-    const Span<uint32_t> below = part.part(0, j + 1), above = part.part(j + 1, n);
-    const bool below_waits = below.size() > above.size();
-    waiting[waits++] = below_waits ? below : above;
-    part = below_waits ? above : below;
+    const uint32_t cut = all.first + j + 1;
+    const bool below_waits = 2 * (j + 1) > n;
+    waiting[waits++] = below_waits ? Part{all.first, cut} : Part{cut, all.last};
+    (below_waits ? all.first : all.last) = cut;
   }
 }
 
