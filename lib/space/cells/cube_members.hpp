@@ -23,14 +23,16 @@ struct MemberArrays {
 struct PlaneOrder;
 struct PlaneArrays {
   double *x, *y, *z, *h, *distance;
+  uint32_t *nearest;  // first, as far as PlaneOrder says
   PlaneOrder *order;
 };
 inline constexpr double done_with = std::numeric_limits<double>::infinity();
-// A few planes by distance, the nearest first and of equal ones the first one, from number `next` on; `count` is 0 if
-// there are more.
+// Of PlaneArrays::nearest, in which the nearest plane stands first and of equal ones the first one: those before number
+// `next` are done with. find_planes() puts up to so many in order; of more `count` is 0, and each next one is sought,
+// unless others put them in order.
 inline constexpr uint32_t most_ordered = 24;
 struct PlaneOrder {
-  uint32_t plane[most_ordered], next, count;
+  uint32_t next, count;
 };
 
 HSP_KERNEL(void, find_planes, (const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes),
@@ -46,12 +48,14 @@ namespace {
 
 // Puts planes in order by counting those before each, so that no branch depends on a distance.
 template <uint32_t n>
-inline void order_planes(const double *distance, uint32_t count, PlaneOrder &order) {
+inline void order_planes(const PlaneArrays &planes, uint32_t count) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   constexpr double lane_numbers[4] = {0.0, 1.0, 2.0, 3.0};
   const Real lanes = L::load(lane_numbers);
+  const double *const distance = planes.distance;
+  PlaneOrder &order = *planes.order;
   order.next = 0;
   order.count = count <= most_ordered ? count : 0;
   for (uint32_t first = 0; first < order.count; first += n) {
@@ -64,7 +68,7 @@ inline void order_planes(const double *distance, uint32_t count, PlaneOrder &ord
       ranks -= (other < own) | L::both(other == own, later);
     }
     for (uint32_t k = first + n; k < count; ++k) ranks -= L::all(distance[k]) < own;
-    for (uint32_t k = 0; k < n && first + k < count; ++k) order.plane[ranks[k]] = first + k;
+    for (uint32_t k = 0; k < n && first + k < count; ++k) planes.nearest[ranks[k]] = first + k;
   }
 }
 
@@ -95,7 +99,7 @@ inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, doub
     L::store(planes.z + first, scale * vz);
     L::store(planes.h + first, scale * h);
   }
-  order_planes<n>(planes.distance, members.count, *planes.order);
+  order_planes<n>(planes, members.count);
 }
 
 // Whether a point, twice as far from the centre of the cube, has less power to a ball than to all others whose planes

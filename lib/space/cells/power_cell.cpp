@@ -3,6 +3,8 @@
 #include <bit>
 #include <initializer_list>
 
+#include "core/sorting.hpp"
+
 namespace hsp {
 
 void PowerCell::carve(Workspace &workspace, uint32_t balls) {
@@ -17,9 +19,10 @@ void PowerCell::carve(Workspace &workspace, uint32_t balls) {
     *numbers = take_numbers().data();
   }
   order_ = workspace.take<PlaneOrder>(1);
-  of_planes_.order = order_.data();
   const uint64_t planes = PowerPolytope::most_planes(balls), vertices = PowerPolytope::most_vertices(balls);
   workspace.take_each(planes, planes_, codes_, first_free_);
+  of_planes_.nearest = first_free_.data();
+  of_planes_.order = order_.data();
   cutters_ = workspace.take<uint32_t>(balls);
   part_ = workspace.take<uint32_t>(vertices);
   waiting_ = workspace.take<uint32_t>(vertices);
@@ -83,6 +86,27 @@ void PowerCell::find_member_planes() {
   const Vec3 corner{side + std::fabs(centre_.x), side + std::fabs(centre_.y), side + std::fabs(centre_.z)};
   const double reach = std::sqrt(dot(corner, corner)) + 2 * frame_.plane_error();
   find_planes(target_, numbers(), member_, reach * reach, of_planes_);
+  // To seek each next one of many planes takes long where all of them are asked for, as by cells that reach far.
+  constexpr uint32_t many = 160;
+  if (members_.size() > many) order_planes();
+}
+
+void PowerCell::order_planes() {
+  const double *const distance = of_planes_.distance;
+  PlaneOrder &order = order_[0];
+  double least = done_with, most = -done_with;
+  order.count = 0;
+  for (uint32_t m = 0; m < members_.size(); ++m) {
+    if (!(distance[m] < done_with)) continue;
+    of_planes_.nearest[order.count++] = m;
+    least = distance[m] < least ? distance[m] : least;
+    most = distance[m] > most ? distance[m] : most;
+  }
+  const double scale = most > least ? 1.0 / (most - least) : 0.0;
+  sort_by_slot(
+      Span<uint32_t>(of_planes_.nearest, order.count), waiting_,
+      [&](uint32_t m, uint32_t slots) { return static_cast<uint32_t>((distance[m] - least) * scale * (slots - 1)); },
+      [&](uint32_t a, uint32_t b) { return distance[a] != distance[b] ? distance[a] < distance[b] : a < b; });
 }
 
 // As find_cut() has it.

@@ -71,6 +71,7 @@ class PowerCell {
   uint64_t dominance(uint32_t a, uint32_t first, double error) const;
   void cut_out(uint32_t k, bool unless_covered);
   void find_member_planes();
+  void order_planes();
   uint32_t find_next_cut(const CutMargins &margins);
   bool has_certain_point() const;
   SquareSides compare_with_ball(uint32_t first, double limit, double margin) const;
@@ -96,7 +97,7 @@ class PowerCell {
   PlaneArrays of_planes_{};                            // [members + 7]
   Span<PlaneOrder> order_;                             // [1]
   Span<UnitPlane> planes_;                             // [sides + members]
-  Span<uint32_t> codes_, first_free_;                  // [sides + members]
+  Span<uint32_t> codes_, first_free_;                  // [sides + members] the latter of_planes_.nearest, too
   Span<uint32_t> cutters_;                             // [members]
   Span<uint32_t> part_;                                // [vertices]
   Span<uint32_t> waiting_;                             // [vertices]

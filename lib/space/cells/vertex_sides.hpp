@@ -99,7 +99,7 @@ inline uint32_t find_cut_in_lanes(const CutVertices &vertices, const PlaneArrays
   for (uint32_t k = 1; k < n; ++k) most = farthest[k] > most ? farthest[k] : most;
   for (;;) {
     if (order.count != 0 && order.next == order.count) return none_cuts;
-    const uint32_t plane = order.count != 0 ? order.plane[order.next] : nearest_plane<n>(distances, plane_count);
+    const uint32_t plane = order.count != 0 ? planes.nearest[order.next] : nearest_plane<n>(distances, plane_count);
     const double distance = distances[plane];
     if (!(distance < done_with)) return none_cuts;
     if (most + margins.reach < margins.covered) return is_covered;

@@ -212,22 +212,57 @@ TEST(PowerCell, HasAllItsVertices) {
   EXPECT_GT(seen.apart, 10U);
 }
 
-// More than 64 vertices: what is found as bits takes several words then. Balls around one, in a cube whose side another
-// ball far away decides; where they are larger, only corners of the cell are outside the ball.
+// Balls around one, in a cube whose side another ball far away decides.
+Balls studded(int around, int64_t radius) {
+  Balls balls{{1200, 1200, 1200, 1000}, {20000, 1200, 1200, 1200}};
+  for (int k = 0; k < around; ++k) {
+    const double z = (2 * k + 1.0) / around - 1, turn = 2.39996 * k, flat = std::sqrt(1 - z * z);
+    const auto along = [](double part) { return 1200 + std::llround(1000 * part); };
+    balls.push_back({along(flat * std::cos(turn)), along(flat * std::sin(turn)), along(z), radius});
+  }
+  return balls;
+}
+
+// More than 64 vertices: what is found as bits takes several words then. Where the balls are larger, only corners of the
+// cell are outside the ball.
 TEST(PowerCell, HasManyVertices) {
   Seen seen;
-  for (const int64_t radius : {100, 320}) {
-    Balls balls{{1200, 1200, 1200, 1000}, {20000, 1200, 1200, 1200}};
-    constexpr int around = 38;
-    for (int k = 0; k < around; ++k) {
-      const double z = (2 * k + 1.0) / around - 1, turn = 2.39996 * k, flat = std::sqrt(1 - z * z);
-      const auto along = [](double part) { return 1200 + std::llround(1000 * part); };
-      balls.push_back({along(flat * std::cos(turn)), along(flat * std::sin(turn)), along(z), radius});
-    }
-    ASSERT_NO_FATAL_FAILURE(check(balls, seen, 1000));
-  }
+  for (const int64_t radius : {100, 320}) ASSERT_NO_FATAL_FAILURE(check(studded(38, radius), seen, 1000));
   EXPECT_GT(seen.most_vertices, 64U);
   EXPECT_GT(seen.most_parts, 30U);
+}
+
+// So many that their planes are put in order: a closed graph of which no vertex is beyond a plane.
+TEST(PowerCell, HasManyNeighbours) {
+  const BuiltFreeSpace built(studded(400, 60));
+  const hsp::CubeCover &cover = built.space().cover;
+  hsp::PowerCell cell;
+  CarvedMemory memory;
+  memory.carve(cell, built.balls().n);
+  uint32_t checked = 0;
+  for (uint32_t cube = 0; cube < cover.cubes(); ++cube) {
+    const auto members = cover.balls(cube);
+    if (members.size() < 200) continue;
+    cell.enter(built.balls(), hsp::CubeFrame(cover.cube(cube), built.grid().side()), members);
+    cell.drop_dominated();
+    for (uint32_t k = 0; k < members.size(); k += 40) {
+      cell.build(k);
+      if (cell.empty()) continue;
+      ASSERT_NO_FATAL_FAILURE(check_graph(cell));
+      const hsp::PowerPredicates exact(built.balls(), members[k], cell.frame());
+      for (uint32_t v = 0; v < cell.polytope().size(); ++v) {
+        const PolytopeVertex &vertex = cell.polytope()[v];
+        for (uint32_t other = 0; other < 6 + members.size(); ++other) {
+          if (other == 6 + k || vertex.has(other)) continue;
+          ASSERT_GE(exact.side_of(cell.plane(vertex.plane[0]), cell.plane(vertex.plane[1]), cell.plane(vertex.plane[2]),
+                                  cell.plane(other)),
+                    0);
+        }
+      }
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 5U);
 }
 
 }  // namespace

@@ -131,7 +131,8 @@ TEST(WideCells, FindCutAndCompareSquares) {
       if (k >= plane_count || random.one_in(3)) distance.data()[k] = hsp::done_with;
     }
     PlaneOrder order{};
-    const PlaneArrays planes{x.data(), y.data(), z.data(), h.data(), distance.data(), &order};
+    uint32_t nearest[hsp::most_ordered];
+    const PlaneArrays planes{x.data(), y.data(), z.data(), h.data(), distance.data(), nearest, &order};
     // Positions may be in so much doubt that no plane is too far.
     const double much = std::numeric_limits<double>::infinity();
     const CutMargins margins{static_cast<double>(random.in(0, 8)) / 8,
@@ -145,7 +146,7 @@ TEST(WideCells, FindCutAndCompareSquares) {
     const auto check = [&](const auto &find) {
       std::vector<uint64_t> beyond_bits(count / 64 + 1), unsure_bits(count / 64 + 1);
       std::copy(distances.begin(), distances.end(), distance.data());
-      hsp::order_planes<2>(distance.data(), plane_count, order);
+      hsp::order_planes<2>(planes, plane_count);
       const uint32_t plane = find({vertices.arrays(), beyond_bits.data(), unsure_bits.data(), count});
       ASSERT_EQ(plane, expected.plane);
       for (uint32_t k = 0; k < plane_count; ++k) ASSERT_EQ(distance[k], expected.distance[k]);
@@ -398,7 +399,8 @@ TEST(WideCells, FindPlanesAndDominance) {
     Numbers px(random, count, 1), py(random, count, 1), pz(random, count, 1), ph(random, count, 1),
         pd(random, count, 1);
     PlaneOrder order{};
-    const PlaneArrays planes{px.data(), py.data(), pz.data(), ph.data(), pd.data(), &order};
+    uint32_t nearest[hsp::most_ordered];
+    const PlaneArrays planes{px.data(), py.data(), pz.data(), ph.data(), pd.data(), nearest, &order};
     const auto check = [&] {
       for (uint32_t k = 0; k < count; ++k) {
         const auto &[distance, plane] = expected[k];
@@ -412,7 +414,7 @@ TEST(WideCells, FindPlanesAndDominance) {
       std::iota(sorted.begin(), sorted.end(), 0U);
       std::stable_sort(sorted.begin(), sorted.end(),
                        [&](uint32_t a, uint32_t b) { return expected[a].first < expected[b].first; });
-      ASSERT_TRUE(std::equal(sorted.begin(), sorted.end(), order.plane));
+      ASSERT_TRUE(std::equal(sorted.begin(), sorted.end(), nearest));
     };
     hsp::find_planes_in_lanes<1>(members, own, limit, planes);
     ASSERT_NO_FATAL_FAILURE(check());
