@@ -56,7 +56,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMBER = 2_c_int32_t
   ! The bits of the results that stable functions of the library of this header give.
   integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 3_c_int32_t
-  ! The bits of the results that its provisional functions give.
+  ! The bits of the results that provisional functions of the library of this header give.
   integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMERICS_NUMBER = 4_c_int32_t
 
   ! ---- status.h: the statuses that functions return ------------------------------------------------------------------
@@ -101,19 +101,20 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_RADII_BONDI = 0_c_int32_t
   ! The radii of the paper, Section 2, which are those of Chem3D Plus. Published: H, C, N, O, P, S and Ca.
   integer(c_int32_t), parameter :: HSP_RADII_CHEM3D = 1_c_int32_t
-  ! Of the universal force field, A. K. Rappe et al., J. Am. Chem. Soc. 114 (1992) 10024, Table 1: sigma / 2, half the
-  ! distance at which two equal atoms neither attract nor repel each other, where sigma = x_I / 2^(1/6) is rounded to
-  ! 0.001 angstrom, as programs for porous crystals have it: C 1.7155, O 1.559. Their energy is least at the distance
-  ! x_I. Published: the elements up to lawrencium, 103.
+  ! The radii of the universal force field, A. K. Rappe et al., J. Am. Chem. Soc. 114 (1992) 10024, Table 1: sigma / 2,
+  ! with sigma = x_I / 2^(1/6) rounded to 0.001 angstrom, as programs for porous crystals have it: C 1.7155, O 1.559.
+  ! Two equal atoms have energy 0 at the distance sigma, and the least energy at the distance x_I. Published: the
+  ! elements up to lawrencium, 103.
   integer(c_int32_t), parameter :: HSP_RADII_UFF = 4_c_int32_t
-  ! The set's source has no radius for this element: the radius is a substitute.
+  ! The source of the set has no radius for this element: the radius is a substitute.
   integer(c_int32_t), parameter :: HSP_RADIUS_FALLBACK = 1_c_int32_t
 
   ! ---- residue.h: radii by the names of residues and atoms -----------------------------------------------------------
 
   ! J. Tsai, R. Taylor, C. Chothia and M. Gerstein, J. Mol. Biol. 290 (1999) 253: an atom's class is its element, its
-  ! bonds and its hydrogens. Published: the 20 amino acids; nucleotides, water and some other residues are classed as
-  ! FreeSASA 2.1 ships it, and so is one oxygen of each carboxylate and phosphate, as a hydroxyl.
+  ! bonds and its hydrogens. Published: the 20 amino acids. Nucleotides, water and some other residues have the classes
+  ! of the ProtOr table that FreeSASA 2.1 ships; from there, too, one oxygen of each carboxylate and phosphate is a
+  ! hydroxyl.
   integer(c_int32_t), parameter :: HSP_RADII_PROTOR = 2_c_int32_t
   ! C. Chothia, J. Mol. Biol. 105 (1976) 1, as the program NACCESS by S. Hubbard and J. Thornton uses them: the 20
   ! amino acids.
@@ -122,8 +123,8 @@ module hardsphere
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 
   integer(c_int32_t), parameter :: HSP_NONE = -1_c_int32_t  ! The id that no ball has.
-  ! The largest number of balls in one model, and the largest limit, of the library of this header. It may grow with a
-  ! minor version: hsp_model_max_balls says that of the library that was linked.
+  ! The largest number of balls in one model, and the largest value of any limit, in the library of this header. It may
+  ! grow with a minor version: hsp_model_max_balls tells the number of the library that was linked.
   integer(c_int32_t), parameter :: HSP_MAX_BALLS = 268435455_c_int32_t
   ! a ball has radius 0 (probe included): k has no value
   integer(c_int32_t), parameter :: HSP_PACKING_ZERO_RADIUS = 1_c_int32_t
@@ -138,9 +139,9 @@ module hardsphere
 
   ! ---- boundary.h: the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2) ------------
 
-  integer(c_int32_t), parameter :: HSP_MAX_WORKERS = 1024_c_int32_t  ! most workers of a boundary
-  ! The symbolic perturbation decided about this vertex: a further sphere goes through it (of a ball that lies inside
-  ! no other), or two of its circles only touch there.
+  integer(c_int32_t), parameter :: HSP_MAX_WORKERS = 1024_c_int32_t  ! the largest hsp_boundary_limits.workers
+  ! A tie was decided at this vertex: a further sphere goes through it (of a ball that lies inside no other), or two of
+  ! its circles only touch there.
   integer(c_int32_t), parameter :: HSP_VERTEX_TIED = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_BALL_CONTAINED = 1_c_int32_t  ! the ball lies inside one other ball
 
@@ -150,7 +151,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_TANGENT_OVERLAP = 0_c_int32_t
   ! as if they were apart by an infinitely small amount
   integer(c_int32_t), parameter :: HSP_TANGENT_DISJOINT = 1_c_int32_t
-  ! The ball touches another at a free point: its derivatives are one-sided.
+  ! The ball touches another at a free point, or equals another: its derivatives are one-sided.
   integer(c_int32_t), parameter :: HSP_GRADIENT_ONE_SIDED = 1_c_int32_t
 
   ! ---- curvature.h: integrated mean and Gaussian curvature -----------------------------------------------------------
@@ -173,9 +174,9 @@ module hardsphere
   ! ---- contacts.h: which balls touch and by how much, shares of the union, the dual complex --------------------------
 
   integer(c_int32_t), parameter :: HSP_CONTACT_TOUCHING = 1_c_int32_t  ! the spheres only touch: area 0
-  ! no part of its border is on the surface of the union
+  ! no part of its border is on the boundary of the union
   integer(c_int32_t), parameter :: HSP_CONTACT_BURIED = 2_c_int32_t
-  ! the whole disk, with all of its border on the surface
+  ! the whole disk, with all of its border on the boundary
   integer(c_int32_t), parameter :: HSP_CONTACT_CIRCLE = 4_c_int32_t
   ! on the boundary of the union, and in no larger simplex
   integer(c_int32_t), parameter :: HSP_SIMPLEX_SINGULAR = 0_c_int32_t
@@ -320,19 +321,20 @@ module hardsphere
     integer(c_int32_t) :: workers = 0_c_int32_t                          ! how many threads there are for the tasks
     type(c_ptr) :: context = c_null_ptr                                  ! or NULL: handed to run and proceed
     ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads with 16 KiB of stack or
-    ! more, and returns 0 when all have returned, or anything else if it could not call them all. Their results must be
-    ! visible to the caller's thread then, as after a join. tasks may be larger than workers, HSP_MAX_WORKERS at most.
-    ! Not NULL with more than one worker. The loop runs in the caller's floating-point environment, and tasks in the
-    ! library's, whatever that of their thread is (FLOATING POINT in hardsphere.h).
+    ! more. Returns 0 when all have returned, or anything else if it could not call them all. By then everything that
+    ! tasks wrote must be visible to the caller's thread, as after a join. tasks may be larger than workers, and is at
+    ! most HSP_MAX_WORKERS. Must not be NULL with more than one worker. The loop runs in the caller's floating-point
+    ! environment, and tasks in the library's, whatever that of their thread is (FLOATING POINT in hardsphere.h).
     type(c_funptr) :: run = c_null_funptr
-    ! NULL, or says whether to go on: 0 does, anything else stops. Also asked with workers 0 or 1. It is asked between
-    ! balls and stages of the work, by the caller's thread and by those of tasks, several at a time, with a copy of the
-    ! caller's floating-point environment; not by a library that is compiled for size. It must not call functions with
-    ! the handles of the function that asks. Of molecules of up to 10,000 balls fewer than 10 million instructions lie
-    ! between two questions, as a rule one million; where many balls tie in one place there may be more. Functions
-    ! without an executor in their request or options do not ask. Those that compute have a sibling that does
-    ! (splitting_the_work.md lists them), but for poses, which may be asked for less at a time, and for what measures,
-    ! checks or copies what was computed: up to 4,000 instructions a ball, and more for self-checks.
+    ! NULL, or says whether to go on: returns 0 to go on, anything else to stop. It is called with workers 0 or 1, too.
+    ! The library calls it between balls and stages of the work, from the caller's thread and from those of tasks,
+    ! several at a time, with a copy of the caller's floating-point environment. A library that is compiled for size
+    ! never calls it. It must not call functions with the handles of the function that calls it. Of molecules of up to
+    ! 10,000 balls fewer than 10 million instructions lie between two calls, as a rule one million; where many balls
+    ! tie in one place there may be more. Functions without an executor in their request or options never call it. Each
+    ! function that computes has a sibling that does (splitting_the_work.md lists them). Exceptions are poses, of which
+    ! a caller can ask for fewer at a time, and functions that measure, check or copy results: these take up to 4,000
+    ! instructions a ball, self-checks more.
     type(c_funptr) :: proceed = c_null_funptr
   end type
 
@@ -353,7 +355,7 @@ module hardsphere
     real(c_double) :: probe
     ! length, > 0: the lattice step; 0: the power of ten that hsp_model_set says
     real(c_double) :: step
-    ! length, > 0: r_max less the probe, for balls of which none may be larger on the lattice; 0: that of the balls
+    ! length, > 0: no ball may have a radius, without the probe, above it; fixes the lattice. 0: that of the balls
     real(c_double) :: largest_radius
   end type
 
@@ -361,7 +363,7 @@ module hardsphere
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_model_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
     type(c_ptr) :: options = c_null_ptr                                  ! or NULL: how balls are read
-    ! or NULL: whether to go on is asked of it; its threads share nothing
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
@@ -373,16 +375,17 @@ module hardsphere
     real(c_double) :: step               ! the lattice step, length
     real(c_double) :: probe              ! the probe as rounded to the lattice, length
     real(c_double) :: largest_radius     ! r_max, probe included, as rounded to the lattice, length
-    ! half a step as a part of the smallest radius above 0, probe included, which no coordinate is moved by more than,
-    ! and no radius but with a probe; 1 if a radius above 0 is rounded to 0; 0 if there is none above 0
+    ! half a step divided by the smallest radius above 0, probe included: a bound for how far rounding moves a
+    ! coordinate, or without a probe a radius, relative to that radius. 1 if a radius above 0 is rounded to 0; 0 if no
+    ! radius is above 0
     real(c_double) :: largest_rounding
     integer(c_int64_t) :: reserved(2)    ! 0
   end type
 
   type, bind(C) :: hsp_packing
     real(c_double) :: k                 ! r_max / r_min; 0 where it has no value (no balls, HSP_PACKING_ZERO_RADIUS)
-    real(c_double) :: rho               ! min over pairs of |c_i c_j| / max(r_i, r_j); 0 where it has no value
-    ! mean over the balls of the number of others with |c_i c_j| < r_i + r_j; 0 if n = 0
+    real(c_double) :: rho               ! min over pairs of |c_i - c_j| / max(r_i, r_j); 0 where it has no value
+    ! mean over balls i of the number of others with |c_i - c_j| < r_i + r_j; 0 if n = 0
     real(c_double) :: mean_overlaps
     ! 216 (k/rho)^3 of Theorem 2.1: no ball meets more others; 0 where it says nothing
     real(c_double) :: neighbour_bound
@@ -396,13 +399,13 @@ module hardsphere
   type, bind(C) :: hsp_pairs_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_pairs_request)
     integer(c_int32_t) :: flags = 0_c_int32_t                            ! 0 or HSP_PAIRS_ONCE
-    ! or NULL: whether to go on is asked of it; its threads share nothing
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_ray_hit
     real(c_double) :: xyz(3)        ! the point, length; 0 if there is none
-    real(c_double) :: distance      ! of the point from the origin, length; infinite if there is none
+    real(c_double) :: distance      ! from the origin to the point, length; infinite if there is none
     integer(c_int32_t) :: ball      ! the caller's index; HSP_NONE: the ray meets no ball
     integer(c_int32_t) :: reserved  ! 0
   end type
@@ -447,7 +450,7 @@ module hardsphere
     integer(c_int32_t) :: neighbours                  ! most balls that meet any one ball that lies inside no other
     integer(c_int32_t) :: vertices                    ! vertices of the boundary
     integer(c_int32_t) :: circles                     ! free circles
-    ! parts that threads of an executor share; 0 is 1. Comes back as it is if it suffices
+    ! parts of the work for an executor; 0 means 1. Comes back unchanged if it suffices
     integer(c_int32_t) :: workers
   end type
 
@@ -479,7 +482,8 @@ module hardsphere
   type, bind(C) :: hsp_vertex
     real(c_double) :: xyz(3)        ! position, length
     integer(c_int32_t) :: ball(3)   ! its balls a < b < c
-    integer(c_int32_t) :: sign      ! +1 or -1: the side of the plane of the centres, along (c_b - c_a) x (c_c - c_a)
+    ! +1 or -1: its side of the plane of the centres; +1 is along (c_b - c_a) x (c_c - c_a)
+    integer(c_int32_t) :: sign
     integer(c_int32_t) :: flags     ! HSP_VERTEX_*
     integer(c_int32_t) :: reserved  ! 0
   end type
@@ -521,7 +525,7 @@ module hardsphere
   type, bind(C) :: hsp_loop_arc
     integer(c_int32_t) :: arc     ! index in hsp_boundary_get_arcs
     integer(c_int32_t) :: side    ! 1: the loop runs along it, 0: against it; its face[side] is that of the loop
-    integer(c_int32_t) :: vertex  ! where the loop comes to it: its vertex[1 - side]; vertex[side] is the next one's
+    integer(c_int32_t) :: vertex  ! where the loop enters it: vertex[1 - side] of the arc; it leaves at vertex[side]
   end type
 
   type, bind(C) :: hsp_ball
@@ -590,7 +594,7 @@ module hardsphere
     type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: dE/dc_i
     type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: dE/dr_i
     type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
-    ! [n], or NULL: free area of each ball; of a smooth surface what of it is on the ball
+    ! [n], or NULL: free area of each ball; of a smooth surface its part on each ball
     type(c_ptr) :: area = c_null_ptr
   end type
 
@@ -619,7 +623,7 @@ module hardsphere
   type, bind(C) :: hsp_area_derivative
     real(c_double) :: centre(3)  ! dA_i/dc_j, length
     real(c_double) :: radius     ! dA_i/dr_j, length
-    real(c_double) :: angle      ! sum of the angles of the free arcs of the circle of i and j that count; 0 for j = i
+    real(c_double) :: angle      ! sum of the angles of the free arcs of i's and j's circle that count; 0 for j = i
     integer(c_int32_t) :: ball   ! j
     integer(c_int32_t) :: flags  ! HSP_GRADIENT_ONE_SIDED if i and j touch; for j = i if another entry has it
   end type
@@ -635,15 +639,16 @@ module hardsphere
   type, bind(C) :: hsp_moving_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_moving_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_moving_info
     real(c_double) :: step                 ! the lattice step, length
     real(c_double) :: probe                ! as rounded to the lattice, length
-    real(c_double) :: largest_radius       ! the largest that a ball may have, probe included, length
-    integer(c_int64_t) :: vertices         ! as in hsp_boundary_counts, and so on
+    real(c_double) :: largest_radius       ! the largest radius that a ball may have, probe included, length
+    ! points where three spheres meet, as all counts here as in hsp_boundary_counts
+    integer(c_int64_t) :: vertices
     integer(c_int64_t) :: arcs             ! between two vertices, each counted once
     integer(c_int64_t) :: circles          ! whole circles that are free
     integer(c_int64_t) :: faces            ! maximal free pieces of spheres
@@ -770,29 +775,29 @@ module hardsphere
     integer(c_int32_t) :: contacts                    ! contacts, each once
     ! triangles to keep for hsp_contacts_get_simplices; 0: they are only counted
     integer(c_int32_t) :: triangles
-    integer(c_int32_t) :: tetrahedra                  ! the same of tetrahedra
+    integer(c_int32_t) :: tetrahedra                  ! tetrahedra to keep, likewise
   end type
 
   type, bind(C) :: hsp_contacts_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_contacts_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_contact
     real(c_double) :: area             ! length^2
-    real(c_double) :: rim              ! length of the part of its border that is on the surface of the union
-    real(c_double) :: distance         ! of the two centres
+    real(c_double) :: rim              ! length of the part of its border on the boundary of the union
+    real(c_double) :: distance         ! of the two centres, length
     integer(c_int32_t) :: ball(2)      ! its two balls a < b
-    integer(c_int32_t) :: chords       ! straight sides
+    integer(c_int32_t) :: chords       ! number of its straight sides
     integer(c_int32_t) :: flags        ! HSP_CONTACT_*
     integer(c_int32_t) :: reserved(2)  ! 0
   end type
 
   type, bind(C) :: hsp_group_contact
-    real(c_double) :: area          ! of all contacts between them
-    real(c_double) :: rim           ! length of their borders on the surface of the union
+    real(c_double) :: area          ! of all contacts between them, length^2
+    real(c_double) :: rim           ! length of their borders on the boundary of the union
     integer(c_int32_t) :: group(2)  ! the groups g < h
     integer(c_int32_t) :: contacts  ! how many
     integer(c_int32_t) :: reserved  ! 0
@@ -1128,15 +1133,15 @@ module hardsphere
   type, bind(C) :: hsp_topology_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_topology_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_topology_counts
-    integer(c_int32_t) :: vertices      ! those of the boundary and the added ones
+    integer(c_int32_t) :: vertices      ! of the boundary, and those that were added
     integer(c_int32_t) :: edges         ! of all kinds
     integer(c_int32_t) :: simple_faces  ! what the maximal faces are cut into
-    integer(c_int32_t) :: cut_edges     ! of the edges, the ones that cut a face or a whole sphere
+    integer(c_int32_t) :: cut_edges     ! edges that cut a face or a whole sphere
     integer(c_int32_t) :: shells        ! connected components of the boundary
     integer(c_int32_t) :: components    ! of the union
     integer(c_int32_t) :: regions       ! of the complement: 1 + voids
@@ -1147,15 +1152,15 @@ module hardsphere
 
   type, bind(C) :: hsp_shell
     real(c_double) :: area              ! length^2
-    real(c_double) :: volume            ! of the space it encloses, whatever lies in it, length^3
-    real(c_double) :: point(3)          ! a point of it, length
+    real(c_double) :: volume            ! of the space that it encloses, with whatever lies in it, length^3
+    real(c_double) :: point(3)          ! a point on it, length
     integer(c_int64_t) :: euler         ! Euler characteristic: vertices - edges + simple faces
     integer(c_int32_t) :: genus         ! 1 - euler/2: number of handles
     integer(c_int32_t) :: kind          ! HSP_SHELL_*
     integer(c_int32_t) :: component     ! of the union, as in hsp_ball
-    integer(c_int32_t) :: region        ! of the complement, on its other side
+    integer(c_int32_t) :: region        ! the region of the complement on its other side
     integer(c_int32_t) :: faces         ! maximal faces
-    integer(c_int32_t) :: simple_faces  ! and what they are cut into
+    integer(c_int32_t) :: simple_faces  ! simple faces that its maximal faces are cut into
     integer(c_int32_t) :: edges         ! edges of its simple faces
     integer(c_int32_t) :: vertices      ! vertices of these edges
     ! simple face where its scan starts: of an outer shell the one with its highest point, of a void the first one on
@@ -1174,8 +1179,8 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_region
-    real(c_double) :: area                 ! of all its shells, length^2
-    real(c_double) :: volume               ! of the region itself, what lies in it left out, length^3; of region 0: 0
+    real(c_double) :: area                 ! of all shells that bound it, length^2
+    real(c_double) :: volume               ! of the region itself, without what lies in it, length^3; 0 for region 0
     integer(c_int32_t) :: enclosing_shell  ! the shell of kind HSP_SHELL_VOID around it; HSP_NONE for region 0
     integer(c_int32_t) :: components       ! components of the union that lie in it
     integer(c_int32_t) :: shells           ! shells that bound it
@@ -1186,7 +1191,7 @@ module hardsphere
 
   type, bind(C) :: hsp_topology_vertex
     real(c_double) :: xyz(3)        ! position, length
-    integer(c_int32_t) :: ball(3)   ! the balls whose spheres meet there, ascending, HSP_NONE for those there are not
+    integer(c_int32_t) :: ball(3)   ! the one to three balls whose spheres meet there, ascending, then HSP_NONE
     integer(c_int32_t) :: kind      ! HSP_POINT_*
     integer(c_int32_t) :: q         ! a quarter-edge that starts there
     integer(c_int32_t) :: reserved  ! 0
@@ -1194,8 +1199,7 @@ module hardsphere
 
   type, bind(C) :: hsp_topology_edge
     real(c_double) :: centre(3)      ! of its circle, length
-    ! unit vector; the edge runs counter-clockwise about it, its left face lies on the axis's side
-    real(c_double) :: axis(3)
+    real(c_double) :: axis(3)        ! unit vector towards its left face; the edge runs counter-clockwise about it
     real(c_double) :: radius         ! of its circle, length
     real(c_double) :: angle          ! from origin to destination, in [0, 2 pi]
     integer(c_int32_t) :: vertex(2)  ! origin and destination
@@ -1209,7 +1213,7 @@ module hardsphere
     integer(c_int32_t) :: ball      ! the ball it lies on
     integer(c_int32_t) :: face      ! the maximal face of hsp_boundary_get_faces that it is a part of
     integer(c_int32_t) :: edges     ! on its loop, at least 2
-    integer(c_int32_t) :: q         ! the quarter-edge, even, of one of them, with this face on its left
+    integer(c_int32_t) :: q         ! an even quarter-edge of one of its edges, with this face on its left
     integer(c_int32_t) :: shell     ! the shell it belongs to
     integer(c_int32_t) :: reserved  ! 0
   end type
@@ -1218,7 +1222,7 @@ module hardsphere
 
   type, bind(C) :: hsp_cells_limits
     integer(c_int32_t) :: struct_size = 40_c_int32_t  ! sizeof(hsp_cells_limits)
-    integer(c_int32_t) :: cubes                       ! that balls meet
+    integer(c_int32_t) :: cubes                       ! cubes that balls meet
     integer(c_int32_t) :: entries                     ! pairs of a ball and a cube that it meets
     integer(c_int32_t) :: cells                       ! free parts and runs
     integer(c_int32_t) :: adjacencies                 ! pairs of neighbours
@@ -1226,34 +1230,35 @@ module hardsphere
     ! of power cells on sides between two cubes that balls meet, each side once
     integer(c_int32_t) :: facets
     integer(c_int32_t) :: corners                     ! of all these facets
-    integer(c_int32_t) :: cube_balls                  ! most balls that meet one cube; rarely some more
+    ! most balls that meet one cube; a computation may rarely ask for some more
+    integer(c_int32_t) :: cube_balls
     integer(c_int32_t) :: cube_corners                ! vertices of all power cells of one cube
   end type
 
   type, bind(C) :: hsp_cells_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_cells_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_cells_counts
-    integer(c_int32_t) :: cubes        ! that balls meet
-    integer(c_int32_t) :: power_cells  ! in all of these, free or not
+    integer(c_int32_t) :: cubes        ! cubes that balls meet
+    integer(c_int32_t) :: power_cells  ! power cells in all of these cubes, free or not
     integer(c_int32_t) :: cells        ! free parts and runs
-    integer(c_int32_t) :: runs         ! of these
+    integer(c_int32_t) :: runs         ! of the cells, those that are runs
     integer(c_int32_t) :: adjacencies  ! pairs of neighbours
     integer(c_int32_t) :: regions      ! connected components of free space: 1 + voids
   end type
 
   type, bind(C) :: hsp_free_cell
-    ! the box that holds it: of a run itself, else its cube; length, infinite without an end
+    ! lower corner of its box: of the run, or of its cube; length, infinite without an end
     real(c_double) :: low(3)
-    real(c_double) :: high(3)         ! likewise
-    integer(c_int32_t) :: ball        ! whose power cell it is a part of; HSP_NONE for a run
+    real(c_double) :: high(3)         ! upper corner, likewise
+    integer(c_int32_t) :: ball        ! ball of whose power cell it is a part; HSP_NONE for a run
     integer(c_int32_t) :: cube        ! 0 .. cubes - 1, lowest z first, of these lowest y; HSP_NONE for a run
     integer(c_int32_t) :: kind        ! HSP_CELL_*
-    integer(c_int32_t) :: region      ! what it belongs to
+    integer(c_int32_t) :: region      ! its region, 0 .. regions - 1
     integer(c_int32_t) :: neighbours  ! how many it has
     integer(c_int32_t) :: reserved    ! 0
   end type

@@ -4,15 +4,16 @@
  *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
- *   vertex   a point on three spheres outside all other balls; named by its three balls and a sign
+ *   vertex   a point on three spheres outside all other balls; its three balls and a sign name it
  *   arc      a maximal free piece of the circle of two spheres between two vertices
  *   circle   a whole intersection circle that is free
  *   face     a maximal free piece of one sphere; it may have several boundary loops, or none (a whole sphere)
  *   shell    a connected component of the boundary;  void: a bounded component of the complement
- * Everything is as if ties were broken by infinitesimally inflated balls: components, voids and Euler number are those
- * of the balls as given, vertices are always on exactly three spheres, arcs and faces may be infinitesimally small.
- * Every ball grows in proportion: one that touches another from outside meets it in a circle, one that touches it from
- * inside, or a point on its sphere, is contained in it. Of equal balls the one of lowest index contains the others. */
+ * Ties are decided as if every ball were inflated by an infinitesimal amount (simulation of simplicity). So components,
+ * voids and Euler number are those of the balls as given, vertices always lie on exactly three spheres, and arcs and
+ * faces may be infinitesimally small. Every ball grows in proportion to its radius: a ball that touches another from
+ * outside meets it in a circle; a ball that touches another from inside, or a point on its sphere, is contained in it.
+ * Of equal balls the one of lowest index contains the others. */
 #ifndef HARDSPHERE_BOUNDARY_H
 #define HARDSPHERE_BOUNDARY_H
 
@@ -36,14 +37,14 @@ typedef struct hsp_boundary_limits {
   uint32_t neighbours;  /**< most balls that meet any one ball that lies inside no other */
   uint32_t vertices;    /**< vertices of the boundary */
   uint32_t circles;     /**< free circles */
-  uint32_t workers;     /**< parts that threads of an executor share; 0 is 1. Comes back as it is if it suffices */
+  uint32_t workers;     /**< parts of the work for an executor; 0 means 1. Comes back unchanged if it suffices */
 } hsp_boundary_limits;
 
-#define HSP_MAX_WORKERS UINT32_C(1024) /**< most workers of a boundary */
+#define HSP_MAX_WORKERS UINT32_C(1024) /**< the largest hsp_boundary_limits.workers */
 
-/** Limits that suffice for molecules of `balls` atoms, van der Waals or solvent-accessible: neighbours
- *  min(balls, 256), vertices 8 balls + 64, circles 2 balls + 16, workers 0. hsp_boundary_compute says if a set needs
- *  more.
+/** Limits that suffice for molecules of `balls` atoms, van der Waals or solvent-accessible: neighbours min(balls, 256),
+ *  vertices 8 balls + 64, circles 2 balls + 16, workers 0. If a set needs more hsp_boundary_compute returns
+ *  HSP_E_CAPACITY and larger limits.
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 8 balls; set the limits by hand then */
@@ -64,7 +65,7 @@ HSP_API int32_t HSP_CALL hsp_boundary_bytes(const hsp_boundary_limits *limits, s
 #define HSP_BOUNDARY_BYTES(balls, neighbours, vertices, circles)                      \
   ((size_t)5120 + (size_t)64 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
    (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
-/** Bytes that every worker but the first adds to it at most. */
+/** Bytes that every worker but the first adds to HSP_BOUNDARY_BYTES at most. */
 #define HSP_WORKER_BYTES(balls, neighbours, vertices, circles)                         \
   ((size_t)18432 + (size_t)24 * (size_t)(balls) + (size_t)560 * (size_t)(neighbours) + \
    (size_t)24 * (size_t)(vertices) + (size_t)24 * (size_t)(circles))
@@ -78,15 +79,17 @@ HSP_API int32_t HSP_CALL hsp_boundary_bytes(const hsp_boundary_limits *limits, s
 HSP_API int32_t HSP_CALL hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits,
                                            hsp_boundary **boundary);
 
-/** Compute the boundary of the union of the model's balls. The model must outlive the boundary, which can be read
- *  while the model holds the same balls (RESULTS in hardsphere.h). On failure the boundary holds no results.
- *  limits: see LIMITS in hardsphere.h. vertices and circles are known once neighbours suffices: at most three retries.
+/** Compute the boundary of the union of the model's balls. The model must outlive the boundary; the boundary can be
+ *  read while the model holds the same balls (RESULTS in hardsphere.h). On failure the boundary holds no results.
+ *  limits: see LIMITS in hardsphere.h. The limits of vertices and circles become known once that of neighbours
+ *  suffices: at most three retries.
  *  - Property 1: the order of the balls has no effect but on ids.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(c) for each ball, and about O(m) for one with m neighbours where many balls
- *  are nearly the same or on a line; O(m log m) with m small balls that stud one; about O(m^1.5) for a ball beside a
- *  line of m balls that each have an arc on it between the next two; O(m f) with all spheres through one point or two,
- *  where f others bound a ball's power cell there; O(m^3) at worst, which no set is known to reach.
+ *  are nearly the same or on a line; O(m log m) for a ball with m small balls on its sphere, apart from each other;
+ *  about O(m^1.5) for a ball beside a line of m balls that each have an arc on it between the next two; O(m f) with all
+ *  spheres through one point or two, where f others bound a ball's power cell there; O(m^3) at worst, which no set is
+ *  known to reach.
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small
@@ -102,27 +105,29 @@ typedef struct hsp_boundary_request {
   const uint8_t *selected;      /**< [n], or NULL for all balls of the model: a ball with 0 only blocks */
 } hsp_boundary_request;
 
-/** The same as hsp_boundary_compute, as a request says; request may be NULL: all defaults.
- *  With an executor of more than one worker the work falls into limits.workers parts, with about as many balls that lie
- *  together in each and memory of its own: as many as there are workers or, if they may be slowed down by others, some
- *  for each. If there are fewer parts than workers the status is HSP_E_CAPACITY, and limits are some with one for each
- *  worker, HSP_MAX_WORKERS at most. The executor runs a few times, one after the other.
- *  With selected only what lies on the selected balls is found, in the time that these take: for codes with ghosts. The
- *  boundary then answers hsp_boundary_get_measures, hsp_boundary_get_gradient, hsp_boundary_get_derivatives,
+/** The same as hsp_boundary_compute, with threads or for selected balls alone; request may be NULL: all defaults.
+ *  With an executor of more than one worker the work falls into hsp_boundary_limits.workers parts. Each part has memory
+ *  of its own and about as many balls as every other part, which lie together. Set workers to the number of the
+ *  executor's workers, or to a few times that number if other programs may slow some threads down. If there are fewer
+ *  parts than workers the status is HSP_E_CAPACITY, and *limits becomes limits with one part for each worker,
+ *  HSP_MAX_WORKERS at most. The executor runs a few times, one after the other.
+ *  With `selected` only what lies on the selected balls is computed, in the time that these take: for codes with ghost
+ *  atoms. The boundary then answers hsp_boundary_get_measures, hsp_boundary_get_gradient, hsp_boundary_get_derivatives,
  *  hsp_boundary_get_area_row, hsp_boundary_get_area_rows and hsp_boundary_get_hessian_product (hessian.h) alone, for
- *  these balls; all else is HSP_E_STATE. So are terms of the volume, its first derivatives and a pressure there, since
- *  they take the whole, and hsp_totals.volume and hsp_energy.volume are NaN. hsp_energy.value and .area are sums over
- *  the selected balls, but d_centre and d_radius are derivatives of the energy of all balls by the selected ones'
- *  centres and radii, d_probe is the sum of these d_radius, and those of other balls are 0. So d_centre is not the
- *  gradient of value, and adds up to that of the whole.
+ *  these balls; all other functions return HSP_E_STATE. So do these if asked for terms of the volume, for first
+ *  derivatives of the volume, or with a pressure, as the volume takes all balls; hsp_totals.volume and
+ *  hsp_energy.volume are NaN. hsp_energy.value and .area are sums over the selected balls. But d_centre and d_radius of
+ *  a selected ball are derivatives of the energy of all balls; those of the other balls are 0, and d_probe is the sum
+ *  of these d_radius. So d_centre is not the gradient of value; d_centre of several selections that make up all balls
+ *  adds up to the gradient of the whole.
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
  *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but
- *    the flag of a selected ball that equals one that is not selected may be set without need.
+ *    the flag of a selected ball that equals one that is not selected may be set although it need not be.
  *
- *  Cost: that of hsp_boundary_compute; with selected, of the selected balls, and O(n).
+ *  Cost: that of hsp_boundary_compute; with `selected` that of the selected balls, and O(n).
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
- *  @retval HSP_E_CAPACITY  a limit is too small, as for hsp_boundary_compute, or that of workers
+ *  @retval HSP_E_CAPACITY  a limit is too small, as for hsp_boundary_compute, or workers is
  *  @retval HSP_E_STATE     hsp_model_set has failed
  *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once
  *  @retval HSP_E_STOPPED   the executor said not to go on */
@@ -158,15 +163,15 @@ typedef struct hsp_boundary_counts {
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t HSP_CALL hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts);
 
-/** The symbolic perturbation decided about this vertex: a further sphere goes through it (of a ball that lies inside no
- * other), or two of its circles only touch there. */
+/** A tie was decided at this vertex: a further sphere goes through it (of a ball that lies inside no other), or two of
+ * its circles only touch there. */
 #define HSP_VERTEX_TIED UINT32_C(1)
 
 /** A vertex of the boundary. Frozen. */
 typedef struct hsp_vertex {
   double xyz[3];     /**< position, length */
   uint32_t ball[3];  /**< its balls a < b < c */
-  int32_t sign;      /**< +1 or -1: the side of the plane of the centres, along (c_b - c_a) x (c_c - c_a) */
+  int32_t sign;      /**< +1 or -1: its side of the plane of the centres; +1 is along (c_b - c_a) x (c_c - c_a) */
   uint32_t flags;    /**< HSP_VERTEX_* */
   uint32_t reserved; /**< 0 */
 } hsp_vertex;
@@ -252,10 +257,10 @@ HSP_API int32_t HSP_CALL hsp_boundary_get_loops(const hsp_boundary *boundary, hs
 typedef struct hsp_loop_arc {
   uint32_t arc;    /**< index in hsp_boundary_get_arcs */
   uint32_t side;   /**< 1: the loop runs along it, 0: against it; its face[side] is that of the loop */
-  uint32_t vertex; /**< where the loop comes to it: its vertex[1 - side]; vertex[side] is the next one's */
+  uint32_t vertex; /**< where the loop enters it: vertex[1 - side] of the arc; it leaves at vertex[side] */
 } hsp_loop_arc;
 
-/** The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records.
+/** The arcs of all loops, loop after loop, and within a loop in walking order: 2 counts.arcs records.
  *  - Property 1: the arcs of a loop are closed: each ends at the vertex of the next, the last at that of the first.
  *  - Property 2: every arc occurs once with side 0 and once with side 1.
  *
@@ -268,7 +273,7 @@ HSP_API int32_t HSP_CALL hsp_boundary_get_loop_arcs(const hsp_boundary *boundary
 
 #define HSP_BALL_CONTAINED UINT32_C(1) /**< the ball lies inside one other ball */
 
-/** A ball as the boundary has it. Frozen. */
+/** Faces and component of a ball. Frozen. */
 typedef struct hsp_ball {
   uint32_t faces;      /**< number of its faces; 0: the ball is buried */
   uint32_t first_face; /**< id of the first of them, HSP_NONE if there is none */
@@ -285,7 +290,7 @@ HSP_API int32_t HSP_CALL hsp_boundary_get_balls(const hsp_boundary *boundary, hs
 
 /* ---- self-check ------------------------------------------------------------------------------------------------ */
 
-/** Check the invariants of a computed boundary: what fuzzers and careful callers call. If all hold, *invariant becomes
+/** Check the invariants of a computed boundary, for fuzzers and careful callers. If all hold, *invariant becomes
  *  0 and *id HSP_NONE. Else *invariant becomes the number of the first that is violated, and
  *  *id that of the vertex, arc end, loop, face, shell or ball concerned:
  *     1  a vertex lies on three different balls, none of them inside another

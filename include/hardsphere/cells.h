@@ -1,23 +1,24 @@
-/* hardsphere/cells.h: what no ball covers, as O(n) simple cells with their neighbours (Section 2, Theorem 2.4).
+/* hardsphere/cells.h: free space, which no ball covers, as O(n) simple cells with their neighbours (Section 2, Theorem
+ * 2.4).
  *
  * Guide: tutorial.md.
  *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * Space is cut by the cubes of the grid, whose side is twice the largest radius. In a cube that balls meet every point
- * belongs to the ball to which it has the least power, its squared distance from the centre less the squared radius:
- * that makes a convex polytope for each ball, its power cell. The part of it outside the ball falls into free parts.
- * Cubes that no ball meets are taken together to runs along x, rows and layers of them.
+ * belongs to the ball to which it has the least power, its squared distance from the centre less the squared radius.
+ * The points of one ball in one cube make a convex polytope, called a power cell here. The part of a power cell outside
+ * its ball falls into free parts. Cubes that no ball meets are joined to runs along x, and these to rows and layers.
  *
  *   cell           a free part of a power cell, or a run: 0 .. cells - 1. Runs come first; cell 0 is the one below all
  *                  balls, which reaches to infinity
- *   neighbours     two cells with a piece of a facet or of a side of cubes in common, from where to where a point can
- *                  move through free space
- *   region         what neighbours make up: a connected component of free space, a region of regions.h
- *                  in another order. Region 0 is the outside
+ *   neighbours     two cells that share a piece of a facet or of a cube's side, through which a point can move from one
+ *                  to the other in free space
+ *   region         a connected component of free space, made of cells that are neighbours: a region of regions.h, in
+ *                  another order. Region 0 is the outside
  *
  * All of this is decided in integers, as the boundary is; balls that touch count as meeting, so that nothing passes
- * between them. A probe is a part of the model: a model that is grown by one has the cells where its centre may be. */
+ * between them. In a model with a probe the cells are the space where the probe's centre may be. */
 #ifndef HARDSPHERE_CELLS_H
 #define HARDSPHERE_CELLS_H
 
@@ -37,14 +38,14 @@ typedef struct hsp_cells hsp_cells;
 /** The limits that fix the memory of cells. */
 typedef struct hsp_cells_limits {
   uint32_t struct_size;  /**< sizeof(hsp_cells_limits) */
-  uint32_t cubes;        /**< that balls meet */
+  uint32_t cubes;        /**< cubes that balls meet */
   uint32_t entries;      /**< pairs of a ball and a cube that it meets */
   uint32_t cells;        /**< free parts and runs */
   uint32_t adjacencies;  /**< pairs of neighbours */
   uint32_t landmarks;    /**< vertices of power cells with several free parts */
   uint32_t facets;       /**< of power cells on sides between two cubes that balls meet, each side once */
   uint32_t corners;      /**< of all these facets */
-  uint32_t cube_balls;   /**< most balls that meet one cube; rarely some more */
+  uint32_t cube_balls;   /**< most balls that meet one cube; a computation may rarely ask for some more */
   uint32_t cube_corners; /**< vertices of all power cells of one cube */
 } hsp_cells_limits;
 
@@ -78,9 +79,9 @@ HSP_API int32_t HSP_CALL hsp_cells_bytes(const hsp_cells_limits *limits, size_t 
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t HSP_CALL hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells);
 
-/** Cut the free space of a model into cells. The model must outlive them; they can be read while it holds the same
- *  balls (RESULTS in hardsphere.h). On failure they hold no results. limits: see LIMITS in hardsphere.h; at most six
- *  retries.
+/** Cut the free space of a model into cells. The model must outlive the cells; the cells can be read while the model
+ *  holds the same balls (RESULTS in hardsphere.h). On failure the cells hold no results. limits: see LIMITS in
+ *  hardsphere.h; at most six retries.
  *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
  *
  *  Cost: O(n) for sets as in Theorem 2.1.
@@ -95,10 +96,10 @@ HSP_API int32_t HSP_CALL hsp_cells_compute(hsp_cells *cells, const hsp_model *mo
 typedef struct hsp_cells_request {
   uint32_t struct_size;         /**< sizeof(hsp_cells_request) */
   uint32_t reserved;            /**< 0 */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
 } hsp_cells_request;
 
-/** The same as hsp_cells_compute, as a request says; request may be NULL: all defaults.
+/** The same as hsp_cells_compute, with an executor that may stop it; request may be NULL: all defaults.
  *  @retval HSP_E_ARGUMENT  cells or model is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
  *  @retval HSP_E_CAPACITY  as hsp_cells_compute
@@ -110,10 +111,10 @@ HSP_API int32_t HSP_CALL hsp_cells_compute_with(hsp_cells *cells, const hsp_mode
 
 /** How many of everything. Frozen. */
 typedef struct hsp_cells_counts {
-  uint32_t cubes;       /**< that balls meet */
-  uint32_t power_cells; /**< in all of these, free or not */
+  uint32_t cubes;       /**< cubes that balls meet */
+  uint32_t power_cells; /**< power cells in all of these cubes, free or not */
   uint32_t cells;       /**< free parts and runs */
-  uint32_t runs;        /**< of these */
+  uint32_t runs;        /**< of the cells, those that are runs */
   uint32_t adjacencies; /**< pairs of neighbours */
   uint32_t regions;     /**< connected components of free space: 1 + voids */
 } hsp_cells_counts;
@@ -131,12 +132,12 @@ HSP_API int32_t HSP_CALL hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_
 
 /** A cell of free space. Frozen. */
 typedef struct hsp_free_cell {
-  double low[3];       /**< the box that holds it: of a run itself, else its cube; length, infinite without an end */
-  double high[3];      /**< likewise */
-  uint32_t ball;       /**< whose power cell it is a part of; HSP_NONE for a run */
+  double low[3];       /**< lower corner of its box: of the run, or of its cube; length, infinite without an end */
+  double high[3];      /**< upper corner, likewise */
+  uint32_t ball;       /**< ball of whose power cell it is a part; HSP_NONE for a run */
   uint32_t cube;       /**< 0 .. cubes - 1, lowest z first, of these lowest y; HSP_NONE for a run */
   uint32_t kind;       /**< HSP_CELL_* */
-  uint32_t region;     /**< what it belongs to */
+  uint32_t region;     /**< its region, 0 .. regions - 1 */
   uint32_t neighbours; /**< how many it has */
   uint32_t reserved;   /**< 0 */
 } hsp_free_cell;
@@ -188,7 +189,8 @@ HSP_API int32_t HSP_CALL hsp_cells_locate(const hsp_cells *cells, const double *
  *  3. regions are the connected components of neighbours, numbered by their first cells
  *  4. every power cell, cut once more, is a polytope of which three planes meet in each vertex, with vertices - edges +
  *     facets = 2, and has as many free parts as there are cells of it
- *  5. what a cell has a facet on, outside its ball, has a neighbour of it on the other side; and there are no others
+ *  5. across every piece of a facet of a cell that lies outside its ball there is a neighbour; and a cell has no other
+ *     neighbours
  *  6. regions are as many as those of the complement in `topology`; not checked if that is NULL
  *
  *  Uses the cells' scratch memory, hence not const; results stay valid. Cost: about that of hsp_cells_compute.
@@ -199,19 +201,19 @@ HSP_API int32_t HSP_CALL hsp_cells_locate(const hsp_cells *cells, const double *
 HSP_API int32_t HSP_CALL hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t *invariant,
                                          uint32_t *id);
 
-/** Into how many vertices, edges and faces spheres cut each other; what balls cover counts as well. A circle of two
- *  spheres that crosses no other is one edge, and a sphere that meets no other is one face. Frozen. */
+/** The numbers of vertices, edges and faces into which spheres cut each other; parts that balls cover count as well. A
+ *  circle of two spheres that crosses no other is one edge, and a sphere that meets no other is one face. Frozen. */
 typedef struct hsp_arrangement {
   uint64_t vertices; /**< where three spheres meet */
   uint64_t edges;    /**< on circles of two spheres */
   uint64_t faces;    /**< on spheres */
 } hsp_arrangement;
 
-/** How large the arrangement of all spheres is (Theorem 2.2), by exact counts and without storing it: *totals in all,
- *  of_ball [n] what lies on each sphere; either may be NULL. scratch is memory of `words` numbers, of which
- *  *words_needed becomes what suffices: twice the most balls that meet one.
+/** How large the arrangement of all spheres is (Theorem 2.2), by exact counts and without storing it: *totals for all,
+ *  of_ball [n] for each sphere; either may be NULL. scratch is memory of `words` numbers; *words_needed becomes how
+ *  many suffice: twice the most balls that meet one ball.
  *  - Property 1: of all spheres together, vertices are 3 and edges 2 times those of *totals, and faces the same.
- *  - Property 2: the order of the balls has no effect but on that of the entries of of_ball, unless balls are equal.
+ *  - Property 2: the order of the balls has no effect but on the order of of_ball, unless balls are equal.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^2) for a sphere that meets m others.
  *  @retval HSP_E_ARGUMENT  model is NULL; scratch is NULL with words above 0

@@ -1,7 +1,7 @@
 /* hardsphere/components.h: which components the library has beside the stable tier, each 1 or 0.
  *
- * A build of the library may leave out components (building.md): the package that it installs has zeros here, and not
- * their headers. Programs within the same CMake project get them as definitions. */
+ * A build of the library may leave out components (building.md). The package that it installs has zeros here for these
+ * components, and lacks their headers. Programs within the same CMake project get the zeros as definitions. */
 #ifndef HARDSPHERE_COMPONENTS_H
 #define HARDSPHERE_COMPONENTS_H
 

@@ -4,15 +4,18 @@
  *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
- * With the power |x - c_i|^2 - r_i^2 of a point x to ball i, radii with the probe:
- *   share     of a ball: the points of the union with no less power to another ball; convex, inside the ball
- *   contact   of two balls: where their shares meet; the disk of their circle, cut off straight by other balls
+ * The power of a point x with respect to ball i is |x - c_i|^2 - r_i^2; radii include the probe.
+ *   share     of a ball: the points of the union whose power is least for this ball: the ball cut to its cell of the
+ *             power diagram; convex
+ *   contact   of two balls: the points that both shares have in common: a part of the disk in the radical plane that
+ *             the circle of the two spheres bounds; the radical planes of other balls cut it off along straight lines
  *   simplex   one to four balls whose shares have a common point: ball, edge (a contact), triangle, tetrahedron. All
- *             simplices are the dual complex (Edelsbrunner 1995), which has the holes of the union
+ *             simplices together are the dual complex (Edelsbrunner 1995), which has the same components, tunnels and
+ *             voids as the union
  * All of it is decided exactly, as if ties were broken by infinitesimally inflated balls (hardsphere/boundary.h): balls
- * that touch have a contact of area 0. Where three spheres share a circle the area of the disk in it counts for two of
- * the three balls, as each is inflated by an infinitely small amount of its own, which is largest for the one that
- * comes first by (x, y, z, radius, index); shares and all sums are continuous there too. */
+ * that touch have a contact of area 0. Where three spheres share a circle, the area of the disk in it is the contact of
+ * two of the three balls: each ball is inflated by an infinitely small amount of its own, the largest for the ball that
+ * comes first by (x, y, z, radius, index). Shares and all sums are continuous there too. */
 #ifndef HARDSPHERE_CONTACTS_H
 #define HARDSPHERE_CONTACTS_H
 
@@ -37,7 +40,7 @@ typedef struct hsp_contacts_limits {
   uint32_t neighbours;  /**< as in hsp_boundary_limits */
   uint32_t contacts;    /**< contacts, each once */
   uint32_t triangles;   /**< triangles to keep for hsp_contacts_get_simplices; 0: they are only counted */
-  uint32_t tetrahedra;  /**< the same of tetrahedra */
+  uint32_t tetrahedra;  /**< tetrahedra to keep, likewise */
 } hsp_contacts_limits;
 
 /** Limits for a computed boundary that nearly always suffice for molecules: its balls and neighbours, contacts 12 balls
@@ -72,14 +75,14 @@ HSP_API int32_t HSP_CALL hsp_contacts_init(void *memory, size_t bytes, const hsp
                                            hsp_contacts **contacts);
 
 /** Compute contacts, shares and dual complex of the balls of a computed boundary. Boundary and model must outlive the
- *  contacts, which can be read while these hold the same (RESULTS in hardsphere.h). On failure they hold no results.
- *  limits: see LIMITS in hardsphere.h; at most three retries.
+ *  contacts; the contacts can be read while boundary and model hold the same (RESULTS in hardsphere.h). On failure the
+ *  contacts hold no results. limits: see LIMITS in hardsphere.h; at most three retries.
  *  - Property 1: the order of the balls has no effect but on ids and on their order.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(c) for each ball, and about O(m) for one with m neighbours where many balls
- *  are nearly the same or on a line, or with m small balls that stud one; O(m f) with all spheres through one point,
- *  where f others bound a ball's power cell there; O(m^2) for a ball across several lines of m balls together, whose
- *  planes nearly agree; O(m^3) at worst.
+ *  are nearly the same or on a line, or for a ball with m small balls on its sphere, apart from each other; O(m f) with
+ *  all spheres through one point, where f others bound a ball's power cell there; O(m^2) for a ball that crosses
+ *  several lines of balls, m in all, whose radical planes nearly agree; O(m^3) at worst.
  *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
@@ -91,10 +94,10 @@ HSP_API int32_t HSP_CALL hsp_contacts_compute(hsp_contacts *contacts, const hsp_
 typedef struct hsp_contacts_request {
   uint32_t struct_size;         /**< sizeof(hsp_contacts_request) */
   uint32_t reserved;            /**< 0 */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
 } hsp_contacts_request;
 
-/** The same as hsp_contacts_compute, as a request says; request may be NULL: all defaults.
+/** The same as hsp_contacts_compute, with an executor that may stop it; request may be NULL: all defaults.
  *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL; an executor with several workers and
  *                          without run
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
@@ -107,16 +110,16 @@ HSP_API int32_t HSP_CALL hsp_contacts_compute_with(hsp_contacts *contacts, const
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
 #define HSP_CONTACT_TOUCHING UINT32_C(1) /**< the spheres only touch: area 0 */
-#define HSP_CONTACT_BURIED UINT32_C(2)   /**< no part of its border is on the surface of the union */
-#define HSP_CONTACT_CIRCLE UINT32_C(4)   /**< the whole disk, with all of its border on the surface */
+#define HSP_CONTACT_BURIED UINT32_C(2)   /**< no part of its border is on the boundary of the union */
+#define HSP_CONTACT_CIRCLE UINT32_C(4)   /**< the whole disk, with all of its border on the boundary */
 
 /** A contact of two balls. Frozen. */
 typedef struct hsp_contact {
   double area;          /**< length^2 */
-  double rim;           /**< length of the part of its border that is on the surface of the union */
-  double distance;      /**< of the two centres */
+  double rim;           /**< length of the part of its border on the boundary of the union */
+  double distance;      /**< of the two centres, length */
   uint32_t ball[2];     /**< its two balls a < b */
-  uint32_t chords;      /**< straight sides */
+  uint32_t chords;      /**< number of its straight sides */
   uint32_t flags;       /**< HSP_CONTACT_* */
   uint32_t reserved[2]; /**< 0 */
 } hsp_contact;
@@ -142,9 +145,9 @@ HSP_API int32_t HSP_CALL hsp_contacts_get_pairs(const hsp_contacts *contacts, hs
 HSP_API int32_t HSP_CALL hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out,
                                               uint32_t capacity, uint32_t *needed);
 
-/** Volume of the share and area of all contacts of each ball; share_volume [n] and contact_area [n] may each be NULL
- *  and else hold capacity >= n entries. totals, if not NULL, become the area of all contacts, each once, and the volume
- *  of all shares. needed may be NULL and else becomes n.
+/** Of each ball the volume of its share and the area of all its contacts; share_volume [n] and contact_area [n] may
+ *  each be NULL and else hold capacity >= n entries. *totals, if not NULL, becomes the area of all contacts, each
+ *  counted once, and the volume of all shares. needed may be NULL and else becomes n.
  *  - Property 1: the shares sum to the volume of the union.
  *  - Property 2: share_volume and contact_area do not depend on the order of the balls, bit for bit.
  *
@@ -157,15 +160,16 @@ HSP_API int32_t HSP_CALL hsp_contacts_measure(const hsp_contacts *contacts, hsp_
 
 /** The contact of two groups of balls. Frozen. */
 typedef struct hsp_group_contact {
-  double area;       /**< of all contacts between them */
-  double rim;        /**< length of their borders on the surface of the union */
+  double area;       /**< of all contacts between them, length^2 */
+  double rim;        /**< length of their borders on the boundary of the union */
   uint32_t group[2]; /**< the groups g < h */
   uint32_t contacts; /**< how many */
   uint32_t reserved; /**< 0 */
 } hsp_group_contact;
 
-/** Sums over the contacts between groups of balls, as residues or chains: for every two different groups that have any,
- *  ascending. group [n] tells each ball's; balls with HSP_NONE belong to none. Uses memory of the handle.
+/** Sums over the contacts between groups of balls, such as residues or chains: one record for every two different
+ *  groups that have a contact, ascending. group [n] holds the number of each ball's group, any uint32_t; balls with
+ *  HSP_NONE belong to no group. Uses memory of the handle, hence not const.
  *
  *  Cost: O(k log k) for k contacts.
  *  @retval HSP_E_ARGUMENT  contacts or group is NULL; out is NULL with a capacity above 0
@@ -219,8 +223,8 @@ HSP_API int32_t HSP_CALL hsp_contacts_get_simplices(const hsp_contacts *contacts
 
 /* ---- self-check -------------------------------------------------------------------------------------------------- */
 
-/** Check contacts and shares against laws that hold for every set of balls: two ways to compute that have little in
- *  common. *invariant becomes 0 or the number of the first that is violated, *id the contact or ball concerned.
+/** Check contacts and shares against laws that hold for every set of balls. *invariant becomes 0 or the number of the
+ *  first law that is violated, *id the contact or ball concerned.
  *    1  each contact is listed at both of its balls, with numbers that it may have
  *    2  the Euler characteristic of the dual complex is half of that of the boundary
  *    3  faces and contacts of each ball close its share: their vector areas sum to 0

@@ -4,7 +4,7 @@
  *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
- * Cost: O(1), for a symbol the length of its text. */
+ * Cost: O(1); hsp_element_number: the length of the text. */
 #ifndef HARDSPHERE_ELEMENT_H
 #define HARDSPHERE_ELEMENT_H
 
@@ -25,32 +25,33 @@ extern "C" {
 /** The radii of the paper, Section 2, which are those of Chem3D Plus. Published: H, C, N, O, P, S and Ca. */
 #define HSP_RADII_CHEM3D UINT32_C(1)
 
-/** Of the universal force field, A. K. Rappe et al., J. Am. Chem. Soc. 114 (1992) 10024, Table 1: sigma / 2, half the
- *  distance at which two equal atoms neither attract nor repel each other, where sigma = x_I / 2^(1/6) is rounded to
- *  0.001 angstrom, as programs for porous crystals have it: C 1.7155, O 1.559. Their energy is least at the distance
- *  x_I. Published: the elements up to lawrencium, 103. */
+/** The radii of the universal force field, A. K. Rappe et al., J. Am. Chem. Soc. 114 (1992) 10024, Table 1: sigma / 2,
+ *  with sigma = x_I / 2^(1/6) rounded to 0.001 angstrom, as programs for porous crystals have it: C 1.7155, O 1.559.
+ *  Two equal atoms have energy 0 at the distance sigma, and the least energy at the distance x_I. Published: the
+ *  elements up to lawrencium, 103. */
 #define HSP_RADII_UFF UINT32_C(4)
 
-/** The set's source has no radius for this element: the radius is a substitute. */
+/** The source of the set has no radius for this element: the radius is a substitute. */
 #define HSP_RADIUS_FALLBACK UINT32_C(1)
 
-/** The radius of an element in one of the sets HSP_RADII_*: *radius in angstrom, *flags = HSP_RADIUS_* or 0; flags may
- *  be NULL. Atomic numbers are 1 (hydrogen) to 118 (oganesson); deuterium is hydrogen.
- *  Where the source has no radius it is that of HSP_RADII_BONDI instead, and 2.00 where this has none either, always
- *  with HSP_RADIUS_FALLBACK, so that a caller can refuse the element or name a radius of its own.
+/** The radius of an element in one of the sets above, HSP_RADII_*: *radius in angstrom, *flags = HSP_RADIUS_* or 0;
+ *  flags may be NULL. Atomic numbers are 1 (hydrogen) to 118 (oganesson); deuterium is hydrogen.
+ *  Where the source of the set has no radius, *radius is that of HSP_RADII_BONDI, and 2.00 where Bondi's set has none
+ *  either, always with HSP_RADIUS_FALLBACK, so that a caller can refuse the element or choose a radius.
  *  On failure nothing is written.
- *  @retval HSP_E_ARGUMENT  radius is NULL; unknown set
+ *  @retval HSP_E_ARGUMENT  radius is NULL; another set, those of residue.h included
  *  @retval HSP_E_ID        no element has this number */
 HSP_API int32_t HSP_CALL hsp_element_radius(uint32_t set, uint32_t atomic_number, double *radius, uint32_t *flags);
 
 /** The atomic number of an element by its symbol, a NUL-terminated text: one or two letters in upper or lower case,
  *  with blanks before and behind where a file has them. "Fe", "FE", " fe" and "fe " are iron, 26, "CA" is calcium, and
- *  "D" is hydrogen. An atom's name is no symbol: that of an alpha carbon is "CA", too. On failure nothing is written.
+ *  "D" is hydrogen. An atom's name is no symbol: an alpha carbon's name is "CA", too. On failure nothing is written.
  *  @retval HSP_E_ARGUMENT  symbol or atomic_number is NULL
  *  @retval HSP_E_ID        no element has this symbol */
 HSP_API int32_t HSP_CALL hsp_element_number(const char *symbol, uint32_t *atomic_number);
 
-/** The symbol of an element as chemists write it, "H" or "Ca"; never NULL, "" for numbers that no element has.
+/** The symbol of an element as chemists write it, "H" or "Ca": a constant text of the library's, never NULL; "" for
+ *  numbers that no element has.
  *  - Property 1: hsp_element_number finds the number again. */
 HSP_API const char *HSP_CALL hsp_element_symbol(uint32_t atomic_number);
 

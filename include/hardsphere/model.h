@@ -1,4 +1,4 @@
-/* hardsphere/model.h: a set of balls on its lattice, hashed into cubes.
+/* hardsphere/model.h: a model: a set of balls, rounded to a lattice and hashed into cubes.
  *
  * Guide: robustness.md, guarantees.md.
  *
@@ -24,8 +24,8 @@ extern "C" {
 /** The id that no ball has. */
 #define HSP_NONE UINT32_C(0xFFFFFFFF)
 
-/** The largest number of balls in one model, and the largest limit, of the library of this header. It may grow with a
- *  minor version: hsp_model_max_balls says that of the library that was linked. */
+/** The largest number of balls in one model, and the largest value of any limit, in the library of this header. It may
+ *  grow with a minor version: hsp_model_max_balls tells the number of the library that was linked. */
 #define HSP_MAX_BALLS UINT32_C(0x0FFFFFFF)
 
 /** HSP_MAX_BALLS of the library that was linked. */
@@ -56,7 +56,7 @@ typedef struct hsp_model_options {
   uint32_t reserved;    /**< 0 */
   double probe;         /**< length, >= 0: added to every radius, for the solvent-accessible surface; default 0 */
   double step;          /**< length, > 0: the lattice step; 0: the power of ten that hsp_model_set says */
-  /** length, > 0: r_max less the probe, for balls of which none may be larger on the lattice; 0: that of the balls */
+  /** length, > 0: no ball may have a radius, without the probe, above it; fixes the lattice. 0: that of the balls */
   double largest_radius;
 } hsp_model_options;
 
@@ -66,34 +66,37 @@ typedef struct hsp_model_options {
 HSP_API int32_t HSP_CALL hsp_model_options_init(hsp_model_options *options, uint32_t struct_size);
 
 /** Take n balls: round them to the lattice, hash them into cubes. May be called any number of times (frames of a
- *  trajectory); results of other contents cannot be read then (RESULTS in hardsphere.h).
+ *  trajectory). Afterwards results that were computed from other balls cannot be read any more (RESULTS in
+ *  hardsphere.h).
  *  xyz [n][3] and radius [n], in length units, may be NULL only if n is 0; options may be NULL (defaults);
- *  first_bad may be NULL, else it is set to the index of the first ball that is refused, or to HSP_NONE: if none is, if
- *  the options are at fault, also by a step that is too small for every radius, or if all lengths are too small.
+ *  first_bad may be NULL, else *first_bad becomes the index of the first ball that is refused. It becomes HSP_NONE if
+ *  no ball is, if the options are at fault (also by a step that is too small for every radius), or if all lengths are
+ *  too small.
  *
  *  The lattice: coordinate x becomes the integer nearest to x/step, radius r becomes the integer nearest to r/step
- *  plus the integer nearest to probe/step. The default step is a power of ten between 1e-22 and 1e22 chosen from
- *  the largest radius plus probe, never from coordinates, with one exception: points, of which all radii and the probe
- *  are 0, without largest_radius. Theirs is the smallest power of ten with which no coordinate has 2^30 steps, or 1e-8
- *  if that is less and no coordinate has more than 2^50 of them; so parts of a set of points have to be given the
- *  step. Limits: radius plus probe below 2^30 steps, every coordinate at most 2^50 steps. Without a step of the
- *  caller's, the largest length from which it is chosen has 2^20 steps at least: what is smaller than 1.05e-16
- *  altogether needs other units. Centres that coincide, balls inside others, and balls that touch are all valid. With
- *  options.largest_radius lattice and cubes no longer depend on the balls: models with the same options have the same
- *  grid, and a ball and its neighbours give the same bits whatever else there is. A ball that is larger on the lattice
- *  is HSP_E_RANGE; what hsp_model_get_info says of the balls, less the probe, is large enough for them.
+ *  plus the integer nearest to probe/step. The default step is a power of ten between 1e-22 and 1e22. It is chosen from
+ *  the largest radius plus probe, never from coordinates, with one exception: a set of points (all radii and the probe
+ *  0, largest_radius not given). The step of such a set is the smallest power of ten with which every coordinate is
+ *  below 2^30 steps, or 1e-8 if that is smaller and no coordinate has more than 2^50 steps of 1e-8. So give the step to
+ *  models that hold parts of one set of points. Limits: radius plus probe below 2^30 steps, every coordinate at most
+ *  2^50 steps. A default step makes the length from which it is chosen at least 2^20 steps long: sets whose lengths are
+ *  all below 1.05e-16 need other units. Centres that coincide, balls inside others, and balls that touch are all valid.
+ *  With options.largest_radius lattice and cubes do not depend on the balls: models with the same options have the same
+ *  grid, and a ball and its neighbours give the same bits whatever other balls there are. A ball that is larger on the
+ *  lattice is HSP_E_RANGE. For given balls hsp_model_info.largest_radius less the probe is large enough.
  *
- *  On failure the model holds nothing, and all questions to it but hsp_model_get_info are HSP_E_STATE, until balls are
- *  taken again.
- *  Areas, volumes and energies are doubles in units of the caller's: with steps below 1e-100 or above 1e90 they may be
- *  0, infinite or NaN, where the structure is still right.
+ *  On failure the model holds nothing. Until balls are taken again every function that reads the model, except
+ *  hsp_model_get_info, returns HSP_E_STATE.
+ *  Areas, volumes and energies are doubles in the caller's units: with steps below 1e-100 or above 1e90 they may be 0,
+ *  infinite or NaN, while the structure is still right.
  *  - Property 1: the order of the balls has no effect but on the ids.
  *
  *  Cost: O(n) expected, whatever the radii and wherever the balls are; O(n log n) at worst, with many centres in one
  *  cube, as where all balls have one centre.
- *  The hash table's load is at most 1/2. The hash is known and has no key, so that coordinates can be chosen to
- *  collide: where a search would look at more than 64 slots, these become a tree, where it looks at 194 of them at most
- *  (not in a library that is compiled for size: there it looks at all that collide).
+ *  The hash table's load is at most 1/2. The hash function is public and has no key, so somebody can choose coordinates
+ *  that collide. Where a search would look at more than 64 slots, these slots become a tree, in which a search looks at
+ *  194 slots at most. A library that is compiled for size has no such tree: there a search looks at all slots that
+ *  collide.
  *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0
  *  @retval HSP_E_VERSION     bad struct_size of options, or its reserved field is not 0
  *  @retval HSP_E_CAPACITY    the model has room for fewer than n balls
@@ -109,10 +112,10 @@ typedef struct hsp_model_request {
   uint32_t struct_size;             /**< sizeof(hsp_model_request) */
   uint32_t reserved;                /**< 0 */
   const hsp_model_options *options; /**< or NULL: how balls are read */
-  const hsp_executor *executor;     /**< or NULL: whether to go on is asked of it; its threads share nothing */
+  const hsp_executor *executor;     /**< or NULL: its proceed is asked whether to go on; its threads share no work */
 } hsp_model_request;
 
-/** The same as hsp_model_set, as a request says; request and first_bad may be NULL.
+/** The same as hsp_model_set, with options and an executor in a request; request and first_bad may be NULL.
  *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0; an executor with several workers and
  *                            without run
  *  @retval HSP_E_VERSION     bad struct_size of request, options or executor, or a reserved field is not 0
@@ -124,7 +127,7 @@ typedef struct hsp_model_request {
 HSP_API int32_t HSP_CALL hsp_model_set_with(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                                             const hsp_model_request *request, uint32_t *first_bad);
 
-/** A description of the model. table_slots and longest_probe may be others with a minor version. Frozen. */
+/** A description of the model. table_slots and longest_probe may change with a minor version. Frozen. */
 typedef struct hsp_model_info {
   uint32_t balls;         /**< number of balls */
   uint32_t cubes;         /**< cubes of side 2 r_max that hold a centre (Section 3) */
@@ -133,8 +136,9 @@ typedef struct hsp_model_info {
   double step;            /**< the lattice step, length */
   double probe;           /**< the probe as rounded to the lattice, length */
   double largest_radius;  /**< r_max, probe included, as rounded to the lattice, length */
-  /** half a step as a part of the smallest radius above 0, probe included, which no coordinate is moved by more than,
-   *  and no radius but with a probe; 1 if a radius above 0 is rounded to 0; 0 if there is none above 0 */
+  /** half a step divided by the smallest radius above 0, probe included: a bound for how far rounding moves a
+   *  coordinate, or without a probe a radius, relative to that radius. 1 if a radius above 0 is rounded to 0; 0 if no
+   *  radius is above 0 */
   double largest_rounding;
   uint64_t reserved[2]; /**< 0 */
 } hsp_model_info;
@@ -144,10 +148,11 @@ typedef struct hsp_model_info {
  *  @retval HSP_E_ARGUMENT  a null pointer */
 HSP_API int32_t HSP_CALL hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 
-/** The balls as rounded to the lattice, in the caller's order: xyz [n][3] and radius [n], probe included. Either may be
- *  NULL; *needed becomes n.
- *  - Property 1: they differ from what hsp_model_set was given, plus the probe, by half a step at most, by a step for
- *    radii with a probe, and not at all where that has no more decimals than the lattice.
+/** The balls as rounded to the lattice, in the caller's order: xyz [n][3] and radius [n], length, probe included.
+ *  Either may be NULL; *needed becomes n.
+ *  - Property 1: coordinates differ from those that hsp_model_set was given by half a step at most; radii differ from
+ *    the given radius plus probe by half a step without a probe, by a step with one. Numbers with no more decimals than
+ *    the lattice do not change at all.
  *  - Property 2: a model that is made of them with the same step and no probe decides everything alike.
  *
  *  @retval HSP_E_ARGUMENT  model is NULL
@@ -160,11 +165,11 @@ HSP_API int32_t HSP_CALL hsp_model_get_balls(const hsp_model *model, double *xyz
 #define HSP_PACKING_COINCIDENT UINT32_C(2)  /**< two centres coincide: rho is 0 */
 #define HSP_PACKING_NO_PAIR UINT32_C(4)     /**< fewer than two balls, or all radii 0: rho has no value */
 
-/** The hard-sphere figures of Section 2, on the lattice. Frozen. */
+/** The figures by which the paper's Section 2 bounds how many balls meet one, of the balls on the lattice. Frozen. */
 typedef struct hsp_packing {
   double k;               /**< r_max / r_min; 0 where it has no value (no balls, HSP_PACKING_ZERO_RADIUS) */
-  double rho;             /**< min over pairs of |c_i c_j| / max(r_i, r_j); 0 where it has no value */
-  double mean_overlaps;   /**< mean over the balls of the number of others with |c_i c_j| < r_i + r_j; 0 if n = 0 */
+  double rho;             /**< min over pairs of |c_i - c_j| / max(r_i, r_j); 0 where it has no value */
+  double mean_overlaps;   /**< mean over balls i of the number of others with |c_i - c_j| < r_i + r_j; 0 if n = 0 */
   double neighbour_bound; /**< 216 (k/rho)^3 of Theorem 2.1: no ball meets more others; 0 where it says nothing */
   uint32_t max_overlaps;  /**< the largest of those numbers */
   uint32_t flags;         /**< HSP_PACKING_*; 0 means that Theorem 2.1 holds with this k and rho */
@@ -172,8 +177,8 @@ typedef struct hsp_packing {
 } hsp_packing;
 
 /** The figures of Section 2, and by flags whether the set meets the conditions of Theorem 2.1 at all. A set that does
- *  not is still handled exactly; only the time and memory bounds are lost. Uses the model's scratch memory, hence not
- *  const.
+ *  not meet them is still handled exactly; only the bounds of time and memory are lost. Uses the model's scratch
+ *  memory, hence not const.
  *
  *  Cost: O(n) for sets with bounded figures, and for small balls and a few much larger ones, as of a colloid in its
  *  solvent; O(n c) at worst, with all centres in a few cubes.

@@ -1,4 +1,5 @@
-/* hardsphere/moving.h: balls of which a few move at a time, as Monte-Carlo programs and minimisers have them.
+/* hardsphere/moving.h: areas, volume and gradients while a few balls move at a time, for Monte-Carlo programs and
+ * minimisers.
  *
  * Guide: moving_balls.md.
  *
@@ -12,18 +13,18 @@
  *   hsp_moving_gradient(moving, &energy, NULL, NULL, NULL, 0, NULL);
  *   if (!accepted) hsp_moving_undo(moving);
  *
- * Areas, volume, an energy of them and its derivatives are known at all times. A move computes those balls again that
- * moved, that they met before, or that they meet now, and adds up totals along a fixed tree. Its cost does not depend
- * on how many other balls there are, but for the depth of that tree.
+ * Areas, volume, an energy of them and its derivatives are known at all times. A move computes these balls again: those
+ * that moved, those that a moved ball met before, and those that it meets afterwards. Then it adds up totals along a
+ * fixed tree. Its cost depends on how many other balls there are only by the depth of that tree.
  *
  * SAME BITS   Every number is, bit for bit, what hsp_boundary_compute, hsp_boundary_measure and
- * hsp_boundary_get_gradient say of a new model of the balls as they are, whatever moves led there: one with the same
- * lattice step, probe and largest radius less the probe (hsp_model_options; hsp_moving_get_info tells them), or the one
- * of hsp_moving_get_model. Results that only a boundary has are to be computed from that model: ids of vertices, arcs
- * and faces, shells, voids and all that follows.
+ * hsp_boundary_get_gradient give for a new model of the balls as they are, whatever moves led there. The new model has
+ * the same lattice step, probe and largest radius less the probe (hsp_model_options; hsp_moving_get_info tells them),
+ * or comes from hsp_moving_get_model. Compute from that model what only a boundary has: ids of vertices, arcs and
+ * faces, shells, voids and all that follows.
  *
- * REFUSED   The lattice is that of the model, and so is the largest radius: twice of it is the side of the
- * cubes in which balls are looked up. A move of a ball beyond the lattice, or to a radius above that, is refused. Set
+ * REFUSED   The lattice and the largest radius are those of the model; twice the largest radius is the side of the
+ * cubes in which balls are looked up. A move of a ball beyond the lattice, or to a larger radius, is refused. Set
  * hsp_model_options.largest_radius to leave room for balls that grow. A move that is refused or fails leaves everything
  * as it was. */
 #ifndef HARDSPHERE_MOVING_H
@@ -95,30 +96,30 @@ HSP_API int32_t HSP_CALL hsp_moving_set(hsp_moving *moving, const hsp_model *mod
                                         double pressure, uint32_t tangency, hsp_moving_limits *limits,
                                         uint32_t *first_bad);
 
-/** The same as hsp_moving_set, of the energy that a request says; request may be NULL: all defaults.
+/** The same as hsp_moving_set, with the energy and an executor in a request; request may be NULL: all defaults.
  *  @retval HSP_E_ARGUMENT    moving or model is NULL; unknown tangency; an executor with several workers and without
  *                            run
  *  @retval HSP_E_VERSION     bad struct_size of request, executor or limits
  *  @retval HSP_E_CAPACITY    as hsp_moving_set
  *  @retval HSP_E_STATE       as hsp_moving_set
  *  @retval HSP_E_NOT_FINITE  as hsp_moving_set
- *  @retval HSP_E_STOPPED     the executor said not to go on. Its threads share nothing yet */
+ *  @retval HSP_E_STOPPED     the executor said not to go on. Its threads share no work */
 HSP_API int32_t HSP_CALL hsp_moving_set_with(hsp_moving *moving, const hsp_model *model,
                                              const hsp_gradient_request *request, hsp_moving_limits *limits,
                                              uint32_t *first_bad);
 
 /** Move some balls: ball [count] to the centres xyz [count][3], with the radii radius [count], the probe not included.
  *  xyz may be NULL, and all centres stay; radius may be NULL, and all radii stay. Coordinates and radii are rounded as
- *  hsp_model_set does. first_bad may be NULL and else becomes the first of the `count` moves that is to blame, or
- *  HSP_NONE. limits may be NULL and else become what this move needed, or after HSP_E_CAPACITY what to retry with: take
- *  the balls from hsp_moving_get_model into a larger handle. On failure everything is as before, but that after
- *  HSP_E_CAPACITY the last move cannot be taken back any more.
+ *  hsp_model_set does. first_bad may be NULL and else becomes the position in `ball` of the first move that is refused,
+ *  or HSP_NONE. limits may be NULL and else become what this move needed, or after HSP_E_CAPACITY what to retry with:
+ *  take the balls from hsp_moving_get_model into a larger handle. On failure everything is as before, with one
+ *  exception: after HSP_E_CAPACITY the previous move cannot be taken back any more.
  *  - Property 1: afterwards every number has the bits of a fresh computation, as said above.
  *  - Property 2: moves of different balls may be made in one call or in several, in any order.
  *
- *  Cost: O(m) boundaries of single balls for m balls that moved or meet, or met, one of those, and O(m log n) for
- *  totals. Where that leaves open whether a component has come apart, it is searched from all of its possible pieces
- *  side by side, until all but the largest are known.
+ *  Cost: O(m) boundaries of single balls for m balls that moved or that meet, or met, a ball that moved, and O(m log n)
+ *  for totals. Where a component may have come apart, it is searched from all of its possible pieces side by side,
+ *  until all but the largest piece are known.
  *  @retval HSP_E_ARGUMENT    moving is NULL; ball is NULL with count > 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a ball would have more neighbours than the limit allows
@@ -134,11 +135,11 @@ HSP_API int32_t HSP_CALL hsp_moving_move(hsp_moving *moving, uint32_t count, con
 typedef struct hsp_moving_request {
   uint32_t struct_size;         /**< sizeof(hsp_moving_request) */
   uint32_t reserved;            /**< 0 */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
 } hsp_moving_request;
 
-/** The same as hsp_moving_move, as a request says; request may be NULL: all defaults. Where it is stopped everything is
- *  as before, but that the last move cannot be taken back any more.
+/** The same as hsp_moving_move, with an executor that may stop it; request may be NULL: all defaults. Where it is
+ *  stopped everything is as before, except that the previous move cannot be taken back any more.
  *  @retval HSP_E_ARGUMENT    moving is NULL; ball is NULL with count > 0; an executor with several workers and
  *                            without run
  *  @retval HSP_E_VERSION     bad struct_size of request, executor or limits, or reserved is not 0
@@ -154,7 +155,7 @@ HSP_API int32_t HSP_CALL hsp_moving_move_with(hsp_moving *moving, uint32_t count
                                               const hsp_moving_request *request, hsp_moving_limits *limits,
                                               uint32_t *first_bad);
 
-/** Take the last move back: all numbers are as before it, bit for bit. Only one move can be taken back.
+/** Take the last move back: all numbers become what they were before it, bit for bit. Only one move can be taken back.
  *  Cost: copies what the move changed, and adds up totals: far less than the move.
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_STATE     no move since hsp_moving_set; it was taken back already, or another one has failed with
@@ -165,8 +166,8 @@ HSP_API int32_t HSP_CALL hsp_moving_undo(hsp_moving *moving);
 typedef struct hsp_moving_info {
   double step;              /**< the lattice step, length */
   double probe;             /**< as rounded to the lattice, length */
-  double largest_radius;    /**< the largest that a ball may have, probe included, length */
-  uint64_t vertices;        /**< as in hsp_boundary_counts, and so on */
+  double largest_radius;    /**< the largest radius that a ball may have, probe included, length */
+  uint64_t vertices;        /**< points where three spheres meet, as all counts here as in hsp_boundary_counts */
   uint64_t arcs;            /**< between two vertices, each counted once */
   uint64_t circles;         /**< whole circles that are free */
   uint64_t faces;           /**< maximal free pieces of spheres */
@@ -179,12 +180,12 @@ typedef struct hsp_moving_info {
   uint32_t reserved;        /**< 0 */
 } hsp_moving_info;
 
-/** Count, and tell the lattice.
+/** How many vertices, arcs, faces, components there are, and the lattice.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
 HSP_API int32_t HSP_CALL hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info);
 
-/** Area and volume of the union, and each ball's terms of both, always of all balls: arguments as of
+/** Area and volume of the union, and each ball's terms of both, always of all balls: arguments as those of
  *  hsp_boundary_measure.
  *  Cost: O(log n) for the totals, O(n) for the arrays.
  *  @retval HSP_E_ARGUMENT  moving is NULL
@@ -193,8 +194,9 @@ HSP_API int32_t HSP_CALL hsp_moving_get_info(const hsp_moving *moving, hsp_movin
 HSP_API int32_t HSP_CALL hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area,
                                             double *volume_term, uint32_t capacity, uint32_t *needed);
 
-/** The energy that hsp_moving_set was given, and its derivatives as of hsp_boundary_get_gradient: d_centre [n][3],
- *  d_radius [n] and flags [n] may each be NULL and else hold capacity >= n entries. energy and needed may be NULL.
+/** The energy that hsp_moving_set was given, and its derivatives as those of hsp_boundary_get_gradient: d_centre
+ *  [n][3], d_radius [n] and flags [n] may each be NULL and else hold capacity >= n entries. energy and needed may be
+ *  NULL.
  *  Cost: O(log n) for the energy, O(n) for the arrays.
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
@@ -216,15 +218,15 @@ typedef struct hsp_moving_ball {
   uint32_t reserved;       /**< 0 */
 } hsp_moving_ball;
 
-/** Some balls with all that is known of them: out [count] of ball [count], in this order; the same may be listed again.
+/** All that is known of some balls: out [count] of the balls ball [count], in this order; a ball may be listed again.
  *  @retval HSP_E_ARGUMENT  moving is NULL; ball or out is NULL with count > 0
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed
  *  @retval HSP_E_ID        no such ball; nothing is written */
 HSP_API int32_t HSP_CALL hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball,
                                               hsp_moving_ball *out);
 
-/** The balls of which anything may have changed by the last move, or by taking it back, ascending: those that moved,
- *  those that they met or meet, and those whose terms of the volume are about another origin now. None after
+/** The balls of which anything may have changed by the last move, or by taking it back, ascending: balls that moved,
+ *  balls that these met or meet, and balls whose terms of the volume are about another origin than before. None after
  *  hsp_moving_set, and after a move that failed with HSP_E_CAPACITY.
  *  @retval HSP_E_ARGUMENT  moving is NULL; balls is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
@@ -233,8 +235,8 @@ HSP_API int32_t HSP_CALL hsp_moving_get_changed(const hsp_moving *moving, uint32
                                                 uint32_t *needed);
 
 /** Put the balls as they are into a model, as hsp_model_set would with the same lattice and largest radius: for a
- *  boundary with ids, shells and topology, for queries and views. Results of other contents of the model cannot be read
- *  then. On failure the model stays as it is.
+ *  boundary with ids, shells and topology, for queries and views. Results that were computed from other balls of the
+ *  model cannot be read afterwards. On failure the model stays as it is.
  *  Cost: O(n).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  the model has room for fewer balls

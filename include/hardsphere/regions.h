@@ -1,15 +1,16 @@
-/* hardsphere/regions.h: regions outside of the union, cavities and what lines them, where a point lies (Section 4.2,
- * Step 3).
+/* hardsphere/regions.h: the regions of space outside the union, such as cavities: their sizes, the balls that line
+ * them, the region of a point (Section 4.2, Step 3).
  *
  * Guide: tutorial.md.
  *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  *   region         a connected component of the complement of the union: region 0 is the outer one, the others are the
- *                  voids, or cavities, in the order of their shells
+ *                  voids, also called cavities, in the order of their shells
  *   shell          as in hsp_face: each shell separates one component of the union from one region
  *   component      of the union, as in hsp_ball
- * All of them are of a topology, the boundary cut into simple faces, which topology.h describes. */
+ * All of them are read from a handle hsp_topology. It also holds the boundary cut into simple faces, which topology.h
+ * describes. */
 #ifndef HARDSPHERE_REGIONS_H
 #define HARDSPHERE_REGIONS_H
 
@@ -36,9 +37,9 @@ typedef struct hsp_topology_limits {
   uint32_t shells;      /**< shells; 0: as many as the edges allow, two for each. Fewer take less memory */
 } hsp_topology_limits;
 
-/** Limits for a computed boundary that nearly always suffice: its balls, neighbours and shells, four cut arcs for every
- *  loop of a face beyond the first, of a face with 2,048 loops five, with each 2, 4, 8.. times as many one more, and
- *  edges for its arcs, circles and whole spheres and four for every cut arc.
+/** Limits for a computed boundary that nearly always suffice: its balls, neighbours and shells; four cut arcs for every
+ *  loop of a face beyond the first, but five in a face of 2,048 loops and one more with each doubling of their number;
+ *  and edges for its arcs, circles and whole spheres and four for every cut arc.
  *  Without a boundary, for memory that is fixed beforehand, set them by hand: for molecules of `balls` atoms, van der
  *  Waals or solvent-accessible, neighbours min(balls, 256), edges 16 balls + 96, cut_arcs 2 balls + 16 and shells 0
  *  suffice.
@@ -73,14 +74,14 @@ HSP_API int32_t HSP_CALL hsp_topology_init(void *memory, size_t bytes, const hsp
                                            hsp_topology **topology);
 
 /** Compute the topology of a computed boundary, with its shells and regions. Boundary and model must outlive the
- *  topology, which can be read while these hold the same (RESULTS in hardsphere.h). On failure it holds no results.
- *  limits: see LIMITS in hardsphere.h; at most three retries.
+ *  topology; the topology can be read while boundary and model hold the same (RESULTS in hardsphere.h). On failure the
+ *  topology holds no results. limits: see LIMITS in hardsphere.h; at most three retries.
  *  - Property 1: the order of the balls has no effect but on ids.
  *
  *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
  *  through the grid, at most O(n) each. A ball with m neighbours and a face of several loops takes about O(m), as on a
- *  line of balls that overlap; O(m^1.5) at most with m small balls that stud one, of which some m log m edges come out;
- *  O(m^2) at worst.
+ *  line of balls that overlap; O(m^1.5) at most for a ball with m small balls on its sphere, apart from each other,
+ *  which yields some m log m edges; O(m^2) at worst.
  *  @retval HSP_E_ARGUMENT  topology or boundary is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
@@ -92,10 +93,10 @@ HSP_API int32_t HSP_CALL hsp_topology_compute(hsp_topology *topology, const hsp_
 typedef struct hsp_topology_request {
   uint32_t struct_size;         /**< sizeof(hsp_topology_request) */
   uint32_t reserved;            /**< 0 */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
 } hsp_topology_request;
 
-/** The same as hsp_topology_compute, as a request says; request may be NULL: all defaults.
+/** The same as hsp_topology_compute, with an executor that may stop it; request may be NULL: all defaults.
  *  @retval HSP_E_ARGUMENT  topology or boundary is NULL; an executor with several workers and
  *                          without run
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
@@ -107,10 +108,10 @@ HSP_API int32_t HSP_CALL hsp_topology_compute_with(hsp_topology *topology, const
 
 /** How many of everything. Frozen. */
 typedef struct hsp_topology_counts {
-  uint32_t vertices;     /**< those of the boundary and the added ones */
+  uint32_t vertices;     /**< of the boundary, and those that were added */
   uint32_t edges;        /**< of all kinds */
   uint32_t simple_faces; /**< what the maximal faces are cut into */
-  uint32_t cut_edges;    /**< of the edges, the ones that cut a face or a whole sphere */
+  uint32_t cut_edges;    /**< edges that cut a face or a whole sphere */
   uint32_t shells;       /**< connected components of the boundary */
   uint32_t components;   /**< of the union */
   uint32_t regions;      /**< of the complement: 1 + voids */
@@ -130,19 +131,19 @@ HSP_API int32_t HSP_CALL hsp_topology_get_counts(const hsp_topology *topology, h
 #define HSP_SHELL_OUTER UINT32_C(0) /**< bounds its component from outside */
 #define HSP_SHELL_VOID UINT32_C(1)  /**< bounds a void inside its component */
 
-/** A shell: a connected component of the boundary. simple_faces, edges, vertices and start_face follow from how faces
- *  are cut, which a minor version may change (topology.h). Frozen. */
+/** A shell: a connected component of the boundary. simple_faces, edges, vertices and start_face depend on how faces are
+ *  cut, which a minor version may change (topology.h). Frozen. */
 typedef struct hsp_shell {
   double area;           /**< length^2 */
-  double volume;         /**< of the space it encloses, whatever lies in it, length^3 */
-  double point[3];       /**< a point of it, length */
+  double volume;         /**< of the space that it encloses, with whatever lies in it, length^3 */
+  double point[3];       /**< a point on it, length */
   int64_t euler;         /**< Euler characteristic: vertices - edges + simple faces */
   uint32_t genus;        /**< 1 - euler/2: number of handles */
   uint32_t kind;         /**< HSP_SHELL_* */
   uint32_t component;    /**< of the union, as in hsp_ball */
-  uint32_t region;       /**< of the complement, on its other side */
+  uint32_t region;       /**< the region of the complement on its other side */
   uint32_t faces;        /**< maximal faces */
-  uint32_t simple_faces; /**< and what they are cut into */
+  uint32_t simple_faces; /**< simple faces that its maximal faces are cut into */
   uint32_t edges;        /**< edges of its simple faces */
   uint32_t vertices;     /**< vertices of these edges */
   uint32_t start_face;   /**< simple face where its scan starts: of an outer shell the one with its highest point, of a
@@ -151,8 +152,8 @@ typedef struct hsp_shell {
 } hsp_shell;
 
 /** The shells: hsp_topology_counts.shells records.
- *  - Property 1: areas sum to the area of the union; volumes of outer shells less those of voids to its volume, up to
- *    rounding.
+ *  - Property 1: up to rounding, areas sum to the area of the union, and the volumes of outer shells less those of
+ *    shells of voids to its volume.
  *
  *  Cost: O(edges).
  *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
@@ -180,8 +181,8 @@ HSP_API int32_t HSP_CALL hsp_topology_get_components(const hsp_topology *topolog
 
 /** A region: a connected component of the complement of the union. Frozen. */
 typedef struct hsp_region {
-  double area;              /**< of all its shells, length^2 */
-  double volume;            /**< of the region itself, what lies in it left out, length^3; of region 0: 0 */
+  double area;              /**< of all shells that bound it, length^2 */
+  double volume;            /**< of the region itself, without what lies in it, length^3; 0 for region 0 */
   uint32_t enclosing_shell; /**< the shell of kind HSP_SHELL_VOID around it; HSP_NONE for region 0 */
   uint32_t components;      /**< components of the union that lie in it */
   uint32_t shells;          /**< shells that bound it */
@@ -206,9 +207,9 @@ HSP_API int32_t HSP_CALL hsp_topology_get_regions(const hsp_topology *topology, 
 HSP_API int32_t HSP_CALL hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells,
                                                         uint32_t capacity, uint32_t *needed);
 
-/** The balls that line a region, ascending: those with a face on one of its shells. Of a cavity these are the balls
- *  around it and the exposed ones of what lies in it.
- *  - Property 1: an exposed ball lines one region at least, a buried one none.
+/** The balls that line a region, ascending: those with a face on one of its shells. For a cavity these are the balls
+ *  around it and the exposed balls of components that lie in it.
+ *  - Property 1: an exposed ball lines at least one region, a buried ball none.
  *
  *  Cost: O(shells + k log k) for k simple faces on the region, for sets as in Theorem 2.1.
  *  @retval HSP_E_ARGUMENT  topology is NULL; balls is NULL with a capacity above 0
@@ -221,10 +222,11 @@ HSP_API int32_t HSP_CALL hsp_topology_get_region_balls(const hsp_topology *topol
 /* ---- point location ---------------------------------------------------------------------------------------------- */
 
 /** Where the point xyz [3] lies: *region becomes its region, or HSP_NONE if it lies in a ball. Exact; the point is
- *  rounded to the lattice. A point can move from one place to another without entering a ball if both lie in one
- *  region; with a model grown by a probe, so can the probe. hsp_query_point tells which balls a point lies in.
- *  Cost: one vertical ray: O(1) for each cube it passes, with at most 194 slots of the table for each (hsp_model_set),
- *  and for each ball near it; at most O(n).
+ *  rounded to the lattice. A point can move from one place to another without entering a ball exactly if both places
+ *  lie in one region. In a model with a probe the same holds of the probe's centre. hsp_query_point tells which balls a
+ *  point lies in.
+ *  Cost: one vertical ray: O(1) for each cube that it passes, with at most 194 slots of the hash table for each cube
+ *  (hsp_model_set), and O(1) for each ball near it; at most O(n).
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
  *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity

@@ -14,10 +14,10 @@
 extern "C" {
 #endif
 
-/* HSP_E_ARGUMENT is for single values: pointers that must not be NULL, also to handles, options that are not known, and
+/* HSP_E_ARGUMENT is for single values: NULL where a pointer or a handle must be given, options that are not known, and
  * values that a function does not take. HSP_E_HANDLE is for pointers to anything but a live handle of their kind, and
- * HSP_E_VERSION for structs with struct_size: see MEMORY and STRUCTS in hardsphere.h. HSP_E_CHECK is a fault of the
- * library and nothing else; HSP_E_DEGENERATE is none. -14 is no status any more. */
+ * HSP_E_VERSION for structs with struct_size: see MEMORY and STRUCTS in hardsphere.h. HSP_E_CHECK always means a fault
+ * of the library; HSP_E_DEGENERATE never does. -14 is not used. */
 #define HSP_OK 0               /**< success */
 #define HSP_E_ARGUMENT (-1)    /**< a null pointer, an unknown option, or a value that is not allowed there */
 #define HSP_E_CAPACITY (-2)    /**< an output array or a limit is too small; what suffices is reported */
@@ -37,7 +37,8 @@ extern "C" {
 #define HSP_E_STOPPED (-17)    /**< the caller's executor said not to go on */
 #define HSP_E_DAMAGED (-18)    /**< bytes that are no result of this library, or not as they were written */
 
-/** The meaning of a status as above, for messages; never NULL, "unknown status" for numbers not listed above.
+/** The meaning of a status in the words above, for messages: a constant text of the library's, never NULL; "unknown
+ *  status" for numbers not listed above.
  *  Cost: O(1). */
 HSP_API const char *HSP_CALL hsp_status_text(int32_t status);
 

@@ -5,21 +5,24 @@
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  * The boundary as one quad-edge structure (Guibas and Stolfi 1985) whose faces are simple, as the paper has them: every
- * simple face is bounded by one loop of at least two edges, every edge by two different simple faces. To this end
+ * simple face is bounded by one loop of at least two edges, every edge lies between two different simple faces.
+ * Therefore
  *   - arcs stay as they are, each is an edge or, where a cut arc ends on it, several;
- *   - a free circle becomes at least two edges, meeting in its two points in the plane through its balls' centres that
- *     contains the direction z (the plane across x if the centres lie above each other);
- *   - a face with several loops is cut by cut arcs: pieces of great circles in planes that contain z, each through
- *     the axis of a circle on that ball, as many of these planes as it takes to join the face's loops;
- *   - a whole sphere is cut in two by the great circle across x, in its highest and lowest points.
- * These are stable: rules that hold for every structure. *Which* cut arcs and subdivisions there are, of the many that
- * make faces simple, may change with a minor version, which then raises HSP_NUMERICS_NUMBER; nothing in regions.h
- * depends on it but what hsp_shell and hsp_topology_counts say of simple faces, their edges and vertices.
+ *   - a free circle becomes at least two edges. They meet in the circle's two points in the plane that contains both
+ *     balls' centres and the direction z (if the centres lie above each other, the plane across x);
+ *   - a face with several loops is cut by cut arcs: pieces of great circles in planes that contain the direction z.
+ *     Each plane goes through the axis of a circle on that ball; there are as many planes as it takes to join the
+ *     face's loops;
+ *   - a whole sphere is cut in two by the great circle across x, whose two edges meet in its highest and lowest points.
+ * These rules hold for every structure and are stable. *Which* cut arcs and subdivisions there are, of the many that
+ * make faces simple, may change with a minor version, which then raises HSP_NUMERICS_NUMBER. In regions.h only the
+ * counts of simple faces, their edges and vertices in hsp_shell and hsp_topology_counts depend on it.
  *
- *   vertex         0 .. vertices - 1; the boundary's own vertices come first, with the ids that they have there
+ *   vertex         0 .. vertices - 1; vertices of the boundary come first, with their ids of hsp_boundary_get_vertices
  *   edge           0 .. edges - 1
  *   quarter-edge   q = 4 edge + k: the edge's four directed forms. k = 0 is the edge, k = 2 the edge the other way
- *                  (sym), k = 1 and 3 the dual edges from its right to its left face and back (rot, inverse rot)
+ *                  (sym), k = 1 the dual edge from its right to its left face (rot), k = 3 the dual edge back (inverse
+ *                  rot)
  *   simple face    0 .. simple_faces - 1
  *
  *              destination(q)                   rot(q)        runs from the right face to the left one
@@ -46,8 +49,8 @@ extern "C" {
 
 /* ---- quad-edges -------------------------------------------------------------------------------------------------- */
 
-/** The dual edge of q, from its right face to its left one. Like the next two macros this is arithmetic on the
- *  quarter-edge q = 4 edge + k, a uint32_t, which it may evaluate several times. HSP_NONE yields HSP_NONE.
+/** The dual edge of q, from its right face to its left one. Like the next two macros this one is arithmetic on the
+ *  quarter-edge q = 4 edge + k, a uint32_t, and may evaluate q several times. HSP_NONE yields HSP_NONE.
  *  - Property 1: rot(rot(q)) = sym(q), sym(sym(q)) = q, inverse_rot(rot(q)) = q. */
 #define HSP_QUAD_ROT(q) ((q) == HSP_NONE ? HSP_NONE : (((q) & ~UINT32_C(3)) | (((q) + 1U) & UINT32_C(3))))
 
@@ -73,7 +76,7 @@ HSP_API uint32_t HSP_CALL hsp_topology_lnext(const hsp_topology *topology, uint3
 #define HSP_TOPOLOGY_OPREV(topology, q) hsp_topology_lnext((topology), HSP_QUAD_SYM(q))
 
 /** The previous edge about the left face of q, the inverse of lnext: sym(onext(q)). Both arguments may be evaluated
- *  several times, and the step taken as often; with onext(q) in a variable it is taken once. */
+ *  several times, and the function called as often; HSP_QUAD_SYM of a variable that holds onext(q) calls it once. */
 #define HSP_TOPOLOGY_LPREV(topology, q) HSP_QUAD_SYM(hsp_topology_onext((topology), (q)))
 
 /** Where q starts: a vertex if q is even, a simple face if q is odd (a dual edge); HSP_NONE if there is no such
@@ -85,8 +88,9 @@ HSP_API uint32_t HSP_CALL hsp_topology_origin(const hsp_topology *topology, uint
  *  - Property 1: left(q) = origin(inverse_rot(q)). */
 HSP_API uint32_t HSP_CALL hsp_topology_left(const hsp_topology *topology, uint32_t q);
 
-/** The structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and origin [count][4];
- *  all else follows by rot. Either may be NULL, with count 0 both. 0 and hsp_topology_counts.edges are all edges.
+/** The structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and origin [count][4],
+ *  by quarter-edge; all else follows by rot. Either may be NULL, with count 0 both. first 0 and count
+ *  hsp_topology_counts.edges are all edges.
  *  - Property 1: the arrays hold what hsp_topology_onext and hsp_topology_origin say.
  *
  *  @retval HSP_E_ARGUMENT  topology is NULL; both arrays are NULL with a count above 0
@@ -104,7 +108,7 @@ HSP_API int32_t HSP_CALL hsp_topology_get_quad_edges(const hsp_topology *topolog
 /** A vertex: one of the boundary, or one that was added where edges are cut. Frozen. */
 typedef struct hsp_topology_vertex {
   double xyz[3];     /**< position, length */
-  uint32_t ball[3];  /**< the balls whose spheres meet there, ascending, HSP_NONE for those there are not */
+  uint32_t ball[3];  /**< the one to three balls whose spheres meet there, ascending, then HSP_NONE */
   uint32_t kind;     /**< HSP_POINT_* */
   uint32_t q;        /**< a quarter-edge that starts there */
   uint32_t reserved; /**< 0 */
@@ -116,10 +120,10 @@ typedef struct hsp_topology_vertex {
 
 /** An edge: a piece of a circle between two vertices and two simple faces. Frozen. */
 typedef struct hsp_topology_edge {
-  double centre[3]; /**< of its circle, length */
-  double axis[3];   /**< unit vector; the edge runs counter-clockwise about it, its left face lies on the axis's side */
-  double radius;    /**< of its circle, length */
-  double angle;     /**< from origin to destination, in [0, 2 pi] */
+  double centre[3];   /**< of its circle, length */
+  double axis[3];     /**< unit vector towards its left face; the edge runs counter-clockwise about it */
+  double radius;      /**< of its circle, length */
+  double angle;       /**< from origin to destination, in [0, 2 pi] */
   uint32_t vertex[2]; /**< origin and destination */
   uint32_t face[2];   /**< simple faces on its left and right */
   uint32_t ball[2];   /**< balls of these faces */
@@ -132,7 +136,7 @@ typedef struct hsp_simple_face {
   uint32_t ball;     /**< the ball it lies on */
   uint32_t face;     /**< the maximal face of hsp_boundary_get_faces that it is a part of */
   uint32_t edges;    /**< on its loop, at least 2 */
-  uint32_t q;        /**< the quarter-edge, even, of one of them, with this face on its left */
+  uint32_t q;        /**< an even quarter-edge of one of its edges, with this face on its left */
   uint32_t shell;    /**< the shell it belongs to */
   uint32_t reserved; /**< 0 */
 } hsp_simple_face;
@@ -163,10 +167,10 @@ HSP_API int32_t HSP_CALL hsp_topology_get_simple_faces(const hsp_topology *topol
 
 /* ---- the scan of a shell ----------------------------------------------------------------------------------------- */
 
-/** The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits them,
- *  around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for start_face) and
- *  at once into every neighbour not visited before. With the shell of hsp_topology_counts.start_face it is the outer
- *  boundary component from the topmost ball.
+/** The paper's scan of one shell: the simple faces of the shell in the order of a depth-first search from start_face.
+ *  The search goes around each face counter-clockwise from the edge by which it entered the face (hsp_simple_face.q for
+ *  start_face), and enters every neighbour not visited before at once. With the shell of hsp_topology_counts.start_face
+ *  it scans the outer boundary component from the topmost ball.
  *
  *  Cost: O(1) for each simple face of the shell.
  *  @retval HSP_E_ARGUMENT  topology is NULL; faces is NULL with a capacity above 0

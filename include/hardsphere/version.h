@@ -5,22 +5,21 @@
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  * Five numbers, each as a macro of the header and as a function of the library that was linked:
- *   version      what there is. A larger one has all that a smaller one of the same ABI number has.
- *   ABI          how a compiled program and the library fit together, as far as headers are stable (TIERS in
- *                hardsphere.h). It is raised when a function, constant or struct of these that was released changes or
- *                goes, and stays when something is added.
- *   provisional  the same of all other headers.
- *   numerics     which bits come out of what stable headers declare. Two libraries of one numerics number give the same
- *                bits for the same calls, on every machine; it is raised with the first release in which a last bit of
- *                any of these results may differ. Structure, which is ids, order, counts and flags, changes from 1.0 on
- *                with the major version alone, unless it was wrong or a header excepts it (topology.h, model.h).
- *   provisional numerics  the same of what all other headers declare.
+ *   version      what the library offers. A larger version has all that a smaller one of the same ABI number has.
+ *   ABI          the binary interface of the stable headers (TIERS in hardsphere.h). It is raised when a released
+ *                function, constant or struct of a stable header changes or goes, and stays when something is added.
+ *   provisional  the same for all other headers.
+ *   numerics     the bits of the results of stable functions. Two libraries of one numerics number give the same bits
+ *                for the same calls, on every machine; the number is raised with the first release in which a last bit
+ *                of any of these results may differ. Structure (ids, order, counts and flags) changes from 1.0 on with
+ *                the major version alone, unless it was wrong or a header makes an exception (topology.h, model.h).
+ *   provisional numerics  the same for the results of all other functions.
  * A program may run with a library if
  *   hsp_abi() == HSP_ABI_NUMBER && hsp_version() >= HSP_VERSION_NUMBER
- * and, if it uses anything of a provisional header, hsp_provisional() == HSP_PROVISIONAL_NUMBER. With
- * hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with; those of provisional headers
- * with hsp_provisional_numerics() == HSP_PROVISIONAL_NUMERICS_NUMBER. capi/abi/README.md says what may change with
- * which number. Cost: O(1). */
+ * and, if it uses anything of a provisional header, hsp_provisional() == HSP_PROVISIONAL_NUMBER. If hsp_numerics() ==
+ * HSP_NUMERICS_NUMBER as well, stable functions give the program the bits that it was tested with; provisional
+ * functions do if hsp_provisional_numerics() == HSP_PROVISIONAL_NUMERICS_NUMBER. capi/abi/README.md says what may
+ * change with which number. Cost: O(1). */
 #ifndef HARDSPHERE_VERSION_H
 #define HARDSPHERE_VERSION_H
 
@@ -49,7 +48,7 @@ extern "C" {
 /** The bits of the results that stable functions of the library of this header give. */
 #define HSP_NUMERICS_NUMBER 3
 
-/** The bits of the results that its provisional functions give. */
+/** The bits of the results that provisional functions of the library of this header give. */
 #define HSP_PROVISIONAL_NUMERICS_NUMBER 4
 
 /** HSP_VERSION_NUMBER of the library that was linked. */

@@ -163,7 +163,7 @@ class ModelInfo(Record):
 
 
 class Packing(Record):
-    """The hard-sphere figures of Section 2, on the lattice."""
+    """The figures by which the paper's Section 2 bounds how many balls meet one, of the balls on the lattice."""
     _fields_ = [("k", C.c_double), ("rho", C.c_double), ("mean_overlaps", C.c_double), ("neighbour_bound", C.c_double),
                 ("max_overlaps", C.c_uint32), ("flags", C.c_uint32), ("reserved", C.c_uint64 * 2)]
 
@@ -258,7 +258,7 @@ class LoopArc(Record):
 
 
 class Ball(Record):
-    """A ball as the boundary has it."""
+    """Faces and component of a ball."""
     _fields_ = [("faces", C.c_uint32), ("first_face", C.c_uint32), ("component", C.c_uint32), ("flags", C.c_uint32)]
 
 
@@ -268,7 +268,7 @@ class Totals(Record):
 
 
 class MeasureRequest(Record):
-    """The question."""
+    """Which balls count, and threads."""
     _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("selected", C.c_void_p),
                 ("executor", C.c_void_p)]
 
@@ -280,13 +280,13 @@ class MeasureOutputs(Record):
 
 
 class Energy(Record):
-    """An energy of areas and volume, and its parts."""
+    """The value of an energy of areas and volume, and its parts."""
     _fields_ = [("value", C.c_double), ("area", C.c_double), ("volume", C.c_double), ("d_probe", C.c_double),
                 ("reserved", C.c_uint64 * 2)]
 
 
 class GradientRequest(Record):
-    """The question:"""
+    """Which energy:"""
     _fields_ = [("struct_size", C.c_uint32), ("tangency", C.c_uint32), ("tension", C.c_double),
                 ("pressure", C.c_double), ("sigma", C.c_void_p), ("executor", C.c_void_p)]
 
@@ -299,7 +299,7 @@ class GradientOutputs(Record):
 
 
 class DerivativesRequest(Record):
-    """The question of the two parts of a gradient."""
+    """Which derivatives, of the area and of the volume apart."""
     _fields_ = [("struct_size", C.c_uint32), ("tangency", C.c_uint32), ("sigma", C.c_void_p), ("executor", C.c_void_p)]
 
 
@@ -686,7 +686,7 @@ class CellPair(Record):
 
 
 class Arrangement(Record):
-    """Into how many vertices, edges and faces spheres cut each other;"""
+    """The numbers of vertices, edges and faces into which spheres cut each other;"""
     _fields_ = [("vertices", C.c_uint64), ("edges", C.c_uint64), ("faces", C.c_uint64)]
 
 
@@ -961,7 +961,7 @@ class Model(Handle):
 
     def set_with(self, xyz: Rows, radius: Values, *, probe: float | None = None, step: float | None = None,
                  largest_radius: float | None = None, threads: int | None = None) -> Model:
-        """The same as hsp_model_set, as a request says; request and first_bad may be NULL."""
+        """The same as hsp_model_set, with options and an executor in a request; request and first_bad may be NULL."""
         return call("hsp_model_set_with", self, xyz=xyz, radius=radius, probe=probe, step=step,
                     largest_radius=largest_radius, threads=threads)
 
@@ -970,8 +970,8 @@ class Model(Handle):
         return call("hsp_model_get_info", self)
 
     def get_balls(self, *, only: Any | None = None) -> Any:
-        """The balls as rounded to the lattice, in the caller's order: xyz [n][3] and radius [n], probe included. Gives
-        .xyz, .radius."""
+        """The balls as rounded to the lattice, in the caller's order: xyz [n][3] and radius [n], length, probe
+        included. Gives .xyz, .radius."""
         return call("hsp_model_get_balls", self, only=only)
 
     def get_packing(self) -> Packing:
@@ -1000,7 +1000,8 @@ class Model(Handle):
         return call("hsp_query_pairs", self, flags=flags)
 
     def query_pairs_with(self, *, flags: int | None = None, threads: int | None = None) -> Any:
-        """The same as hsp_query_pairs, as a request says; request may be NULL: all defaults. Gives .first, .ids."""
+        """The same as hsp_query_pairs, with flags and an executor in a request; request may be NULL: all defaults.
+        Gives .first, .ids."""
         return call("hsp_query_pairs_with", self, flags=flags, threads=threads)
 
     def query_ray(self, origin: Values, direction: Values) -> RayHit:
@@ -1009,8 +1010,8 @@ class Model(Handle):
         return call("hsp_query_ray", self, origin=origin, direction=direction)
 
     def arrangement(self, *, only: Any | None = None) -> Any:
-        """How large the arrangement of all spheres is (Theorem 2.2), by exact counts and without storing it: *totals in
-        all, of_ball [n] what lies on each sphere; either may be NULL. Gives .totals, .of_ball."""
+        """How large the arrangement of all spheres is (Theorem 2.2), by exact counts and without storing it: *totals
+        for all, of_ball [n] for each sphere; either may be NULL. Gives .totals, .of_ball."""
         return call("hsp_model_arrangement", self, only=only)
 
 
@@ -1074,7 +1075,8 @@ class Boundary(Handle):
 
     def compute_with(self, model: Model, *, threads: int | None = None,
                      selected: Truths | bytes | None = None) -> Boundary:
-        """The same as hsp_boundary_compute, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_boundary_compute, with threads or for selected balls alone; request may be NULL: all
+        defaults."""
         return call("hsp_boundary_compute_with", self, model=model, threads=threads, selected=selected)
 
     def get_counts(self) -> BoundaryCounts:
@@ -1102,7 +1104,7 @@ class Boundary(Handle):
         return call("hsp_boundary_get_loops", self)
 
     def get_loop_arcs(self) -> Records:
-        """The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records."""
+        """The arcs of all loops, loop after loop, and within a loop in walking order: 2 counts.arcs records."""
         return call("hsp_boundary_get_loop_arcs", self)
 
     def get_balls(self) -> Records:
@@ -1110,7 +1112,7 @@ class Boundary(Handle):
         return call("hsp_boundary_get_balls", self)
 
     def check(self) -> Any:
-        """Check the invariants of a computed boundary: what fuzzers and careful callers call. Gives .invariant, .id."""
+        """Check the invariants of a computed boundary, for fuzzers and careful callers. Gives .invariant, .id."""
         return call("hsp_boundary_check", self)
 
     def measure(self, selected: Truths | bytes | None = None, *, only: Any | None = None) -> Any:
@@ -1120,7 +1122,8 @@ class Boundary(Handle):
 
     def get_measures(self, *, selected: Truths | bytes | None = None, threads: int | None = None,
                      only: Any | None = None) -> Any:
-        """The same as a request says; request may be NULL: all defaults. Gives .totals, .area, .volume_term."""
+        """The same as hsp_boundary_measure, with a selection and threads in a request; request may be NULL: all
+        defaults. Gives .totals, .area, .volume_term."""
         return call("hsp_boundary_get_measures", self, selected=selected, threads=threads, only=only)
 
     def measure_faces(self, *, only: Any | None = None) -> Any:
@@ -1136,8 +1139,8 @@ class Boundary(Handle):
 
     def get_derivatives(self, *, tangency: int | None = None, sigma: Values | None = None, threads: int | None = None,
                         only: Any | None = None) -> Any:
-        """The two parts of that gradient, each on its own. Gives .area_centre, .area_radius, .volume_centre,
-        .volume_radius, .flags."""
+        """The two parts of that gradient, each on its own: the derivatives of the weighted area and of the volume.
+        Gives .area_centre, .area_radius, .volume_centre, .volume_radius, .flags."""
         return call("hsp_boundary_get_derivatives", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
     def get_area_row(self, ball: int, tangency: int) -> Records:
@@ -1147,9 +1150,8 @@ class Boundary(Handle):
 
     def get_area_rows(self, *, tangency: int | None = None, sigma: Values | None = None, threads: int | None = None,
                       only: Any | None = None) -> Any:
-        """The whole Jacobian of the areas as compressed rows: those of ball i are entries first[i] to first[i + 1] - 1,
-        with ball [needed] the columns j, ascending, d_centre [needed][3] sigma_i dA_i/dc_j and d_radius [needed], which
-        may be NULL, sigma_i dA_i/dr_j. Gives .first, .ball, .d_centre, .d_radius."""
+        """The whole Jacobian of the areas as compressed rows: the row of ball i has the entries first[i] to first[i +
+        1] - 1. Gives .first, .ball, .d_centre, .d_radius."""
         return call("hsp_boundary_get_area_rows", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
     def curvature(self, *, only: Any | None = None) -> Any:
@@ -1204,7 +1206,8 @@ class Moving(Handle):
 
     def set_with(self, model: Model, *, tangency: int | None = None, tension: float | None = None,
                  pressure: float | None = None, sigma: Values | None = None, threads: int | None = None) -> Moving:
-        """The same as hsp_moving_set, of the energy that a request says; request may be NULL: all defaults."""
+        """The same as hsp_moving_set, with the energy and an executor in a request; request may be NULL: all
+        defaults."""
         return call("hsp_moving_set_with", self, model=model, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads)
 
@@ -1215,36 +1218,37 @@ class Moving(Handle):
 
     def move_with(self, ball: Integers, xyz: Rows | None = None, radius: Values | None = None, *,
                   threads: int | None = None) -> Moving:
-        """The same as hsp_moving_move, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_moving_move, with an executor that may stop it; request may be NULL: all defaults."""
         return call("hsp_moving_move_with", self, ball=ball, xyz=xyz, radius=radius, threads=threads)
 
     def undo(self) -> Moving:
-        """Take the last move back: all numbers are as before it, bit for bit."""
+        """Take the last move back: all numbers become what they were before it, bit for bit."""
         return call("hsp_moving_undo", self)
 
     def get_info(self) -> MovingInfo:
-        """Count, and tell the lattice."""
+        """How many vertices, arcs, faces, components there are, and the lattice."""
         return call("hsp_moving_get_info", self)
 
     def measure(self, *, only: Any | None = None) -> Any:
-        """Area and volume of the union, and each ball's terms of both, always of all balls: arguments as of
+        """Area and volume of the union, and each ball's terms of both, always of all balls: arguments as those of
         hsp_boundary_measure. Gives .totals, .area, .volume_term."""
         return call("hsp_moving_measure", self, only=only)
 
     def gradient(self, *, only: Any | None = None) -> Any:
-        """The energy that hsp_moving_set was given, and its derivatives as of hsp_boundary_get_gradient: d_centre
+        """The energy that hsp_moving_set was given, and its derivatives as those of hsp_boundary_get_gradient: d_centre
         [n][3], d_radius [n] and flags [n] may each be NULL and else hold capacity >= n entries. Gives .energy,
         .d_centre, .d_radius, .flags."""
         return call("hsp_moving_gradient", self, only=only)
 
     def get_balls(self, ball: Integers) -> Records:
-        """Some balls with all that is known of them: out [count] of ball [count], in this order; the same may be listed
+        """All that is known of some balls: out [count] of the balls ball [count], in this order; a ball may be listed
         again."""
         return call("hsp_moving_get_balls", self, ball=ball)
 
     def get_changed(self) -> Numbers:
-        """The balls of which anything may have changed by the last move, or by taking it back, ascending: those that
-        moved, those that they met or meet, and those whose terms of the volume are about another origin now."""
+        """The balls of which anything may have changed by the last move, or by taking it back, ascending: balls that
+        moved, balls that these met or meet, and balls whose terms of the volume are about another origin than
+        before."""
         return call("hsp_moving_get_changed", self)
 
     def get_model(self, model: Model) -> Moving:
@@ -1261,7 +1265,7 @@ class Contacts(Handle):
         return call("hsp_contacts_compute", self, boundary=boundary)
 
     def compute_with(self, boundary: Boundary, *, threads: int | None = None) -> Contacts:
-        """The same as hsp_contacts_compute, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_contacts_compute, with an executor that may stop it; request may be NULL: all defaults."""
         return call("hsp_contacts_compute_with", self, boundary=boundary, threads=threads)
 
     def get_pairs(self) -> Records:
@@ -1273,13 +1277,13 @@ class Contacts(Handle):
         return call("hsp_contacts_get_row", self, ball=ball)
 
     def measure(self, *, only: Any | None = None) -> Any:
-        """Volume of the share and area of all contacts of each ball; share_volume [n] and contact_area [n] may each be
-        NULL and else hold capacity >= n entries. Gives .totals, .share_volume, .contact_area."""
+        """Of each ball the volume of its share and the area of all its contacts; share_volume [n] and contact_area [n]
+        may each be NULL and else hold capacity >= n entries. Gives .totals, .share_volume, .contact_area."""
         return call("hsp_contacts_measure", self, only=only)
 
     def group(self, group: Integers) -> Records:
-        """Sums over the contacts between groups of balls, as residues or chains: for every two different groups that
-        have any, ascending."""
+        """Sums over the contacts between groups of balls, such as residues or chains: one record for every two
+        different groups that have a contact, ascending."""
         return call("hsp_contacts_group", self, group=group)
 
     def get_complex(self) -> Complex:
@@ -1291,8 +1295,7 @@ class Contacts(Handle):
         return call("hsp_contacts_get_simplices", self, dimension=dimension)
 
     def check(self) -> Any:
-        """Check contacts and shares against laws that hold for every set of balls: two ways to compute that have little
-        in common. Gives .invariant, .id."""
+        """Check contacts and shares against laws that hold for every set of balls. Gives .invariant, .id."""
         return call("hsp_contacts_check", self)
 
 
@@ -1561,7 +1564,7 @@ class Topology(Handle):
         return call("hsp_topology_compute", self, boundary=boundary)
 
     def compute_with(self, boundary: Boundary, *, threads: int | None = None) -> Topology:
-        """The same as hsp_topology_compute, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_topology_compute, with an executor that may stop it; request may be NULL: all defaults."""
         return call("hsp_topology_compute_with", self, boundary=boundary, threads=threads)
 
     def get_counts(self) -> TopologyCounts:
@@ -1615,7 +1618,7 @@ class Topology(Handle):
 
     def get_quad_edges(self, first: int, count: int, *, only: Any | None = None) -> Any:
         """The structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and origin
-        [count][4]; all else follows by rot. Gives .onext, .origin."""
+        [count][4], by quarter-edge; all else follows by rot. Gives .onext, .origin."""
         return call("hsp_topology_get_quad_edges", self, first=first, count=count, only=only)
 
     def get_vertices(self, first: int, count: int) -> Records:
@@ -1634,9 +1637,8 @@ class Topology(Handle):
         return call("hsp_topology_get_simple_faces", self, first=first, count=count)
 
     def get_traversal(self, shell: int) -> Numbers:
-        """The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits
-        them, around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for
-        start_face) and at once into every neighbour not visited before."""
+        """The paper's scan of one shell: the simple faces of the shell in the order of a depth-first search from
+        start_face."""
         return call("hsp_topology_get_traversal", self, shell=shell)
 
     def check(self) -> Any:
@@ -1652,7 +1654,7 @@ class Cells(Handle):
         return call("hsp_cells_compute", self, model=model)
 
     def compute_with(self, model: Model, *, threads: int | None = None) -> Cells:
-        """The same as hsp_cells_compute, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_cells_compute, with an executor that may stop it; request may be NULL: all defaults."""
         return call("hsp_cells_compute_with", self, model=model, threads=threads)
 
     def get_counts(self) -> CellsCounts:
@@ -2115,13 +2117,14 @@ def provisional_numerics() -> int:
 
 
 def status_text(status: int) -> str:
-    """The meaning of a status as above, for messages; never NULL, "unknown status" for numbers not listed above."""
+    """The meaning of a status in the words above, for messages: a constant text of the library's, never NULL; "unknown
+    status" for numbers not listed above."""
     return call("hsp_status_text", None, status=status)
 
 
 def element_radius(set: int, atomic_number: int) -> Any:
-    """The radius of an element in one of the sets HSP_RADII_*: *radius in angstrom, *flags = HSP_RADIUS_* or 0; flags
-    may be NULL. Gives .radius, .flags."""
+    """The radius of an element in one of the sets above, HSP_RADII_*: *radius in angstrom, *flags = HSP_RADIUS_* or 0;
+    flags may be NULL. Gives .radius, .flags."""
     return call("hsp_element_radius", None, set=set, atomic_number=atomic_number)
 
 
@@ -2132,7 +2135,8 @@ def element_number(symbol: str) -> int:
 
 
 def element_symbol(atomic_number: int) -> str:
-    """The symbol of an element as chemists write it, "H" or "Ca"; never NULL, "" for numbers that no element has."""
+    """The symbol of an element as chemists write it, "H" or "Ca": a constant text of the library's, never NULL; "" for
+    numbers that no element has."""
     return call("hsp_element_symbol", None, atomic_number=atomic_number)
 
 
@@ -2143,7 +2147,8 @@ def residue_radius(set: int, residue: str, atom: str) -> float:
 
 
 def residue_get_atoms(set: int) -> Records:
-    """All atoms of a set, in the order of its publication, for tables of one's own."""
+    """All atoms of a set, HSP_RADII_PROTOR or HSP_RADII_NACCESS, in the order of its publication, for tables of one's
+    own."""
     return call("hsp_residue_get_atoms", None, set=set)
 
 
@@ -2158,8 +2163,8 @@ def pose_from_matrix(matrix: Rows | Values, translation: Values) -> Pose:
 
 
 def areas(xyz: Rows, radius: Values, probe: float, *, only: Any | None = None) -> Any:
-    """Area of each of n balls that a probe can reach, and area and volume of all, in one call: of centres xyz [n][3]
-    and radius [n] + probe. Gives .bytes, .totals, .area."""
+    """Areas and volume of n balls in one call: the solvent-accessible area of each ball, and area and volume of the
+    union. Gives .bytes, .totals, .area."""
     return call("hsp_areas", None, xyz=xyz, radius=radius, probe=probe, only=only)
 
 
