@@ -156,14 +156,14 @@ module hardsphere
 
   ! ---- curvature.h: integrated mean and Gaussian curvature -----------------------------------------------------------
 
-  ! The derivatives of the energy are those of one side, or it has none: as HSP_GRADIENT_ONE_SIDED, and besides where
-  ! four spheres or more meet in a vertex of the ball, or one of its vertices is where two circles only touch.
+  ! The derivatives by this ball are one-sided, or do not exist: in the cases of HSP_GRADIENT_ONE_SIDED, and where four
+  ! or more spheres meet in a vertex of the ball, or two circles only touch in a vertex of the ball.
   integer(c_int32_t), parameter :: HSP_CURVATURE_ONE_SIDED = 1_c_int32_t
 
   ! ---- hessian.h: second derivatives of areas and volume -------------------------------------------------------------
 
-  ! A vertex of the ball lies in the plane of its three centres: the area's second derivatives do not exist there, and
-  ! what this vertex would add to them is left out. Those of the volume are right.
+  ! A vertex of the ball lies in the plane of the centres of its three balls: the area's second derivatives do not
+  ! exist there, and the terms of this vertex are left out. Second derivatives of the volume are right.
   integer(c_int32_t), parameter :: HSP_HESSIAN_SINGULAR = 2_c_int32_t
 
   ! ---- bricks.h: one set in parts that no memory holds together ------------------------------------------------------
@@ -415,12 +415,12 @@ module hardsphere
   type, bind(C) :: hsp_body_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_body_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_pose
-    real(c_double) :: quaternion(4)   ! w x y z, of any length but 0: the rotation R; 1 0 0 0 is none
+    real(c_double) :: quaternion(4)   ! w x y z, of any length but 0: the rotation R; 1 0 0 0 is no rotation
     real(c_double) :: translation(3)  ! t, lengths
   end type
 
@@ -439,7 +439,7 @@ module hardsphere
 
   type, bind(C) :: hsp_rational_pose
     integer(c_int32_t) :: quaternion(4)  ! w x y z, not all 0, of any length: the rotation R; 1 0 0 0 is none
-    real(c_double) :: translation(3)     ! t, lengths; what counts is the lattice point nearest to it
+    real(c_double) :: translation(3)     ! t, length; rounded to the nearest lattice point
   end type
 
   ! ---- boundary.h: the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2) ------------
@@ -678,13 +678,13 @@ module hardsphere
 
   type, bind(C) :: hsp_curvatures
     real(c_double) :: mean   ! M, length
-    real(c_double) :: gauss  ! G = pi/3 times the sum of gauss_thirds
+    real(c_double) :: gauss  ! G = pi/3 times the sum of gauss_thirds, a number
   end type
 
   type, bind(C) :: hsp_curvature_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_curvature_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
@@ -730,7 +730,8 @@ module hardsphere
     integer(c_int32_t) :: brick = 0_c_int32_t                             ! which it is, below bricks
     integer(c_int32_t) :: bricks = 0_c_int32_t                            ! how many make the whole, the same for all
     integer(c_int32_t) :: flags = 0_c_int32_t                             ! HSP_BRICK_*, the same for all
-    type(c_ptr) :: id = c_null_ptr                                        ! [n]: of each ball in the whole, ascending
+    ! [n]: each ball's id in the whole set, ascending
+    type(c_ptr) :: id = c_null_ptr
     type(c_ptr) :: owner = c_null_ptr                                     ! [n]: the brick that owns it, below bricks
     ! or NULL: whether to go on is asked of it; its threads share nothing yet
     type(c_ptr) :: executor = c_null_ptr
@@ -738,7 +739,7 @@ module hardsphere
 
   type, bind(C) :: hsp_brick_totals
     integer(c_int64_t) :: balls            ! each counted by its owner
-    integer(c_int64_t) :: exposed_balls    ! as in hsp_boundary_counts, and so all others
+    integer(c_int64_t) :: exposed_balls    ! as in hsp_boundary_counts, like all others
     integer(c_int64_t) :: contained_balls  ! balls inside one other ball
     integer(c_int64_t) :: vertices         ! points where three spheres meet
     integer(c_int64_t) :: arcs             ! between two vertices
@@ -752,7 +753,7 @@ module hardsphere
     integer(c_int64_t) :: euler            ! Euler characteristic of the boundary, summed over its shells
     real(c_double) :: area                 ! of the boundary, walls of voids included, length^2
     real(c_double) :: volume               ! of the union, voids not included, length^3
-    real(c_double) :: void_volume          ! that shells of voids enclose, whatever lies in them, length^3
+    real(c_double) :: void_volume          ! that shells of voids enclose, with whatever lies in them, length^3
     integer(c_int64_t) :: reserved(2)      ! 0
   end type
 
@@ -761,7 +762,7 @@ module hardsphere
     integer(c_int64_t) :: faces        ! maximal faces
     integer(c_int64_t) :: euler        ! Euler characteristic; 1 - euler/2 handles
     real(c_double) :: area             ! length^2
-    real(c_double) :: volume           ! of the space it encloses, whatever lies in it, length^3
+    real(c_double) :: volume           ! of the space that it encloses, with whatever lies in it, length^3
     integer(c_int32_t) :: kind         ! HSP_SHELL_*
     integer(c_int32_t) :: reserved(3)  ! 0
   end type
@@ -823,18 +824,19 @@ module hardsphere
   type, bind(C) :: hsp_periodic_limits
     integer(c_int32_t) :: struct_size = 32_c_int32_t  ! sizeof(hsp_periodic_limits)
     integer(c_int32_t) :: balls                       ! most balls
-    integer(c_int32_t) :: images                      ! images of them that are near the box
+    integer(c_int32_t) :: images                      ! images of balls that are near the box
     integer(c_int32_t) :: neighbours                  ! as in hsp_boundary_limits
-    integer(c_int32_t) :: vertices                    ! of balls in the box; those across its faces once from each side
+    ! of balls in the box; a vertex across its faces counts once from each side
+    integer(c_int32_t) :: vertices
     integer(c_int32_t) :: circles                     ! the same
     integer(c_int32_t) :: contacts                    ! the same
-    ! parts that threads of an executor share; 0 is 1. Comes back as it is if it suffices
+    ! parts of the work for an executor; 0 means 1. Comes back unchanged if it suffices
     integer(c_int32_t) :: workers
   end type
 
   type, bind(C) :: hsp_periodic_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_periodic_request)
-    ! 1: areas and their gradient alone will be asked for; 0: everything
+    ! 1: only areas and their derivatives will be asked for; 0: everything
     integer(c_int32_t) :: areas_alone = 0_c_int32_t
     ! or NULL: how balls are rounded, as of hsp_model_set
     type(c_ptr) :: options = c_null_ptr
@@ -843,13 +845,13 @@ module hardsphere
 
   type, bind(C) :: hsp_periodic_counts
     integer(c_int32_t) :: balls       ! n
-    integer(c_int32_t) :: images      ! that were made of them
+    integer(c_int32_t) :: images      ! images that were made of them
     integer(c_int32_t) :: vertices    ! points of three spheres
     integer(c_int32_t) :: arcs        ! between two vertices
     integer(c_int32_t) :: circles     ! whole free circles
     integer(c_int32_t) :: loops       ! as in hsp_boundary_counts
     integer(c_int32_t) :: faces       ! as in hsp_boundary_counts
-    integer(c_int32_t) :: shells      ! connected components of the boundary; which is outside which has no meaning
+    integer(c_int32_t) :: shells      ! connected components of the boundary; none is inside or outside of another
     integer(c_int32_t) :: components  ! connected components of the union
     integer(c_int32_t) :: contacts    ! pairs of balls, or of a ball and an image, in contact
     integer(c_int64_t) :: euler       ! V - E + sum over faces of (2 - loops): twice that of the union
@@ -858,9 +860,9 @@ module hardsphere
   type, bind(C) :: hsp_periodic_totals
     real(c_double) :: area          ! of the boundary, length^2
     real(c_double) :: volume        ! of the union, length^3
-    real(c_double) :: box_volume    ! of the box on the lattice
-    real(c_double) :: free_volume   ! box_volume less volume; 0 exactly if there is no boundary but there are balls
-    real(c_double) :: contact_area  ! of all contacts, each once
+    real(c_double) :: box_volume    ! of the box on the lattice, length^3
+    real(c_double) :: free_volume   ! box_volume less volume, length^3; exactly 0 if there are balls and no boundary
+    real(c_double) :: contact_area  ! of all contacts, each once, length^2
   end type
 
   type, bind(C) :: hsp_periodic_morphometry_outputs
@@ -873,9 +875,9 @@ module hardsphere
     type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: by the centres
     type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: by the radii
     type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_CURVATURE_ONE_SIDED
-    ! [9], or NULL: by the strain, as of hsp_periodic_gradient_outputs
+    ! [9], or NULL: by the strain, as in hsp_periodic_gradient_outputs
     type(c_ptr) :: d_strain = c_null_ptr
-    ! [9], or NULL: by the vectors of the box, the same
+    ! [9], or NULL: by the vectors of the box, likewise
     type(c_ptr) :: d_box = c_null_ptr
     ! [n], or NULL: free area of each ball, as of hsp_periodic_measure
     type(c_ptr) :: area = c_null_ptr
@@ -883,26 +885,27 @@ module hardsphere
 
   type, bind(C) :: hsp_periodic_contact
     real(c_double) :: area          ! length^2
-    real(c_double) :: rim           ! length of the part of its border that is on the surface of the union
-    real(c_double) :: distance      ! of the two centres
+    real(c_double) :: rim           ! length of the part of its border on the boundary of the union
+    real(c_double) :: distance      ! of the two centres, length
     integer(c_int32_t) :: ball(2)   ! its two balls a <= b
-    integer(c_int32_t) :: chords    ! straight sides
+    integer(c_int32_t) :: chords    ! number of its straight sides
     integer(c_int32_t) :: flags     ! HSP_CONTACT_* of hardsphere/contacts.h
-    ! times the vectors of the box that ball b is to be moved by, both where they were given
+    ! multiples of the box vectors by which ball b is moved; both balls start where given
     integer(c_int32_t) :: shift(3)
     integer(c_int32_t) :: reserved  ! 0
   end type
 
   type, bind(C) :: hsp_winding
-    integer(c_int32_t) :: balls       ! how many belong to it
-    integer(c_int32_t) :: first       ! the first of them
+    integer(c_int32_t) :: balls       ! how many balls belong to it
+    integer(c_int32_t) :: first       ! the lowest index of them
     ! 0 to 3: in how many independent directions it goes on for ever; 0: it ends on all sides
     integer(c_int32_t) :: directions
-    ! how many copies of it are apart from each other where it goes: with directions 3 so many interpenetrating nets,
-    ! else those in the line or plane of one. 1 if directions is 0; HSP_NONE if there are more
+    ! how many separate copies of it there are along its directions: with directions 3 the number of interpenetrating
+    ! nets, with 1 or 2 the number of copies in one line or plane. 1 if directions is 0; HSP_NONE if there are more
     integer(c_int32_t) :: copies
-    ! of the lattice of its windings, in multiples of the vectors of the box: as many rows of three as directions, in
-    ! echelon form with positive pivots and smaller numbers above them: equal lattices have equal rows; the rest is 0
+    ! a basis of the lattice of its windings, in multiples of the vectors of the box: as many rows of three as
+    ! directions, in Hermite normal form (echelon form with positive pivots and smaller numbers above them), so that
+    ! equal lattices have equal rows; the rest is 0
     integer(c_int32_t) :: row(9)
   end type
 
@@ -916,10 +919,10 @@ module hardsphere
     type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: dE/dc_i
     type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: dE/dr_i
     type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
-    ! [9], or NULL: [3 p + q] is by eps_pq, if all centres and vectors x become x + eps x and radii stay
+    ! [9], or NULL: [3 p + q] is dE/deps_pq, if all centres and vectors x become x + eps x and radii stay
     type(c_ptr) :: d_strain = c_null_ptr
-    ! [9], or NULL: [3 k + p] is by component p of vector k as it was given, if all centres keep their multiples of the
-    ! vectors
+    ! [9], or NULL: [3 k + p] is dE by component p of vector k as it was given, if all centres keep their fractional
+    ! coordinates
     type(c_ptr) :: d_box = c_null_ptr
     ! [n], or NULL: free area of each ball, as of hsp_periodic_measure
     type(c_ptr) :: area = c_null_ptr
@@ -927,20 +930,20 @@ module hardsphere
 
   type, bind(C) :: hsp_image
     integer(c_int32_t) :: ball      ! the caller's index
-    integer(c_int32_t) :: shift(3)  ! times the vectors of the box that it is to be moved by from where it was given
+    integer(c_int32_t) :: shift(3)  ! multiples of the box vectors by which it is moved from where it was given
   end type
 
   ! ---- periodic_boundary.h: vertices, arcs, circles, faces in such a box ---------------------------------------------
 
   type, bind(C) :: hsp_periodic_id
     integer(c_int32_t) :: id        ! index in its list
-    integer(c_int32_t) :: shift(3)  ! times the vectors of the box that it is to be moved by from where it is listed
+    integer(c_int32_t) :: shift(3)  ! multiples of the box vectors by which it is moved from where it is listed
   end type
 
   type, bind(C) :: hsp_periodic_vertex
     real(c_double) :: xyz(3)     ! position, length
     type(hsp_image) :: image(3)  ! its balls a, b, c, the first one at its place
-    integer(c_int32_t) :: sign   ! +1 or -1: the side of the plane of the centres, along (c_b - c_a) x (c_c - c_a)
+    integer(c_int32_t) :: sign   ! +1 or -1: its side of the plane of the centres; +1 is along (c_b - c_a) x (c_c - c_a)
     integer(c_int32_t) :: flags  ! HSP_VERTEX_* of hardsphere/boundary.h
   end type
 
@@ -971,8 +974,7 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_periodic_loop
-    ! the circle that it is, where its face is listed; id HSP_NONE if it consists of arcs
-    type(hsp_periodic_id) :: circle
+    type(hsp_periodic_id) :: circle  ! the circle that it is, at the listed face; id HSP_NONE if it consists of arcs
     integer(c_int32_t) :: face       ! the face that it bounds
     integer(c_int32_t) :: side       ! 1: a circle counter-clockwise about its axis; 0: a circle clockwise, or arcs
     integer(c_int32_t) :: first_arc  ! its arcs are first_arc .. first_arc + arcs - 1 of hsp_periodic_get_loop_arcs
@@ -981,7 +983,7 @@ module hardsphere
 
   type, bind(C) :: hsp_periodic_loop_arc
     type(hsp_periodic_id) :: arc     ! of hsp_periodic_get_arcs
-    type(hsp_periodic_id) :: vertex  ! where the loop comes to it: vertex[1 - side] of the arc, moved with it
+    type(hsp_periodic_id) :: vertex  ! where the loop enters it: vertex[1 - side] of the arc, moved with it
     integer(c_int32_t) :: side       ! 1: the loop runs along it, 0: against it; its face[side] is that of the loop
     integer(c_int32_t) :: reserved   ! 0
   end type
@@ -1286,23 +1288,23 @@ module hardsphere
     integer(c_int32_t) :: corners                     ! as hsp_cells_limits.corners
     integer(c_int32_t) :: cube_balls                  ! as hsp_cells_limits.cube_balls
     integer(c_int32_t) :: cube_corners                ! as hsp_cells_limits.cube_corners
-    integer(c_int32_t) :: points                      ! of a path before it is shortened
+    integer(c_int32_t) :: points                      ! points of a path before it is shortened
   end type
 
   type, bind(C) :: hsp_paths_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_paths_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_path
-    real(c_double) :: length         ! of the polyline; 0 if there is none
+    real(c_double) :: length         ! of the polyline, length; 0 if there is none
     ! least distance of the polyline from a ball; 0 if there is none, infinite without balls
     real(c_double) :: clearance
     integer(c_int32_t) :: ends       ! HSP_PATH_*, exactly
     integer(c_int32_t) :: certified  ! whether no segment meets a ball, exactly: 1 or 0
-    integer(c_int32_t) :: points     ! 2 or more with the ends; 0 if there is none
+    integer(c_int32_t) :: points     ! how many, both ends included: 2 or more; 0 if there is none
     integer(c_int32_t) :: reserved   ! 0
   end type
 

@@ -1,25 +1,25 @@
-/* hardsphere/bricks.h: one set of balls in parts that no memory holds together: components, shells, voids, Euler
- * number, area and volume of the whole.
+/* hardsphere/bricks.h: sets of balls too large for one memory, computed in parts, the bricks: components, shells,
+ * voids, Euler number, area and volume of the whole.
  *
  * Guide: bricks.md.
  *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
- * Every ball has one owner, a brick. The model of a brick holds its own balls and all balls of other bricks that meet
- * one of them: those within 2 (largest radius + probe) of its region suffice, and more do no harm. Balls that are left
- * out make wrong totals, which merging sees in most cases and not in all: they are the caller's promise. All
- * bricks have the same step, probe and largest_radius (hsp_model_options), and give their balls in the order of ids,
- * which are those of the whole. Which balls a brick owns is free. Boxes are not periodic.
+ * Every ball of the whole set has an id, and one owner, a brick. The model of a brick holds its own balls and all balls
+ * of other bricks that meet one of them: balls of other bricks within 2 (largest radius + probe) of its region suffice,
+ * and more do no harm. If such balls are missing totals are wrong, which merging notices in most cases, not in all: the
+ * caller has to take care of it. All bricks have the same step, probe and largest_radius (hsp_model_options), and give
+ * their balls in ascending order of ids. The caller is free to choose which balls a brick owns. Boxes are not periodic.
  *
- * A brick leaves a summary, some bytes for each ball at its border. Where two bricks join, at a curve or a contact, the
- * summaries of both have a record of it, a seam. Summaries merge in any order and any tree to the same bits, as if the
- * whole had been one brick. A summary is a block of bytes, the same on every machine, at any address: it is stored,
- * sent and read as it is, and needs no handle and no limits.
+ * A brick leaves a summary, some bytes for each ball at its border. Where balls of two bricks join, at a curve or a
+ * contact, the summaries of both bricks have a record of it, a seam. Summaries merge in any order and any tree to the
+ * same bits, as if the whole had been one brick. A summary is a block of bytes, the same on every machine, at any
+ * address: it is stored, sent and read as it is, and needs no handle and no limits.
  *
- * Counts are those of hsp_boundary_counts of the whole. Areas are sums over faces, each rounded once to a multiple of a
- * quantum of some 1e-24 of the square of the largest radius, so that they are integers that add up to the same bits in
- * any order, and are rounded once more at the end; volumes likewise. So their last bits are not those of hsp_totals,
- * which is a tree of doubles in the order of balls. */
+ * Counts are those of hsp_boundary_counts of the whole. Areas are sums over faces. Each term is rounded once to a
+ * multiple of a quantum of some 1e-24 of the square of the largest radius: such integers add up to the same bits in any
+ * order, and the sum is rounded once more at the end. Volumes likewise. So their last bits differ from those of
+ * hsp_totals, which are sums of doubles in a tree over the balls. */
 #ifndef HARDSPHERE_BRICKS_H
 #define HARDSPHERE_BRICKS_H
 
@@ -37,21 +37,22 @@ extern "C" {
 /** Complete shells stay in summaries as records, for hsp_brick_get_shells: some 200 bytes for each. */
 #define HSP_BRICK_KEEP_SHELLS UINT32_C(1)
 
-/** The question: of which brick a boundary is. */
+/** To which brick a boundary belongs. */
 typedef struct hsp_brick_request {
   uint32_t struct_size;         /**< sizeof(hsp_brick_request) */
   uint32_t brick;               /**< which it is, below bricks */
   uint32_t bricks;              /**< how many make the whole, the same for all */
   uint32_t flags;               /**< HSP_BRICK_*, the same for all */
-  const uint64_t *id;           /**< [n]: of each ball in the whole, ascending */
+  const uint64_t *id;           /**< [n]: each ball's id in the whole set, ascending */
   const uint32_t *owner;        /**< [n]: the brick that owns it, below bricks */
   const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
 } hsp_brick_request;
 
-/** Write the summary of a brick, of a boundary of all balls of its model. summary has *bytes bytes of any alignment, in
- *  which the work is done; *bytes becomes how many of them the summary takes, from the first on. If they do not suffice
- *  *bytes becomes what does, or more than before: then to be called again with so many, twice at most. summary may be
- *  NULL with *bytes 0. first_bad may be NULL, else it becomes the first ball whose id or owner is refused, or HSP_NONE.
+/** Write the summary of a brick, from the boundary of all balls of its model (not of selected ones). summary has *bytes
+ *  bytes of any alignment, in which the work is done; *bytes becomes how many of them the summary takes, from the first
+ *  on. If they do not suffice *bytes becomes a larger number: call again with so many bytes, twice at most. summary may
+ *  be NULL with *bytes 0. first_bad may be NULL, else it becomes the first ball whose id or owner is refused, or
+ *  HSP_NONE.
  *  - Property 1: totals of all bricks do not depend on which ball belongs to which, bit for bit.
  *
  *  Cost: O(n + vertices + circles), expected, and that of hsp_query_neighbours for each ball of other bricks.
@@ -59,7 +60,7 @@ typedef struct hsp_brick_request {
  *                          brick is not below bricks, or an unknown flag; an executor with several workers and
  *                          without run
  *  @retval HSP_E_VERSION   bad struct_size of request or executor
- *  @retval HSP_E_CAPACITY  *bytes do not suffice; nothing but *bytes and what they are of is written
+ *  @retval HSP_E_CAPACITY  *bytes do not suffice; nothing but *bytes and the memory is written
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since; of selected balls
  *  @retval HSP_E_ID        an id is not above the one before, or an owner is not below bricks
  *  @retval HSP_E_STOPPED   the executor said not to go on */
@@ -67,10 +68,10 @@ HSP_API int32_t HSP_CALL hsp_brick_summarise(const hsp_boundary *boundary, const
                                              void *summary, size_t *bytes, uint32_t *first_bad);
 
 /** Merge two summaries, a [a_bytes] and b [b_bytes], into a third one. summary has *bytes bytes, as for
- *  hsp_brick_summarise, and overlaps neither; once is enough to be called again. Seams that a and b share vanish, and
- *  what is complete is added up and, unless it is kept, gone: summaries grow with what is open alone. brick may be
- *  NULL, else it becomes the brick at fault, or HSP_NONE where there is none to name. executor may be NULL; whether
- *  to go on is asked of it, its threads share nothing.
+ *  hsp_brick_summarise, and overlaps neither; a second call always suffices. Seams that a and b share vanish. Shells
+ *  and components that are complete are added up, and their records dropped unless shells are kept: so a summary grows
+ *  only with its open seams. brick may be NULL, else it becomes the brick at fault, or HSP_NONE where there is none to
+ *  name. executor may be NULL; its proceed is asked whether to go on, its threads share no work.
  *  - Property 1: once all bricks are in, totals are the same for every order and tree of merges, bit for bit.
  *
  *  Cost: O(a_bytes + b_bytes), and a logarithm of the number of bricks in them for each seam.
@@ -79,7 +80,7 @@ HSP_API int32_t HSP_CALL hsp_brick_summarise(const hsp_boundary *boundary, const
  *                          workers and without run
  *  @retval HSP_E_VERSION   a summary of a newer version, or bad struct_size of executor
  *  @retval HSP_E_CAPACITY  *bytes do not suffice; nothing but *bytes is written
- *  @retval HSP_E_ID        a brick is in both: *brick
+ *  @retval HSP_E_ID        the brick *brick is in both
  *  @retval HSP_E_RANGE     more than 2^32 records together
  *  @retval HSP_E_CONFLICT  *brick lacks a seam that its neighbour has: one of them lacked balls that meet its own, or
  *                          they are not parts of one set
@@ -91,7 +92,7 @@ HSP_API int32_t HSP_CALL hsp_brick_merge(const uint8_t *a, size_t a_bytes, const
 /** Totals of the whole. Frozen. */
 typedef struct hsp_brick_totals {
   uint64_t balls;           /**< each counted by its owner */
-  uint64_t exposed_balls;   /**< as in hsp_boundary_counts, and so all others */
+  uint64_t exposed_balls;   /**< as in hsp_boundary_counts, like all others */
   uint64_t contained_balls; /**< balls inside one other ball */
   uint64_t vertices;        /**< points where three spheres meet */
   uint64_t arcs;            /**< between two vertices */
@@ -105,12 +106,12 @@ typedef struct hsp_brick_totals {
   int64_t euler;            /**< Euler characteristic of the boundary, summed over its shells */
   double area;              /**< of the boundary, walls of voids included, length^2 */
   double volume;            /**< of the union, voids not included, length^3 */
-  double void_volume;       /**< that shells of voids enclose, whatever lies in them, length^3 */
+  double void_volume;       /**< that shells of voids enclose, with whatever lies in them, length^3 */
   uint64_t reserved[2];     /**< 0 */
 } hsp_brick_totals;
 
-/** Totals of the whole, of a summary [bytes] with all bricks in it. brick may be NULL, else it becomes the first that
- *  is missing, or HSP_NONE.
+/** Totals of the whole, from a summary [bytes] with all bricks in it. brick may be NULL, else it becomes the first
+ *  brick that is missing, or HSP_NONE.
  *  @param[in]  summary  [bytes]
  *  @param[in]  bytes    its size
  *  @param[out] totals   one
@@ -133,14 +134,14 @@ typedef struct hsp_brick_shell {
   uint64_t faces;       /**< maximal faces */
   int64_t euler;        /**< Euler characteristic; 1 - euler/2 handles */
   double area;          /**< length^2 */
-  double volume;        /**< of the space it encloses, whatever lies in it, length^3 */
+  double volume;        /**< of the space that it encloses, with whatever lies in it, length^3 */
   uint32_t kind;        /**< HSP_SHELL_* */
   uint32_t reserved[3]; /**< 0 */
 } hsp_brick_shell;
 
-/** The shells of the whole, of a summary [bytes] with all bricks in it that were kept with HSP_BRICK_KEEP_SHELLS. They
- *  are in the order of their components, and the outer one of each before its voids. brick may be NULL, else it becomes
- *  the first that is missing, or HSP_NONE.
+/** The shells of the whole, from a summary [bytes] with all bricks in it, all made with HSP_BRICK_KEEP_SHELLS. They are
+ *  in the order of their components, and the outer one of each before its voids. brick may be NULL, else it becomes the
+ *  first that is missing, or HSP_NONE.
  *  - Property 1: records and their order are the same for every order and tree of merges, bit for bit.
  *
  *  Cost: O(bytes), and that of sorting the shells.

@@ -1,17 +1,18 @@
-/* hardsphere/paths.h: how a point, the centre of a probe, gets through free space (Section 2, Theorem 2.4).
+/* hardsphere/paths.h: paths of a point, the centre of a probe, through free space (Section 2, Theorem 2.4).
  *
  * Guide: questions.md, coming_from.md.
  *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
- * Free space is what no ball covers. A probe is a part of the model: in a model that is grown by one, paths are those
- * of its centre. Whether there is a path is decided in integers, as everything combinatorial is; balls that touch count
- * as meeting, so that nothing passes between them.
+ * Free space is what no ball covers. The probe is that of hsp_model_options: paths are those of its centre. Whether
+ * there is a path is decided in integers, as everything combinatorial is; balls that touch count as meeting, so that
+ * nothing passes between them.
  *
- *   path   a polyline on the lattice, from cell to cell of free space and then shortened; it need not be the shortest
- *          one. It is certified if integers say of every segment that it meets no ball
+ *   path   a polyline between lattice points, found from cell to cell of free space and then shortened; it need not be
+ *          the shortest path. It is certified if a test in integers shows for every segment that it meets no ball
  *
- * How wide a probe gets from one point to another, and what stops a wider one, says hsp_pores_widest (pores.h). */
+ * hsp_pores_widest (pores.h) tells how wide a probe can be to get from one point to another, and what stops a wider
+ * one. */
 #ifndef HARDSPHERE_PATHS_H
 #define HARDSPHERE_PATHS_H
 
@@ -40,7 +41,7 @@ typedef struct hsp_paths_limits {
   uint32_t corners;      /**< as hsp_cells_limits.corners */
   uint32_t cube_balls;   /**< as hsp_cells_limits.cube_balls */
   uint32_t cube_corners; /**< as hsp_cells_limits.cube_corners */
-  uint32_t points;       /**< of a path before it is shortened */
+  uint32_t points;       /**< points of a path before it is shortened */
 } hsp_paths_limits;
 
 /** Limits that suffice for most molecules of `balls` atoms, about 9 kB for each: those of hsp_cells_limits_init, and
@@ -74,9 +75,10 @@ HSP_API int32_t HSP_CALL hsp_paths_bytes(const hsp_paths_limits *limits, size_t 
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t HSP_CALL hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths);
 
-/** Cut the free space of a model into cells, so that paths can be found. The model must outlive them; they
- *  can be read while it holds the same balls (RESULTS in hardsphere.h). On failure they hold no results.
- *  limits: see LIMITS in hardsphere.h; at most six retries. points is 0 in what was needed: that depends on the path.
+/** Cut the free space of a model into cells, so that paths can be found. The model must outlive the paths; the paths
+ *  can be read while the model holds the same balls (RESULTS in hardsphere.h). On failure they hold no results. limits:
+ *  see LIMITS in hardsphere.h; at most six retries. On HSP_OK limits->points becomes 0: how many points are needed
+ *  depends on the path.
  *
  *  Cost: that of hsp_cells_compute.
  *  @retval HSP_E_ARGUMENT  paths or model is NULL
@@ -90,10 +92,10 @@ HSP_API int32_t HSP_CALL hsp_paths_compute(hsp_paths *paths, const hsp_model *mo
 typedef struct hsp_paths_request {
   uint32_t struct_size;         /**< sizeof(hsp_paths_request) */
   uint32_t reserved;            /**< 0 */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
 } hsp_paths_request;
 
-/** The same as hsp_paths_compute, as a request says; request may be NULL: all defaults.
+/** The same as hsp_paths_compute, with an executor that may stop it; request may be NULL: all defaults.
  *  @retval HSP_E_ARGUMENT  paths or model is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
  *  @retval HSP_E_CAPACITY  as hsp_paths_compute
@@ -109,22 +111,22 @@ HSP_API int32_t HSP_CALL hsp_paths_compute_with(hsp_paths *paths, const hsp_mode
 
 /** A path. Frozen. */
 typedef struct hsp_path {
-  double length;      /**< of the polyline; 0 if there is none */
+  double length;      /**< of the polyline, length; 0 if there is none */
   double clearance;   /**< least distance of the polyline from a ball; 0 if there is none, infinite without balls */
   uint32_t ends;      /**< HSP_PATH_*, exactly */
   uint32_t certified; /**< whether no segment meets a ball, exactly: 1 or 0 */
-  uint32_t points;    /**< 2 or more with the ends; 0 if there is none */
+  uint32_t points;    /**< how many, both ends included: 2 or more; 0 if there is none */
   uint32_t reserved;  /**< 0 */
 } hsp_path;
 
 /** Find a path between two points, from [3] and to [3], after hsp_paths_compute; they are rounded to the lattice. Its
  *  points stay until the next call; on failure there are none. limits, if not NULL, become what was needed for cells
- *  and path, or limits to retry with, for new paths: their struct_size has to be set.
+ *  and path, or limits to retry with in a new handle: their struct_size has to be set.
  *  - Property 1: there is a path if and only if hsp_cells_locate puts both points into one region.
- *  - Property 2: a path that is not certified meets a ball by its rounding to the lattice, a few steps deep, in a
- *    passage as narrow as that.
+ *  - Property 2: a path that is not certified meets a ball because its points are rounded to the lattice. It does so a
+ *    few lattice steps deep, in a passage that is a few steps wide.
  *
- *  Cost: O(c log c) for the c cells that A* looks at, and for each of the points that remain O(n).
+ *  Cost: O(c log c) for the c cells that A* looks at, and O(n) for each of the points that remain.
  *  @retval HSP_E_ARGUMENT    paths, from, to or path is NULL
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    limits.points is too small; the paths keep their cells
@@ -135,8 +137,8 @@ typedef struct hsp_path {
 HSP_API int32_t HSP_CALL hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
                                         hsp_paths_limits *limits);
 
-/** The same as hsp_paths_find, as a request says; request may be NULL: all defaults. Where it is stopped there is no
- *  path, and the paths keep their cells.
+/** The same as hsp_paths_find, with an executor that may stop it; request may be NULL: all defaults. Where it is
+ *  stopped there is no path, and the paths keep their cells.
  *  @retval HSP_E_ARGUMENT    paths, from, to or path is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION     bad struct_size of request, executor or limits, or reserved is not 0
  *  @retval HSP_E_CAPACITY    as hsp_paths_find
@@ -149,7 +151,7 @@ HSP_API int32_t HSP_CALL hsp_paths_find_with(hsp_paths *paths, const double *fro
                                              const hsp_paths_request *request, hsp_path *path,
                                              hsp_paths_limits *limits);
 
-/** The points [needed][3] of the last path, from its start to its end; none if there was none.
+/** The points [needed][3] of the last path, from its start to its end, length; none if there was no path.
  *  @retval HSP_E_ARGUMENT  paths is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of points
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */

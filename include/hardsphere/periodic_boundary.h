@@ -4,17 +4,20 @@
  *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
- * They are those of hardsphere/boundary.h. Records across the faces of the box, or on several images, are there once.
- * Copies of it fill space; each record tells of one of them, and where its balls are for it:
+ * Vertices, arcs, circles, faces and loops are defined as in hardsphere/boundary.h. Each is listed once, also where it
+ * crosses faces of the box or lies on several images. Its copies fill space; the record describes one copy, and says
+ * which images of its balls belong to it:
  *
  *   place    every ball has one image with 0 <= x < a_x, 0 <= y < b_y and 0 <= z < c_z, once the box is turned and none
  *            of its vectors points to the other side (hardsphere/periodic.h): its place in the box
- *   record   of the balls of a vertex, arc or circle the first one is at its place, of a face its ball. Balls come in
- *            the caller's order, images of one ball by where they are: lower ones first, by z, then y, then x there
- *   shifts   hsp_image tells how a ball is to be moved from where it was given, hsp_periodic_id how another record is
+ *   record   in the copy that is listed, the first ball of a vertex, arc or circle is at its place, and the ball of a
+ *            face is. Balls are in the caller's order, images of one ball in the order of their positions: by z, then
+ *            y, then x, lower ones first
+ *   shifts   hsp_image says how a ball is moved from where it was given, hsp_periodic_id how another record is moved
+ *            from where it is listed
  *
- * So the records, their numbers and everything in them but shifts of hsp_image are the same bit for bit, whichever
- * images of the balls were given. With other vectors for the same box all shifts are multiples of these. */
+ * So records, their numbers and everything in them except shifts of hsp_image are the same bit for bit, whichever
+ * images of the balls were given. With other vectors for the same box shifts are multiples of those vectors. */
 #ifndef HARDSPHERE_PERIODIC_BOUNDARY_H
 #define HARDSPHERE_PERIODIC_BOUNDARY_H
 
@@ -27,17 +30,17 @@
 extern "C" {
 #endif
 
-/** A record of one of the lists below, at another copy of the box. Frozen. */
+/** A record of one of the lists below, and the copy of it that is meant. Frozen. */
 typedef struct hsp_periodic_id {
   uint32_t id;      /**< index in its list */
-  int32_t shift[3]; /**< times the vectors of the box that it is to be moved by from where it is listed */
+  int32_t shift[3]; /**< multiples of the box vectors by which it is moved from where it is listed */
 } hsp_periodic_id;
 
 /** A vertex of the boundary. Frozen. */
 typedef struct hsp_periodic_vertex {
   double xyz[3];      /**< position, length */
   hsp_image image[3]; /**< its balls a, b, c, the first one at its place */
-  int32_t sign;       /**< +1 or -1: the side of the plane of the centres, along (c_b - c_a) x (c_c - c_a) */
+  int32_t sign;       /**< +1 or -1: its side of the plane of the centres; +1 is along (c_b - c_a) x (c_c - c_a) */
   uint32_t flags;     /**< HSP_VERTEX_* of hardsphere/boundary.h */
 } hsp_periodic_vertex;
 
@@ -110,7 +113,7 @@ HSP_API int32_t HSP_CALL hsp_periodic_get_faces(const hsp_periodic *periodic, hs
 /** A boundary loop of a face: a closed chain of arcs, or a whole circle. Seen from outside the ball, it keeps its face
  *  on its left. Frozen. */
 typedef struct hsp_periodic_loop {
-  hsp_periodic_id circle; /**< the circle that it is, where its face is listed; id HSP_NONE if it consists of arcs */
+  hsp_periodic_id circle; /**< the circle that it is, at the listed face; id HSP_NONE if it consists of arcs */
   uint32_t face;          /**< the face that it bounds */
   uint32_t side;          /**< 1: a circle counter-clockwise about its axis; 0: a circle clockwise, or arcs */
   uint32_t first_arc;     /**< its arcs are first_arc .. first_arc + arcs - 1 of hsp_periodic_get_loop_arcs */
@@ -126,15 +129,15 @@ typedef struct hsp_periodic_loop {
 HSP_API int32_t HSP_CALL hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity,
                                                 uint32_t *needed);
 
-/** An arc as a part of a loop, where the face of the loop is listed. Frozen. */
+/** An arc as a part of a loop; shifts are for the face of the loop where it is listed. Frozen. */
 typedef struct hsp_periodic_loop_arc {
   hsp_periodic_id arc;    /**< of hsp_periodic_get_arcs */
-  hsp_periodic_id vertex; /**< where the loop comes to it: vertex[1 - side] of the arc, moved with it */
+  hsp_periodic_id vertex; /**< where the loop enters it: vertex[1 - side] of the arc, moved with it */
   uint32_t side;          /**< 1: the loop runs along it, 0: against it; its face[side] is that of the loop */
   uint32_t reserved;      /**< 0 */
 } hsp_periodic_loop_arc;
 
-/** The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records.
+/** The arcs of all loops, loop after loop, and within a loop in walking order: 2 counts.arcs records.
  *  - Property 1: the arcs of a loop are closed: each ends at the vertex of the next, the last at that of the first, at
  *    the same copy of the box.
  *  - Property 2: every arc occurs once with side 0 and once with side 1.
@@ -146,8 +149,8 @@ typedef struct hsp_periodic_loop_arc {
 HSP_API int32_t HSP_CALL hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out,
                                                     uint32_t capacity, uint32_t *needed);
 
-/** Each ball as the boundary has it, as hsp_boundary_get_balls: one record per ball, in the caller's order. A ball
- *  may be inside an image of another one; component is that of hsp_periodic_get_components.
+/** Faces and component of each ball, as hsp_boundary_get_balls: one record per ball, in the caller's order. A ball may
+ *  be contained in an image of another one; component is that of hsp_periodic_get_components.
  *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */

@@ -1,4 +1,5 @@
-/* hardsphere/pose.h: molecule against molecule: one at rest, one turned and moved as a whole (Sections 3 and 6).
+/* hardsphere/pose.h: whether, where and by how much a molecule that is turned and moved as a whole meets another one at
+ * rest (Sections 3 and 6).
  *
  * Guide: poses.md.
  *
@@ -8,18 +9,18 @@
  *   hsp_body_init(memory, bytes, n, &body);       hsp_body_set(body, model);
  *   hsp_body_hits(fixed, posed, poses, pose, hit, NULL);
  *
- * A body is a molecule prepared as a tree of spheres around its balls. Its balls are those of the model, on the same
- * lattice; it does not need the model any more. A pose puts the point x of the posed body at R x + t, where R is the
- * rotation of a quaternion about the origin, and each ball on the lattice again: on the lattice point nearest to where
- * it is moved, as doubles find it. As long as coordinates are below 2^40 steps that is within 0.87 steps of the ideal
- * position. So answers are exact for the balls that are compared, the same on every machine, and right for the ideal
- * ones wherever no gap is within a step of 0. Balls that touch meet. Rational poses round nothing: their answers are
- * exact for the ideal balls.
+ * A body is a molecule prepared as a tree of spheres around its balls. Its balls are those of a model, on the same
+ * lattice; once they are taken it does not need the model any more. A pose moves the point x of the posed body to R x +
+ * t, where R is the rotation of a quaternion about the origin. Then each ball is rounded to the lattice again: its
+ * centre becomes the lattice point nearest to R x + t as computed in doubles. As long as coordinates are below 2^40
+ * steps that is within 0.87 steps of the ideal position. So answers are exact for the rounded balls, the same on every
+ * machine, and right for the ideal balls wherever no gap is within a step of 0. Balls that touch meet. Rational poses
+ * round nothing: their answers are exact for the ideal balls.
  *
- * Both bodies need lattices of the same step: set hsp_model_options.step where radii differ much. Bodies are only read
- * by the functions that ask, so that any number of threads may ask at once, and a list of poses may be split over
- * threads in any way: every pose has its own answer. Poses that follow each other closely in a list, as frames do, cost
- * less: the pair of balls that decided about one is looked at first for the next. */
+ * Both bodies need lattices of the same step: set hsp_model_options.step where radii differ much. Queries only read
+ * bodies, so that any number of threads may query at once, and a list of poses may be split over threads in any way:
+ * each pose is answered on its own. Lists in which each pose is close to the one before, as in the frames of a motion,
+ * cost less: the pair of balls that decided one pose is tested first for the next. */
 #ifndef HARDSPHERE_POSE_H
 #define HARDSPHERE_POSE_H
 
@@ -51,8 +52,8 @@ HSP_API int32_t HSP_CALL hsp_body_bytes(uint32_t balls, size_t *bytes);
  *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t HSP_CALL hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **body);
 
-/** Take the balls of a model. May be called any number of times. On failure the body holds nothing, and questions to it
- *  are HSP_E_STATE, until balls are taken again.
+/** Take the balls of a model. May be called any number of times. On failure the body holds nothing, and queries of it
+ *  return HSP_E_STATE until balls are taken again.
  *  - Property 1: the order of the balls has no effect but on the ids.
  *
  *  Cost: O(n log n).
@@ -65,10 +66,10 @@ HSP_API int32_t HSP_CALL hsp_body_set(hsp_body *body, const hsp_model *model);
 typedef struct hsp_body_request {
   uint32_t struct_size;         /**< sizeof(hsp_body_request) */
   uint32_t reserved;            /**< 0 */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
 } hsp_body_request;
 
-/** The same as hsp_body_set, as a request says; request may be NULL: all defaults.
+/** The same as hsp_body_set, with an executor that may stop it; request may be NULL: all defaults.
  *  @retval HSP_E_ARGUMENT  body or model is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION   bad struct_size of request or executor, or reserved is not 0
  *  @retval HSP_E_CAPACITY  as hsp_body_set
@@ -76,15 +77,15 @@ typedef struct hsp_body_request {
  *  @retval HSP_E_STOPPED   the executor said not to go on */
 HSP_API int32_t HSP_CALL hsp_body_set_with(hsp_body *body, const hsp_model *model, const hsp_body_request *request);
 
-/** Where a body is: x goes to R x + t. Frozen. */
+/** A rotation and a translation: the point x moves to R x + t. Frozen. */
 typedef struct hsp_pose {
-  double quaternion[4];  /**< w x y z, of any length but 0: the rotation R; 1 0 0 0 is none */
-  double translation[3]; /**< t, lengths */
+  double quaternion[4];  /**< w x y z, of any length but 0: the rotation R; 1 0 0 0 is no rotation */
+  double translation[3]; /**< t, length */
 } hsp_pose;
 
-/** The pose of a rotation matrix [9], row by row, and a translation [3].
- *  Entries of R R^T may differ from those of the unit matrix by 1e-6; the pose has the rotation of the quaternion that
- *  is nearest to it.
+/** The pose of a rotation matrix [9], row by row, and a translation [3], length.
+ *  Entries of matrix times its transpose may differ from those of the unit matrix by 1e-6; the pose has the quaternion
+ *  whose rotation is nearest to the matrix.
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_NOT_FINITE  a number is NaN or infinite
  *  @retval HSP_E_RANGE       the matrix is no rotation: not orthonormal, or a reflection */
@@ -103,10 +104,10 @@ HSP_API int32_t HSP_CALL hsp_pose_from_matrix(const double *matrix, const double
 HSP_API int32_t HSP_CALL hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                        const hsp_pose *pose, uint32_t *hit, uint32_t *first_bad);
 
-/** The same answers, sooner for the frames of a motion, of which each is near the one before. About a free pose this
- *  also finds how far apart the bodies are, up to `margin`, a length; until a ball can have come that far, poses are
- *  free without any query. Some ten times what a ball goes from one frame to the next serves best; with a larger margin
- *  each query takes longer.
+/** The same answers as hsp_body_hits, sooner for the frames of a motion, each of which is near the one before. In a
+ *  free pose this function also finds how far apart the bodies are, up to `margin`, a length. The poses that follow are
+ *  free without any query until a ball can have moved that far. A margin of some ten times the distance that a ball
+ *  moves from one frame to the next serves best; with a larger margin each query takes longer.
  *  - Property 1: the margin has no effect on hit.
  *
  *  Cost: that of hsp_body_hits where bodies meet or come near each other, else a tenth of a microsecond.
@@ -117,16 +118,16 @@ HSP_API int32_t HSP_CALL hsp_body_hits(const hsp_body *fixed, const hsp_body *po
 HSP_API int32_t HSP_CALL hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                              const hsp_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad);
 
-/** The pair of balls that are nearest. Frozen. */
+/** The pair of balls with the least gap. Frozen. */
 typedef struct hsp_body_gap {
   double gap;     /**< length: |c - c'| - r - r', least of all pairs; negative for the pair that overlaps deepest */
   uint32_t fixed; /**< ball of the body at rest; HSP_NONE if a body has no balls: the gap is infinite then */
   uint32_t posed; /**< ball of the posed body, likewise */
 } hsp_body_gap;
 
-/** The least gap for each pose [poses]: gap [poses]. Of equal gaps that of the first ball at rest, then of the first
- *  posed one. Otherwise as hsp_body_hits; a gap is off by at most 2^-51 of the distance of the two centres, or of the
- *  sum of the two radii where that is more: balls overlap there.
+/** The least gap for each pose [poses]: gap [poses]. Of pairs with equal gaps it is the one with the lowest ball at
+ *  rest, then with the lowest posed ball. Otherwise as hsp_body_hits. A gap has an error of at most 2^-51 of the
+ *  distance of the two centres, or of the sum of the two radii if balls overlap.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
@@ -141,7 +142,7 @@ typedef struct hsp_body_overlap {
   uint32_t reserved; /**< 0 */
 } hsp_body_overlap;
 
-/** How much the bodies overlap, the penalty that docking codes want, for each pose [poses]: overlap [poses].
+/** How much the bodies overlap, a penalty for docking codes, for each pose [poses]: overlap [poses].
  *  Otherwise as hsp_body_hits.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; overlap is NULL with poses > 0
  *  @retval HSP_E_STATE       as for hsp_body_hits
@@ -160,19 +161,19 @@ HSP_API int32_t HSP_CALL hsp_body_overlaps(const hsp_body *fixed, const hsp_body
 HSP_API int32_t HSP_CALL hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose,
                                         uint32_t *pair, uint32_t capacity, uint32_t *needed);
 
-/** Where a body is, without any rounding: x goes to R x + t with a rotation R of fractions, (the integer matrix of the
- *  quaternion) / (the square of its length), and a lattice point t. Frozen. */
+/** A rotation and a translation without any rounding: the point x moves to R x + t. R is a matrix of fractions, the
+ *  integer matrix of the quaternion divided by the square of its length; t is a lattice point. Frozen. */
 typedef struct hsp_rational_pose {
   int32_t quaternion[4]; /**< w x y z, not all 0, of any length: the rotation R; 1 0 0 0 is none */
-  double translation[3]; /**< t, lengths; what counts is the lattice point nearest to it */
+  double translation[3]; /**< t, length; rounded to the nearest lattice point */
 } hsp_rational_pose;
 
-/** As hsp_body_hits, for each rational pose [poses], which moves a body as truly rigid: no ball is put on the lattice
- *  again, and whether two balls meet is decided about the ideal ones, in integers of 256 bits where doubles leave a
- *  doubt. Poses follow each other as there.
+/** As hsp_body_hits, for each rational pose [poses], which keeps the body rigid: no ball is rounded to the lattice
+ *  again. Whether two ideal balls meet is decided in integers of 256 bits where doubles leave a doubt. Lists of close
+ *  poses cost less, as there.
  *  - Property 1: the same rotation by a quaternion of another length has the same answers.
  *
- *  Cost: as hsp_body_hits but where balls nearly touch.
+ *  Cost: as hsp_body_hits, more where balls nearly touch.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  a number of a translation is NaN or infinite
@@ -192,7 +193,7 @@ HSP_API int32_t HSP_CALL hsp_body_rational_hits_along(const hsp_body *fixed, con
                                                       const hsp_rational_pose *pose, double margin, uint32_t *hit,
                                                       uint32_t *first_bad);
 
-/** As hsp_body_gaps, for each rational pose [poses]: of the ideal balls.
+/** As hsp_body_gaps, for each rational pose [poses]: gaps between ideal balls.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits

@@ -184,12 +184,12 @@ class BodyRequest(Record):
 
 
 class Pose(Record):
-    """Where a body is:"""
+    """A rotation and a translation:"""
     _fields_ = [("quaternion", C.c_double * 4), ("translation", C.c_double * 3)]
 
 
 class BodyGap(Record):
-    """The pair of balls that are nearest."""
+    """The pair of balls with the least gap."""
     _fields_ = [("gap", C.c_double), ("fixed", C.c_uint32), ("posed", C.c_uint32)]
 
 
@@ -199,7 +199,7 @@ class BodyOverlap(Record):
 
 
 class RationalPose(Record):
-    """Where a body is, without any rounding:"""
+    """A rotation and a translation without any rounding:"""
     _fields_ = [("quaternion", C.c_int32 * 4), ("translation", C.c_double * 3)]
 
 
@@ -352,7 +352,7 @@ class CurvatureRequest(Record):
 
 
 class MorphometryRequest(Record):
-    """The question:"""
+    """Which energy:"""
     _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("pressure", C.c_double),
                 ("tension", C.c_double), ("bending", C.c_double), ("gaussian", C.c_double), ("sigma", C.c_void_p),
                 ("executor", C.c_void_p)]
@@ -372,7 +372,7 @@ class MorphometryOutputs(Record):
 
 
 class BrickRequest(Record):
-    """The question:"""
+    """To which brick a boundary belongs."""
     _fields_ = [("struct_size", C.c_uint32), ("brick", C.c_uint32), ("bricks", C.c_uint32), ("flags", C.c_uint32),
                 ("id", C.c_void_p), ("owner", C.c_void_p), ("executor", C.c_void_p)]
 
@@ -439,7 +439,7 @@ class PeriodicRequest(Record):
 
 
 class PeriodicCounts(Record):
-    """The number of each kind in the box, each once, whatever faces it lies across."""
+    """How many of everything there are in the box, each counted once, also where it crosses faces of the box."""
     _fields_ = [("balls", C.c_uint32), ("images", C.c_uint32), ("vertices", C.c_uint32), ("arcs", C.c_uint32),
                 ("circles", C.c_uint32), ("loops", C.c_uint32), ("faces", C.c_uint32), ("shells", C.c_uint32),
                 ("components", C.c_uint32), ("contacts", C.c_uint32), ("euler", C.c_int64)]
@@ -452,7 +452,7 @@ class PeriodicTotals(Record):
 
 
 class PeriodicMorphometryOutputs(Record):
-    """The results that are wanted of a morphometric energy in a box, and where they go."""
+    """The results of a morphometric energy in a box that are wanted, and where they go."""
     _fields_ = [("struct_size", C.c_uint32), ("capacity", C.c_uint32), ("needed", C.c_uint32),
                 ("first_bad", C.c_uint32), ("energy", C.c_void_p), ("d_centre", C.c_void_p), ("d_radius", C.c_void_p),
                 ("flags", C.c_void_p), ("d_strain", C.c_void_p), ("d_box", C.c_void_p), ("area", C.c_void_p)]
@@ -465,7 +465,7 @@ class PeriodicContact(Record):
 
 
 class Winding(Record):
-    """A connected component of the union, and where it leads."""
+    """A connected component of the union, and the directions in which it goes on for ever."""
     _fields_ = [("balls", C.c_uint32), ("first", C.c_uint32), ("directions", C.c_uint32), ("copies", C.c_uint32),
                 ("row", C.c_int32 * 9)]
 
@@ -483,7 +483,7 @@ class Image(Record):
 
 
 class PeriodicId(Record):
-    """A record of one of the lists below, at another copy of the box."""
+    """A record of one of the lists below, and the copy of it that is meant."""
     _fields_ = [("id", C.c_uint32), ("shift", C.c_int32 * 3)]
 
 
@@ -517,7 +517,7 @@ class PeriodicLoop(Record):
 
 
 class PeriodicLoopArc(Record):
-    """An arc as a part of a loop, where the face of the loop is listed."""
+    """An arc as a part of a loop;"""
     _fields_ = [("arc", PeriodicId), ("vertex", PeriodicId), ("side", C.c_uint32), ("reserved", C.c_uint32)]
 
 
@@ -1023,7 +1023,7 @@ class Body(Handle):
         return call("hsp_body_set", self, model=model)
 
     def set_with(self, model: Model, *, threads: int | None = None) -> Body:
-        """The same as hsp_body_set, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_body_set, with an executor that may stop it; request may be NULL: all defaults."""
         return call("hsp_body_set_with", self, model=model, threads=threads)
 
     def hits(self, posed: Body, pose: Any) -> Numbers:
@@ -1032,7 +1032,8 @@ class Body(Handle):
         return call("hsp_body_hits", self, posed=posed, pose=pose)
 
     def hits_along(self, posed: Body, pose: Any, margin: float) -> Numbers:
-        """The same answers, sooner for the frames of a motion, of which each is near the one before."""
+        """The same answers as hsp_body_hits, sooner for the frames of a motion, each of which is near the one
+        before."""
         return call("hsp_body_hits_along", self, posed=posed, pose=pose, margin=margin)
 
     def gaps(self, posed: Body, pose: Any) -> Records:
@@ -1040,7 +1041,7 @@ class Body(Handle):
         return call("hsp_body_gaps", self, posed=posed, pose=pose)
 
     def overlaps(self, posed: Body, pose: Any) -> Records:
-        """How much the bodies overlap, the penalty that docking codes want, for each pose [poses]: overlap [poses]."""
+        """How much the bodies overlap, a penalty for docking codes, for each pose [poses]: overlap [poses]."""
         return call("hsp_body_overlaps", self, posed=posed, pose=pose)
 
     def pairs(self, posed: Body, pose: Pose) -> Numbers:
@@ -1048,9 +1049,8 @@ class Body(Handle):
         return call("hsp_body_pairs", self, posed=posed, pose=pose)
 
     def rational_hits(self, posed: Body, pose: Any) -> Numbers:
-        """As hsp_body_hits, for each rational pose [poses], which moves a body as truly rigid: no ball is put on the
-        lattice again, and whether two balls meet is decided about the ideal ones, in integers of 256 bits where doubles
-        leave a doubt."""
+        """As hsp_body_hits, for each rational pose [poses], which keeps the body rigid: no ball is rounded to the
+        lattice again."""
         return call("hsp_body_rational_hits", self, posed=posed, pose=pose)
 
     def rational_hits_along(self, posed: Body, pose: Any, margin: float) -> Numbers:
@@ -1058,7 +1058,7 @@ class Body(Handle):
         return call("hsp_body_rational_hits_along", self, posed=posed, pose=pose, margin=margin)
 
     def rational_gaps(self, posed: Body, pose: Any) -> Records:
-        """As hsp_body_gaps, for each rational pose [poses]: of the ideal balls."""
+        """As hsp_body_gaps, for each rational pose [poses]: gaps between ideal balls."""
         return call("hsp_body_rational_gaps", self, posed=posed, pose=pose)
 
     def rational_pairs(self, posed: Body, pose: RationalPose) -> Numbers:
@@ -1160,8 +1160,8 @@ class Boundary(Handle):
         return call("hsp_boundary_curvature", self, only=only)
 
     def curvature_with(self, *, threads: int | None = None, only: Any | None = None) -> Any:
-        """The same as hsp_boundary_curvature, as a request says; request may be NULL: all defaults. Gives .totals,
-        .mean, .gauss_thirds."""
+        """The same as hsp_boundary_curvature, with an executor that may stop it; request may be NULL: all defaults.
+        Gives .totals, .mean, .gauss_thirds."""
         return call("hsp_boundary_curvature_with", self, threads=threads, only=only)
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
@@ -1175,22 +1175,22 @@ class Boundary(Handle):
     def get_hessian_rows(self, *, tangency: int | None = None, tension: float | None = None,
                          pressure: float | None = None, sigma: Values | None = None, threads: int | None = None,
                          only: Any | None = None) -> Any:
-        """The second derivatives of E by the centres, as compressed rows of 3x3 blocks: those of ball i are entries
-        first[i] to first[i + 1] - 1, with ball [needed] the columns j, ascending, i among them, and block
-        [needed][3][3] d2E/dc_i dc_j, rows by the components of c_i. Gives .first, .ball, .block, .flags."""
+        """The second derivatives of E by the centres, as compressed rows of 3x3 blocks: the row of ball i has the
+        entries first[i] to first[i + 1] - 1. Gives .first, .ball, .block, .flags."""
         return call("hsp_boundary_get_hessian_rows", self, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads, only=only)
 
     def get_hessian_product(self, direction: Rows, *, tangency: int | None = None, tension: float | None = None,
                             pressure: float | None = None, sigma: Values | None = None, threads: int | None = None,
                             only: Any | None = None) -> Any:
-        """product [n][3] becomes H times direction [n][3], without storage. Gives .product, .flags."""
+        """product [n][3] becomes the Hessian H of E times direction [n][3], without storing H. Gives .product,
+        .flags."""
         return call("hsp_boundary_get_hessian_product", self, direction=direction, tangency=tangency, tension=tension,
                     pressure=pressure, sigma=sigma, threads=threads, only=only)
 
     def brick_summarise(self, *, brick: int | None = None, bricks: int | None = None, flags: int | None = None,
                         id: Any | None = None, owner: Integers | None = None, threads: int | None = None) -> int:
-        """Write the summary of a brick, of a boundary of all balls of its model."""
+        """Write the summary of a brick, from the boundary of all balls of its model (not of selected ones)."""
         return call("hsp_brick_summarise", self, brick=brick, bricks=bricks, flags=flags, id=id, owner=owner,
                     threads=threads)
 
@@ -1311,18 +1311,17 @@ class Periodic(Handle):
     def compute_with(self, xyz: Rows, radius: Values, box: Rows | Values, *, areas_alone: int | None = None,
                      probe: float | None = None, step: float | None = None, largest_radius: float | None = None,
                      threads: int | None = None) -> Periodic:
-        """The same as hsp_periodic_compute, as a request says."""
+        """The same as hsp_periodic_compute, with threads, or for areas alone."""
         return call("hsp_periodic_compute_with", self, xyz=xyz, radius=radius, box=box, areas_alone=areas_alone,
                     probe=probe, step=step, largest_radius=largest_radius, threads=threads)
 
     def get_counts(self) -> PeriodicCounts:
-        """Count."""
+        """How many vertices, arcs, faces, contacts and components there are."""
         return call("hsp_periodic_get_counts", self)
 
     def measure(self, *, only: Any | None = None) -> Any:
         """Area and volume of the union, and of each ball: area [n] is its free area, share_volume [n] the volume of its
-        share, which sum to the volume; each may be NULL and else holds capacity >= n entries. Gives .totals, .area,
-        .share_volume."""
+        share; the shares sum to the volume. Gives .totals, .area, .share_volume."""
         return call("hsp_periodic_measure", self, only=only)
 
     def curvature(self, *, only: Any | None = None) -> Any:
@@ -1381,8 +1380,7 @@ class Periodic(Handle):
         return call("hsp_periodic_query_ball", self, xyz=xyz, radius=radius)
 
     def query_neighbours(self, ball: int) -> Records:
-        """The balls and images that meet ball `ball` where it was given, ascending in balls and shifts; itself is none
-        of them, but its images may be."""
+        """The balls and images that meet ball `ball` where it was given, ascending in balls and shifts."""
         return call("hsp_periodic_query_neighbours", self, ball=ball)
 
     def query_pairs(self, flags: int) -> Any:
@@ -1391,8 +1389,7 @@ class Periodic(Handle):
         return call("hsp_periodic_query_pairs", self, flags=flags)
 
     def check(self) -> Any:
-        """Check the results against laws that hold for every set of balls in a box: two ways to compute that have
-        little in common. Gives .invariant, .id."""
+        """Check the results against laws that hold for every set of balls in a box. Gives .invariant, .id."""
         return call("hsp_periodic_check", self)
 
     def get_vertices(self) -> Records:
@@ -1416,11 +1413,11 @@ class Periodic(Handle):
         return call("hsp_periodic_get_loops", self)
 
     def get_loop_arcs(self) -> Records:
-        """The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records."""
+        """The arcs of all loops, loop after loop, and within a loop in walking order: 2 counts.arcs records."""
         return call("hsp_periodic_get_loop_arcs", self)
 
     def get_balls(self) -> Records:
-        """Each ball as the boundary has it, as hsp_boundary_get_balls: one record per ball, in the caller's order."""
+        """Faces and component of each ball, as hsp_boundary_get_balls: one record per ball, in the caller's order."""
         return call("hsp_periodic_get_balls", self)
 
 
@@ -1692,7 +1689,7 @@ class Paths(Handle):
         return call("hsp_paths_compute", self, model=model)
 
     def compute_with(self, model: Model, *, threads: int | None = None) -> Paths:
-        """The same as hsp_paths_compute, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_paths_compute, with an executor that may stop it; request may be NULL: all defaults."""
         return call("hsp_paths_compute_with", self, model=model, threads=threads)
 
     def find(self, from_: Values, to: Values) -> Path:
@@ -1701,11 +1698,11 @@ class Paths(Handle):
         return call("hsp_paths_find", self, from_=from_, to=to)
 
     def find_with(self, from_: Values, to: Values, *, threads: int | None = None) -> Path:
-        """The same as hsp_paths_find, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_paths_find, with an executor that may stop it; request may be NULL: all defaults."""
         return call("hsp_paths_find_with", self, from_=from_, to=to, threads=threads)
 
     def get_points(self) -> Doubles:
-        """The points [needed][3] of the last path, from its start to its end; none if there was none."""
+        """The points [needed][3] of the last path, from its start to its end, length; none if there was no path."""
         return call("hsp_paths_get_points", self)
 
 
@@ -2158,7 +2155,7 @@ def model_max_balls() -> int:
 
 
 def pose_from_matrix(matrix: Rows | Values, translation: Values) -> Pose:
-    """The pose of a rotation matrix [9], row by row, and a translation [3]."""
+    """The pose of a rotation matrix [9], row by row, and a translation [3], length."""
     return call("hsp_pose_from_matrix", None, matrix=matrix, translation=translation)
 
 
@@ -2174,13 +2171,13 @@ def brick_merge(a: Truths | bytes, b: Truths | bytes) -> Any:
 
 
 def brick_get_totals(summary: Truths | bytes) -> Any:
-    """Totals of the whole, of a summary [bytes] with all bricks in it. Gives .totals, .brick."""
+    """Totals of the whole, from a summary [bytes] with all bricks in it. Gives .totals, .brick."""
     return call("hsp_brick_get_totals", None, summary=summary)
 
 
 def brick_get_shells(summary: Truths | bytes) -> Any:
-    """The shells of the whole, of a summary [bytes] with all bricks in it that were kept with HSP_BRICK_KEEP_SHELLS.
-    Gives .out, .brick."""
+    """The shells of the whole, from a summary [bytes] with all bricks in it, all made with HSP_BRICK_KEEP_SHELLS. Gives
+    .out, .brick."""
     return call("hsp_brick_get_shells", None, summary=summary)
 
 
