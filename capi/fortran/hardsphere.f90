@@ -186,21 +186,22 @@ module hardsphere
 
   ! ---- surface.h: the smooth surface that a probe leaves, its area and volume (Section 4.3) --------------------------
 
-  ! The ball has a vertex of more than three spheres, or of three that its probe just fits between; or another ball is
-  ! equal to it; or its sphere passes through a vertex or a whole circle that other balls have. Or its probe at a
-  ! vertex touches another one in a point of the concave patch: exactly, if that stands on the other side of the same
-  ! three balls, else up to rounding. Or, where weights differ, the plane of a saddle's narrowest place passes through
-  ! a ball's centre, or one of two balls touches the other from inside, or the probes at two vertices meet that are in
-  ! one place up to rounding, but not from cusp to cusp.
+  ! The derivatives by this ball may be one-sided or not exist, in one of these cases. The ball has a vertex of more
+  ! than three spheres, or of three that the probe just fits between. Another ball is equal to it. Its sphere passes
+  ! through a vertex or a whole circle of other balls. The probe at one of its vertices touches another probe in a
+  ! point of the concave patch: exactly if the other probe is on the other side of the same three balls, else up to
+  ! rounding. Or, where weights differ: the plane of a saddle's narrowest place passes through a ball's centre; one of
+  ! two balls touches the other from inside; or probes at two vertices that coincide up to rounding meet, but not from
+  ! cusp to cusp.
   integer(c_int32_t), parameter :: HSP_SURFACE_DEGENERATE = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_PATCH_CONVEX = 0_c_int32_t  ! of a face
   integer(c_int32_t), parameter :: HSP_PATCH_SADDLE = 1_c_int32_t  ! of an arc
   integer(c_int32_t), parameter :: HSP_PATCH_CONCAVE = 2_c_int32_t  ! of a vertex
   integer(c_int32_t), parameter :: HSP_PATCH_CIRCLE_SADDLE = 3_c_int32_t  ! of a circle
   integer(c_int32_t), parameter :: HSP_SURFACE_RIM = 0_c_int32_t  ! between the patches of a face and an arc
-  integer(c_int32_t), parameter :: HSP_SURFACE_CIRCLE_RIM = 1_c_int32_t  ! between those of a face and a circle
-  integer(c_int32_t), parameter :: HSP_SURFACE_SIDE = 2_c_int32_t  ! between those of an arc and a vertex
-  integer(c_int32_t), parameter :: HSP_SURFACE_CREASE = 3_c_int32_t  ! between those of two vertices
+  integer(c_int32_t), parameter :: HSP_SURFACE_CIRCLE_RIM = 1_c_int32_t  ! between the patches of a face and a circle
+  integer(c_int32_t), parameter :: HSP_SURFACE_SIDE = 2_c_int32_t  ! between the patches of an arc and a vertex
+  integer(c_int32_t), parameter :: HSP_SURFACE_CREASE = 3_c_int32_t  ! between the patches of two vertices
   integer(c_int32_t), parameter :: HSP_CORNER_BALL = 0_c_int32_t  ! of a convex, a concave and two saddle patches
   integer(c_int32_t), parameter :: HSP_CORNER_CUSP = 1_c_int32_t  ! where saddle patches meet their axis
   integer(c_int32_t), parameter :: HSP_CORNER_CREASE = 2_c_int32_t  ! of three concave patches
@@ -236,8 +237,7 @@ module hardsphere
 
   ! ---- pores.h: free space for every probe at once: cavities, gates, tunnels, channels of crystals -------------------
 
-  ! the outside, where the number of a maximum may stand
-  integer(c_int32_t), parameter :: HSP_PORE_OUTSIDE = -2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PORE_OUTSIDE = -2_c_int32_t  ! the outside, in place of the number of a maximum
 
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------
 
@@ -421,7 +421,7 @@ module hardsphere
 
   type, bind(C) :: hsp_pose
     real(c_double) :: quaternion(4)   ! w x y z, of any length but 0: the rotation R; 1 0 0 0 is no rotation
-    real(c_double) :: translation(3)  ! t, lengths
+    real(c_double) :: translation(3)  ! t, length
   end type
 
   type, bind(C) :: hsp_body_gap
@@ -995,16 +995,16 @@ module hardsphere
     integer(c_int32_t) :: vertices                    ! vertices of the boundary
     integer(c_int32_t) :: faces                       ! faces of the boundary
     integer(c_int32_t) :: neighbours                  ! most probes at other vertices that may cut any one concave patch
-    ! what is left of the concave patches that are cut: at least one for each of them
+    ! pieces that are left of cut concave patches: at least one for each of these
     integer(c_int32_t) :: pieces
-    integer(c_int32_t) :: arcs                        ! that bound these pieces
+    integer(c_int32_t) :: arcs                        ! arcs that bound these pieces
     integer(c_int32_t) :: cusped_circles              ! circles whose saddle patches reach their axis
   end type
 
   type, bind(C) :: hsp_surface_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_surface_request)
     integer(c_int32_t) :: count = 0_c_int32_t                            ! how many shells are chosen
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
     ! [count] as of hsp_surface_compute_shells, or NULL for all of the boundary
     type(c_ptr) :: shells = c_null_ptr
@@ -1014,16 +1014,17 @@ module hardsphere
     integer(c_int32_t) :: convex_patches   ! faces of the boundary
     integer(c_int32_t) :: saddle_patches   ! arcs and circles of the boundary
     integer(c_int32_t) :: concave_patches  ! vertices of the boundary
-    integer(c_int32_t) :: cusped_patches   ! of the saddle patches, those that their axis cuts
-    integer(c_int32_t) :: cut_patches      ! of the concave patches, those that other probes cut
+    integer(c_int32_t) :: cusped_patches   ! saddle patches that their axis cuts
+    integer(c_int32_t) :: cut_patches      ! concave patches that other probes cut
     integer(c_int32_t) :: hidden_patches   ! 0: something is left of every patch, its corners at least
-    integer(c_int32_t) :: rounded_patches  ! of the concave patches, those cut by decisions that doubles do not make
+    integer(c_int32_t) :: rounded_patches  ! concave patches whose pieces were not decided in doubles
     integer(c_int32_t) :: open_joints      ! 0: every surface is closed
   end type
 
   type, bind(C) :: hsp_surface_totals
     real(c_double) :: area          ! of all patches, length^2
-    real(c_double) :: volume        ! inside the surface, voids not included, length^3; of a ball, a term of it
+    ! inside the surface, voids not included, length^3; of a ball, its term of the volume
+    real(c_double) :: volume
     real(c_double) :: convex_area   ! length^2
     real(c_double) :: saddle_area   ! length^2
     real(c_double) :: concave_area  ! length^2
@@ -1032,7 +1033,7 @@ module hardsphere
   type, bind(C) :: hsp_surface_measure_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_surface_measure_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
@@ -1041,9 +1042,9 @@ module hardsphere
     integer(c_int32_t) :: edges      ! of all kinds
     integer(c_int32_t) :: corners    ! of all kinds
     integer(c_int32_t) :: shells     ! connected components of the surface
-    integer(c_int32_t) :: cusps      ! of the corners, cusps
-    integer(c_int32_t) :: junctions  ! of the corners, those where three creases meet
-    integer(c_int32_t) :: creases    ! of the edges, creases
+    integer(c_int32_t) :: cusps      ! corners that are cusps
+    integer(c_int32_t) :: junctions  ! corners where three creases meet
+    integer(c_int32_t) :: creases    ! edges that are creases
     integer(c_int32_t) :: reserved   ! 0
   end type
 
@@ -1054,7 +1055,7 @@ module hardsphere
     ! of a saddle patch with cusps, 0 at ball 0, 1 at ball 1; of a cut patch, the piece 0, 1, ...
     integer(c_int32_t) :: part
     integer(c_int32_t) :: shell     ! HSP_NONE if nothing is left of it
-    integer(c_int32_t) :: loops     ! around it; 0 for a whole sphere, and if nothing is left of it
+    integer(c_int32_t) :: loops     ! loops of edges around it; 0 for a whole sphere, and if nothing is left of it
     integer(c_int32_t) :: edges     ! of all its loops
     integer(c_int32_t) :: h         ! a directed edge with this patch on its left; HSP_NONE if it has none
     integer(c_int32_t) :: reserved  ! 0
@@ -1065,10 +1066,10 @@ module hardsphere
     real(c_double) :: axis(3)          ! unit vector; 0 if the circle or the edge has no size
     real(c_double) :: radius           ! of its circle, length
     real(c_double) :: angle            ! counter-clockwise about the axis, in [0, 2 pi]
-    integer(c_int32_t) :: patch(2)     ! on its left and on its right
+    integer(c_int32_t) :: patch(2)     ! the patches on its left and on its right
     integer(c_int32_t) :: corner(2)    ! where it starts and ends; HSP_NONE for a whole circle
     integer(c_int32_t) :: next(2)      ! after 2 edge around patch[0], after 2 edge + 1 around patch[1]
-    integer(c_int32_t) :: previous(2)  ! before them
+    integer(c_int32_t) :: previous(2)  ! likewise the directed edges before 2 edge and 2 edge + 1
     integer(c_int32_t) :: kind         ! HSP_SURFACE_*
     integer(c_int32_t) :: source       ! arc or circle of the boundary; of a crease, HSP_NONE
   end type
@@ -1086,11 +1087,11 @@ module hardsphere
 
   type, bind(C) :: hsp_surface_shell
     real(c_double) :: area          ! length^2
-    real(c_double) :: volume        ! of what it encloses, length^3; negative if that is outside of the solid
+    real(c_double) :: volume        ! of the space that it encloses, length^3; negative if this lies outside the solid
     integer(c_int64_t) :: euler     ! Euler characteristic
     integer(c_int32_t) :: genus     ! 1 - euler/2: number of handles
     integer(c_int32_t) :: patches   ! how many it consists of
-    integer(c_int32_t) :: chosen    ! 1; of the rest that hsp_surface_compute_shells left out, 0
+    integer(c_int32_t) :: chosen    ! 1 if it is of the chosen part, 0 if of the rest (hsp_surface_compute_shells)
     integer(c_int32_t) :: reserved  ! 0
   end type
 
@@ -1098,7 +1099,7 @@ module hardsphere
 
   type, bind(C) :: hsp_mesh_limits
     integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_mesh_limits)
-    ! of the model; of a smooth surface, balls and vertices of the boundary
+    ! balls of the model; of a smooth surface, balls and vertices of the boundary
     integer(c_int32_t) :: balls
     integer(c_int32_t) :: curves                      ! arcs and circles of the boundary; of a smooth surface, its edges
     integer(c_int32_t) :: vertices                    ! of the mesh, with those that finer ones have replaced
@@ -1109,7 +1110,7 @@ module hardsphere
   type, bind(C) :: hsp_mesh_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_mesh_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
@@ -1117,7 +1118,7 @@ module hardsphere
     integer(c_int32_t) :: vertices   ! of the triangles
     integer(c_int32_t) :: triangles  ! of the mesh
     integer(c_int32_t) :: curves     ! arcs and circles of the boundary; edges of the smooth surface
-    integer(c_int32_t) :: refined    ! of these, those that got more points than their length demands
+    integer(c_int32_t) :: refined    ! curves that got more points than their length demands
   end type
 
   ! ---- regions.h: cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3) ----------
@@ -1312,93 +1313,89 @@ module hardsphere
 
   type, bind(C) :: hsp_pores_limits
     integer(c_int32_t) :: struct_size = 32_c_int32_t  ! sizeof(hsp_pores_limits)
-    integer(c_int32_t) :: balls                       ! of the model; in a box, with images of them that are near it
+    integer(c_int32_t) :: balls                       ! balls of the model; in a box also their images near it
     integer(c_int32_t) :: maxima                      ! above the floor
     integer(c_int32_t) :: gates                       ! above the floor
     ! balls of maxima with more than four nearest balls, and of gates with more than three
     integer(c_int32_t) :: tied
-    integer(c_int32_t) :: candidates                  ! scratch memory of the search
-    integer(c_int32_t) :: neighbours                  ! balls around a piece of a way
-    ! of a tunnel, with those that are left out as they are near to others
+    integer(c_int32_t) :: candidates                  ! scratch memory of the search, in records
+    integer(c_int32_t) :: neighbours                  ! most balls around a piece of a tunnel
+    ! points of a tunnel, also those left out as they are near to others
     integer(c_int32_t) :: points
   end type
 
   type, bind(C) :: hsp_pores_options
     integer(c_int32_t) :: struct_size = 16_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_pores_options)
     integer(c_int32_t) :: reserved                                        ! 0
-    ! radius of the narrowest probe of interest, rounded down to the lattice; may be negative down to where the largest
-    ! ball has no radius left; default 0: what not even a point passes is closed
+    ! radius of the narrowest probe of interest, length, rounded down to the lattice; may be negative, down to minus
+    ! the largest radius; default 0: a gate that not even a point passes is closed
     real(c_double) :: floor
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor
-    ! or NULL: other pores, of a model of some of these balls as this one has rounded them, which have all grown by one
-    ! length since. Points in places that no other ball is near to are taken from them, which saves time and changes
-    ! nothing: as where plugs are put into mouths, or one more atom into a molecule. Of no use if they are of other
-    ! balls, in a box, or of a floor that is higher by more than that length
+    ! or NULL: other pores, of a model of some of these balls, as this model has rounded them, with all radii smaller
+    ! by one length, or the same. Points that no further ball is near to are copied from there, which saves time and
+    ! changes no result: for plugs in mouths, or one more atom in a molecule. Of no use for other balls, in a box, or
+    ! with a floor that is higher by more than that length
     type(c_ptr) :: before
   end type
 
   type, bind(C) :: hsp_pores_counts
-    integer(c_int32_t) :: maxima       ! above the floor: as many as classes without the outside
+    integer(c_int32_t) :: maxima       ! above the floor: as many as classes other than the outside
     integer(c_int32_t) :: gates        ! above the floor
-    integer(c_int32_t) :: merges       ! gates where two classes meet; the others close a ring of free space
-    integer(c_int32_t) :: cavities     ! classes that no other reaches: maxima - merges; in a box channels, too
+    integer(c_int32_t) :: merges       ! gates where two classes merge; the others close a ring of free space
+    integer(c_int32_t) :: cavities     ! classes that merge into no other: maxima - merges; in a box channels, too
     integer(c_int32_t) :: outer_balls  ! balls that are not inside another one
     integer(c_int32_t) :: reserved     ! 0
   end type
 
   type, bind(C) :: hsp_pore_maximum
     real(c_double) :: xyz(3)       ! the centre of the largest probe there
-    real(c_double) :: radius       ! of that: the birth of the class
-    real(c_double) :: death        ! radius at the gate where it merges; the floor if there is none
-    ! balls that it is between, the least of the nearest ones by position; they may be more
-    integer(c_int32_t) :: ball(4)
-    integer(c_int32_t) :: gate     ! where the class merges into an older one; HSP_NONE if nothing reaches it
-    integer(c_int32_t) :: parent   ! the maximum of that older one, HSP_PORE_OUTSIDE, or HSP_NONE
+    real(c_double) :: radius       ! radius of this probe, length: the birth of the class
+    real(c_double) :: death        ! radius at the gate where the class merges; the floor if there is none
+    integer(c_int32_t) :: ball(4)  ! balls that it is between; if more are nearest, the first of them by position
+    integer(c_int32_t) :: gate     ! gate where the class merges into an older one; HSP_NONE if nothing reaches it
+    integer(c_int32_t) :: parent   ! the maximum of that older class, HSP_PORE_OUTSIDE, or HSP_NONE
   end type
 
   type, bind(C) :: hsp_pore_gate
     real(c_double) :: xyz(3)       ! the centre of the widest probe that gets there
-    real(c_double) :: radius       ! of that; narrower ones pass
-    ! balls that it is between, the least of the nearest ones by position; they may be more
-    integer(c_int32_t) :: ball(3)
-    ! maxima that its two sides lead up to, or HSP_PORE_OUTSIDE; the first on the side from which the three balls turn
-    ! counter-clockwise
+    real(c_double) :: radius       ! radius of this probe, length; narrower probes pass
+    integer(c_int32_t) :: ball(3)  ! balls that it is between; if more are nearest, the first of them by position
+    ! maxima to which its two sides lead up, or HSP_PORE_OUTSIDE; the first on the side from which its three balls are
+    ! in counter-clockwise order
     integer(c_int32_t) :: end(2)
-    integer(c_int32_t) :: merges   ! whether two classes meet, rather than two ends of one: 1 or 0
+    integer(c_int32_t) :: merges   ! 1 if two classes merge here, 0 if both sides are of one class
   end type
 
   type, bind(C) :: hsp_pore_gate_shifts
-    ! three for each of its balls: by that the ball is to be moved from where it was given
-    integer(c_int32_t) :: ball(9)
-    integer(c_int32_t) :: end(6)      ! three for each of its ends: by that the maximum is to be moved from its point
-    ! whether its class can go on in a direction, or to a copy, as it could not before: 1 or 0
+    integer(c_int32_t) :: ball(9)     ! three for each of its balls: the ball is moved by them from where it was given
+    integer(c_int32_t) :: end(6)      ! three for each of its ends: the maximum is moved by them from its point
+    ! 1 if through it its class reaches a direction or a copy for the first time, else 0
     integer(c_int32_t) :: winds
-    ! 0 to 3: in how many independent directions its class goes on for ever, from here on
+    ! 0 to 3: in how many independent directions its class goes on for ever for narrower probes
     integer(c_int32_t) :: directions
   end type
 
   type, bind(C) :: hsp_pore_percolation
     ! radius of the widest probe that fits anywhere; the floor if none above it does
     real(c_double) :: largest
-    ! of the widest one that goes on for ever in one, two and three independent directions: narrower ones do; the floor
-    ! if none above it does
+    ! narrower probes go on for ever in one, two and three independent directions; the floor if no probe above it does
     real(c_double) :: through(3)
-    real(c_double) :: included(3)        ! of the widest one that fits in the channel that does so; the floor likewise
-    ! of the widest one that comes to a copy which lies other than 0 times the first, the second and the third vector
-    ! of the box away; the floor likewise
+    real(c_double) :: included(3)        ! radius of the widest probe that fits in that channel; the floor likewise
+    ! narrower probes reach a copy of their place that differs by a multiple other than 0 of the first, the second and
+    ! the third vector of the box; the floor likewise
     real(c_double) :: along(3)
-    ! that stops wider ones than `through`; HSP_NONE if none above the floor gets through
+    ! gate that stops probes wider than `through`; HSP_NONE if none above the floor gets through
     integer(c_int32_t) :: gate(3)
-    integer(c_int32_t) :: maximum(3)     ! the widest one of that channel, HSP_NONE likewise
-    integer(c_int32_t) :: gate_along(3)  ! that stops wider ones than `along`, HSP_NONE likewise
+    integer(c_int32_t) :: maximum(3)     ! the widest maximum of that channel, HSP_NONE likewise
+    integer(c_int32_t) :: gate_along(3)  ! gate that stops probes wider than `along`, HSP_NONE likewise
     integer(c_int32_t) :: reserved       ! 0
   end type
 
   type, bind(C) :: hsp_pore_channel
     real(c_double) :: radius          ! of the widest probe that fits in it
-    integer(c_int32_t) :: maximum     ! where that is: its oldest maximum
-    integer(c_int32_t) :: maxima      ! how many are in it
+    integer(c_int32_t) :: maximum     ! where this probe fits: its oldest maximum
+    integer(c_int32_t) :: maxima      ! how many maxima are in it
     integer(c_int32_t) :: directions  ! as in hsp_winding: 0 to 3; 0: a cavity that ends on all sides
     integer(c_int32_t) :: copies      ! as in hsp_winding
     integer(c_int32_t) :: row(9)      ! as in hsp_winding
@@ -1406,24 +1403,26 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_pore_place
-    real(c_double) :: radius       ! of the largest probe there; below 0 in a ball, infinite without balls
-    integer(c_int32_t) :: ball     ! a nearest one; HSP_NONE without balls
-    ! that a way up leads to, or HSP_PORE_OUTSIDE; HSP_NONE if the radius is not above the floor
+    real(c_double) :: radius       ! of the largest probe there, length; below 0 in a ball, infinite without balls
+    integer(c_int32_t) :: ball     ! a nearest ball; HSP_NONE without balls
+    ! that a way up leads to, HSP_PORE_OUTSIDE, or HSP_NONE if radius is not above the floor
     integer(c_int32_t) :: maximum
   end type
 
   type, bind(C) :: hsp_pore_place_shifts
-    integer(c_int32_t) :: ball(3)     ! by that the ball is to be moved from where it was given
-    integer(c_int32_t) :: maximum(3)  ! by that the maximum is to be moved from its point
+    integer(c_int32_t) :: ball(3)     ! the ball is moved by it from where it was given
+    integer(c_int32_t) :: maximum(3)  ! the maximum is moved by it from its point
   end type
 
   type, bind(C) :: hsp_pore_passage
-    ! wider ones do not get through; 0 if none above the floor does, infinite without balls
+    ! wider probes do not get through; 0 if none above the floor does, infinite without balls
     real(c_double) :: radius
-    integer(c_int32_t) :: passes    ! whether any above the floor does: 1 or 0
-    integer(c_int32_t) :: gate      ! that stops wider ones; HSP_NONE if that is an end, or if none passes
-    integer(c_int32_t) :: ball      ! that stops wider ones at an end; HSP_NONE if that is a gate, or if none passes
-    ! the maxima above the two points as hsp_pores_locate says; with `to` NULL the outside, in a box the first one again
+    integer(c_int32_t) :: passes    ! whether any probe above the floor gets through: 1 or 0
+    integer(c_int32_t) :: gate      ! gate that stops wider ones; HSP_NONE if an end stops them, or if none passes
+    ! ball that stops wider ones at an end; HSP_NONE if a gate stops them, or if none passes
+    integer(c_int32_t) :: ball
+    ! the maxima of the two points as hsp_pores_locate says; with `to` NULL the second is the outside, in a box the
+    ! first maximum again
     integer(c_int32_t) :: at(2)
     integer(c_int32_t) :: reserved  ! 0
   end type
@@ -1433,11 +1432,11 @@ module hardsphere
     real(c_double) :: radius
     real(c_double) :: length        ! of the polyline through its points; 0 if there is no tunnel
     integer(c_int32_t) :: there     ! whether there is a tunnel: 1 or 0
-    integer(c_int32_t) :: gate      ! its tightest one; HSP_NONE if it passes none
-    integer(c_int32_t) :: gates     ! how many it passes
+    integer(c_int32_t) :: gate      ! its tightest gate; HSP_NONE if it passes none
+    integer(c_int32_t) :: gates     ! how many gates it passes
     integer(c_int32_t) :: points    ! of the polyline; 0 if there is no tunnel
-    ! whether it comes to the outside: 1 or 0, which is 0 in a box with balls. If it comes back from there the polyline
-    ! leaps
+    ! whether it leads to or through the outside: 1 or 0; always 0 in a box with balls. If it comes back from the
+    ! outside one segment of the polyline leaps across it
     integer(c_int32_t) :: outside
     integer(c_int32_t) :: reserved  ! 0
   end type
@@ -1446,7 +1445,7 @@ module hardsphere
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_tunnel_request)
     ! 1: that of hsp_pores_find_cheapest_tunnel; 0: that of hsp_pores_find_tunnel
     integer(c_int32_t) :: cheapest = 0_c_int32_t
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
@@ -1454,64 +1453,64 @@ module hardsphere
     ! as of hsp_pores_find_cheapest_tunnel, for both kinds, in 1/length; 0 without gates, infinite through a gate that
     ! is no wider than 0
     real(c_double) :: cost
-    ! times the vectors of the box by that `to` is to be moved, or `from` if that was NULL, to where the tunnel ends; 0
+    ! multiples of the box vectors by which `to`, or `from` if `to` was NULL, is moved to where the tunnel ends; 0
     ! without a box
     integer(c_int32_t) :: shift(3)
     integer(c_int32_t) :: reserved  ! 0
   end type
 
   type, bind(C) :: hsp_tunnel_point
-    real(c_double) :: xyz(3)       ! where it lies
-    real(c_double) :: radius       ! of the largest probe there
-    integer(c_int32_t) :: ball(4)  ! nearest ones, then HSP_NONE: four at a maximum, three at a gate, else one to three
-    integer(c_int32_t) :: gate     ! that it is, or HSP_NONE
-    integer(c_int32_t) :: maximum  ! that it is, or HSP_NONE
+    real(c_double) :: xyz(3)       ! position, length
+    real(c_double) :: radius       ! of the largest probe there, length
+    integer(c_int32_t) :: ball(4)  ! nearest balls, then HSP_NONE: four at a maximum, three at a gate, else one to three
+    integer(c_int32_t) :: gate     ! the gate that it is, or HSP_NONE
+    integer(c_int32_t) :: maximum  ! the maximum that it is, or HSP_NONE
   end type
 
   type, bind(C) :: hsp_tunnel_point_shifts
-    ! three for each of its balls: by that the ball is to be moved from where it was given
-    integer(c_int32_t) :: ball(12)
-    integer(c_int32_t) :: at(3)     ! by that the gate or maximum is to be moved from its point; 0 between those
+    integer(c_int32_t) :: ball(12)  ! three for each of its balls: the ball is moved by them from where it was given
+    integer(c_int32_t) :: at(3)     ! the gate or maximum is moved by it from its point; 0 at other points
   end type
 
   ! ---- pockets.h: pockets between two probes, with mouths and sizes; regions of free space ---------------------------
 
   type, bind(C) :: hsp_pore_pocket
-    real(c_double) :: radius        ! of the widest probe that fits in it: its depth
+    real(c_double) :: radius        ! of the widest probe that fits in it
     real(c_double) :: mouth         ! of the widest probe that passes one of its mouths; the floor without mouths
-    integer(c_int32_t) :: maximum   ! the widest one in it
-    ! its widest mouth; HSP_NONE if it is a cavity that the narrow probe does not get out of
-    integer(c_int32_t) :: gate
-    integer(c_int32_t) :: maxima    ! how many are in it
-    integer(c_int32_t) :: mouths    ! how many it has
-    integer(c_int32_t) :: balls     ! how many line it
+    integer(c_int32_t) :: maximum   ! the widest maximum in it
+    integer(c_int32_t) :: gate      ! its widest mouth; HSP_NONE if it is a cavity that the narrow probe cannot leave
+    integer(c_int32_t) :: maxima    ! how many maxima are in it
+    integer(c_int32_t) :: mouths    ! how many mouths it has
+    integer(c_int32_t) :: balls     ! how many balls line it
     integer(c_int32_t) :: reserved  ! 0
   end type
 
   type, bind(C) :: hsp_pore_access
     real(c_double) :: accessible_area    ! of the boundary beside accessible regions, length^2
     real(c_double) :: accessible_volume  ! length^3; infinite without a box
-    real(c_double) :: blocked_area       ! of the boundary beside the other regions: cavities that end on all sides
-    real(c_double) :: blocked_volume     ! of these
-    integer(c_int32_t) :: accessible     ! how many regions are
-    integer(c_int32_t) :: blocked        ! how many are not
+    ! of the boundary beside the other regions, cavities that end on all sides, length^2
+    real(c_double) :: blocked_area
+    real(c_double) :: blocked_volume     ! of these regions, length^3
+    integer(c_int32_t) :: accessible     ! how many regions are accessible
+    integer(c_int32_t) :: blocked        ! how many regions are not
   end type
 
   type, bind(C) :: hsp_pores_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_pores_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 
   type, bind(C) :: hsp_pore_region
-    real(c_double) :: radius          ! of the widest probe, beyond that of the model, that fits in it; infinite outside
+    ! of the widest probe that fits in it, in addition to the model's; infinite outside
+    real(c_double) :: radius
     real(c_double) :: area            ! of its boundary, length^2
     real(c_double) :: volume          ! length^3; infinite outside
     integer(c_int32_t) :: maximum     ! where the widest probe fits, or HSP_PORE_OUTSIDE
-    integer(c_int32_t) :: maxima      ! how many are in it
-    integer(c_int32_t) :: shells      ! of the boundary, how many bound it
-    integer(c_int32_t) :: accessible  ! whether it is: 1 or 0
+    integer(c_int32_t) :: maxima      ! how many maxima are in it
+    integer(c_int32_t) :: shells      ! how many shells of the boundary bound it
+    integer(c_int32_t) :: accessible  ! whether it is accessible: 1 or 0
     integer(c_int32_t) :: directions  ! as in hsp_winding: 0 to 3
     integer(c_int32_t) :: copies      ! as in hsp_winding
     integer(c_int32_t) :: row(9)      ! as in hsp_winding
@@ -1519,10 +1518,10 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_pore_pocket_size
-    ! where the centre of the narrow probe gets, length^3; NaN if the plugs do not close the pocket
+    ! of the space where the narrow probe's centre gets, length^3; NaN if it is not closed
     real(c_double) :: volume
     real(c_double) :: area         ! of the grown balls beside it, length^2; NaN likewise
-    real(c_double) :: plug_area    ! of the plugs beside it; NaN likewise
+    real(c_double) :: plug_area    ! of the plugs beside it, length^2; NaN likewise
     integer(c_int32_t) :: regions  ! how many parts it falls into; 0 if the plugs fill it, or do not close it
     integer(c_int32_t) :: closed   ! whether the plugs close it: 1 or 0
   end type

@@ -349,7 +349,7 @@ HSP_API int32_t HSP_CALL hsp_periodic_get_gradient(const hsp_periodic *periodic,
 /** The second derivatives of the same energy by the centres, as hsp_boundary_get_hessian_rows (hardsphere/hessian.h)
  *  has them for a union in free space: compressed rows of 3x3 blocks, one for each two balls of which images share a
  *  free piece of a circle, in the caller's frame. When a ball moves all of its images do: so all images of one ball
- *  share a block. What a ball has with its own images cancels: a ball that meets only these has a block of zeros. Works
+ *  share a block. Terms of a ball with its own images cancel: a ball that meets only these has a block of zeros. Works
  *  after areas_alone, too, with any pressure. first [n + 1], ball [needed], block [needed][3][3], flags [n + 1] and
  *  needed are as there; flags and request may be NULL.
  *  - Property 1: block (j, i) is block (i, j) transposed, bit for bit, and each block (i, i) is symmetric.

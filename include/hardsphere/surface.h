@@ -5,10 +5,10 @@
  *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
- * A probe, a ball of radius p, rolls over the balls. The space that it cannot reach is the solvent-excluded solid, and
- * the boundary of that is the surface, Richards' or Connolly's. p is the probe of hsp_model_options. The radii of the
- * model contain it, so that the model's boundary is the surface on which the probe's centre runs. With p = 0 the smooth
- * surface is that boundary itself.
+ * A probe, a ball of radius p, rolls over the balls. The space that it cannot reach is the solvent-excluded solid. The
+ * boundary of this solid is the smooth surface, also named after Richards or Connolly. p is the probe of
+ * hsp_model_options. The radii of the model contain it, so the model's boundary is the surface on which the probe's
+ * centre runs. With p = 0 the smooth surface is that boundary itself.
  *
  * PATCHES   Each feature of the boundary gives a patch of one of three kinds:
  *
@@ -23,23 +23,24 @@
  *     \       /           \       /          three balls, and its side between the three points is the patch.
  *      '-----'             '-----'           From vertices
  *
- * The surface may meet itself, and is exact there. A saddle patch that reaches the axis of its two balls is cut by it,
- * in two cusps. A concave patch may be cut by probes at other vertices into several pieces, or nothing of it is left;
- * two concave patches meet in a crease.
+ * The surface may meet itself, and is exact there. A saddle patch that reaches the axis of its two balls is cut by the
+ * axis, in two cusps. Probes at other vertices may cut a concave patch into several pieces, or leave nothing of it; two
+ * concave patches meet in a crease.
  *
- * DECISIONS   The exact boundary decides which patches there are and where they meet. The pieces that other probes
- * leave of a concave patch are decided in doubles where their error bounds allow and all patches fit together. Else all
- * decisions are about one set of balls in general position, moved off the given one by far less than a rounding, in
- * floats of up to 2048 bits with error bounds. So no two patches contradict each other, and the surface is closed: of
- * 28,000 sets full of ties and near-ties all are. Should a sign stay undecided the status is HSP_E_DEGENERATE; no set
- * is known that has it. Areas are at most 1e-7 p^2 off where balls touch in a vertex.
+ * DECISIONS   The exact boundary decides which patches there are and where they meet. Which pieces other probes leave
+ * of a concave patch is decided in doubles where error bounds allow it and all patches fit together. Otherwise all
+ * these decisions are made for one set of balls in general position, which differs from the given set by far less than
+ * a rounding, in floats of up to 2048 bits with error bounds. So no two patches contradict each other, and the surface
+ * is closed: all of 28,000 sets full of ties and near-ties are. Should a sign stay undecided the status is
+ * HSP_E_DEGENERATE; no set is known that has it. Areas are at most 1e-7 p^2 off where balls touch in a vertex.
  *
- * Such sets have patches, creases and corners without any size; which ones depends on how the balls are moved, their
- * areas do not. They take longer: milliseconds for a few points, a fifth of a second where two hundred probes
- * meet in one place.
+ * Sets with ties have patches, creases and corners without any size. Which of them there are depends on the set in
+ * general position, areas do not. Such sets take longer: milliseconds for a few points, a fifth of a second where two
+ * hundred probes meet in one place.
  *
  * NUMBERS   Patches, edges and corners are numbered by the boundary, which has F faces, A arcs, C circles and V
- * vertices; f, a, c and v are its ids. The balls 0 and 1 of an arc or circle are those of hsp_arc and hsp_circle.
+ * vertices; f, a, c and v are its ids. The balls 0 and 1 of an arc or circle are ball[0] and ball[1] of hsp_arc and
+ * hsp_circle.
  *
  *   patch           first           meaning
  *   f               0               convex patch of face f
@@ -85,8 +86,8 @@ typedef struct hsp_surface_limits {
   uint32_t vertices;       /**< vertices of the boundary */
   uint32_t faces;          /**< faces of the boundary */
   uint32_t neighbours;     /**< most probes at other vertices that may cut any one concave patch */
-  uint32_t pieces;         /**< what is left of the concave patches that are cut: at least one for each of them */
-  uint32_t arcs;           /**< that bound these pieces */
+  uint32_t pieces;         /**< pieces that are left of cut concave patches: at least one for each of these */
+  uint32_t arcs;           /**< arcs that bound these pieces */
   uint32_t cusped_circles; /**< circles whose saddle patches reach their axis */
 } hsp_surface_limits;
 
@@ -103,7 +104,7 @@ HSP_API int32_t HSP_CALL hsp_surface_limits_init(hsp_surface_limits *limits, uin
 /** Bytes that hsp_surface_init needs. With limits that just suffice 148 per ball for haemoglobin of 4384 atoms and a
  *  probe of 1.4; with those of hsp_surface_limits_init 178.
  *  - Property 1: at most HSP_SURFACE_BYTES of the six limits.
- *  - Property 2: a larger limit needs no fewer.
+ *  - Property 2: grows with each limit.
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
@@ -124,9 +125,9 @@ HSP_API int32_t HSP_CALL hsp_surface_bytes(const hsp_surface_limits *limits, siz
 HSP_API int32_t HSP_CALL hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits,
                                           hsp_surface **surface);
 
-/** Compute the surface over a computed boundary. Boundary and model must outlive the surface, which can be read while
- *  these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h;
- *  at most six retries.
+/** Compute the smooth surface over a computed boundary. Boundary and model must outlive the surface; the surface can be
+ *  read while boundary and model hold the same (RESULTS in hardsphere.h). On failure the surface holds no results.
+ *  limits: see LIMITS in hardsphere.h; at most six retries.
  *  - Property 1: the order of the balls has no effect.
  *
  *  Cost: O(vertices) for sets as in Theorem 2.1 with probes no larger than balls; O(m^3) per vertex with m probes that
@@ -139,14 +140,14 @@ HSP_API int32_t HSP_CALL hsp_surface_init(void *memory, size_t bytes, const hsp_
 HSP_API int32_t HSP_CALL hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary,
                                              hsp_surface_limits *limits);
 
-/** The same for a chosen part of the boundary: shells [count] of it, numbered as in hsp_face.shell, in any order. With
- *  the shells of one region of the complement (hsp_topology_get_region_shells) the probe stays in that region. With
- *  those of region 0 it comes from outside: voids are filled, and everything in them is gone.
+/** The same for a chosen part of the boundary: its shells [count], numbered as in hsp_face.shell, in any order. With
+ *  the shells of one region of the complement (hsp_topology_get_region_shells) the probe stays in that region. With the
+ *  shells of region 0 it comes from outside: voids are filled, and everything in them is left out.
  *
- *  The part that is chosen and the rest of the boundary have a surface each. hsp_surface_measure and
- *  hsp_surface_get_gradient are of the chosen one alone; patches, edges, corners, shells and hsp_surface_counts are of
- *  both, and hsp_surface_shell.chosen says to which one a shell belongs. No probe at a vertex of one part cuts a patch
- *  of the other, so that chosen shells of the surface are not those of the whole complement.
+ *  The chosen part and the rest of the boundary have a surface each. hsp_surface_measure and hsp_surface_get_gradient
+ *  are of the chosen surface alone; patches, edges, corners, shells and hsp_surface_counts are of both, and
+ *  hsp_surface_shell.chosen says to which surface a shell belongs. No probe at a vertex of one part cuts a patch of the
+ *  other. So the chosen shells may differ from the shells that hsp_surface_compute finds there.
  *  - Property 1: with all shells of the boundary the same as hsp_surface_compute.
  *
  *  @retval HSP_E_ARGUMENT  surface or boundary is NULL; shells is NULL with a count above 0
@@ -162,11 +163,12 @@ HSP_API int32_t HSP_CALL hsp_surface_compute_shells(hsp_surface *surface, const 
 typedef struct hsp_surface_request {
   uint32_t struct_size;         /**< sizeof(hsp_surface_request) */
   uint32_t count;               /**< how many shells are chosen */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
   const uint32_t *shells;       /**< [count] as of hsp_surface_compute_shells, or NULL for all of the boundary */
 } hsp_surface_request;
 
-/** The same as hsp_surface_compute or hsp_surface_compute_shells, as a request says; request may be NULL: all defaults.
+/** The same as hsp_surface_compute or hsp_surface_compute_shells, with an executor that may stop it; request may be
+ *  NULL: all defaults.
  *  @retval HSP_E_ARGUMENT  surface or boundary is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits
  *  @retval HSP_E_CAPACITY  as hsp_surface_compute
@@ -182,10 +184,10 @@ typedef struct hsp_surface_counts {
   uint32_t convex_patches;  /**< faces of the boundary */
   uint32_t saddle_patches;  /**< arcs and circles of the boundary */
   uint32_t concave_patches; /**< vertices of the boundary */
-  uint32_t cusped_patches;  /**< of the saddle patches, those that their axis cuts */
-  uint32_t cut_patches;     /**< of the concave patches, those that other probes cut */
+  uint32_t cusped_patches;  /**< saddle patches that their axis cuts */
+  uint32_t cut_patches;     /**< concave patches that other probes cut */
   uint32_t hidden_patches;  /**< 0: something is left of every patch, its corners at least */
-  uint32_t rounded_patches; /**< of the concave patches, those cut by decisions that doubles do not make */
+  uint32_t rounded_patches; /**< concave patches whose pieces were not decided in doubles */
   uint32_t open_joints;     /**< 0: every surface is closed */
 } hsp_surface_counts;
 
@@ -195,10 +197,10 @@ typedef struct hsp_surface_counts {
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t HSP_CALL hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts);
 
-/** Areas by kind of patch, and volume, of the whole or of what belongs to one ball. Frozen. */
+/** Areas by kind of patch, and volume, of the whole surface or of one ball's share. Frozen. */
 typedef struct hsp_surface_totals {
   double area;         /**< of all patches, length^2 */
-  double volume;       /**< inside the surface, voids not included, length^3; of a ball, a term of it */
+  double volume;       /**< inside the surface, voids not included, length^3; of a ball, its term of the volume */
   double convex_area;  /**< length^2 */
   double saddle_area;  /**< length^2 */
   double concave_area; /**< length^2 */
@@ -206,13 +208,13 @@ typedef struct hsp_surface_totals {
 
 /** Area and volume of the surface, and each ball's share of them. totals may be NULL; balls may be NULL, else it holds
  *  capacity >= n entries, in the caller's order; needed may be NULL and else becomes n.
- *  A ball's share of the surface is its convex patches; of every saddle patch the part on its side of the narrowest
- *  place, where the probe's profile turns, which may be all or nothing of it; and a third of every concave patch of its
- *  vertices.
- *  Its volume is the term of the divergence theorem that belongs to these, about the same centre as in
- *  hsp_boundary_measure: the terms sum to the volume, single ones may be negative.
- *  Voids of the boundary are outside like everything else that a probe finds room in, reached or not. Totals are summed
- *  over the balls in the caller's order by a fixed binary tree.
+ *  A ball's share of the surface consists of its convex patches; of every saddle patch's part on the ball's side of the
+ *  narrowest place, where the probe's profile turns (this may be all or nothing of the patch); and of a third of every
+ *  concave patch of its vertices.
+ *  Its volume is the term of the divergence theorem of this share, about the same centre as in hsp_boundary_measure:
+ *  the terms sum to the volume, single ones may be negative.
+ *  Voids of the boundary count as outside, like all space in which a probe has room, whether or not it can get there.
+ *  Totals are summed over the balls in the caller's order by a fixed binary tree.
  *  - Property 1: a ball's share does not depend on the order of the balls, bit for bit.
  *  - Property 2: area = convex_area + saddle_area + concave_area, up to rounding.
  *
@@ -228,11 +230,11 @@ HSP_API int32_t HSP_CALL hsp_surface_measure(const hsp_surface *surface, hsp_sur
 typedef struct hsp_surface_measure_request {
   uint32_t struct_size;         /**< sizeof(hsp_surface_measure_request) */
   uint32_t reserved;            /**< 0 */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
 } hsp_surface_measure_request;
 
-/** The same as hsp_surface_measure, as a request says; request may be NULL: all defaults. totals, balls and needed may
- *  be NULL.
+/** The same as hsp_surface_measure, with an executor that may stop it; request may be NULL: all defaults. totals, balls
+ *  and needed may be NULL.
  *  @retval HSP_E_ARGUMENT      surface is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION       bad struct_size of request or executor, or reserved is not 0
  *  @retval HSP_E_CAPACITY      as hsp_surface_measure
@@ -243,39 +245,41 @@ HSP_API int32_t HSP_CALL hsp_surface_measure_with(const hsp_surface *surface,
                                                   hsp_surface_totals *totals, hsp_surface_totals *balls,
                                                   uint32_t capacity, uint32_t *needed);
 
-/** The ball has a vertex of more than three spheres, or of three that its probe just fits between; or another ball is
- *  equal to it; or its sphere passes through a vertex or a whole circle that other balls have. Or its probe at a vertex
- *  touches another one in a point of the concave patch: exactly, if that stands on the other side of the same three
- *  balls, else up to rounding. Or, where weights differ, the plane of a saddle's narrowest place passes through a
- *  ball's centre, or one of two balls touches the other from inside, or the probes at two vertices meet that are in one
- *  place up to rounding, but not from cusp to cusp. */
+/** The derivatives by this ball may be one-sided or not exist, in one of these cases. The ball has a vertex of more
+ *  than three spheres, or of three that the probe just fits between. Another ball is equal to it. Its sphere passes
+ *  through a vertex or a whole circle of other balls. The probe at one of its vertices touches another probe in a point
+ *  of the concave patch: exactly if the other probe is on the other side of the same three balls, else up to rounding.
+ *  Or, where weights differ: the plane of a saddle's narrowest place passes through a ball's centre; one of two balls
+ *  touches the other from inside; or probes at two vertices that coincide up to rounding meet, but not from cusp to
+ *  cusp. */
 #define HSP_SURFACE_DEGENERATE UINT32_C(1)
 
 /** E = tension * sum_i sigma_i A_i + pressure * V of the smooth surface and its gradient, in one pass, with A_i ball
  *  i's share of the area as hsp_surface_measure has it. request may be NULL: all defaults. outputs->d_radius is for
  *  radii without the probe, outputs->flags are HSP_SURFACE_*, and energy->d_probe is the derivative by the probe, at
  *  the same radii. For the area alone: tension 1. For the volume alone: pressure 1. On failure nothing but
- *  outputs->needed and outputs->first_bad is written.
+ *  outputs->needed and outputs->first_bad is written, except on HSP_E_EXECUTOR and HSP_E_STOPPED.
  *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions),
  *    if no ball is flagged.
  *  - Property 2: likewise sum_i (r_i d_radius_i + c_i . d_centre_i) + probe d_probe is 2 sum_i sigma_i A_i for the
- *    area, 3 V for the volume.
+ *    area, 3 V for the volume, with radii r_i without the probe.
  *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
- *  - Property 4: without sigma energy->area and energy->volume are those of hsp_surface_measure up to rounding; with a
- *    sigma that is the same for all balls everything is that of this multiple of the area, up to rounding.
+ *  - Property 4: without sigma energy->area and energy->volume are those of hsp_surface_measure up to rounding; with
+ *    one sigma for all balls area and its derivatives are multiplied by it, up to rounding.
  *
- *  A and V are continuous, but where a piece of the outside is born. V is continuously differentiable but where more
- *  than three spheres pass through a vertex, or three through a circle; A is but where arcs and vertices come or go at
- *  an angle. That takes what HSP_SURFACE_DEGENERATE flags; there derivatives are those on one side at best. Without a
- *  probe balls that touch are flagged, too, and circles of three are not (gradient.h). The slope of a derivative may be
- *  unbounded elsewhere, where an arc or a vertex is born. The lattice's rounding is not differentiated.
- *  Shares are less smooth than their sum. Where an arc or a vertex is born what one ball has passes to another with a
- *  square root: next to that derivatives grow without bound. Where the plane of an arc or a circle passes a ball's
- *  centre, or a ball touches another from inside, they jump, which HSP_SURFACE_DEGENERATE flags.
- *  Accuracy: the sums of Properties 1 and 2 are some 1e-15 off, times radii with the probe, their squares for the
- *  volume, and the sizes of the derivatives; 1e-12 in nearly tied sets, 1e-9 where balls are a few lattice steps apart.
- *  The error of a single derivative is about what moving centres by 2^-53 of the radii would do to it: of two balls
- *  that are a few steps apart, at one vertex with a third one, derivatives have eight digits.
+ *  A and V are continuous, except where a piece of the outside appears. V is continuously differentiable, except where
+ *  more than three spheres pass through a vertex, or three through a circle. A is continuously differentiable, except
+ *  where arcs and vertices appear or vanish at an angle. All these exceptions are flagged with HSP_SURFACE_DEGENERATE;
+ *  there derivatives are one-sided at best. Without a probe balls that touch are flagged, too, and circles of three
+ *  spheres are not (gradient.h). Elsewhere the slope of a derivative may be unbounded where an arc or a vertex appears.
+ *  The lattice's rounding is not differentiated. Shares of balls are less smooth than their sum. Where an arc or a
+ *  vertex appears area passes from one ball to another with a square root: near it derivatives of shares grow without
+ *  bound. Where the plane of an arc or a circle passes through a ball's centre, or a ball touches another from inside,
+ *  they jump, which HSP_SURFACE_DEGENERATE flags.
+ *  Accuracy: the sums of Properties 1 and 2 have an error of some 1e-15, times radii with the probe, for the volume
+ *  their squares, and times the sizes of the derivatives; 1e-12 in nearly tied sets, 1e-9 where balls are a few lattice
+ *  steps apart. The error of a single derivative is about what moving centres by 2^-53 of the radii would do to it: of
+ *  two balls a few lattice steps apart that share a vertex with a third ball, derivatives have eight digits.
  *  Cost: O(n + size of the boundary).
  *  @retval HSP_E_ARGUMENT    surface or outputs is NULL; tangency is not HSP_TANGENT_OVERLAP; an executor with several
  *                            workers and without run
@@ -296,9 +300,9 @@ typedef struct hsp_surface_part_counts {
   uint32_t edges;     /**< of all kinds */
   uint32_t corners;   /**< of all kinds */
   uint32_t shells;    /**< connected components of the surface */
-  uint32_t cusps;     /**< of the corners, cusps */
-  uint32_t junctions; /**< of the corners, those where three creases meet */
-  uint32_t creases;   /**< of the edges, creases */
+  uint32_t cusps;     /**< corners that are cusps */
+  uint32_t junctions; /**< corners where three creases meet */
+  uint32_t creases;   /**< edges that are creases */
   uint32_t reserved;  /**< 0 */
 } hsp_surface_part_counts;
 
@@ -310,12 +314,12 @@ HSP_API int32_t HSP_CALL hsp_surface_get_part_counts(const hsp_surface *surface,
 /** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
 #define HSP_SURFACE_TWIN(h) ((h) == HSP_NONE ? HSP_NONE : ((h) ^ UINT32_C(1)))
 
-/** The next directed edge around the patch on the left of h, from where h ends; h itself if it is a whole circle. Like
- *  the next four functions HSP_NONE if there is no such directed edge, no results, or joints are open.
+/** The next directed edge around the patch on the left of h, from where h ends; h itself if it is a whole circle. This
+ *  function and the next four return HSP_NONE if there is no such directed edge or there are no results.
  *  - Property 1: left(next(h)) = left(h), origin(next(h)) = origin(twin(h)). */
 HSP_API uint32_t HSP_CALL hsp_surface_next(const hsp_surface *surface, uint32_t h);
 
-/** The previous one, the inverse of next. */
+/** The previous directed edge around the patch on the left of h: the inverse of hsp_surface_next. */
 HSP_API uint32_t HSP_CALL hsp_surface_previous(const hsp_surface *surface, uint32_t h);
 
 /** A directed edge of the next loop around the patch on the left of h; of the first loop after the last. So all loops
@@ -340,16 +344,16 @@ typedef struct hsp_surface_patch {
   uint32_t source;   /**< face, arc, circle or vertex of the boundary */
   uint32_t part;     /**< of a saddle patch with cusps, 0 at ball 0, 1 at ball 1; of a cut patch, the piece 0, 1, ... */
   uint32_t shell;    /**< HSP_NONE if nothing is left of it */
-  uint32_t loops;    /**< around it; 0 for a whole sphere, and if nothing is left of it */
+  uint32_t loops;    /**< loops of edges around it; 0 for a whole sphere, and if nothing is left of it */
   uint32_t edges;    /**< of all its loops */
   uint32_t h;        /**< a directed edge with this patch on its left; HSP_NONE if it has none */
   uint32_t reserved; /**< 0 */
 } hsp_surface_patch;
 
 #define HSP_SURFACE_RIM UINT32_C(0)        /**< between the patches of a face and an arc */
-#define HSP_SURFACE_CIRCLE_RIM UINT32_C(1) /**< between those of a face and a circle */
-#define HSP_SURFACE_SIDE UINT32_C(2)       /**< between those of an arc and a vertex */
-#define HSP_SURFACE_CREASE UINT32_C(3)     /**< between those of two vertices */
+#define HSP_SURFACE_CIRCLE_RIM UINT32_C(1) /**< between the patches of a face and a circle */
+#define HSP_SURFACE_SIDE UINT32_C(2)       /**< between the patches of an arc and a vertex */
+#define HSP_SURFACE_CREASE UINT32_C(3)     /**< between the patches of two vertices */
 
 /** An edge: a piece of a circle. Frozen. */
 typedef struct hsp_surface_edge {
@@ -357,10 +361,10 @@ typedef struct hsp_surface_edge {
   double axis[3];       /**< unit vector; 0 if the circle or the edge has no size */
   double radius;        /**< of its circle, length */
   double angle;         /**< counter-clockwise about the axis, in [0, 2 pi] */
-  uint32_t patch[2];    /**< on its left and on its right */
+  uint32_t patch[2];    /**< the patches on its left and on its right */
   uint32_t corner[2];   /**< where it starts and ends; HSP_NONE for a whole circle */
   uint32_t next[2];     /**< after 2 edge around patch[0], after 2 edge + 1 around patch[1] */
-  uint32_t previous[2]; /**< before them */
+  uint32_t previous[2]; /**< likewise the directed edges before 2 edge and 2 edge + 1 */
   uint32_t kind;        /**< HSP_SURFACE_* */
   uint32_t source;      /**< arc or circle of the boundary; of a crease, HSP_NONE */
 } hsp_surface_edge;
@@ -384,17 +388,17 @@ typedef struct hsp_surface_corner {
 /** A shell: a connected component of the surface. Frozen. */
 typedef struct hsp_surface_shell {
   double area;       /**< length^2 */
-  double volume;     /**< of what it encloses, length^3; negative if that is outside of the solid */
+  double volume;     /**< of the space that it encloses, length^3; negative if this lies outside the solid */
   int64_t euler;     /**< Euler characteristic */
   uint32_t genus;    /**< 1 - euler/2: number of handles */
   uint32_t patches;  /**< how many it consists of */
-  uint32_t chosen;   /**< 1; of the rest that hsp_surface_compute_shells left out, 0 */
+  uint32_t chosen;   /**< 1 if it is of the chosen part, 0 if of the rest (hsp_surface_compute_shells) */
   uint32_t reserved; /**< 0 */
 } hsp_surface_shell;
 
 /** The patches first .. first + count - 1, exactly count records, of hsp_surface_part_counts.patches in all; out may be
  *  NULL with count 0.
- *  - Property 1: areas of all patches, in chosen shells, sum to the area of hsp_surface_measure, up to rounding.
+ *  - Property 1: areas of all patches in chosen shells sum to the area of hsp_surface_measure, up to rounding.
  *
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since

@@ -541,7 +541,7 @@ class SurfaceCounts(Record):
 
 
 class SurfaceTotals(Record):
-    """Areas by kind of patch, and volume, of the whole or of what belongs to one ball."""
+    """Areas by kind of patch, and volume, of the whole surface or of one ball's share."""
     _fields_ = [("area", C.c_double), ("volume", C.c_double), ("convex_area", C.c_double), ("saddle_area", C.c_double),
                 ("concave_area", C.c_double)]
 
@@ -739,12 +739,12 @@ class PoreGate(Record):
 
 
 class PoreGateShifts(Record):
-    """How the sides of a gate lie in a periodic box, and what opens there."""
+    """How the sides of a gate lie in a periodic box, and in how many directions the gate opens a channel."""
     _fields_ = [("ball", C.c_int32 * 9), ("end", C.c_int32 * 6), ("winds", C.c_uint32), ("directions", C.c_uint32)]
 
 
 class PorePercolation(Record):
-    """How wide a probe gets through a periodic box for ever."""
+    """How wide a probe can be to go on through a periodic box for ever."""
     _fields_ = [("largest", C.c_double), ("through", C.c_double * 3), ("included", C.c_double * 3),
                 ("along", C.c_double * 3), ("gate", C.c_uint32 * 3), ("maximum", C.c_uint32 * 3),
                 ("gate_along", C.c_uint32 * 3), ("reserved", C.c_uint32)]
@@ -762,7 +762,7 @@ class PorePlace(Record):
 
 
 class PorePlaceShifts(Record):
-    """Which copies a place is beside, in a periodic box;"""
+    """Which copies of its ball and its maximum a place is beside, in a periodic box."""
     _fields_ = [("ball", C.c_int32 * 3), ("maximum", C.c_int32 * 3)]
 
 
@@ -784,7 +784,7 @@ class TunnelRequest(Record):
 
 
 class TunnelRoute(Record):
-    """The cost of a tunnel, and where it leads."""
+    """The cost of a tunnel, and the copy of its end to which it leads."""
     _fields_ = [("cost", C.c_double), ("shift", C.c_int32 * 3), ("reserved", C.c_uint32)]
 
 
@@ -795,7 +795,7 @@ class TunnelPoint(Record):
 
 
 class TunnelPointShifts(Record):
-    """Which copies a point of a tunnel is beside, in a periodic box;"""
+    """Which copies of its balls, gate or maximum a point of a tunnel is beside, in a periodic box;"""
     _fields_ = [("ball", C.c_int32 * 12), ("at", C.c_int32 * 3)]
 
 
@@ -806,13 +806,14 @@ class PorePocket(Record):
 
 
 class PoreAccess(Record):
-    """How much of free space a probe gets to from the outside, or in a box for ever, and how much it does not."""
+    """How much of free space a probe reaches from the outside, or in a box goes on through for ever, and how much
+    not."""
     _fields_ = [("accessible_area", C.c_double), ("accessible_volume", C.c_double), ("blocked_area", C.c_double),
                 ("blocked_volume", C.c_double), ("accessible", C.c_uint32), ("blocked", C.c_uint32)]
 
 
 class PoresRequest(Record):
-    """How questions of pores are answered."""
+    """How regions are found and pockets measured."""
     _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
 
 
@@ -1425,18 +1426,18 @@ class Surface(Handle):
     noun = "surface"
 
     def compute(self, boundary: Boundary) -> Surface:
-        """Compute the surface over a computed boundary."""
+        """Compute the smooth surface over a computed boundary."""
         return call("hsp_surface_compute", self, boundary=boundary)
 
     def compute_shells(self, boundary: Boundary, shells: Integers) -> Surface:
-        """The same for a chosen part of the boundary: shells [count] of it, numbered as in hsp_face.shell, in any
+        """The same for a chosen part of the boundary: its shells [count], numbered as in hsp_face.shell, in any
         order."""
         return call("hsp_surface_compute_shells", self, boundary=boundary, shells=shells)
 
     def compute_with(self, boundary: Boundary, *, count: int | None = None, threads: int | None = None,
                      shells: Integers | None = None) -> Surface:
-        """The same as hsp_surface_compute or hsp_surface_compute_shells, as a request says; request may be NULL: all
-        defaults."""
+        """The same as hsp_surface_compute or hsp_surface_compute_shells, with an executor that may stop it; request may
+        be NULL: all defaults."""
         return call("hsp_surface_compute_with", self, boundary=boundary, count=count, threads=threads, shells=shells)
 
     def get_counts(self) -> SurfaceCounts:
@@ -1448,8 +1449,8 @@ class Surface(Handle):
         return call("hsp_surface_measure", self, only=only)
 
     def measure_with(self, *, threads: int | None = None, only: Any | None = None) -> Any:
-        """The same as hsp_surface_measure, as a request says; request may be NULL: all defaults. Gives .totals,
-        .balls."""
+        """The same as hsp_surface_measure, with an executor that may stop it; request may be NULL: all defaults. Gives
+        .totals, .balls."""
         return call("hsp_surface_measure_with", self, threads=threads, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
@@ -1469,7 +1470,7 @@ class Surface(Handle):
         return call("hsp_surface_next", self, h=h)
 
     def previous(self, h: int) -> int:
-        """The previous one, the inverse of next."""
+        """The previous directed edge around the patch on the left of h: the inverse of hsp_surface_next."""
         return call("hsp_surface_previous", self, h=h)
 
     def next_loop(self, h: int) -> int:
@@ -1512,20 +1513,21 @@ class Mesh(Handle):
     noun = "mesh"
 
     def compute(self, boundary: Boundary, edge_length: float) -> Mesh:
-        """Triangles for a computed boundary, with edges of about the given length: the van der Waals surface, or with a
-        probe the solvent-accessible one."""
+        """Triangles for a computed boundary, with edges of about edge_length, a length: the van der Waals surface, or
+        with a probe the solvent-accessible one."""
         return call("hsp_mesh_compute", self, boundary=boundary, edge_length=edge_length)
 
     def compute_surface(self, surface: Surface, edge_length: float) -> Mesh:
-        """Triangles for a computed smooth surface, with edges of about the given length."""
+        """Triangles for a computed smooth surface, with edges of about edge_length, a length."""
         return call("hsp_mesh_compute_surface", self, surface=surface, edge_length=edge_length)
 
     def compute_with(self, boundary: Boundary, edge_length: float, *, threads: int | None = None) -> Mesh:
-        """The same as hsp_mesh_compute, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_mesh_compute, with an executor that may stop it; request may be NULL: all defaults."""
         return call("hsp_mesh_compute_with", self, boundary=boundary, edge_length=edge_length, threads=threads)
 
     def compute_surface_with(self, surface: Surface, edge_length: float, *, threads: int | None = None) -> Mesh:
-        """The same as hsp_mesh_compute_surface, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_mesh_compute_surface, with an executor that may stop it; request may be NULL: all
+        defaults."""
         return call("hsp_mesh_compute_surface_with", self, surface=surface, edge_length=edge_length, threads=threads)
 
     def get_counts(self) -> MeshCounts:
@@ -1533,23 +1535,22 @@ class Mesh(Handle):
         return call("hsp_mesh_get_counts", self)
 
     def get_vertices(self, *, only: Any | None = None) -> Any:
-        """The vertices, which also serve as points all over the surface (but see hsp_mesh_get_weights for what they are
-        not fit for): positions, normals, areas and balls. Gives .xyz, .normals, .areas, .balls."""
+        """The vertices: positions, normals, areas and balls. Gives .xyz, .normals, .areas, .balls."""
         return call("hsp_mesh_get_vertices", self, only=only)
 
     def get_weights(self, area: Values) -> Doubles:
-        """Weights of the vertices for sums over the surface, such as the mean of something at its points: areas as
-        above, but those of a patch's triangles are scaled so that they sum to its exact area."""
+        """Weights of the vertices for sums over the surface, such as the mean of a quantity at its points: areas as
+        above, but the areas of a patch's triangles are scaled so that they sum to the patch's exact area."""
         return call("hsp_mesh_get_weights", self, area=area)
 
     def get_triangles(self, *, only: Any | None = None) -> Any:
-        """The triangles: the numbers of their vertices, and what each belongs to. Gives .corners, .kinds, .patches,
-        .balls."""
+        """The triangles: the numbers of their vertices, and the patch and ball of each. Gives .corners, .kinds,
+        .patches, .balls."""
         return call("hsp_mesh_get_triangles", self, only=only)
 
     def get_patch(self, patch: int) -> Any:
-        """The triangles of one patch: *first .. *first + *count - 1; *count becomes 0 if it has none. Gives .first,
-        .count."""
+        """The numbers of the triangles of one patch: *first .. *first + *count - 1; *count becomes 0 if it has none.
+        Gives .first, .count."""
         return call("hsp_mesh_get_patch", self, patch=patch)
 
 
@@ -1716,8 +1717,7 @@ class Pores(Handle):
 
     def compute_periodic(self, periodic: Periodic, *, floor: float | None = None, threads: int | None = None,
                          before: Any | None = None) -> Pores:
-        """The same of the balls in a periodic box, which must outlive the pores; they can be read until it computes
-        other balls or another box."""
+        """The same for the balls in a periodic box."""
         return call("hsp_pores_compute_periodic", self, periodic=periodic, floor=floor, threads=threads, before=before)
 
     def get_counts(self) -> PoresCounts:
@@ -1760,26 +1760,26 @@ class Pores(Handle):
         return call("hsp_pores_get_percolation", self)
 
     def get_channels(self, radius: float) -> Records:
-        """All parts of free space for a probe of this radius but the outside, that of the widest maximum first."""
+        """All parts of free space for a probe of this radius, without the outside, the part with the widest maximum
+        first."""
         return call("hsp_pores_get_channels", self, radius=radius)
 
     def class_at(self, maximum: int, radius: float) -> int:
-        """The part of free space that a maximum is in for a probe: *member becomes the oldest maximum of that part, or
-        HSP_PORE_OUTSIDE; HSP_NONE if the probe does not fit at the maximum."""
+        """The part of free space that a maximum is in for a probe of this radius: *member becomes the oldest maximum of
+        that part, or HSP_PORE_OUTSIDE; HSP_NONE if the probe does not fit at the maximum."""
         return call("hsp_pores_class_at", self, maximum=maximum, radius=radius)
 
     def gate_between(self, maximum: int, other: int) -> int:
-        """The gate where the classes of two maxima meet, either of which may be HSP_PORE_OUTSIDE: *gate becomes the
-        tightest gate of the widest path between them, of which narrower probes get from one to the other."""
+        """The gate where the classes of two maxima merge; either maximum may be HSP_PORE_OUTSIDE."""
         return call("hsp_pores_gate_between", self, maximum=maximum, other=other)
 
     def locate(self, xyz: Values) -> PorePlace:
-        """Where the point xyz [3] is, rounded to the lattice: *place becomes its record."""
+        """Where the point xyz [3] is, rounded to the lattice: *place becomes the record."""
         return call("hsp_pores_locate", self, xyz=xyz)
 
     def locate_with_shifts(self, xyz: Values) -> Any:
-        """The same, with the copies of the ball and of the maximum: *shifts becomes their record, too. Gives .place,
-        .shifts."""
+        """The same as hsp_pores_locate, with the copies of the ball and of the maximum: *shifts becomes their record,
+        too. Gives .place, .shifts."""
         return call("hsp_pores_locate_with_shifts", self, xyz=xyz)
 
     def widest(self, from_: Values, to: Values | None = None) -> PorePassage:
@@ -1788,27 +1788,28 @@ class Pores(Handle):
         return call("hsp_pores_widest", self, from_=from_, to=to)
 
     def find_tunnel(self, from_: Values, avoided: Integers, to: Values | None = None) -> Tunnel:
-        """Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the
-        gates to be avoided."""
+        """Find the widest tunnel from one point to another, or to the outside, that uses none of the gates to be
+        avoided."""
         return call("hsp_pores_find_tunnel", self, from_=from_, avoided=avoided, to=to)
 
     def find_cheapest_tunnel(self, from_: Values, avoided: Integers, to: Values | None = None) -> Tunnel:
-        """The same with the tunnel of the least cost, which weighs how wide a way is against how long."""
+        """The same as hsp_pores_find_tunnel, for the tunnel of the least cost, which weighs width against length."""
         return call("hsp_pores_find_cheapest_tunnel", self, from_=from_, avoided=avoided, to=to)
 
     def find_tunnel_with(self, from_: Values, avoided: Integers, to: Values | None = None, *,
                          cheapest: int | None = None, threads: int | None = None) -> Tunnel:
-        """The same as hsp_pores_find_tunnel or hsp_pores_find_cheapest_tunnel, as a request says; request may be NULL:
-        all defaults."""
+        """The same as hsp_pores_find_tunnel or hsp_pores_find_cheapest_tunnel, with an executor that may stop it;
+        request may be NULL: all defaults."""
         return call("hsp_pores_find_tunnel_with", self, from_=from_, avoided=avoided, to=to, cheapest=cheapest,
                     threads=threads)
 
     def get_tunnel_route(self) -> TunnelRoute:
-        """The cost of the last tunnel and its vector: *route becomes the record, all 0 if there was none."""
+        """The cost of the last tunnel and the copy to which it leads: *route becomes the record, all 0 if there was no
+        tunnel."""
         return call("hsp_pores_get_tunnel_route", self)
 
     def get_tunnel_points(self) -> Records:
-        """The points [needed] of the last tunnel, from its start to its end; none if there was none."""
+        """The points [needed] of the last tunnel, from its start to its end; none if there was no tunnel."""
         return call("hsp_pores_get_tunnel_points", self)
 
     def get_tunnel_point_shifts(self) -> Records:
@@ -1816,13 +1817,13 @@ class Pores(Handle):
         return call("hsp_pores_get_tunnel_point_shifts", self)
 
     def find_pockets(self, narrow: float, wide: float) -> int:
-        """Find pockets: where a probe of the radius `narrow` fits, and one of the radius `wide` does not get to from
-        the outside."""
+        """Find pockets: places where a probe of the radius `narrow` fits, and that a probe of the radius `wide` does
+        not reach from the outside."""
         return call("hsp_pores_find_pockets", self, narrow=narrow, wide=wide)
 
     def get_pockets(self, first: int, count: int) -> Records:
-        """The pockets first .. first + count - 1 of the last hsp_pores_find_pockets, exactly count records, that with
-        the widest maximum first; out may be NULL with count 0."""
+        """The pockets first .. first + count - 1 of the last hsp_pores_find_pockets, exactly count records, the pocket
+        with the widest maximum first; out may be NULL with count 0."""
         return call("hsp_pores_get_pockets", self, first=first, count=count)
 
     def get_pocket_maxima(self, pocket: int) -> Numbers:
@@ -1834,24 +1835,24 @@ class Pores(Handle):
         return call("hsp_pores_get_pocket_mouths", self, pocket=pocket)
 
     def get_pocket_balls(self, pocket: int) -> Numbers:
-        """The balls that line a pocket, in ascending order: nearest ones of its maxima, of the gates between them and
-        of its mouths."""
+        """The balls that line a pocket, in ascending order: the nearest balls of its maxima, of the gates between these
+        and of its mouths."""
         return call("hsp_pores_get_pocket_balls", self, pocket=pocket)
 
     def get_plugged_balls(self, *, only: Any | None = None) -> Any:
-        """The balls as rounded to the lattice, grown by the narrow probe of the last hsp_pores_find_pockets, and then a
-        plug for each mouth: xyz [needed][3] and radius [needed], of which either may be NULL. Gives .xyz, .radius."""
+        """Balls for hsp_pores_measure_pockets: the balls as rounded to the lattice, grown by the narrow probe of the
+        last hsp_pores_find_pockets, and then a plug for each mouth: xyz [needed][3] and radius [needed], length; either
+        may be NULL. Gives .xyz, .radius."""
         return call("hsp_pores_get_plugged_balls", self, only=only)
 
     def find_regions(self, boundary: Boundary | None = None) -> Any:
-        """Find the regions of free space beside the balls as they are, which are those that were given, grown by the
-        probe of the model or box: where the centre of this probe gets about, with area and volume of each. Gives
-        .access, .regions."""
+        """Find the regions of free space outside the balls of the model or box, whose radii include its probe: the
+        regions where this probe's centre can move, with area and volume of each. Gives .access, .regions."""
         return call("hsp_pores_find_regions", self, boundary=boundary)
 
     def find_regions_with(self, boundary: Boundary, *, threads: int | None = None) -> Any:
-        """The same as hsp_pores_find_regions, as a request says; request may be NULL: all defaults. Gives .access,
-        .regions."""
+        """The same as hsp_pores_find_regions, with an executor that may stop it; request may be NULL: all defaults.
+        Gives .access, .regions."""
         return call("hsp_pores_find_regions_with", self, boundary=boundary, threads=threads)
 
     def get_regions(self, first: int, count: int) -> Records:
@@ -1864,7 +1865,8 @@ class Pores(Handle):
         return call("hsp_pores_measure_pockets", self, plugged=plugged, boundary=boundary)
 
     def measure_pockets_with(self, plugged: Pores, boundary: Boundary, *, threads: int | None = None) -> Records:
-        """The same as hsp_pores_measure_pockets, as a request says; request may be NULL: all defaults."""
+        """The same as hsp_pores_measure_pockets, with an executor that may stop it; request may be NULL: all
+        defaults."""
         return call("hsp_pores_measure_pockets_with", self, plugged=plugged, boundary=boundary, threads=threads)
 
 
