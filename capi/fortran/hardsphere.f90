@@ -245,8 +245,8 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_PIECES_OUTSIDE_FARTHER = 0_c_int32_t
   ! front hemispheres outside all balls; cut from a computed boundary
   integer(c_int32_t), parameter :: HSP_PIECES_OUTSIDE_ALL = 1_c_int32_t
-  ! Also give a piece to balls that are completely hidden behind others. Without this flag most of these are left out,
-  ! which changes nothing that is seen, and pieces outside farther balls are cut by the remaining balls only.
+  ! Also give a piece to balls that are completely hidden behind others. Without this flag most of these balls are left
+  ! out, which changes nothing that is seen; G-pieces are then cut by the remaining balls only.
   integer(c_int32_t), parameter :: HSP_VIEW_ALL_BALLS = 1_c_int32_t
 
   ! ---- map.h: the visibility map: faces, edges and vertices of the view plane (Section 5.2) --------------------------
@@ -254,23 +254,23 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_MAP_PLAIN = 0_c_int32_t  ! on a closed curve without other vertices
   integer(c_int32_t), parameter :: HSP_MAP_TRIPLE = 1_c_int32_t  ! where three creases meet
   integer(c_int32_t), parameter :: HSP_MAP_T = 2_c_int32_t  ! where a curve goes behind a silhouette
-  integer(c_int32_t), parameter :: HSP_MAP_TANGENCY = 3_c_int32_t  ! where a crease goes over into a silhouette
+  integer(c_int32_t), parameter :: HSP_MAP_TANGENCY = 3_c_int32_t  ! where a crease continues as a silhouette
   ! where halves of a stick meet at their outline; in sticks.h only
   integer(c_int32_t), parameter :: HSP_MAP_HALVES = 4_c_int32_t
 
   ! ---- sticks.h: balls and sticks in an order to paint them ----------------------------------------------------------
 
-  ! A stick that is not cut in two: all of it belongs to ball[0]. For halves of the same colour, which else have a line
-  ! between them.
+  ! A stick that is not cut in two: all of it belongs to ball[0]. For balls of one colour, as there is a line between
+  ! two halves.
   integer(c_int32_t), parameter :: HSP_STICK_WHOLE = 1_c_int32_t
-  ! The kind of bond that a stick is, one of these at most. Pictures that are painted in an order show it as strands,
-  ! parts of the stick side by side that face the viewer, with what is behind it seen between them: two of them, three,
-  ! or two of which the right one, on the way from ball[0] to ball[1], is dashed. Such a stick is half as thick again
-  ! as others. In all else, rules, order and map, it is one stick of that thickness; pictures of what is seen of each,
-  ! side by side, have lines where strands begin and end on it.
+  ! A double bond. A stick has at most one of these three kinds. Pictures that are painted in an order show a double
+  ! bond as two strands, parts of the stick side by side that face the viewer; between them the background of the stick
+  ! is seen. A triple bond has three strands; an aromatic bond has two, of which the right one, seen from ball[0] to
+  ! ball[1], is dashed. Such a stick is 1.5 times as thick as others. For rules, order and map it is one stick of that
+  ! thickness; pictures of a map have lines where strands begin and end on it.
   integer(c_int32_t), parameter :: HSP_STICK_DOUBLE = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_STICK_TRIPLE = 4_c_int32_t  ! three strands
-  integer(c_int32_t), parameter :: HSP_STICK_AROMATIC = 8_c_int32_t  ! two, one of them dashed
+  integer(c_int32_t), parameter :: HSP_STICK_AROMATIC = 8_c_int32_t  ! two strands, one of them dashed
   integer(c_int32_t), parameter :: HSP_STICKS_NO_CONFLICT = 0_c_int32_t  ! there is none
   integer(c_int32_t), parameter :: HSP_STICKS_BALLS_MEET = 1_c_int32_t  ! two balls that meet: no order, but HSP_OK
   integer(c_int32_t), parameter :: HSP_STICKS_NO_BALL = 2_c_int32_t  ! a stick, and its end, which is no ball
@@ -306,7 +306,8 @@ module hardsphere
   ! before a ball of another group: at least width min(1, 2 g)
   integer(c_int32_t), parameter :: HSP_INK_GROUP = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_INK_DEPTH = 2_c_int32_t  ! before a ball of the same group
-  integer(c_int32_t), parameter :: HSP_PICTURE_MEMORY = 71680_c_int32_t  ! Bytes of memory that compression takes.
+  ! Bytes of hsp_picture_options.memory that compression takes.
+  integer(c_int32_t), parameter :: HSP_PICTURE_MEMORY = 71680_c_int32_t
   integer(c_int32_t), parameter :: HSP_PALETTE_SOFT = 0_c_int32_t  ! muted colours by element
   integer(c_int32_t), parameter :: HSP_PALETTE_JMOL = 1_c_int32_t  ! Jmol's colours by element
   ! a tint for each chain, carbon lighter than other elements
@@ -1547,7 +1548,7 @@ module hardsphere
     ! what appears upwards, of any length, not necessarily across towards; default, and if it is parallel to towards: 0
     ! 1 0, or 0 0 1 if towards is parallel to that
     real(c_double) :: up(3)
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor
     type(c_ptr) :: unused                                                 ! NULL
   end type
@@ -1557,8 +1558,9 @@ module hardsphere
     real(c_double) :: right(3)    ! unit vector: the x axis of the view coordinates
     real(c_double) :: up(3)       ! unit vector: the y axis
     real(c_double) :: towards(3)  ! unit vector: the z axis
-    real(c_double) :: low(2)      ! of the box of all pieces' silhouettes in the view plane, length; 0 0 without pieces
-    real(c_double) :: high(2)     ! of the same box
+    ! lower corner of the box of all pieces' balls in the view plane, length; 0 0 without pieces
+    real(c_double) :: low(2)
+    real(c_double) :: high(2)     ! upper corner of the same box
     real(c_double) :: depth_low   ! z of the farthest centre with a piece, length
     real(c_double) :: depth_high  ! z of the nearest centre with a piece, length
     integer(c_int32_t) :: pieces  ! number of pieces
@@ -1591,7 +1593,7 @@ module hardsphere
     real(c_double) :: centre(2)       ! length
     ! the larger and the smaller one, length; the smaller is 0 for a circle seen edge on
     real(c_double) :: semi_axis(2)
-    real(c_double) :: rotation        ! of the larger one from the right, in (-pi, pi]
+    real(c_double) :: rotation        ! angle of the larger one from the x axis, in (-pi, pi]
     real(c_double) :: from            ! in [-2 pi, 2 pi]
     real(c_double) :: to              ! at most 2 pi away from `from`; exactly 2 pi for a whole circle or ellipse
     real(c_double) :: start(2)        ! the point at `from`, length; it is the end of the arc before, bit for bit
@@ -1606,7 +1608,7 @@ module hardsphere
   type, bind(C) :: hsp_map_limits
     integer(c_int32_t) :: struct_size = 16_c_int32_t  ! sizeof(hsp_map_limits)
     integer(c_int32_t) :: balls                       ! of the model
-    ! most balls whose discs meet the disc of any one and that reach higher than its centre
+    ! most balls whose discs meet any one ball's disc and that reach higher than its centre
     integer(c_int32_t) :: neighbours
     integer(c_int32_t) :: edges                       ! of the map
   end type
@@ -1616,23 +1618,24 @@ module hardsphere
     real(c_double) :: right(3)        ! unit vector: the x axis of the view coordinates
     real(c_double) :: up(3)           ! unit vector: the y axis
     real(c_double) :: towards(3)      ! unit vector: the z axis
-    real(c_double) :: area            ! of the view plane that balls cover, length^2
-    real(c_double) :: perturbation    ! no centre was moved farther, length; 0 unless roundings had to be overcome
+    real(c_double) :: area            ! of the part of the view plane that balls cover, length^2
+    ! bound for how far centres were moved, length; 0 unless roundings had to be overcome
+    real(c_double) :: perturbation
     integer(c_int32_t) :: vertices    ! of the map
     integer(c_int32_t) :: edges       ! of the map
     integer(c_int32_t) :: faces       ! of the map, the unbounded one included
     integer(c_int32_t) :: components  ! connected parts of the edges
-    integer(c_int32_t) :: balls       ! how many of them are seen
+    integer(c_int32_t) :: balls       ! how many balls are seen
     integer(c_int32_t) :: reserved    ! 0
   end type
 
   type, bind(C) :: hsp_map_vertex
-    real(c_double) :: xyz(3)        ! view coordinates, length; of a T those of the stem, which is behind
+    real(c_double) :: xyz(3)        ! view coordinates, length; of a T those of the point on the stem, which is behind
     integer(c_int32_t) :: kind      ! HSP_MAP_*
-    ! a directed edge that starts here, of a T the stem; the others are next(twin(h)) and so on
+    ! a directed edge that starts here, of a T the stem; the next one is next(twin(h)), and so on
     integer(c_int32_t) :: h
-    ! whose curves meet here: T: of the stem's one or two balls, then the nearer ball, in ball[2]; triple: in any
-    ! order; tangency: the farther one, the nearer one; else HSP_NONE
+    ! whose curves meet here. T: the stem's one or two balls, and in ball[2] the nearer ball; triple: in any order;
+    ! tangency: the farther one, the nearer one; else HSP_NONE
     integer(c_int32_t) :: ball(3)
     integer(c_int32_t) :: reserved  ! 0
   end type
@@ -1654,26 +1657,25 @@ module hardsphere
     integer(c_int32_t) :: ball      ! the caller's index; HSP_NONE: the background
     ! a directed edge of its outer loop, of any hole for face 0; HSP_NONE if there are no edges
     integer(c_int32_t) :: h
-    integer(c_int32_t) :: loops     ! around it, with the holes
+    integer(c_int32_t) :: loops     ! loops around it, holes included
     integer(c_int32_t) :: reserved  ! 0
   end type
 
   type, bind(C) :: hsp_map_sight
     real(c_double) :: depth     ! z of the ball's front there, length; -infinity for the background
     integer(c_int32_t) :: ball  ! the caller's index; HSP_NONE: the background
-    integer(c_int32_t) :: face  ! HSP_NONE if the point is so close to an edge that roundings decide
+    integer(c_int32_t) :: face  ! the face there; HSP_NONE if the point is so close to an edge that roundings decide
   end type
 
   type, bind(C) :: hsp_map_point
     real(c_double) :: xyz(3)  ! view coordinates, length
-    ! how far behind it what is seen on its left and right is, length; infinite: the background
-    real(c_double) :: gap(2)
+    real(c_double) :: gap(2)  ! how far behind it the ball on its left and on its right is, length; infinite: background
   end type
 
   type, bind(C) :: hsp_map_pole
     real(c_double) :: centre(2)  ! view coordinates, length
     real(c_double) :: radius     ! how far the nearest edge is from there, length
-    real(c_double) :: bound      ! nowhere in the face it is farther, length; not below `radius`
+    real(c_double) :: bound      ! no point of the face is farther from the edges, length; not below `radius`
   end type
 
   ! ---- sticks.h: balls and sticks in an order to paint them ----------------------------------------------------------
@@ -1682,9 +1684,9 @@ module hardsphere
     integer(c_int32_t) :: struct_size = 20_c_int32_t  ! sizeof(hsp_sticks_limits)
     integer(c_int32_t) :: balls                       ! of the model
     integer(c_int32_t) :: sticks                      ! most sticks
-    ! of balls and halves of sticks of which one may cover a part of the other; two if they are balls that meet
+    ! pairs of balls and halves of sticks of which one may cover a part of the other; balls that meet count twice
     integer(c_int32_t) :: pairs
-    integer(c_int32_t) :: edges                       ! of the map, where there is one
+    integer(c_int32_t) :: edges                       ! edges of the map, if a map is made
   end type
 
   type, bind(C) :: hsp_stick
@@ -1695,7 +1697,7 @@ module hardsphere
 
   type, bind(C) :: hsp_sticks_conflict
     integer(c_int32_t) :: kind      ! HSP_STICKS_*
-    integer(c_int32_t) :: first     ! a number of a ball or stick as said there; HSP_NONE without conflict
+    integer(c_int32_t) :: first     ! number of a ball or stick, as HSP_STICKS_* says; HSP_NONE without conflict
     integer(c_int32_t) :: second    ! likewise
     integer(c_int32_t) :: reserved  ! 0
   end type
@@ -1705,10 +1707,10 @@ module hardsphere
     real(c_double) :: right(3)    ! unit vector: the x axis of the view coordinates
     real(c_double) :: up(3)       ! unit vector: the y axis
     real(c_double) :: towards(3)  ! unit vector: the z axis
-    real(c_double) :: low(2)      ! of the box of all balls in the view plane, length; 0 0 without balls
-    real(c_double) :: high(2)     ! of the same box
-    integer(c_int32_t) :: paths   ! balls and halves of sticks that are painted; without an order those that are seen
-    integer(c_int32_t) :: balls   ! of these
+    real(c_double) :: low(2)      ! lower corner of the box of all balls in the view plane, length; 0 0 without balls
+    real(c_double) :: high(2)     ! upper corner of the same box
+    integer(c_int32_t) :: paths   ! balls and halves of sticks that are painted; without an order, that are seen
+    integer(c_int32_t) :: balls   ! how many of these are balls
     integer(c_int32_t) :: sticks  ! as given
     integer(c_int32_t) :: arcs    ! parts of circles, ellipses and lines around all paths
   end type
@@ -1725,9 +1727,10 @@ module hardsphere
     real(c_double) :: width
     real(c_double) :: height                                               ! likewise, from width; default 0
     ! around the balls, as a part of the larger side of their box, in [0, 10]; default 0.03. Of no effect with a scale.
-    ! Lines around them have room in any case
+    ! Lines around the balls have room even with 0
     real(c_double) :: margin
-    ! width of the lines along silhouettes and intersections; 0 (or less than 5e-5 px): none; < 0: chosen; default -1
+    ! width of the lines along silhouettes and intersections; 0 (or less than 5e-5 px): none; < 0: the library chooses;
+    ! default -1
     real(c_double) :: outline
     ! how far the farthest ball fades to the background, in [0, 1], if it is five mean radii or more behind the
     ! nearest; default 0.3
@@ -1738,26 +1741,26 @@ module hardsphere
     integer(c_int32_t) :: reserved                                         ! 0
     ! of a fixed frame: px or mm of the picture per unit of length; default 0: no fixed frame
     real(c_double) :: scale
-    ! of a fixed frame: the point in space in its middle, length; default 0 0 0. Without a scale it has to be that
+    ! of a fixed frame: the point in space in its middle, length; default 0 0 0, which it has to be without a scale
     real(c_double) :: centre(3)
     ! scratch memory of any alignment, with which PDF is compressed (Deflate) to a third to a seventh of its size;
-    ! default NULL: it is not. Of no effect on other formats
+    ! default NULL: no compression. Of no effect on other formats
     type(c_ptr) :: memory
     ! of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory
     integer(c_size_t) :: memory_bytes
     ! a computed map of the same model from the same direction, with which contours are drawn: see HSP_INK_BORDER;
     ! default NULL: none. Of balls and sticks see ink_of_sticks
     type(c_ptr) :: ink
-    ! of each ball of the model: numbers of groups, such as chains, residues or ligands, for HSP_INK_GROUP; default
-    ! NULL: all balls are of one
+    ! [balls of the model]: the number of each ball's group, such as chain, residue or ligand, for HSP_INK_GROUP;
+    ! default NULL: all balls are of one group
     type(c_ptr) :: group
-    ! HSP_INK_*: of contours where they are widest; 0: none; < 0: chosen; default -1
+    ! [HSP_INK_*]: largest width of contours; 0: none; < 0: the library chooses; default -1
     real(c_double) :: ink_width(3)
-    ! HSP_INK_*: 0xRRGGBB, fades like lines; default 0x23202B
+    ! [HSP_INK_*]: 0xRRGGBB, fades like lines; default 0x23202B
     integer(c_int32_t) :: ink_colour(3)
     integer(c_int32_t) :: reserved_for_ink                                 ! 0
-    ! SVG: of each ball of the model, each NULL, empty or names of classes with blanks between them, NUL-terminated
-    ! UTF-8. Such balls have their index in an id, "a", four digits or letters, "-" and the index, and not in
+    ! SVG: [balls of the model], each NULL, empty or names of classes with blanks between them, NUL-terminated UTF-8.
+    ! Balls with classes have their index in an id, "a", four digits or letters, "-" and the index, and not in
     ! data-ball; halves of sticks have classes and data-ball. Default NULL: none; of no effect on other formats
     type(c_ptr) :: atom_class
     ! SVG: likewise texts that browsers show beside the pointer; default NULL: none

@@ -1,30 +1,33 @@
-/* hardsphere/map.h: the visibility map, what is seen of the balls as a subdivision of the view plane (Section 5.2).
+/* hardsphere/map.h: the visibility map: the visible parts of the balls as a subdivision of the view plane (Section
+ * 5.2).
  *
  * Guide: questions.md, gallery.md.
  *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
- * A view is for painting; a map knows what is seen. View coordinates are those of view.h: x to the right, y up, z
- * towards the viewer. Edges cut the view plane into faces, each of which shows one ball or the background:
- *   silhouette   an edge on the outline of a ball, a part of a circle: on its left that ball, on its right what is
- *                behind it
- *   crease       an edge where two spheres meet, a part of an ellipse: on its left the ball whose centre is nearer, on
- *                its right the other one
+ * A view (view.h) is for painting, and its pieces overlap; a map has the visible parts themselves. View coordinates are
+ * those of view.h: x to the right, y up, z towards the viewer. Edges cut the view plane into faces, each of which shows
+ * one ball or the background:
+ *   silhouette   an edge on the outline of a ball, a part of a circle: that ball is on its left, a farther ball or the
+ *                background on its right
+ *   crease       an edge where two spheres meet, a part of an ellipse: the ball with the nearer centre is on its left,
+ *                the other ball on its right
  * Edges end at vertices:
  *   triple       three creases where three spheres meet
  *   T            a curve, the stem, goes behind a nearer ball, on that ball's silhouette
- *   tangency     a crease goes over into the silhouette of the nearer ball
- *   plain        some point of a closed curve that has no other vertex
- * Directed edges are numbers, as everywhere: edge e is 2e along its curve and 2e + 1 against it, HSP_MAP_TWIN turns one
- * around, and the face is on the left. Around a face run one outer loop counter-clockwise and any number of holes
- * clockwise; face 0 is the unbounded one and has holes only. A face of the background may also lie inside. The faces of
- * one ball follow each other, those of the background first.
+ *   tangency     a crease continues as the silhouette of the nearer ball
+ *   plain        an arbitrary point of a closed curve that has no other vertex
+ * Directed edges are numbers: edge e is 2e along its curve and 2e + 1 against it; HSP_MAP_TWIN turns one around. Each
+ * directed edge bounds the face on its left. A face has one outer loop, counter-clockwise, and any number of holes,
+ * clockwise; face 0 is the unbounded one and has holes only. Other faces may show the background, too. Faces of one
+ * ball have consecutive numbers, faces of the background come first.
  *
- * Unlike all else but the smooth surface a map rests on floating-point roots. Labels hold it together, not positions:
- * whatever does not fit shows while it is linked. Then every ball is moved by a tiny part of its radius, the same for
- * the same ball, and the map of these is made; hsp_map_info says how far. Where many balls are in one place, those
- * whose spheres others cover before the move stay hidden. So there is a map that holds all the invariants of
- * hsp_map_check, or a status and none. The same input yields the same bytes on every machine. */
+ * A map rests on floating-point roots. Edges are linked by labels, the balls that they belong to, not by positions.
+ * Labels that do not fit together are noticed while edges are linked. Then every ball is moved by a tiny part of its
+ * radius, the same ball always by the same, and the map of the moved balls is made; hsp_map_info.perturbation says how
+ * far. Where many balls are in one place, balls whose spheres are covered before the move stay hidden. So either there
+ * is a map that satisfies all invariants of hsp_map_check, or a status and no map. The same input yields the same bytes
+ * on every machine. */
 #ifndef HARDSPHERE_MAP_H
 #define HARDSPHERE_MAP_H
 
@@ -44,7 +47,7 @@ typedef struct hsp_map hsp_map;
 typedef struct hsp_map_limits {
   uint32_t struct_size; /**< sizeof(hsp_map_limits) */
   uint32_t balls;       /**< of the model */
-  uint32_t neighbours;  /**< most balls whose discs meet the disc of any one and that reach higher than its centre */
+  uint32_t neighbours;  /**< most balls whose discs meet any one ball's disc and that reach higher than its centre */
   uint32_t edges;       /**< of the map */
 } hsp_map_limits;
 
@@ -74,16 +77,16 @@ HSP_API int32_t HSP_CALL hsp_map_bytes(const hsp_map_limits *limits, size_t *byt
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t HSP_CALL hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, hsp_map **map);
 
-/** Find what is seen from one direction; any number of times, from any directions. options: where to look from, as for
- *  hsp_view_compute, NULL for the defaults; pieces and flags have to be good there and have no effect here. The model
- *  must outlive the map, which can be read while the model holds the same balls (RESULTS in hardsphere.h). On failure
- *  it holds no results. limits: see LIMITS in hardsphere.h; at most 39 retries.
+/** Find the visible parts from one direction; any number of times, from any directions. options: the direction, as for
+ *  hsp_view_compute, NULL for the defaults; its pieces and flags must be valid and have no effect. The model must
+ *  outlive the map; the map can be read while the model holds the same balls (RESULTS in hardsphere.h). On failure the
+ *  map holds no results. limits: see LIMITS in hardsphere.h; at most 39 retries.
  *  - Property 1: the order of the balls has no effect but on the numbers of balls.
  *  - Property 2: hsp_map_check finds nothing.
  *
- *  Cost: O(n log n), and for each ball that may be seen the balls whose discs meet its disc and that reach higher:
- *  O(n + k) expected for k edges of molecules; at worst, with all discs in one place, O(n^2) and O(e^3) for e balls
- *  that have a free point.
+ *  Cost: O(n log n), and for each ball that may be seen the number of balls whose discs meet its disc and that reach
+ *  higher: O(n + k) expected for k edges of molecules; at worst, with all discs in one place, O(n^2) and O(e^3) for e
+ *  balls that have a free point.
  *  @retval HSP_E_ARGUMENT    map or model is NULL; unknown pieces or flags; an executor with several workers and
  *                            without run
  *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0, or
@@ -102,13 +105,13 @@ typedef struct hsp_map_info {
   double right[3];     /**< unit vector: the x axis of the view coordinates */
   double up[3];        /**< unit vector: the y axis */
   double towards[3];   /**< unit vector: the z axis */
-  double area;         /**< of the view plane that balls cover, length^2 */
-  double perturbation; /**< no centre was moved farther, length; 0 unless roundings had to be overcome */
+  double area;         /**< of the part of the view plane that balls cover, length^2 */
+  double perturbation; /**< bound for how far centres were moved, length; 0 unless roundings had to be overcome */
   uint32_t vertices;   /**< of the map */
   uint32_t edges;      /**< of the map */
   uint32_t faces;      /**< of the map, the unbounded one included */
   uint32_t components; /**< connected parts of the edges */
-  uint32_t balls;      /**< how many of them are seen */
+  uint32_t balls;      /**< how many balls are seen */
   uint32_t reserved;   /**< 0 */
 } hsp_map_info;
 
@@ -124,12 +127,12 @@ HSP_API int32_t HSP_CALL hsp_map_get_info(const hsp_map *map, hsp_map_info *info
 /** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
 #define HSP_MAP_TWIN(h) ((h) == HSP_NONE ? HSP_NONE : ((h) ^ UINT32_C(1)))
 
-/** The next directed edge around the face on the left of h, from where h ends; h itself if it is a whole curve. Like
- *  the next four functions HSP_NONE if there is no such directed edge or no results.
+/** The next directed edge around the face on the left of h, from where h ends; h itself if it is a whole curve. This
+ *  function and the next four return HSP_NONE if there is no such directed edge or there are no results.
  *  - Property 1: left(next(h)) = left(h), origin(next(h)) = origin(twin(h)). */
 HSP_API uint32_t HSP_CALL hsp_map_next(const hsp_map *map, uint32_t h);
 
-/** The previous one, the inverse of next. */
+/** The previous directed edge around the face on the left of h: the inverse of hsp_map_next. */
 HSP_API uint32_t HSP_CALL hsp_map_previous(const hsp_map *map, uint32_t h);
 
 /** A directed edge of the next loop around the face on the left of h; of the first loop after the last. So all loops of
@@ -147,15 +150,15 @@ HSP_API uint32_t HSP_CALL hsp_map_left(const hsp_map *map, uint32_t h);
 #define HSP_MAP_PLAIN UINT32_C(0)    /**< on a closed curve without other vertices */
 #define HSP_MAP_TRIPLE UINT32_C(1)   /**< where three creases meet */
 #define HSP_MAP_T UINT32_C(2)        /**< where a curve goes behind a silhouette */
-#define HSP_MAP_TANGENCY UINT32_C(3) /**< where a crease goes over into a silhouette */
+#define HSP_MAP_TANGENCY UINT32_C(3) /**< where a crease continues as a silhouette */
 #define HSP_MAP_HALVES UINT32_C(4)   /**< where halves of a stick meet at their outline; in sticks.h only */
 
 /** A vertex. Frozen. */
 typedef struct hsp_map_vertex {
-  double xyz[3];     /**< view coordinates, length; of a T those of the stem, which is behind */
+  double xyz[3];     /**< view coordinates, length; of a T those of the point on the stem, which is behind */
   uint32_t kind;     /**< HSP_MAP_* */
-  uint32_t h;        /**< a directed edge that starts here, of a T the stem; the others are next(twin(h)) and so on */
-  uint32_t ball[3];  /**< whose curves meet here: T: of the stem's one or two balls, then the nearer ball, in ball[2];
+  uint32_t h;        /**< a directed edge that starts here, of a T the stem; the next one is next(twin(h)), and so on */
+  uint32_t ball[3];  /**< whose curves meet here. T: the stem's one or two balls, and in ball[2] the nearer ball;
                           triple: in any order; tangency: the farther one, the nearer one; else HSP_NONE */
   uint32_t reserved; /**< 0 */
 } hsp_map_vertex;
@@ -179,7 +182,7 @@ typedef struct hsp_map_face {
   double area;       /**< in the view plane, length^2; 0 for the unbounded one */
   uint32_t ball;     /**< the caller's index; HSP_NONE: the background */
   uint32_t h;        /**< a directed edge of its outer loop, of any hole for face 0; HSP_NONE if there are no edges */
-  uint32_t loops;    /**< around it, with the holes */
+  uint32_t loops;    /**< loops around it, holes included */
   uint32_t reserved; /**< 0 */
 } hsp_map_face;
 
@@ -208,16 +211,16 @@ HSP_API int32_t HSP_CALL hsp_map_get_edges(const hsp_map *map, uint32_t first, u
  *  @retval HSP_E_ID        not all of these faces are there */
 HSP_API int32_t HSP_CALL hsp_map_get_faces(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_face *out);
 
-/** How much of each ball is seen: areas in the view plane, length^2, in the caller's order; 0 of what is hidden.
+/** How much of each ball is seen: areas in the view plane, length^2, in the caller's order; 0 for hidden balls.
  *  @retval HSP_E_ARGUMENT  map is NULL; area is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of balls
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t HSP_CALL hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, uint32_t *needed);
 
-/** The visible outline of a ball: a directed edge of every loop around what is seen of it. Follow each with
- *  hsp_map_next until it is back; what is seen is on the left.
+/** The visible outline of a ball: one directed edge of every loop around the ball's visible parts. Follow each with
+ *  hsp_map_next until it comes back; the visible part is on the left.
  *
- *  Cost: O(loops around what is seen of the ball).
+ *  Cost: O(loops around the ball's visible parts).
  *  @retval HSP_E_ARGUMENT  map is NULL; h is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
@@ -231,7 +234,7 @@ HSP_API int32_t HSP_CALL hsp_map_get_outline(const hsp_map *map, uint32_t ball, 
 typedef struct hsp_map_sight {
   double depth;  /**< z of the ball's front there, length; -infinity for the background */
   uint32_t ball; /**< the caller's index; HSP_NONE: the background */
-  uint32_t face; /**< HSP_NONE if the point is so close to an edge that roundings decide */
+  uint32_t face; /**< the face there; HSP_NONE if the point is so close to an edge that roundings decide */
 } hsp_map_sight;
 
 /** The ball that is seen at (x, y), in view coordinates: *sight becomes its record.
@@ -245,11 +248,11 @@ HSP_API int32_t HSP_CALL hsp_map_pick(const hsp_map *map, double x, double y, hs
 /** A point of an edge. Frozen. */
 typedef struct hsp_map_point {
   double xyz[3]; /**< view coordinates, length */
-  double gap[2]; /**< how far behind it what is seen on its left and right is, length; infinite: the background */
+  double gap[2]; /**< how far behind it the ball on its left and on its right is, length; infinite: background */
 } hsp_map_point;
 
-/** The point of an edge at parameter t, from `from` to `to` of its hsp_map_edge, and the gaps beside it: of a
- *  silhouette the one on the left is 0, of a crease both are.
+/** The point of an edge at parameter t, between hsp_map_edge.from and .to, and the gaps beside it: of a silhouette the
+ *  gap on the left is 0, of a crease both are.
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_ID          no such edge
@@ -261,12 +264,12 @@ HSP_API int32_t HSP_CALL hsp_map_get_point(const hsp_map *map, uint32_t edge, do
 typedef struct hsp_map_pole {
   double centre[2]; /**< view coordinates, length */
   double radius;    /**< how far the nearest edge is from there, length */
-  double bound;     /**< nowhere in the face it is farther, length; not below `radius` */
+  double bound;     /**< no point of the face is farther from the edges, length; not below `radius` */
 } hsp_map_pole;
 
 /** The pole of inaccessibility of a face: the centre of a circle in the face that is nearly the largest one. bound is
- *  at most radius (1 + 1/64), unless the face is so long and thin that 4096 points do not suffice to know that; then it
- *  says what is known. All are up to rounding.
+ *  at most radius (1 + 1/64), unless the face is so long and thin that 4096 points do not suffice to prove it; then
+ *  bound is the best proven one. All are up to rounding.
  *
  *  Cost: O(edges around the face), times the points that are looked at: some hundred for most faces.
  *  @retval HSP_E_ARGUMENT  a null pointer
@@ -287,10 +290,10 @@ HSP_API int32_t HSP_CALL hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp
  *       one ball follow each other; the unbounded one has a hole if there is a ball that may be seen
  *    6  vertices - edges + faces = 1 + components
  *    7  positions: edges end at their vertices, and every T lies on its silhouette
- *    8  areas: of a face that of its loops, and all together that within the outermost edges; what is seen of a ball is
- *       at least 0 and at most its disc, up to how far edges end from their vertices
- *    9  sides: the balls that its sides show have fronts at the middle of an edge, and not before it
- *  map may not be used by others meanwhile. Cost: O(size of the map).
+ *    8  areas: a face has the area of its loops, and all together have the area within the outermost edges; the visible
+ *       area of a ball is at least 0 and at most its disc, up to how far edges end from their vertices
+ *    9  sides: the balls on both sides of an edge have fronts at the middle of the edge, and none in front of it
+ *  Works in the map's memory, hence not const. Cost: O(size of the map).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_CHECK     an invariant is violated: please report it */

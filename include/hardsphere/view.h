@@ -1,4 +1,5 @@
-/* hardsphere/view.h: hidden surface removal by the painter's order (Section 5.1).
+/* hardsphere/view.h: hidden surface removal: pieces of balls as true arcs, to be painted from back to front (Section
+ * 5.1).
  *
  * Guide: gallery.md.
  *
@@ -8,19 +9,19 @@
  * that a larger z is nearer; (x, y) is the view plane. Each ball is painted as a piece of its front hemisphere:
  *   HSP_PIECES_OUTSIDE_FARTHER   G-pieces: outside all farther balls (Lemma 5.3)
  *   HSP_PIECES_OUTSIDE_ALL       H-pieces: outside all other balls, the front part of the ball's faces (Theorem 5.1)
- * A ball is farther if its centre has the smaller z, exactly; of centres with equal z, the one of the ball that comes
- * first by (x, y, z, radius) of the caller's coordinates. Painting whole pieces from the farthest ball to the nearest
+ * Of two balls the one whose centre has the smaller z is farther, exactly; if both z are equal, the one that comes
+ * first by (x, y, z, radius) in the caller's coordinates. Painting whole pieces from the farthest ball to the nearest
  * shows exactly what is visible. (The paper's theorem says "decreasing z" with viewing direction -z; back to front is
- * increasing z when the viewer is at z = +infinity.) G-pieces have fewer arcs, and as a farther ball goes on under a
- * nearer one, no background shows through the seams of anti-aliased pictures.
+ * increasing z when the viewer is at z = +infinity.) G-pieces have fewer arcs. As a farther ball goes on under a nearer
+ * one, no background shows through the seams of anti-aliased pictures.
  *
- *   piece     what is painted of one ball; its loops together are one path, to be filled by either rule
+ *   piece     the painted part of one ball; its loops together are one path, to be filled by either fill rule
  *   loop      a closed boundary of a piece, with the piece on its left: outer loops run counter-clockwise in the view
  *             plane (x right, y up), holes clockwise
  *   view arc  a part of the sphere's own silhouette, which is a circle in the view plane, or of its intersection with
  *             another sphere, which is an ellipse there
  * Silhouettes are cut by the same exact predicates as all circles: the half-space behind the centre is one more plane.
- * Ties are decided as everywhere (see the boundary). A ball of radius 0 and a ball inside another one have no piece. */
+ * Ties are decided as in boundary.h. A ball of radius 0 and a ball inside another one have no piece. */
 #ifndef HARDSPHERE_VIEW_H
 #define HARDSPHERE_VIEW_H
 
@@ -73,8 +74,8 @@ HSP_API int32_t HSP_CALL hsp_view_init(void *memory, size_t bytes, const hsp_vie
 #define HSP_PIECES_OUTSIDE_FARTHER UINT32_C(0) /**< front hemispheres outside farther balls; needs no boundary */
 #define HSP_PIECES_OUTSIDE_ALL UINT32_C(1)     /**< front hemispheres outside all balls; cut from a computed boundary */
 
-/** Also give a piece to balls that are completely hidden behind others. Without this flag most of these are left out,
- *  which changes nothing that is seen, and pieces outside farther balls are cut by the remaining balls only. */
+/** Also give a piece to balls that are completely hidden behind others. Without this flag most of these balls are left
+ *  out, which changes nothing that is seen; G-pieces are then cut by the remaining balls only. */
 #define HSP_VIEW_ALL_BALLS UINT32_C(1)
 
 /** From where to look, and what to cut. Zero means default in every field but the first. */
@@ -86,7 +87,7 @@ typedef struct hsp_view_options {
   double towards[3];    /**< from the balls towards the viewer, of any length; default 0 0 1 */
   double up[3]; /**< what appears upwards, of any length, not necessarily across towards; default, and if it is parallel
                      to towards: 0 1 0, or 0 0 1 if towards is parallel to that */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
   const void *unused;           /**< NULL */
 } hsp_view_options;
 
@@ -105,16 +106,16 @@ HSP_API int32_t HSP_CALL hsp_view_options_init(hsp_view_options *options, uint32
 HSP_API int32_t HSP_CALL hsp_view_options_turn(hsp_view_options *options, double x, double y, double z);
 
 /** Cut and sort the pieces for one direction; any number of times, from any directions. boundary: one computed from the
- *  same model, so that a new direction costs only the cut and the sort; it may be NULL for G-pieces, which then
- *  come from the model alone (with it, balls without faces are skipped). options may be NULL (defaults). The model
- *  must outlive the view, which can be read while it holds the same balls (RESULTS in hardsphere.h). The boundary is
- *  not needed after the call.
+ *  same model, so that a new direction costs only the cut and the sort. It may be NULL for G-pieces, which then come
+ *  from the model alone; with a boundary balls without faces are skipped. options may be NULL (defaults). The model
+ *  must outlive the view; the view can be read while the model holds the same balls (RESULTS in hardsphere.h). The
+ *  boundary is not needed after the call.
  *  towards is rounded to integers with a largest component of 2^28, so that axes and diagonals are exact.
  *  limits: see LIMITS in hardsphere.h; at most three retries. On failure the view holds no results.
  *  - Property 1: the order of the balls has no effect but on ids.
  *
- *  Cost: O(n) to leave out hidden balls, O(m log m) to sort the m that are left, and for each of these O(k) at H-pieces
- *  and O(k^2) at G-pieces expected, with k balls that meet it.
+ *  Cost: O(n) to leave out hidden balls, O(m log m) to sort the m that are left, and for each of these, if k balls meet
+ *  it, O(k) for an H-piece and O(k^2) expected for a G-piece.
  *  @retval HSP_E_ARGUMENT    view or model is NULL; unknown pieces or flags; H-pieces without a boundary; a boundary of
  *                            another model; an executor with several workers and without run
  *  @retval HSP_E_VERSION     bad struct_size of options, executor or limits, or reserved of the options is not 0, or
@@ -132,8 +133,8 @@ typedef struct hsp_view_info {
   double right[3];   /**< unit vector: the x axis of the view coordinates */
   double up[3];      /**< unit vector: the y axis */
   double towards[3]; /**< unit vector: the z axis */
-  double low[2];     /**< of the box of all pieces' silhouettes in the view plane, length; 0 0 without pieces */
-  double high[2];    /**< of the same box */
+  double low[2];     /**< lower corner of the box of all pieces' balls in the view plane, length; 0 0 without pieces */
+  double high[2];    /**< upper corner of the same box */
   double depth_low;  /**< z of the farthest centre with a piece, length */
   double depth_high; /**< z of the nearest centre with a piece, length */
   uint32_t pieces;   /**< number of pieces */
@@ -188,7 +189,7 @@ HSP_API int32_t HSP_CALL hsp_view_get_loops(const hsp_view *view, hsp_view_loop 
 typedef struct hsp_view_arc {
   double centre[2];    /**< length */
   double semi_axis[2]; /**< the larger and the smaller one, length; the smaller is 0 for a circle seen edge on */
-  double rotation;     /**< of the larger one from the right, in (-pi, pi] */
+  double rotation;     /**< angle of the larger one from the x axis, in (-pi, pi] */
   double from;         /**< in [-2 pi, 2 pi] */
   double to;           /**< at most 2 pi away from `from`; exactly 2 pi for a whole circle or ellipse */
   double start[2];     /**< the point at `from`, length; it is the end of the arc before, bit for bit */

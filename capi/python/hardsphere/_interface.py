@@ -1918,7 +1918,7 @@ class Map(Handle):
 
     def compute(self, model: Model, *, pieces: int | None = None, flags: int | None = None,
                 towards: Values | None = None, up: Values | None = None, threads: int | None = None) -> Map:
-        """Find what is seen from one direction; any number of times, from any directions."""
+        """Find the visible parts from one direction; any number of times, from any directions."""
         return call("hsp_map_compute", self, model=model, pieces=pieces, flags=flags, towards=towards, up=up,
                     threads=threads)
 
@@ -1932,7 +1932,7 @@ class Map(Handle):
         return call("hsp_map_next", self, h=h)
 
     def previous(self, h: int) -> int:
-        """The previous one, the inverse of next."""
+        """The previous directed edge around the face on the left of h: the inverse of hsp_map_next."""
         return call("hsp_map_previous", self, h=h)
 
     def next_loop(self, h: int) -> int:
@@ -1963,12 +1963,12 @@ class Map(Handle):
         return call("hsp_map_get_faces", self, first=first, count=count)
 
     def get_areas(self) -> Doubles:
-        """How much of each ball is seen: areas in the view plane, length^2, in the caller's order; 0 of what is
-        hidden."""
+        """How much of each ball is seen: areas in the view plane, length^2, in the caller's order; 0 for hidden
+        balls."""
         return call("hsp_map_get_areas", self)
 
     def get_outline(self, ball: int) -> Numbers:
-        """The visible outline of a ball: a directed edge of every loop around what is seen of it."""
+        """The visible outline of a ball: one directed edge of every loop around the ball's visible parts."""
         return call("hsp_map_get_outline", self, ball=ball)
 
     def pick(self, x: float, y: float) -> MapSight:
@@ -1976,8 +1976,8 @@ class Map(Handle):
         return call("hsp_map_pick", self, x=x, y=y)
 
     def get_point(self, edge: int, t: float) -> MapPoint:
-        """The point of an edge at parameter t, from `from` to `to` of its hsp_map_edge, and the gaps beside it: of a
-        silhouette the one on the left is 0, of a crease both are."""
+        """The point of an edge at parameter t, between hsp_map_edge.from and .to, and the gaps beside it: of a
+        silhouette the gap on the left is 0, of a crease both are."""
         return call("hsp_map_get_point", self, edge=edge, t=t)
 
     def get_pole(self, face: int) -> MapPole:
@@ -1997,8 +1997,8 @@ class Map(Handle):
                           group: Integers | None = None, ink_width: Values | None = None,
                           ink_colour: Integers | None = None, atom_class: Any | None = None,
                           atom_title: Any | None = None, ink_of_sticks: Any | None = None) -> bytes:
-        """Write a picture of what is seen, from a computed map: for each ball that is seen one path around all of its
-        faces, farthest ball first."""
+        """Write a picture of a computed map: for each ball that is seen one path around all of its faces, farthest ball
+        first."""
         return call("hsp_picture_write_map", self, colour=colour, title=title, description=description, format=format,
                     style=style, unit=unit, width=width, height=height, margin=margin, outline=outline, fog=fog,
                     outline_colour=outline_colour, background=background, flags=flags, scale=scale, centre=centre,
@@ -2011,14 +2011,16 @@ class Sticks(Handle):
 
     def compute(self, model: Model, stick: Any, radius: float, *, pieces: int | None = None, flags: int | None = None,
                 towards: Values | None = None, up: Values | None = None, threads: int | None = None) -> SticksConflict:
-        """Find what is painted from one direction; any number of times."""
+        """Find balls and halves of sticks in painting order for one direction, or, where there is no order, their map;
+        any number of times."""
         return call("hsp_sticks_compute", self, model=model, stick=stick, radius=radius, pieces=pieces, flags=flags,
                     towards=towards, up=up, threads=threads)
 
     def compute_map(self, model: Model, stick: Any, radius: float, *, pieces: int | None = None,
                     flags: int | None = None, towards: Values | None = None, up: Values | None = None,
                     threads: int | None = None) -> SticksConflict:
-        """The same with a map in any case: also where there is an order to paint, which the conflict then tells."""
+        """The same as hsp_sticks_compute, but with a map also where there is an order to paint (*conflict tells whether
+        there is)."""
         return call("hsp_sticks_compute_map", self, model=model, stick=stick, radius=radius, pieces=pieces, flags=flags,
                     towards=towards, up=up, threads=threads)
 
@@ -2044,21 +2046,21 @@ class Sticks(Handle):
 
     def get_areas(self) -> Doubles:
         """How much of each ball and then of each half of a stick is seen, by their numbers in the map: areas in the
-        view plane, length^2; 0 of what is hidden and of the second half of a whole stick."""
+        view plane, length^2; 0 for hidden ones and for the second half of a whole stick."""
         return call("hsp_sticks_get_areas", self)
 
     def pick(self, x: float, y: float) -> MapSight:
-        """The ball or half of a stick that is seen at (x, y), in view coordinates, its depth and the face: *sight
-        becomes that record."""
+        """The ball or half of a stick that is seen at (x, y), in view coordinates, its depth and its face: *sight
+        becomes the record."""
         return call("hsp_sticks_pick", self, x=x, y=y)
 
     def get_outline(self, ball: int) -> Numbers:
-        """The visible outline of a ball or half of a stick, by its number in the map: a directed edge of every loop
-        around what is seen of it."""
+        """The visible outline of a ball or half of a stick, by its number in the map: one directed edge of every loop
+        around its visible parts."""
         return call("hsp_sticks_get_outline", self, ball=ball)
 
     def get_point(self, edge: int, t: float) -> MapPoint:
-        """The point of an edge at parameter t, from `from` to `to` of its hsp_map_edge, and the gaps beside it, as
+        """The point of an edge at parameter t, between hsp_map_edge.from and .to, and the gaps beside it, as
         hsp_map_get_point has them."""
         return call("hsp_sticks_get_point", self, edge=edge, t=t)
 
@@ -2192,14 +2194,14 @@ def view_options_turn(options: ViewOptions, x: float, y: float, z: float) -> Non
 
 def picture_ink_width(full_width: float, gap: float) -> float:
     """The width of a contour before a gap, as pictures have it (HSP_INK_DEPTH), for contours that are drawn elsewhere:
-    full_width where the gap is three mean radii or more, its share (gap / 3)^(5/8) below."""
+    full_width where the gap is three mean radii or more, full_width (gap / 3)^(5/8) below."""
     return call("hsp_picture_ink_width", None, full_width=full_width, gap=gap)
 
 
 def picture_fog_share(nearest: float, farthest: float, mean_radius: float, depth: float) -> float:
     """How much of the fog lies over a ball, as pictures have it, for colours that are shown elsewhere: 0 at the nearest
-    centre and 1 at the farthest one, or at five mean radii behind the nearest one, if that is farther; in between
-    f^(5/4) of the way f."""
+    centre, 1 at the farthest one, or at five mean radii behind the nearest one if that is farther; in between f^(5/4)
+    at the fraction f of this depth."""
     return call("hsp_picture_fog_share", None, nearest=nearest, farthest=farthest, mean_radius=mean_radius, depth=depth)
 
 
