@@ -1,6 +1,7 @@
-// hardsphere.hpp: the C interface for C++20, in this header alone: owned memory, spans in, vectors out, exceptions.
+// hardsphere.hpp: the C interface for C++20, a header without a library of its own: it owns memory, takes spans,
+// returns vectors and throws exceptions.
 //
-//   double area = hardsphere::measure(xyz, radius, {.probe = 1.4}).total.area;       spans of doubles, xyz [n][3]
+//   double area = hardsphere::measure(xyz, radius, {.probe = 1.4}).total.area;       spans: xyz [n][3], radius [n]
 //
 //   hardsphere::workspace work(xyz, radius, {.probe = 1.4});                         more than one question
 //   std::vector<double> areas = work.measure().area;
@@ -16,9 +17,10 @@
 //   work.pores(), box.pores()                                                                 free space for any probe
 //
 // all() calls any function of hardsphere.h that ends with (out, capacity, needed), range() any that ends with
-// (first, count, out). A workspace has the handles for all other functions and computes those of the boundary when they
-// are first asked for. check() makes an exception of the status of a call of your own. A workspace owns what
-// hsp_workspace_* of hardsphere_workspace.h makes: run(hsp_workspace_view, 1, &options) is for those with arguments.
+// (first, count, out). For all other functions a workspace has the handles; it computes boundary, topology, contacts,
+// surface and pores when they are first asked for. check() throws an exception if the status of a call of your own is
+// not HSP_OK. A workspace owns all that hsp_workspace_* of hardsphere_workspace.h make; run() calls one of these with
+// arguments: run(hsp_workspace_view, 1, &options).
 #ifndef HARDSPHERE_HPP
 #define HARDSPHERE_HPP
 
@@ -44,7 +46,7 @@
 
 namespace hardsphere {
 
-// A call failed: status() is one of HSP_E_*, ball() the index of the ball, pose or move to blame or HSP_NONE.
+// A call failed: status() is one of HSP_E_*, ball() the index of the ball, pose or move that was refused, or HSP_NONE.
 class error : public std::runtime_error {
  public:
   explicit error(int32_t status, uint32_t ball = HSP_NONE)
@@ -61,15 +63,15 @@ inline void check(int32_t status, uint32_t ball = HSP_NONE) {
   if (status != HSP_OK) throw error(status, ball);
 }
 
-// The argument of a function after so many, without its star: what the function writes.
+// The type that a function writes: that of its argument number Place, counted from 0, without the star.
 template <class... Arguments>
 std::tuple<Arguments...> arguments_of(int32_t (*)(Arguments...));
 template <size_t Place, class Function>
 using written_by =
     std::remove_pointer_t<std::tuple_element_t<Place, decltype(arguments_of(static_cast<Function>(nullptr)))>>;
 
-// How many numbers a record has where records come as bare numbers: coordinates of points, the two balls of a pair. 0:
-// out is no list of records.
+// How many elements of out make one record: 3 coordinates of a point, 2 balls of a pair, else 1. 0: out is no list of
+// records.
 template <class Function>
 inline constexpr size_t numbers_each = 1;
 #if HSP_HAS_SPACE
@@ -91,7 +93,7 @@ template <>
 inline constexpr size_t numbers_each<decltype(&hsp_periodic_get_hessian_rows)> = 0;
 #endif
 
-// All that a function (given.., out, capacity, needed) writes to out.
+// All records that a function (given.., out, capacity, needed) writes to out.
 template <class... Arguments, class... Given>
 auto all(int32_t (*function)(Arguments...), Given... given) {
   constexpr size_t each = numbers_each<decltype(function)>;
@@ -99,7 +101,7 @@ auto all(int32_t (*function)(Arguments...), Given... given) {
   std::vector<written_by<sizeof...(Given), decltype(function)>> out;
   uint32_t needed = 0;
   int32_t status = function(given..., nullptr, 0, &needed);
-  // Functions of several arrays, all of which may be left out, have nothing against none of them.
+  // Functions of several arrays, all of which may be NULL, return HSP_OK without any array.
   if (status == HSP_E_CAPACITY || (status == HSP_OK && needed > 0)) {
     out.resize(each * needed);
     status = function(given..., out.data(), needed, &needed);
@@ -116,7 +118,7 @@ auto range(int32_t (*function)(Arguments...), Handle *handle, uint32_t first, ui
   return out;
 }
 
-// An executor with so many threads, which live as long as each loop. Any other hsp_executor serves as well.
+// An executor with `number` threads, which are started and joined in each loop. Any other hsp_executor serves as well.
 class threads {
  public:
   explicit threads(uint32_t number) noexcept
@@ -142,7 +144,7 @@ class threads {
   hsp_executor executor_;
 };
 
-// As hsp_model_options: 0 for the default.
+// As hsp_model_options, lengths: 0 for the default.
 struct options {
   double probe = 0, step = 0, largest_radius = 0;
 };
@@ -178,7 +180,7 @@ inline hsp_model_options model_options(const options &how) {
   return c;
 }
 
-// Balls as functions of C take them. Spans that do not fit each other are null pointers, which are refused.
+// Balls as functions of C take them. Spans whose sizes do not fit become null pointers, which these functions refuse.
 struct given_balls {
   given_balls(std::span<const double> centres, std::span<const double> radii) {
     if (centres.size() != 3 * radii.size() || radii.size() > HSP_MAX_BALLS) return;
@@ -188,14 +190,14 @@ struct given_balls {
   const double *xyz = nullptr, *radius = nullptr;
 };
 
-// All classes with the memory of a workspace of C begin with this.
+// The base of all classes that own a workspace of C. They can be moved, not copied.
 class owner {
  public:
-  // Of all that is in it, as hardsphere_workspace.h has it.
+  // The workspace of C, whose handles hardsphere_workspace.h lists.
   hsp_workspace *operator->() noexcept { return &work_; }
 
-  // A function of hardsphere_workspace.h, with its arguments behind the workspace. The functions here take nothing that
-  // it has made for theirs: it may be of other balls, of some of them, or with other options.
+  // Calls a function of hardsphere_workspace.h with its arguments after the workspace. Member functions do not reuse
+  // results that it made, as these may be of other balls, of some balls alone, or with other options.
   template <class... Arguments, class... Given>
   void run(int32_t (*function)(hsp_workspace *, Arguments...), Given &&...given) {
     computed_ &= ~made_otherwise(function);
@@ -222,11 +224,11 @@ class owner {
 #endif
   }
 
-  // An empty span is none; with no balls it is that, too.
+  // Refuses a span of another size than the number of balls. An empty one counts as not given.
   static void held(size_t given, uint32_t balls) {
     if (given != 0 && given != balls) throw error(HSP_E_ARGUMENT);
   }
-  // Balls of a handle by one of its functions (.., capacity, needed), without arrays; 0 where there are none.
+  // The number of balls of a handle, from one of its functions (.., capacity, needed) without arrays; 0 without balls.
   template <class... Arguments, class Handle, class... Nothing>
   static uint32_t count(int32_t (*function)(Arguments...), Handle *handle, Nothing... nothing) noexcept {
     uint32_t needed = 0;
@@ -237,7 +239,7 @@ class owner {
     if constexpr (std::is_same_v<Function, Other>) return function == other;
     return false;
   }
-  // Bits of once() for what a function of C makes of other balls, of some of them or with other options.
+  // The bits of once() of results that a function of C may make of other balls, of some balls or with other options.
   template <class Function>
   static unsigned made_otherwise(Function function) noexcept {
     if (same(function, hsp_workspace_set) || same(function, hsp_workspace_areas) ||
@@ -262,7 +264,7 @@ class owner {
     computed_ |= bit;
   }
 
-  // The gradient of an energy by a function of C; outputs: what it is to write beside.
+  // The gradient of an energy by a function of C; outputs: what else it is to write.
   template <class Outputs, class Handle>
   gradients slope(int32_t (*function)(const Handle *, const hsp_gradient_request *, Outputs *), const Handle *handle,
                   uint32_t n, const energy_terms &terms, Outputs outputs = {}) {
@@ -316,7 +318,7 @@ class workspace : public owner {
   void swap(workspace &other) noexcept { owner::swap(other); }
   uint32_t size() const noexcept { return count(hsp_model_get_balls, work_.model, nullptr, nullptr); }
 
-  // One that throws leaves no balls: what asks for them throws, too.
+  // Takes other balls. If it throws there are no balls, and functions that need balls throw, too.
   workspace &set(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
     const hsp_model_options c = model_options(how);
     const given_balls balls(xyz, radius);
@@ -326,10 +328,10 @@ class workspace : public owner {
     return check(status, bad), *this;
   }
 
-  // Whose threads share boundaries, measures and gradients from now on.
+  // Sets the executor, of which a copy is kept: its threads share boundaries, measures and gradients from then on.
   workspace &use(const hsp_executor &executor) noexcept { return executor_ = executor, *this; }
 
-  // Handles, computed when they are first asked for after set().
+  // Handles. All but the model are computed when they are first asked for after set(). The workspace owns them.
   const hsp_model *model() const noexcept { return work_.model; }
   hsp_boundary *boundary() {
     const auto compute = [this](hsp_workspace *work) {
@@ -347,13 +349,13 @@ class workspace : public owner {
   }
 #endif
 #if HSP_HAS_SPACE
-  // Free space for probes of any radius from the floor on.
+  // Free space for probes of any radius above the floor, a length.
   hsp_pores *pores(double floor = 0) {
     return some_pores(hsp_workspace_pores, floor);
   }
 #endif
 
-  // selected: empty, or a number for each ball; those with 0 only block.
+  // Areas and volume. selected: empty for all, or a number for each ball; balls with 0 only block.
   hardsphere::measures measure(std::span<const uint8_t> selected = {}) {
     const uint32_t n = size();
     held(selected.size(), n);
@@ -371,7 +373,7 @@ class workspace : public owner {
     return slope(hsp_boundary_get_gradient, boundary(), size(), terms);
   }
 #if HSP_HAS_SMOOTH
-  // Of the smooth surface that the probe leaves.
+  // The gradient of an energy of the smooth surface (hardsphere/surface.h).
   gradients smooth_gradient(const energy_terms &terms) {
     return slope(hsp_surface_get_gradient, surface(), size(), terms);
   }
@@ -391,12 +393,12 @@ struct box_measures {
   std::vector<double> area, share_volume;  // of each ball: its free area, and the volume of its share
 };
 
-// By the strain and by the vectors, too.
+// With the derivatives by the strain and by the box vectors (hsp_periodic_gradient_outputs).
 struct box_gradients : gradients {
   std::array<double, 9> d_strain{}, d_box{};
 };
 
-// Balls in a periodic box. vectors: three lengths, or three vectors one after another, any.
+// Balls in a periodic box. vectors: three lengths of an upright box, or three vectors one after another, any.
 class box : public owner {
  public:
   box() = default;
@@ -406,7 +408,7 @@ class box : public owner {
   }
   uint32_t size() const noexcept { return count(hsp_periodic_measure, work_.periodic, nullptr, nullptr, nullptr); }
 
-  // One that throws leaves no balls.
+  // Takes other balls and another box. If it throws there are no balls.
   box &set(std::span<const double> xyz, std::span<const double> radius, std::span<const double> vectors,
            const options &how = {}) {
     std::array<double, 9> all{};
@@ -427,7 +429,8 @@ class box : public owner {
     return *this;
   }
 
-  // From the next set on: threads that share the work; areas and their gradient alone, in a third of the time.
+  // Both count from the next set() on. use: threads that share the work. areas_alone: only areas and their gradient, in
+  // a third of the time.
   box &use(const hsp_executor &executor) noexcept { return executor_ = executor, *this; }
   box &areas_alone(bool alone = true) noexcept { return areas_alone_ = alone, *this; }
 
@@ -462,7 +465,8 @@ class box : public owner {
 
 #if HSP_HAS_MOTION
 
-// A molecule prepared for poses. Copies share it. All that meet need one step (options). error::ball() is a pose.
+// A molecule prepared for poses. Copies share it. Two bodies need the same lattice step (options::step). If a function
+// throws error::ball() is the index of the pose.
 class body {
  public:
   body() = default;
@@ -478,15 +482,16 @@ class body {
   }
   operator const hsp_body *() const noexcept { return body_.get(); }
 
-  // For each pose of the other body: whether they meet, how far apart they are, how much they overlap.
+  // For each pose of the other body: hits, whether they meet; gaps, how far apart they are; overlaps, how much they
+  // overlap.
   std::vector<uint32_t> hits(const body &posed, std::span<const hsp_pose> poses) const {
     return each<uint32_t>(hsp_body_hits, posed, poses);
   }
   std::vector<uint32_t> hits(const body &posed, std::span<const hsp_rational_pose> poses) const {
     return each<uint32_t>(hsp_body_rational_hits, posed, poses);
   }
-  // The same for poses along a way, each near the one before. The margin, a length, is best some ten times what a ball
-  // goes at once.
+  // The same for the poses of a motion, each near the one before. The best margin, a length, is some ten times the
+  // distance that a ball moves from one pose to the next.
   std::vector<uint32_t> hits_along(const body &posed, std::span<const hsp_pose> poses, double margin) const {
     return each<uint32_t>(hsp_body_hits_along, posed, poses, margin);
   }
@@ -502,7 +507,7 @@ class body {
   std::vector<hsp_body_overlap> overlaps(const body &posed, std::span<const hsp_pose> poses) const {
     return each<hsp_body_overlap>(hsp_body_overlaps, posed, poses);
   }
-  // The pairs of balls that meet, the first one's of this body.
+  // The pairs of balls that meet: first the ball of this body, then the ball of the other.
   std::vector<std::array<uint32_t, 2>> pairs(const body &posed, const hsp_pose &pose) const {
     return two_by_two(all(hsp_body_pairs, body_.get(), posed.body_.get(), &pose));
   }
@@ -516,7 +521,7 @@ class body {
     for (size_t k = 0; k < found.size(); ++k) found[k] = {balls[2 * k], balls[2 * k + 1]};
     return found;
   }
-  // margin: what some functions take behind the poses.
+  // margin: the argument that some functions take after the poses.
   template <class Answer, class Function, class Pose, class... Margin>
   std::vector<Answer> each(Function function, const body &posed, std::span<const Pose> poses, Margin... margin) const {
     if (poses.size() > UINT32_MAX) throw error(HSP_E_RANGE);
@@ -531,7 +536,8 @@ class body {
   std::shared_ptr<const hsp_body> body_;
 };
 
-// Balls of which a few move at a time, with an energy that is always known. error::ball() of move() is a move.
+// Balls of which a few move at a time, with an energy that is known after each move. If move() throws error::ball() is
+// the position in `balls` of the move that was refused.
 class moving : public owner {
  public:
   moving() = default;
@@ -552,12 +558,12 @@ class moving : public owner {
     terms_.sigma = {};
     const int32_t set =
         hsp_workspace_set(&work_, right ? balls.n : 1, right ? balls.xyz : nullptr, balls.radius, &c, &bad);
-    const int32_t taken = take(set == HSP_OK ? &bad : nullptr);  // none of balls that were refused
+    const int32_t taken = take(set == HSP_OK ? &bad : nullptr);  // leaves no balls if set was refused
     return check(set == HSP_OK ? taken : set, bad), *this;
   }
 
-  // Some balls to other centres, with other radii, or one of both. A move that throws leaves all as
-  // it was, or no balls if there is no memory.
+  // Moves some balls to other centres, or gives them other radii, or both; an empty span leaves all as they are. If it
+  // throws everything is as before, or there are no balls if memory ran out.
   moving &move(std::span<const uint32_t> balls, std::span<const double> xyz, std::span<const double> radius = {}) {
     if ((!xyz.empty() && xyz.size() != 3 * balls.size()) || (!radius.empty() && radius.size() != balls.size()))
       throw error(HSP_E_ARGUMENT);
@@ -598,7 +604,7 @@ class moving : public owner {
                               found.flags.data(), n, nullptr));
     return found;
   }
-  // The balls as they are.
+  // A model of the balls as they are; the next call replaces it.
   const hsp_model *model() { return check(hsp_moving_get_model(work_.moving, work_.model)), work_.model; }
 
  private:
@@ -613,7 +619,7 @@ class moving : public owner {
 
 #endif  // HSP_HAS_MOTION
 
-// Area and volume of a union of balls, and each ball's part of them.
+// Area and volume of a union of balls, and each ball's terms of both.
 inline measures measure(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
   return workspace(xyz, radius, how).measure();
 }

@@ -10,17 +10,18 @@
 !   if (status == HSP_OK) status = work%compute_boundary()
 !   if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals=totals, area=area, capacity=n)
 !
-! It may be used for any number of sets of balls, one after the other, and keeps the memory of the largest. Read results
-! through its handles by the functions of the module hardsphere, which this one passes on. Handles move when they grow:
-! take them from the workspace after each call. Declare it with TARGET, and do not assign it to another: the handles of
-! a copy are those of the original. Memory is given back when the workspace goes out of scope.
+! A workspace may be used for any number of sets of balls, one after the other, and keeps the memory of the largest.
+! Read results through its handles by the functions of the module hardsphere, which this module passes on. Handles move
+! when they grow: take them from the workspace again after each call. Declare a workspace with TARGET, and do not
+! assign it to another one: the handles of a copy would be those of the original. Memory is given back when the
+! workspace goes out of scope.
 !
-! Threads of yours share the work, and a function of yours stops it, after work%executor = c_loc(executor), of a
-! type(hsp_executor) with the TARGET attribute that outlives the calls. Requests, views, maps and pores have one of
-! their own.
+! After work%executor = c_loc(executor) your threads share the work, and your function may stop it. executor is a
+! type(hsp_executor) with the TARGET attribute that outlives the calls. Functions with a request, views, maps and pores
+! take the executor of their request or options instead.
 !
-! A row such as `---- model.h` begins what is for that header, to the next one. For a library without some of its
-! components a module is generated without their headers.
+! A row such as `---- model.h` begins the part for that header; the next such row ends it. For a library without some
+! of its components a module is generated without their headers.
 !
 ! STATUS: that of the function of the module hardsphere that fails, and HSP_E_MEMORY where an allocation fails.
 module hardsphere_workspace
@@ -48,7 +49,7 @@ module hardsphere_workspace
     type(c_ptr) :: pores = c_null_ptr ! hardsphere/pores.h
     type(c_ptr) :: moving = c_null_ptr ! hardsphere/moving.h
     type(c_ptr) :: periodic = c_null_ptr ! hardsphere/periodic.h
-    type(c_ptr) :: executor = c_null_ptr ! may be set: of all but requests, views, maps and pores
+    type(c_ptr) :: executor = c_null_ptr ! may be set: for all calls but those with a request, views, maps and pores
     integer(c_int32_t), private :: most_balls = 0
     type(memory_block), private :: memory(13)
     type(hsp_boundary_limits), private :: boundary_limits ! hardsphere/boundary.h
@@ -116,8 +117,8 @@ contains
 
   ! ---- model.h
 
-  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts, cells, paths and pores hold no results of other balls then; balls that move and a box stay as they are.
+  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Results of other balls in boundary, topology,
+  ! view, surface, mesh, map, contacts, cells, paths and pores are lost; balls that move and a box stay as they are.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -147,7 +148,7 @@ contains
     status = hsp_model_set_with(self%model, n, xyz, radius, request, first_bad)
   end function
 
-  ! Computes the boundary of the union of the balls, as a request says, if it is there. HSP_E_ARGUMENT: no balls were set.
+  ! Computes the boundary of the union of the balls, as a request says, if given. HSP_E_ARGUMENT: no balls were set.
   function compute_boundary(self, request) result(status)
     class(hsp_workspace), intent(inout), target :: self
     type(hsp_boundary_request), intent(in), optional :: request
@@ -165,8 +166,8 @@ contains
     end do
   end function
 
-  ! Area of each of n balls that a probe can reach, and area and volume of all, in one call; arguments and statuses as
-  ! hsp_areas. Model and boundary are there afterwards.
+  ! Areas and volume of n balls in one call: the solvent-accessible area of each ball, and area and volume of the union;
+  ! arguments and statuses as hsp_areas. The handles of model and boundary hold results afterwards.
   function compute_areas(self, n, xyz, radius, probe, totals, area) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -200,7 +201,7 @@ contains
 
   ! ---- view.h
 
-  ! Computes a view of the model alone or, if use_boundary is there and true, of the boundary that compute_boundary has
+  ! Computes a view of the model alone or, if use_boundary is given and true, of the boundary that compute_boundary has
   ! computed; options as for hsp_view_compute. HSP_E_ARGUMENT: no balls were set, or compute_boundary was never called.
   function compute_view(self, options, use_boundary) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -229,7 +230,7 @@ contains
   ! ---- surface.h
 
   ! Computes the solvent-excluded surface of `count` shells of the boundary that compute_boundary has computed; of all
-  ! of it without `shells`.
+  ! shells if `shells` is not given.
   function compute_surface_of(self, shells, count) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in), optional, target :: shells(*)
@@ -241,7 +242,7 @@ contains
     request%executor = self%executor
     if (present(shells)) then
       request%count = count
-      ! No shells are not all of them, and an array of no elements has no address.
+      ! An empty array means no shells, not all of them, and has no address.
       request%shells = c_loc(none)
       if (count /= 0) request%shells = c_loc(shells)
     end if
@@ -264,7 +265,7 @@ contains
   ! ---- mesh.h
 
   ! Computes triangles with edges of about the given length for the boundary that compute_boundary has computed or, if
-  ! use_surface is there and true, for the smooth surface over it that compute_surface has computed.
+  ! use_surface is given and true, for the smooth surface over it that compute_surface has computed.
   function compute_mesh(self, edge, use_surface) result(status)
     class(hsp_workspace), intent(inout), target :: self
     real(c_double), intent(in) :: edge
@@ -409,7 +410,7 @@ contains
     end do
   end function
 
-  ! Of the least cost or the widest, in a box or without one.
+  ! The tunnel of the least cost or the widest one, in a box or without one.
   function find_some_tunnel(self, cheapest, in_box, options, from, to, avoided, count, tunnel) result(status)
     class(hsp_workspace), intent(inout), target :: self
     logical, intent(in) :: cheapest, in_box
@@ -517,8 +518,8 @@ contains
 
   ! ---- moving.h
 
-  ! Takes the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
-  ! neighbours of each at least, or for all balls.
+  ! Takes the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for at
+  ! least 256 neighbours of each ball, or for all balls if they are fewer.
   function set_moving(self, tension, pressure, tangency, sigma, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     real(c_double), intent(in) :: tension, pressure
@@ -547,7 +548,7 @@ contains
   ! ---- periodic.h
 
   ! Computes the union of n balls in a periodic box, as a request says; arguments and statuses as
-  ! hsp_periodic_compute_with. The model is not used.
+  ! hsp_periodic_compute_with. It neither needs nor changes the model of the workspace.
   function compute_periodic_with(self, n, xyz, radius, box, request, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), value :: n

@@ -11,16 +11,16 @@
  *   ...
  *   hsp_workspace_free(&work);
  *
- * A workspace owns a handle of each kind, which are made when they are first needed and made larger when a set of balls
- * needs more. It may be used for any number of sets, one after the other, and keeps the memory of the largest. Read
- * results through its handles by the functions of hardsphere.h; take the handles anew from the workspace after each
- * call, as they move when they grow. A workspace may be copied; use only one of the copies. Distinct workspaces may be
- * used by distinct threads.
+ * A workspace owns a handle of each kind. It makes a handle when the handle is first needed, and a larger one when a
+ * set of balls needs more. It may be used for any number of sets, one after the other, and keeps the memory of the
+ * largest. Read results through its handles by the functions of hardsphere.h. After each call take the handles from the
+ * workspace again, as they move when they grow. A workspace may be copied; use only one of the copies. Distinct
+ * workspaces may be used by distinct threads.
  *
- * Of the library's components those are served that it has (hardsphere/components.h).
+ * It has the handles of the components that the library was built with (hardsphere/components.h).
  *
- * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. A call that fails leaves
- * the workspace such that every function may be called again; what it was to compute holds no results.
+ * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. After a call that fails
+ * every function may be called again; the handle that was to be computed holds no results.
  */
 #ifndef HARDSPHERE_WORKSPACE_H
 #define HARDSPHERE_WORKSPACE_H
@@ -29,7 +29,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** All zeros at first. The handles may be read, and the executor set; the rest is this file's. */
+/** Set it to zeros before the first call. A program may read the handles and set the executor; all other fields are for
+ *  the functions of this file alone. */
 typedef struct hsp_workspace {
   /* <fields> */
 } hsp_workspace;
@@ -52,10 +53,10 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 
 /* ---- model.h */
 
-/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts, cells, paths and pores hold no results of other balls then; balls that move and a box stay as they are. If
- *  it fails there are no balls to ask for, not those of before either: HSP_E_STATE, HSP_E_ARGUMENT without memory for a
- *  model. */
+/** Take n balls into the model; arguments and statuses as hsp_model_set. Results of boundary, topology, view, surface,
+ *  mesh, map, contacts, cells, paths and pores that were computed from other balls cannot be read afterwards; balls
+ *  that move and a box stay as they are. If it fails there are no balls, not those before it either: functions that
+ *  need balls return HSP_E_STATE, or HSP_E_ARGUMENT if there was no memory for a model. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -77,11 +78,11 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
   return hsp_model_set_with(work->model, n, xyz, radius, &request, first_bad);
 }
 
-/** Compute the boundary of the union of the balls; request and statuses as hsp_boundary_compute_with. HSP_E_ARGUMENT:
- *  no hsp_workspace_set before, too. */
+/** Compute the boundary of the union of the balls; request and statuses as hsp_boundary_compute_with. HSP_E_ARGUMENT
+ *  also means that hsp_workspace_set was not called before. */
 /* <compute boundary_with> */
 
-/** The same without a request. */
+/** The same without a request, with the executor of the workspace. */
 static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
   hsp_boundary_request request;
   memset(&request, 0, sizeof request);
@@ -90,8 +91,8 @@ static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
   return hsp_workspace_boundary_with(work, &request);
 }
 
-/** Area of each of n balls that a probe can reach, and area and volume of all, in one call; arguments and statuses as
- *  hsp_areas. Model and boundary are there afterwards. */
+/** Areas and volume of n balls in one call: the solvent-accessible area of each ball, and area and volume of the union;
+ *  arguments and statuses as hsp_areas. The handles of model and boundary hold results afterwards. */
 static inline int32_t hsp_workspace_areas(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                           double probe, hsp_totals *totals, double *area) {
   hsp_model_options options;
@@ -108,8 +109,8 @@ static inline int32_t hsp_workspace_areas(hsp_workspace *work, uint32_t n, const
 /* ---- view.h */
 
 /** Compute a view, of the model alone or, with use_boundary not 0, of the boundary that hsp_workspace_boundary has
- *  computed. options as for hsp_view_compute. HSP_E_ARGUMENT: no hsp_workspace_set before, or no hsp_workspace_boundary
- *  whose result is asked for. */
+ *  computed. options as for hsp_view_compute. HSP_E_ARGUMENT also means that hsp_workspace_set was not called before,
+ *  or with use_boundary hsp_workspace_boundary. */
 static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, const hsp_view_options *options) {
   int32_t status = hsp_workspace_ready_view(work);
   const hsp_boundary *boundary = use_boundary != 0 ? work->boundary : NULL;
@@ -169,10 +170,10 @@ static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from
 /* <compute pores> */
 
 /** The same in the box that hsp_workspace_periodic has computed; arguments and statuses as hsp_pores_compute_periodic.
- *  HSP_E_ARGUMENT: no hsp_workspace_periodic before, too. */
+ *  HSP_E_ARGUMENT also means that hsp_workspace_periodic was not called before. */
 /* <compute pores_periodic> */
 
-/* Of the least cost or the widest, in a box or without one. */
+/* The tunnel of the least cost or the widest one, in a box or without one. */
 static inline int32_t hsp_workspace_some_tunnel(hsp_workspace *work, int cheapest, int in_box,
                                                 const hsp_pores_options *options, const double *from, const double *to,
                                                 const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel) {
@@ -201,7 +202,7 @@ static inline int32_t hsp_workspace_tunnel(hsp_workspace *work, const hsp_pores_
   return hsp_workspace_some_tunnel(work, 0, 0, options, from, to, avoided, count, tunnel);
 }
 
-/** The same after hsp_workspace_pores_periodic. */
+/** The same as hsp_workspace_tunnel, after hsp_workspace_pores_periodic. */
 static inline int32_t hsp_workspace_tunnel_periodic(hsp_workspace *work, const hsp_pores_options *options,
                                                     const double *from, const double *to, const uint32_t *avoided,
                                                     uint32_t count, hsp_tunnel *tunnel) {
@@ -216,7 +217,7 @@ static inline int32_t hsp_workspace_cheapest_tunnel(hsp_workspace *work, const h
   return hsp_workspace_some_tunnel(work, 1, 0, options, from, to, avoided, count, tunnel);
 }
 
-/** The same after hsp_workspace_pores_periodic. */
+/** The same as hsp_workspace_cheapest_tunnel, after hsp_workspace_pores_periodic. */
 static inline int32_t hsp_workspace_cheapest_tunnel_periodic(hsp_workspace *work, const hsp_pores_options *options,
                                                              const double *from, const double *to,
                                                              const uint32_t *avoided, uint32_t count,
@@ -226,8 +227,8 @@ static inline int32_t hsp_workspace_cheapest_tunnel_periodic(hsp_workspace *work
 
 /* ---- moving.h */
 
-/** Take the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
- *  neighbours of each at least, or for all balls. */
+/** Take the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for at least
+ *  256 neighbours of each ball, or for all balls if they are fewer. */
 static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *sigma, double tension, double pressure,
                                            uint32_t tangency, uint32_t *first_bad) {
   int32_t status = hsp_workspace_ready_moving(work);
@@ -253,7 +254,7 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
 /* ---- periodic.h */
 
 /** Compute the union of n balls in a periodic box, as a request says; arguments and statuses as
- *  hsp_periodic_compute_with. The model is not used. */
+ *  hsp_periodic_compute_with. It neither needs nor changes the model of the workspace. */
 /* <compute periodic_with> */
 
 /** The same without a request; arguments and statuses as hsp_periodic_compute. */
@@ -270,7 +271,7 @@ static inline int32_t hsp_workspace_periodic(hsp_workspace *work, uint32_t n, co
 /* ---- surface.h */
 
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
- *  all of it if shells is NULL. */
+ *  all shells if shells is NULL. */
 static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32_t *shells, uint32_t count) {
   int32_t status = hsp_workspace_ready_surface(work);
   hsp_surface_limits limits = work->surface_limits;
@@ -335,7 +336,7 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
 
 /* ---- model.h */
 
-/** Give all memory back; the workspace is as at first. */
+/** Give all memory back, and set the workspace to zeros again. */
 static inline void hsp_workspace_free(hsp_workspace *work) {
   for (size_t i = 0; i < sizeof work->memory / sizeof work->memory[0]; ++i) free(work->memory[i]);
   memset(work, 0, sizeof *work);
