@@ -79,7 +79,7 @@ def field_rows(interface):
     fields += [(f"void (*drop_{noun})(struct hsp_workspace *work);",
                 f"drops its results (hardsphere/{header_of(interface, noun)})")
                for noun in dropped(interface)]
-    fields += [("const hsp_executor *executor;", "or NULL, may be set: for all calls but those with a request, views, maps and pores"),
+    fields += [("const hsp_executor *executor;", "or NULL, may be set: for all calls but of requests, views, maps, pores"),
                (f"void *memory[{len(nouns)}];", "memory of the handles"),
                ("uint32_t most_balls;", "how many balls the model has room for"), ("uint32_t reserved;", "0")]
     fields += [(f"hsp_{noun}_limits {noun}_limits;", f"what it has room for (hardsphere/{header_of(interface, noun)})")

@@ -27,7 +27,7 @@ def field_rows(interface):
         return f" ! hardsphere/{header_of(interface, noun)}"
 
     return [*(f"    type(c_ptr) :: {noun} = c_null_ptr{remark(noun)}" for noun in ("model", *handles_of(interface))),
-            "    type(c_ptr) :: executor = c_null_ptr ! may be set: for all calls but those with a request, views, maps and pores",
+            "    type(c_ptr) :: executor = c_null_ptr ! may be set: for all calls but of requests, views, maps, pores",
             "    integer(c_int32_t), private :: most_balls = 0",
             f"    type(memory_block), private :: memory({1 + len(handles_of(interface))})",
             *(f"    type(hsp_{noun}_limits), private :: {noun}_limits{remark(noun)}" for noun in handles_of(interface))]
