@@ -148,8 +148,8 @@
  *   of any alignment that the caller owns. A handle dies with its memory; there is nothing to free; initialising the
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
  *   be read by any number of threads at a time. A handle is not const in functions that make, change or drop results,
- *   which have _set, _compute, _find, _move or _undo in their names; nor in these functions, which work in its own
- *   memory: hsp_model_get_packing; hsp_boundary_check, hsp_topology_check, hsp_contacts_check, hsp_periodic_check,
+ *   which have _set, _compute, _find, _move or _undo in their names; nor in these, which work in its own memory:
+ *   hsp_model_get_packing; hsp_boundary_check, hsp_topology_check, hsp_contacts_check, hsp_periodic_check,
  *   hsp_surface_check, hsp_cells_check, hsp_map_check, hsp_sticks_check; hsp_contacts_group;
  *   hsp_periodic_group_contacts; hsp_pores_get_channels, _measure_pockets, _measure_pockets_with; hsp_picture_write,
  *   _write_map, _write_sticks. These leave results as they are, except that hsp_pores_measure_pockets changes regions

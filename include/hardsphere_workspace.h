@@ -75,7 +75,7 @@ typedef struct hsp_workspace {
   void (*drop_paths)(struct hsp_workspace *work); /**< drops its results (hardsphere/paths.h) */
   void (*drop_pores)(struct hsp_workspace *work); /**< drops its results (hardsphere/pores.h) */
 #endif
-  const hsp_executor *executor;        /**< or NULL, may be set: for all calls but those with a request, views, maps and pores */
+  const hsp_executor *executor;        /**< or NULL, may be set: for all calls but of requests, views, maps, pores */
   void *memory[13];                    /**< memory of the handles */
   uint32_t most_balls;                 /**< how many balls the model has room for */
   uint32_t reserved;                   /**< 0 */

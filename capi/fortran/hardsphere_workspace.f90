@@ -49,7 +49,7 @@ module hardsphere_workspace
     type(c_ptr) :: pores = c_null_ptr ! hardsphere/pores.h
     type(c_ptr) :: moving = c_null_ptr ! hardsphere/moving.h
     type(c_ptr) :: periodic = c_null_ptr ! hardsphere/periodic.h
-    type(c_ptr) :: executor = c_null_ptr ! may be set: for all calls but those with a request, views, maps and pores
+    type(c_ptr) :: executor = c_null_ptr ! may be set: for all calls but of requests, views, maps, pores
     integer(c_int32_t), private :: most_balls = 0
     type(memory_block), private :: memory(13)
     type(hsp_boundary_limits), private :: boundary_limits ! hardsphere/boundary.h
