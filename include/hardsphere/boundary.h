@@ -86,10 +86,9 @@ HSP_API int32_t HSP_CALL hsp_boundary_init(void *memory, size_t bytes, const hsp
  *  - Property 1: the order of the balls has no effect but on ids.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(c) for each ball, and about O(m) for one with m neighbours where many balls
- *  are nearly the same or on a line; O(m log m) for a ball with m small balls on its sphere, apart from each other;
- *  about O(m^1.5) for a ball beside a line of m balls that each have an arc on it between the next two; O(m f) with all
- *  spheres through one point or two, where f others bound a ball's power cell there; O(m^3) at worst, which no set is
- *  known to reach.
+ *  are nearly the same or on a line; O(m log m) for a ball with m small balls all over its sphere; about O(m^1.5) for a
+ *  ball beside a line of m balls that each have an arc on it between the next two; O(m f) with all spheres through one
+ *  point or two, where f others bound a ball's power cell there; O(m^3) at worst, which no set is known to reach.
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small

@@ -80,9 +80,9 @@ HSP_API int32_t HSP_CALL hsp_contacts_init(void *memory, size_t bytes, const hsp
  *  - Property 1: the order of the balls has no effect but on ids and on their order.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(c) for each ball, and about O(m) for one with m neighbours where many balls
- *  are nearly the same or on a line, or for a ball with m small balls on its sphere, apart from each other; O(m f) with
- *  all spheres through one point, where f others bound a ball's power cell there; O(m^2) for a ball that crosses
- *  several lines of balls, m in all, whose radical planes nearly agree; O(m^3) at worst.
+ *  are nearly the same or on a line, or for a ball with m small balls all over its sphere; O(m f) with all spheres
+ *  through one point, where f others bound a ball's power cell there; O(m^2) for a ball that crosses several lines of
+ *  balls, m in all, whose radical planes nearly agree; O(m^3) at worst.
  *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with

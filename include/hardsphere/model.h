@@ -151,8 +151,8 @@ HSP_API int32_t HSP_CALL hsp_model_get_info(const hsp_model *model, hsp_model_in
 /** The balls as rounded to the lattice, in the caller's order: xyz [n][3] and radius [n], length, probe included.
  *  Either may be NULL; *needed becomes n.
  *  - Property 1: coordinates differ from those that hsp_model_set was given by half a step at most; radii differ from
- *    the given radius plus probe by half a step without a probe, by a step with one. Numbers with no more decimals than
- *    the lattice do not change at all.
+ *    the given radius plus probe by half a step at most without a probe, and by a step at most with one. Numbers with
+ *    no more decimals than the lattice do not change at all.
  *  - Property 2: a model that is made of them with the same step and no probe decides everything alike.
  *
  *  @retval HSP_E_ARGUMENT  model is NULL

@@ -80,8 +80,8 @@ HSP_API int32_t HSP_CALL hsp_topology_init(void *memory, size_t bytes, const hsp
  *
  *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
  *  through the grid, at most O(n) each. A ball with m neighbours and a face of several loops takes about O(m), as on a
- *  line of balls that overlap; O(m^1.5) at most for a ball with m small balls on its sphere, apart from each other,
- *  which yields some m log m edges; O(m^2) at worst.
+ *  line of balls that overlap; O(m^1.5) at most for a ball with m small balls all over its sphere, which yields some m
+ *  log m edges; O(m^2) at worst.
  *  @retval HSP_E_ARGUMENT  topology or boundary is NULL
  *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with

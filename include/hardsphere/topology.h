@@ -15,8 +15,9 @@
  *     face's loops;
  *   - a whole sphere is cut in two by the great circle across x, whose two edges meet in its highest and lowest points.
  * These rules hold for every structure and are stable. *Which* cut arcs and subdivisions there are, of the many that
- * make faces simple, may change with a minor version, which then raises HSP_NUMERICS_NUMBER. In regions.h only the
- * counts of simple faces, their edges and vertices in hsp_shell and hsp_topology_counts depend on it.
+ * make faces simple, may change with a minor version, which then raises HSP_NUMERICS_NUMBER. In regions.h only
+ * start_face and the counts of simple faces, their edges and vertices, in hsp_shell and hsp_topology_counts, depend on
+ * it.
  *
  *   vertex         0 .. vertices - 1; vertices of the boundary come first, with their ids of hsp_boundary_get_vertices
  *   edge           0 .. edges - 1
