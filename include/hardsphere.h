@@ -258,7 +258,9 @@
  *   HSP_E_STATE. Only hsp_model_get_info still answers: 0 balls, step 1e-8. A boundary, surface, mesh, topology, view,
  *   map, contacts, cells, paths, pores, sticks, a periodic union or balls that move hold no results, and reading them
  *   yields HSP_E_STATE.
- *   All other functions leave what a handle holds as it is, whatever they return.
+ *   Functions with _find in their names drop what their last call found, whether they succeed or not, and nothing else.
+ *   All other functions leave what a handle holds as it is, whatever they return; moving.h and pockets.h name two
+ *   exceptions.
  */
 #ifndef HARDSPHERE_H
 #define HARDSPHERE_H

@@ -1707,7 +1707,8 @@ module hardsphere
     real(c_double) :: right(3)    ! unit vector: the x axis of the view coordinates
     real(c_double) :: up(3)       ! unit vector: the y axis
     real(c_double) :: towards(3)  ! unit vector: the z axis
-    real(c_double) :: low(2)      ! lower corner of the box of all balls in the view plane, length; 0 0 without balls
+    ! lower corner of the box of the painted or seen balls in the view plane, length; 0 0 without
+    real(c_double) :: low(2)
     real(c_double) :: high(2)     ! upper corner of the same box
     integer(c_int32_t) :: paths   ! balls and halves of sticks that are painted; without an order, that are seen
     integer(c_int32_t) :: balls   ! how many of these are balls

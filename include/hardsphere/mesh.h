@@ -196,8 +196,8 @@ HSP_API int32_t HSP_CALL hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz
 
 /** Weights of the vertices for sums over the surface, such as the mean of a quantity at its points: areas as above, but
  *  the areas of a patch's triangles are scaled so that they sum to the patch's exact area. area [patches] holds these
- *  exact areas, those of hsp_boundary_measure_faces, or hsp_surface_patch.area. A patch without triangles adds nothing.
- *  weights [vertices].
+ *  exact areas, those of hsp_boundary_measure_faces, or hsp_surface_patch.area. If all triangles of a patch have area 0
+ *  they get equal parts; a patch without triangles adds nothing. weights [vertices].
  *  - Property 1: the weights sum to the areas of all patches with triangles, up to rounding.
  *
  *  Points and weights are for energies and pictures of one fixed geometry. They have no derivatives. When atoms move,

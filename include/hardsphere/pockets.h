@@ -40,7 +40,7 @@ typedef struct hsp_pore_pocket {
  *  from the outside. A pocket is made up of maxima wider than `narrow`, joined by gates wider than `narrow`; its mouths
  *  are gates of that width to places that the wide probe reaches. In a periodic box the wide probe reaches the places
  *  where it goes on for ever; a wide probe that fits nowhere reaches nothing. *pockets becomes the number of pockets;
- *  they stay until the next call.
+ *  they stay until the next call, and on failure there are none.
  *  - Property 1: with narrow = wide pockets are the cavities of that probe: the regions of hsp_cells for balls that are
  *    grown by the probe, without the outside; in a box the channels of hsp_pores_get_channels without directions.
  *
@@ -117,7 +117,7 @@ typedef struct hsp_pore_access {
 /** Find the regions of free space outside the balls of the model or box, whose radii include its probe: the regions
  *  where this probe's centre can move, with area and volume of each. The tree of classes says which regions there are,
  *  so its floor must not be above 0. The boundary of the union is their surface; each of its shells belongs to the
- *  region to which a way up from the shell leads. The regions stay until the next call.
+ *  region to which a way up from the shell leads. The regions stay until the next call, and on failure there are none.
  *
  *  A region is accessible if it is the outside or, in a box, has directions. A box without balls is one region in three
  *  directions.

@@ -176,7 +176,7 @@ typedef struct hsp_sticks_info {
   double right[3];   /**< unit vector: the x axis of the view coordinates */
   double up[3];      /**< unit vector: the y axis */
   double towards[3]; /**< unit vector: the z axis */
-  double low[2];     /**< lower corner of the box of all balls in the view plane, length; 0 0 without balls */
+  double low[2];     /**< lower corner of the box of the painted or seen balls in the view plane, length; 0 0 without */
   double high[2];    /**< upper corner of the same box */
   uint32_t paths;    /**< balls and halves of sticks that are painted; without an order, that are seen */
   uint32_t balls;    /**< how many of these are balls */
