@@ -280,7 +280,7 @@ typedef struct hsp_ball {
   uint32_t flags;      /**< HSP_BALL_* */
 } hsp_ball;
 
-/** One record per ball, in the caller's order.
+/** Faces and component of each ball: one record per ball, in the caller's order.
  *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */

@@ -121,9 +121,9 @@ typedef struct hsp_derivatives_outputs {
   uint32_t *flags;       /**< [n], or NULL: HSP_GRADIENT_* */
 } hsp_derivatives_outputs;
 
-/** The two parts of that gradient, each on its own: the derivatives of the weighted area and of the volume. request may
- *  be NULL: all defaults. On failure nothing but outputs->needed and outputs->first_bad is written, except on
- *  HSP_E_EXECUTOR and HSP_E_STOPPED.
+/** The two parts of an energy's gradient, each on its own: the derivatives of the weighted area and of the volume.
+ *  request may be NULL: all defaults. On failure nothing but outputs->needed and outputs->first_bad is written, except
+ *  on HSP_E_EXECUTOR and HSP_E_STOPPED.
  *  - Property 1: tension times the derivatives of the area plus pressure times those of the volume are the derivatives
  *    of hsp_boundary_get_gradient, up to rounding; bit for bit with tension 1 and pressure 0, or 0 and 1, and finite
  *    numbers.
@@ -151,8 +151,9 @@ typedef struct hsp_area_derivative {
   uint32_t flags;   /**< HSP_GRADIENT_ONE_SIDED if i and j touch; for j = i if another entry has it */
 } hsp_area_derivative;
 
-/** The derivatives of A_i, i = ball: an entry for i itself and one for every j whose circle on i has a free piece,
- *  ascending in j; all others are 0. No entries if ball i has no face. tangency is one of HSP_TANGENT_*.
+/** The derivatives of one ball's free area A_i, i = ball: an entry for i itself and one for every j whose circle on i
+ *  has a free piece, ascending in j; all others are 0. No entries if ball i has no face. tangency is one of
+ *  HSP_TANGENT_*.
  *  - Property 1: the centre entries of a row sum to 0 up to rounding.
  *  - Property 2: dA_i/dr_j = dA_j/dr_i up to rounding.
  *

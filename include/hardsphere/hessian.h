@@ -32,8 +32,8 @@ extern "C" {
  *  there, and the terms of this vertex are left out. Second derivatives of the volume are right. */
 #define HSP_HESSIAN_SINGULAR UINT32_C(2)
 
-/** The second derivatives of E by the centres, as compressed rows of 3x3 blocks: the row of ball i has the entries
- *  first[i] to first[i + 1] - 1. ball [needed] holds the columns j, ascending in each row, i among them; block
+/** The second derivatives of the energy E by the centres, as compressed rows of 3x3 blocks: the row of ball i has the
+ *  entries first[i] to first[i + 1] - 1. ball [needed] holds the columns j, ascending in each row, i among them; block
  *  [needed][3][3] holds d2E/dc_i dc_j, rows by the components of c_i. A ball without a face has no entry. first and
  *  ball are those of hsp_boundary_get_area_rows. first [n + 1] begins with 0 and ends with the number of all entries;
  *  *needed becomes the same number. first is written on HSP_OK and on HSP_E_CAPACITY: with capacity 0 this function

@@ -115,7 +115,7 @@ typedef struct hsp_map_info {
   uint32_t reserved;   /**< 0 */
 } hsp_map_info;
 
-/** Describe the map.
+/** Describe the map: its frame, how far balls were moved and how many records it has.
  *  - Property 1: vertices - edges + faces = 1 + components.
  *
  *  @retval HSP_E_ARGUMENT  a null pointer

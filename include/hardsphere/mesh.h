@@ -56,7 +56,7 @@ typedef struct hsp_mesh_limits {
 HSP_API int32_t HSP_CALL hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size,
                                               const hsp_boundary *boundary, double edge_length);
 
-/** The same for a computed smooth surface.
+/** The same as hsp_mesh_limits_init, for a computed smooth surface.
  *  @retval HSP_E_ARGUMENT      limits or surface is NULL; edge_length is not above 0
  *  @retval HSP_E_VERSION       struct_size is bad
  *  @retval HSP_E_NOT_FINITE    edge_length is NaN or infinite

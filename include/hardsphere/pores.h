@@ -96,7 +96,7 @@ typedef struct hsp_pores_options {
                                 floor that is higher by more than that length */
 } hsp_pores_options;
 
-/** Default options.
+/** Fill options with defaults.
  *  @retval HSP_E_ARGUMENT  options is NULL
  *  @retval HSP_E_VERSION   struct_size is bad */
 HSP_API int32_t HSP_CALL hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size);
@@ -124,12 +124,12 @@ HSP_API int32_t HSP_CALL hsp_pores_options_init(hsp_pores_options *options, uint
 HSP_API int32_t HSP_CALL hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
                                            hsp_pores_limits *limits);
 
-/** The same for the balls in a periodic box. The box must outlive the pores; they can be read until it computes other
- *  balls or another box. Default limits for its balls suffice for boxes that are much larger than their pores; else
- *  images need more. Points are given and come back in the caller's frame, also where the library turns the box
- *  (periodic.h). In a turned box images lie up to a lattice step beside their places. So balls that would tie or touch
- *  exactly may not do so: one point may become several points some steps apart, and a gate of radius 0 may open or
- *  close. This may differ between two sets of vectors for the same crystal.
+/** The same as hsp_pores_compute, for the balls in a periodic box. The box must outlive the pores; they can be read
+ *  until it computes other balls or another box. Default limits for its balls suffice for boxes that are much larger
+ *  than their pores; else images need more. Points are given and come back in the caller's frame, also where the
+ *  library turns the box (periodic.h). In a turned box images lie up to a lattice step beside their places. So balls
+ *  that would tie or touch exactly may not do so: one point may become several points some steps apart, and a gate of
+ *  radius 0 may open or close. This may differ between two sets of vectors for the same crystal.
  *  - Property 1: which image of a ball is given, which upright vectors are given for the same copies, and the order of
  *    the balls have no effect but on numbers of balls, on points and shifts, and on the order of maxima or gates of
  *    equal width.

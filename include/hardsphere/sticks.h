@@ -184,7 +184,7 @@ typedef struct hsp_sticks_info {
   uint32_t arcs;     /**< parts of circles, ellipses and lines around all paths */
 } hsp_sticks_info;
 
-/** Describe what is painted.
+/** Describe what is painted: the frame, the box and how many records there are.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t HSP_CALL hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info);

@@ -140,9 +140,10 @@ HSP_API int32_t HSP_CALL hsp_surface_init(void *memory, size_t bytes, const hsp_
 HSP_API int32_t HSP_CALL hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary,
                                              hsp_surface_limits *limits);
 
-/** The same for a chosen part of the boundary: its shells [count], numbered as in hsp_face.shell, in any order. With
- *  the shells of one region of the complement (hsp_topology_get_region_shells) the probe stays in that region. With the
- *  shells of region 0 it comes from outside: voids are filled, and everything in them is left out.
+/** The same as hsp_surface_compute, for a chosen part of the boundary: its shells [count], numbered as in
+ *  hsp_face.shell, in any order. With the shells of one region of the complement (hsp_topology_get_region_shells) the
+ *  probe stays in that region. With the shells of region 0 it comes from outside: voids are filled, and everything in
+ *  them is left out.
  *
  *  The chosen part and the rest of the boundary have a surface each. hsp_surface_measure and hsp_surface_get_gradient
  *  are of the chosen surface alone; patches, edges, corners, shells and hsp_surface_counts are of both, and

@@ -89,8 +89,8 @@ HSP_API uint32_t HSP_CALL hsp_topology_origin(const hsp_topology *topology, uint
  *  - Property 1: left(q) = origin(inverse_rot(q)). */
 HSP_API uint32_t HSP_CALL hsp_topology_left(const hsp_topology *topology, uint32_t q);
 
-/** The structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and origin [count][4],
- *  by quarter-edge; all else follows by rot. Either may be NULL, with count 0 both. first 0 and count
+/** The quad-edge structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and origin
+ *  [count][4], by quarter-edge; all else follows by rot. Either may be NULL, with count 0 both. first 0 and count
  *  hsp_topology_counts.edges are all edges.
  *  - Property 1: the arrays hold what hsp_topology_onext and hsp_topology_origin say.
  *

@@ -143,7 +143,7 @@ typedef struct hsp_view_info {
   uint32_t kind;     /**< HSP_PIECES_* */
 } hsp_view_info;
 
-/** Describe the view.
+/** Describe the view: its frame, its box and how many records it has.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t HSP_CALL hsp_view_get_info(const hsp_view *view, hsp_view_info *info);

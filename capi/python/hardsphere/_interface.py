@@ -967,7 +967,7 @@ class Model(Handle):
                     largest_radius=largest_radius, threads=threads)
 
     def get_info(self) -> ModelInfo:
-        """Describe the model."""
+        """Describe the model: how many balls and cubes it has, its lattice, and how coarse that is."""
         return call("hsp_model_get_info", self)
 
     def get_balls(self, *, only: Any | None = None) -> Any:
@@ -1109,7 +1109,7 @@ class Boundary(Handle):
         return call("hsp_boundary_get_loop_arcs", self)
 
     def get_balls(self) -> Records:
-        """One record per ball, in the caller's order."""
+        """Faces and component of each ball: one record per ball, in the caller's order."""
         return call("hsp_boundary_get_balls", self)
 
     def check(self) -> Any:
@@ -1140,13 +1140,13 @@ class Boundary(Handle):
 
     def get_derivatives(self, *, tangency: int | None = None, sigma: Values | None = None, threads: int | None = None,
                         only: Any | None = None) -> Any:
-        """The two parts of that gradient, each on its own: the derivatives of the weighted area and of the volume.
-        Gives .area_centre, .area_radius, .volume_centre, .volume_radius, .flags."""
+        """The two parts of an energy's gradient, each on its own: the derivatives of the weighted area and of the
+        volume. Gives .area_centre, .area_radius, .volume_centre, .volume_radius, .flags."""
         return call("hsp_boundary_get_derivatives", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
     def get_area_row(self, ball: int, tangency: int) -> Records:
-        """The derivatives of A_i, i = ball: an entry for i itself and one for every j whose circle on i has a free
-        piece, ascending in j; all others are 0."""
+        """The derivatives of one ball's free area A_i, i = ball: an entry for i itself and one for every j whose circle
+        on i has a free piece, ascending in j; all others are 0."""
         return call("hsp_boundary_get_area_row", self, ball=ball, tangency=tangency)
 
     def get_area_rows(self, *, tangency: int | None = None, sigma: Values | None = None, threads: int | None = None,
@@ -1176,8 +1176,8 @@ class Boundary(Handle):
     def get_hessian_rows(self, *, tangency: int | None = None, tension: float | None = None,
                          pressure: float | None = None, sigma: Values | None = None, threads: int | None = None,
                          only: Any | None = None) -> Any:
-        """The second derivatives of E by the centres, as compressed rows of 3x3 blocks: the row of ball i has the
-        entries first[i] to first[i + 1] - 1. Gives .first, .ball, .block, .flags."""
+        """The second derivatives of the energy E by the centres, as compressed rows of 3x3 blocks: the row of ball i
+        has the entries first[i] to first[i + 1] - 1. Gives .first, .ball, .block, .flags."""
         return call("hsp_boundary_get_hessian_rows", self, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, threads=threads, only=only)
 
@@ -1430,8 +1430,8 @@ class Surface(Handle):
         return call("hsp_surface_compute", self, boundary=boundary)
 
     def compute_shells(self, boundary: Boundary, shells: Integers) -> Surface:
-        """The same for a chosen part of the boundary: its shells [count], numbered as in hsp_face.shell, in any
-        order."""
+        """The same as hsp_surface_compute, for a chosen part of the boundary: its shells [count], numbered as in
+        hsp_face.shell, in any order."""
         return call("hsp_surface_compute_shells", self, boundary=boundary, shells=shells)
 
     def compute_with(self, boundary: Boundary, *, count: int | None = None, threads: int | None = None,
@@ -1615,8 +1615,8 @@ class Topology(Handle):
         return call("hsp_topology_left", self, q=q)
 
     def get_quad_edges(self, first: int, count: int, *, only: Any | None = None) -> Any:
-        """The structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and origin
-        [count][4], by quarter-edge; all else follows by rot. Gives .onext, .origin."""
+        """The quad-edge structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and
+        origin [count][4], by quarter-edge; all else follows by rot. Gives .onext, .origin."""
         return call("hsp_topology_get_quad_edges", self, first=first, count=count, only=only)
 
     def get_vertices(self, first: int, count: int) -> Records:
@@ -1717,7 +1717,7 @@ class Pores(Handle):
 
     def compute_periodic(self, periodic: Periodic, *, floor: float | None = None, threads: int | None = None,
                          before: Any | None = None) -> Pores:
-        """The same for the balls in a periodic box."""
+        """The same as hsp_pores_compute, for the balls in a periodic box."""
         return call("hsp_pores_compute_periodic", self, periodic=periodic, floor=floor, threads=threads, before=before)
 
     def get_counts(self) -> PoresCounts:
@@ -1881,7 +1881,7 @@ class View(Handle):
                     towards=towards, up=up, threads=threads)
 
     def get_info(self) -> ViewInfo:
-        """Describe the view."""
+        """Describe the view: its frame, its box and how many records it has."""
         return call("hsp_view_get_info", self)
 
     def get_pieces(self) -> Records:
@@ -1923,7 +1923,7 @@ class Map(Handle):
                     threads=threads)
 
     def get_info(self) -> MapInfo:
-        """Describe the map."""
+        """Describe the map: its frame, how far balls were moved and how many records it has."""
         return call("hsp_map_get_info", self)
 
     def next(self, h: int) -> int:
@@ -2025,7 +2025,7 @@ class Sticks(Handle):
                     towards=towards, up=up, threads=threads)
 
     def get_info(self) -> SticksInfo:
-        """Describe what is painted."""
+        """Describe what is painted: the frame, the box and how many records there are."""
         return call("hsp_sticks_get_info", self)
 
     def get_map_info(self) -> MapInfo:
