@@ -5,25 +5,25 @@
  * README.md). The list is the order in which to read the headers. Below it stands what all headers have in common.
  *   hardsphere/version.h    the version of the header and of the library
  *   hardsphere/status.h     the statuses that functions return
- *   hardsphere/executor.h   threads of the caller's own
+ *   hardsphere/executor.h   threads of the caller's, and a way to stop a computation
  *   hardsphere/element.h    elements by symbol, and their radii
  *   hardsphere/residue.h    radii by the names of residues and atoms
  *   hardsphere/model.h      a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2)
  *   hardsphere/query.h      which balls contain a point, meet a ball, or meet each other (Section 3)
- *   hardsphere/pose.h       a molecule against a moved one: hits, pairs, gaps (Sections 3 and 6)
+ *   hardsphere/pose.h       a moved molecule against one at rest: hits, pairs, gaps (Sections 3 and 6)
  *   hardsphere/boundary.h   the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2)
  *   hardsphere/measure.h    areas and volumes
- *   hardsphere/gradient.h   their derivatives
- *   hardsphere/moving.h     all of that while a few balls move at a time
+ *   hardsphere/gradient.h   derivatives of areas and volume
+ *   hardsphere/moving.h     areas, volume and gradients while a few balls move at a time
  *   hardsphere/curvature.h  integrated mean and Gaussian curvature
  *   hardsphere/hessian.h    second derivatives of areas and volume
- *   hardsphere/bricks.h     one set in parts that no memory holds together
+ *   hardsphere/bricks.h     sets too large for one memory, computed in parts
  *   hardsphere/contacts.h   which balls touch and by how much, shares of the union, the dual complex
- *   hardsphere/periodic.h   all of that in a box whose copies fill space: areas, volume, contacts, windings, strain
- *   hardsphere/periodic_boundary.h  vertices, arcs, circles, faces in such a box
+ *   hardsphere/periodic.h   unions in a periodic box: areas, volume, contacts, windings, strain
+ *   hardsphere/periodic_boundary.h  vertices, arcs, circles, faces in a periodic box
  *   hardsphere/surface.h    the smooth surface that a probe leaves, its area and volume (Section 4.3)
  *   hardsphere/mesh.h       boundary or smooth surface as triangles
- *   hardsphere/regions.h    cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3)
+ *   hardsphere/regions.h    cavities and other regions, their lining, shells, point location (Section 4.2, Step 3)
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces (Step 3)
  *   hardsphere/cells.h      free space as simple cells, their neighbours, point location (Section 2)
  *   hardsphere/paths.h      how a probe gets from one point to another (Section 2)

@@ -145,7 +145,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_VERTEX_TIED = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_BALL_CONTAINED = 1_c_int32_t  ! the ball lies inside one other ball
 
-  ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
+  ! ---- gradient.h: derivatives of areas and volume -------------------------------------------------------------------
 
   ! as if balls that touch overlapped by an infinitely small amount
   integer(c_int32_t), parameter :: HSP_TANGENT_OVERLAP = 0_c_int32_t
@@ -166,7 +166,7 @@ module hardsphere
   ! exist there, and the terms of this vertex are left out. Second derivatives of the volume are right.
   integer(c_int32_t), parameter :: HSP_HESSIAN_SINGULAR = 2_c_int32_t
 
-  ! ---- bricks.h: one set in parts that no memory holds together ------------------------------------------------------
+  ! ---- bricks.h: sets too large for one memory, computed in parts ----------------------------------------------------
 
   ! Complete shells stay in summaries as records, for hsp_brick_get_shells: some 200 bytes for each.
   integer(c_int32_t), parameter :: HSP_BRICK_KEEP_SHELLS = 1_c_int32_t
@@ -206,7 +206,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_CORNER_CUSP = 1_c_int32_t  ! where saddle patches meet their axis
   integer(c_int32_t), parameter :: HSP_CORNER_CREASE = 2_c_int32_t  ! of three concave patches
 
-  ! ---- regions.h: cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3) ----------
+  ! ---- regions.h: cavities and other regions, their lining, shells, point location (Section 4.2, Step 3) -------------
 
   integer(c_int32_t), parameter :: HSP_SHELL_OUTER = 0_c_int32_t  ! bounds its component from outside
   integer(c_int32_t), parameter :: HSP_SHELL_VOID = 1_c_int32_t  ! bounds a void inside its component
@@ -315,7 +315,7 @@ module hardsphere
 
   ! ----
 
-  ! ---- executor.h: threads of the caller's own -----------------------------------------------------------------------
+  ! ---- executor.h: threads of the caller's, and a way to stop a computation ------------------------------------------
 
   type, bind(C) :: hsp_executor
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_executor)
@@ -411,7 +411,7 @@ module hardsphere
     integer(c_int32_t) :: reserved  ! 0
   end type
 
-  ! ---- pose.h: a molecule against a moved one: hits, pairs, gaps (Sections 3 and 6) ----------------------------------
+  ! ---- pose.h: a moved molecule against one at rest: hits, pairs, gaps (Sections 3 and 6) ----------------------------
 
   type, bind(C) :: hsp_body_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_body_request)
@@ -564,7 +564,7 @@ module hardsphere
     type(c_ptr) :: volume_term = c_null_ptr
   end type
 
-  ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
+  ! ---- gradient.h: derivatives of areas and volume -------------------------------------------------------------------
 
   type, bind(C) :: hsp_energy
     real(c_double) :: value            ! E = tension * sum_i sigma_i A_i + pressure * V
@@ -629,7 +629,7 @@ module hardsphere
     integer(c_int32_t) :: flags  ! HSP_GRADIENT_ONE_SIDED if i and j touch; for j = i if another entry has it
   end type
 
-  ! ---- moving.h: all of that while a few balls move at a time --------------------------------------------------------
+  ! ---- moving.h: areas, volume and gradients while a few balls move at a time ----------------------------------------
 
   type, bind(C) :: hsp_moving_limits
     integer(c_int32_t) :: struct_size = 12_c_int32_t  ! sizeof(hsp_moving_limits)
@@ -724,7 +724,7 @@ module hardsphere
     type(c_ptr) :: area = c_null_ptr                                      ! [n], or NULL: free area of each ball
   end type
 
-  ! ---- bricks.h: one set in parts that no memory holds together ------------------------------------------------------
+  ! ---- bricks.h: sets too large for one memory, computed in parts ----------------------------------------------------
 
   type, bind(C) :: hsp_brick_request
     integer(c_int32_t) :: struct_size = 16_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_brick_request)
@@ -820,7 +820,7 @@ module hardsphere
     integer(c_int32_t) :: reserved  ! 0
   end type
 
-  ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain -----------
+  ! ---- periodic.h: unions in a periodic box: areas, volume, contacts, windings, strain -------------------------------
 
   type, bind(C) :: hsp_periodic_limits
     integer(c_int32_t) :: struct_size = 32_c_int32_t  ! sizeof(hsp_periodic_limits)
@@ -934,7 +934,7 @@ module hardsphere
     integer(c_int32_t) :: shift(3)  ! multiples of the box vectors by which it is moved from where it was given
   end type
 
-  ! ---- periodic_boundary.h: vertices, arcs, circles, faces in such a box ---------------------------------------------
+  ! ---- periodic_boundary.h: vertices, arcs, circles, faces in a periodic box -----------------------------------------
 
   type, bind(C) :: hsp_periodic_id
     integer(c_int32_t) :: id        ! index in its list
@@ -1122,7 +1122,7 @@ module hardsphere
     integer(c_int32_t) :: refined    ! curves that got more points than their length demands
   end type
 
-  ! ---- regions.h: cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3) ----------
+  ! ---- regions.h: cavities and other regions, their lining, shells, point location (Section 4.2, Step 3) -------------
 
   type, bind(C) :: hsp_topology_limits
     integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_topology_limits)
@@ -2028,7 +2028,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- pose.h: a molecule against a moved one: hits, pairs, gaps (Sections 3 and 6) --------------------------------
+    ! ---- pose.h: a moved molecule against one at rest: hits, pairs, gaps (Sections 3 and 6) --------------------------
 
     function hsp_body_bytes(balls, bytes) result(status) bind(C, name="hsp_body_bytes")
       import :: c_int32_t, c_size_t
@@ -2361,7 +2361,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- gradient.h: their derivatives -------------------------------------------------------------------------------
+    ! ---- gradient.h: derivatives of areas and volume -----------------------------------------------------------------
 
     function hsp_gradient_request_init(request, struct_size) result(status) bind(C, name="hsp_gradient_request_init")
       import :: c_int32_t, hsp_gradient_request
@@ -2414,7 +2414,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- moving.h: all of that while a few balls move at a time ------------------------------------------------------
+    ! ---- moving.h: areas, volume and gradients while a few balls move at a time --------------------------------------
 
     function hsp_moving_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_moving_limits_init")
       import :: c_int32_t, hsp_moving_limits
@@ -2621,7 +2621,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- bricks.h: one set in parts that no memory holds together ----------------------------------------------------
+    ! ---- bricks.h: sets too large for one memory, computed in parts --------------------------------------------------
 
     function hsp_brick_summarise(boundary, request, summary, bytes, first_bad) result(status) &
       bind(C, name="hsp_brick_summarise")
@@ -2784,7 +2784,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain ---------
+    ! ---- periodic.h: unions in a periodic box: areas, volume, contacts, windings, strain -----------------------------
 
     function hsp_periodic_limits_init(limits, struct_size, balls) result(status) &
       bind(C, name="hsp_periodic_limits_init")
@@ -2998,7 +2998,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- periodic_boundary.h: vertices, arcs, circles, faces in such a box -------------------------------------------
+    ! ---- periodic_boundary.h: vertices, arcs, circles, faces in a periodic box ---------------------------------------
 
     function hsp_periodic_get_vertices(periodic, out, capacity, needed) result(status) &
       bind(C, name="hsp_periodic_get_vertices")
@@ -3383,7 +3383,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- regions.h: cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3) --------
+    ! ---- regions.h: cavities and other regions, their lining, shells, point location (Section 4.2, Step 3) -----------
 
     function hsp_topology_limits_init(limits, struct_size, boundary) result(status) &
       bind(C, name="hsp_topology_limits_init")
@@ -4628,7 +4628,7 @@ module hardsphere
       procedure :: hsp_boundary_get_measures, hsp_boundary_get_measures_named
     end interface
 
-    ! ---- gradient.h: their derivatives -------------------------------------------------------------------------------
+    ! ---- gradient.h: derivatives of areas and volume -----------------------------------------------------------------
 
     private :: hsp_boundary_get_gradient_named
     interface hsp_boundary_get_gradient
@@ -4647,7 +4647,7 @@ module hardsphere
       procedure :: hsp_boundary_get_morphometry, hsp_boundary_get_morphometry_named
     end interface
 
-    ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain ---------
+    ! ---- periodic.h: unions in a periodic box: areas, volume, contacts, windings, strain -----------------------------
 
     private :: hsp_periodic_get_morphometry_named
     interface hsp_periodic_get_morphometry
@@ -4796,7 +4796,7 @@ contains
     if (present(needed)) needed = outputs%needed
   end function
 
-  ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
+  ! ---- gradient.h: derivatives of areas and volume -------------------------------------------------------------------
 
   !> hsp_boundary_get_gradient with the fields of its request and outputs as arguments.
   function hsp_boundary_get_gradient_named(boundary, tangency, tension, pressure, sigma, executor, energy, d_centre, &
@@ -4912,7 +4912,7 @@ contains
     if (present(first_bad)) first_bad = outputs%first_bad
   end function
 
-  ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain -----------
+  ! ---- periodic.h: unions in a periodic box: areas, volume, contacts, windings, strain -------------------------------
 
   !> hsp_periodic_get_morphometry with the fields of its request and outputs as arguments.
   function hsp_periodic_get_morphometry_named(periodic, pressure, tension, bending, gaussian, sigma, executor, &
@@ -5051,7 +5051,7 @@ contains
     bytes = 1536_c_size_t + 192_c_size_t*int(balls, c_size_t)
   end function
 
-  ! ---- pose.h: a molecule against a moved one: hits, pairs, gaps (Sections 3 and 6) ----------------------------------
+  ! ---- pose.h: a moved molecule against one at rest: hits, pairs, gaps (Sections 3 and 6) ----------------------------
 
   !> HSP_BODY_BYTES of the header, for the size of an allocation.
   pure function hsp_body_bytes_bound(balls) result(bytes)
@@ -5087,7 +5087,7 @@ contains
     bytes = 18432_c_size_t + 1952_c_size_t*int(balls, c_size_t)
   end function
 
-  ! ---- moving.h: all of that while a few balls move at a time --------------------------------------------------------
+  ! ---- moving.h: areas, volume and gradients while a few balls move at a time ----------------------------------------
 
   !> HSP_MOVING_BYTES of the header, for the size of an allocation.
   pure function hsp_moving_bytes_bound(balls, neighbours) result(bytes)
@@ -5107,7 +5107,7 @@ contains
       + 24_c_size_t*int(tetrahedra, c_size_t)
   end function
 
-  ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain -----------
+  ! ---- periodic.h: unions in a periodic box: areas, volume, contacts, windings, strain -------------------------------
 
   !> HSP_PERIODIC_BYTES of the header, for the size of an allocation.
   pure function hsp_periodic_bytes_bound(balls, images, neighbours, vertices, circles, contacts) result(bytes)
@@ -5139,7 +5139,7 @@ contains
       + 64_c_size_t*int(vertices, c_size_t) + 32_c_size_t*int(triangles, c_size_t) + 384_c_size_t*int(points, c_size_t)
   end function
 
-  ! ---- regions.h: cavities and other regions, what lines them, shells, point location (Section 4.2, Step 3) ----------
+  ! ---- regions.h: cavities and other regions, their lining, shells, point location (Section 4.2, Step 3) -------------
 
   !> HSP_TOPOLOGY_BYTES of the header, for the size of an allocation.
   pure function hsp_topology_bytes_bound(balls, neighbours, edges, cut_arcs) result(bytes)

@@ -1,5 +1,4 @@
-/* hardsphere/bricks.h: sets of balls too large for one memory, computed in parts, the bricks: components, shells,
- * voids, Euler number, area and volume of the whole.
+/* hardsphere/bricks.h: areas, volume, components, voids of sets too large for one memory, computed in parts.
  *
  * Guide: bricks.md.
  *

@@ -1,5 +1,4 @@
-/* hardsphere/cells.h: free space, which no ball covers, as O(n) simple cells with their neighbours (Section 2, Theorem
- * 2.4).
+/* hardsphere/cells.h: free space as O(n) simple cells with their neighbours (Section 2, Theorem 2.4).
  *
  * Guide: tutorial.md.
  *

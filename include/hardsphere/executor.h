@@ -1,5 +1,4 @@
-/* hardsphere/executor.h: how the caller lends the library threads, as it starts none itself, and how the caller stops a
- * computation.
+/* hardsphere/executor.h: how the caller's own threads share the work, and how the caller stops it.
  *
  * Guide: splitting_the_work.md.
  *
@@ -19,11 +18,11 @@ extern "C" {
 /** Does one task of the library's: `data` is what hsp_executor.run was handed, `task` the number of the task. */
 typedef void HSP_CALL hsp_task(void *data, uint32_t task);
 
-/** A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it. A function that is given an executor
- *  shares its work out where there is enough of it. Otherwise, as with NULL or with workers 0 or 1, it works in the
- *  caller's thread. Results are the same bits either way and for any number of workers; the cost that a function states
- *  is that of all workers together. Output arrays are final only when the function returns: a later task may change
- *  what an earlier one wrote.
+/** A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it; the library starts no threads itself. A
+ *  function that is given an executor shares its work out where there is enough of it. Otherwise, as with NULL or with
+ *  workers 0 or 1, it works in the caller's thread. Results are the same bits either way and for any number of workers;
+ *  the cost that a function states is that of all workers together. Output arrays are final only when the function
+ *  returns: a later task may change what an earlier one wrote.
  *  If the loop fails, leaves a task out, or calls one twice or one that does not exist, the function returns
  *  HSP_E_EXECUTOR: it has no results then, and all handles may be used as before. A task that is called twice is done
  *  once. A function that is stopped returns HSP_E_STOPPED, and the same holds of results and handles. */

@@ -1,5 +1,4 @@
-/* hardsphere/map.h: the visibility map: the visible parts of the balls as a subdivision of the view plane (Section
- * 5.2).
+/* hardsphere/map.h: the visibility map: the visible parts of balls as faces of the view plane (Section 5.2).
  *
  * Guide: questions.md, gallery.md.
  *

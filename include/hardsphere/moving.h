@@ -1,5 +1,4 @@
-/* hardsphere/moving.h: areas, volume and gradients while a few balls move at a time, for Monte-Carlo programs and
- * minimisers.
+/* hardsphere/moving.h: areas, volume and gradients while a few balls move at a time.
  *
  * Guide: moving_balls.md.
  *

@@ -1,5 +1,4 @@
-/* hardsphere/periodic.h: a union of balls in a periodic box, as simulations have it: areas, volume, derivatives,
- * contacts, components, queries.
+/* hardsphere/periodic.h: a union of balls in a periodic box: measures, derivatives, contacts, components, queries.
  *
  * Guide: periodic_boxes.md.
  *

@@ -1,5 +1,4 @@
-/* hardsphere/pockets.h: pockets of a molecule or a crystal between two probes, their mouths, areas and volumes; regions
- * of free space.
+/* hardsphere/pockets.h: pockets between two probes, their mouths, areas and volumes; regions of free space.
  *
  * Guide: pores.md, questions.md.
  *

@@ -1,5 +1,4 @@
-/* hardsphere/pose.h: whether, where and by how much a molecule that is turned and moved as a whole meets another one at
- * rest (Sections 3 and 6).
+/* hardsphere/pose.h: a rigid molecule, turned and moved, against another one at rest (Sections 3 and 6).
  *
  * Guide: poses.md.
  *

@@ -1,5 +1,4 @@
-/* hardsphere/regions.h: the regions of space outside the union, such as cavities: their sizes, the balls that line
- * them, the region of a point (Section 4.2, Step 3).
+/* hardsphere/regions.h: regions outside the union, such as cavities, and the balls around them (Section 4.2, Step 3).
  *
  * Guide: tutorial.md.
  *

@@ -1,5 +1,4 @@
-/* hardsphere/surface.h: the smooth molecular surface (Section 4.3): area and volume of the solvent-excluded surface,
- * and their derivatives.
+/* hardsphere/surface.h: the smooth, solvent-excluded surface: area, volume and their derivatives (Section 4.3).
  *
  * Guide: smooth_surface.md.
  *

@@ -1,5 +1,4 @@
-/* hardsphere/view.h: hidden surface removal: pieces of balls as true arcs, to be painted from back to front (Section
- * 5.1).
+/* hardsphere/view.h: hidden surface removal: pieces of balls in the order to paint them (Section 5.1).
  *
  * Guide: gallery.md.
  *

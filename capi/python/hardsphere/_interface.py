@@ -133,7 +133,7 @@ VERSION_STRING = "1.1.0"
 
 
 class Executor(Record):
-    """A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it."""
+    """A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it;"""
     _fields_ = [("struct_size", C.c_uint32), ("workers", C.c_uint32), ("context", C.c_void_p), ("run", C.c_void_p),
                 ("proceed", C.c_void_p)]
 
