@@ -283,8 +283,8 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_STICKS_MEET = 6_c_int32_t  ! two other sticks that meet
   ! a stick, and a ball that it meets and does not end in
   integer(c_int32_t), parameter :: HSP_STICKS_STICK_IN_BALL = 7_c_int32_t
-  ! a stick of a circle of balls and halves of sticks, each of which covers a part of the next; and how many they are:
-  ! no order, but HSP_OK
+  ! a stick in a cycle of balls and halves of sticks, each of which covers a part of the next; and the length of the
+  ! cycle: no order, but HSP_OK
   integer(c_int32_t), parameter :: HSP_STICKS_CYCLE = 8_c_int32_t
 
   ! ---- picture.h: a view, a map, or balls and sticks as SVG, EPS or PDF ----------------------------------------------
@@ -734,7 +734,7 @@ module hardsphere
     ! [n]: each ball's id in the whole set, ascending
     type(c_ptr) :: id = c_null_ptr
     type(c_ptr) :: owner = c_null_ptr                                     ! [n]: the brick that owns it, below bricks
-    ! or NULL: whether to go on is asked of it; its threads share nothing yet
+    ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor = c_null_ptr
   end type
 

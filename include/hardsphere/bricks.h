@@ -44,7 +44,7 @@ typedef struct hsp_brick_request {
   uint32_t flags;               /**< HSP_BRICK_*, the same for all */
   const uint64_t *id;           /**< [n]: each ball's id in the whole set, ascending */
   const uint32_t *owner;        /**< [n]: the brick that owns it, below bricks */
-  const hsp_executor *executor; /**< or NULL: whether to go on is asked of it; its threads share nothing yet */
+  const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
 } hsp_brick_request;
 
 /** Write the summary of a brick, from the boundary of all balls of its model (not of selected ones). summary has *bytes

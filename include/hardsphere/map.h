@@ -284,9 +284,9 @@ HSP_API int32_t HSP_CALL hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp
  *    1  vertices: their kinds tell how many edges they have, and they name a directed edge that starts there
  *    2  edges: parameters ascend by a whole turn at most, and the balls of both ends are those of the edge
  *    3  next is one to one, from where a directed edge ends
- *    4  the balls named around a loop are one, that of its face
- *    5  faces: one outer loop each but for the unbounded one, of a positive area; holes have negative ones; those of
- *       one ball follow each other; the unbounded one has a hole if there is a ball that may be seen
+ *    4  all edges around a loop name one ball on that side, that of its face
+ *    5  faces: each but the unbounded one has one outer loop, of positive area; holes have negative areas; faces of one
+ *       ball have consecutive numbers; the unbounded face has a hole if there is a ball that may be seen
  *    6  vertices - edges + faces = 1 + components
  *    7  positions: edges end at their vertices, and every T lies on its silhouette
  *    8  areas: a face has the area of its loops, and all together have the area within the outermost edges; the visible

@@ -79,10 +79,10 @@ HSP_API int32_t HSP_CALL hsp_moving_init(void *memory, size_t bytes, const hsp_m
                                          hsp_moving **moving);
 
 /** Take the balls of a model, and the energy that is to be known: sigma [n], NULL for all ones, tension, pressure and
- *  tangency are those of hsp_gradient_request. Computes everything; nothing is kept of the model and of sigma. May be
- *  called any number of times. On failure the handle holds no results. limits: see LIMITS in hardsphere.h; at most two
- *  retries. first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is
- *  none.
+ *  tangency are those of hsp_gradient_request. Computes everything; neither the model nor sigma is needed afterwards.
+ *  May be called any number of times. On failure the handle holds no results. limits: see LIMITS in hardsphere.h; at
+ *  most two retries. first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if
+ *  there is none.
  *  - Property 1: the order of the balls has no effect but on ids, and on the last bits of sums over all balls.
  *
  *  Cost: about that of hsp_boundary_compute and hsp_boundary_get_gradient.

@@ -107,9 +107,9 @@ typedef struct hsp_stick {
 #define HSP_STICKS_MEET UINT32_C(6)          /**< two other sticks that meet */
 #define HSP_STICKS_STICK_IN_BALL UINT32_C(7) /**< a stick, and a ball that it meets and does not end in */
 #define HSP_STICKS_CYCLE \
-  UINT32_C(8) /**< a stick of a circle of balls and halves of sticks, each of which covers
-                                                  a part of the next; and how many they are: no
-                                                  order, but HSP_OK */
+  UINT32_C(8) /**< a stick in a cycle of balls and halves of sticks, each of which covers
+                                                  a part of the next; and the length of the cycle:
+                                                  no order, but HSP_OK */
 
 /** Why there is no picture, or no order in which to paint it. Frozen. */
 typedef struct hsp_sticks_conflict {
