@@ -1,16 +1,16 @@
-// Caps that cut a polyhedron, some at a time.
+// Cuts a polyhedron by caps, a batch at a time.
 //
 // As an example the cube around the unit sphere and the caps
 //   A   x >= 0.5     goes 0.625 deep: it cuts first
 //   B   x >= 0.9     misses what A leaves, and is dropped
-//   C   y >= 1.0     goes 0.125 deep: it waits where that is too little, and cuts in the end
-//   D   x >= 0.5     A once more: too near four vertices for doubles, and left to integers
+//   C   y >= 1.0     goes 0.125 deep: it waits if deeper planes are asked for first, and cuts later
+//   D   x >= 0.5     A once more: its plane is too near four vertices for doubles, and integers decide
 #include "sphere/cell_cutting.hpp"
 
 namespace hsp {
 namespace {
 
-// The one of those whose plane cuts deepest: few planes cut then.
+// Of the caps with these bits the one whose plane cuts deepest. If it comes first, few planes cut.
 uint32_t deepest_of(const CapBatch &batch, uint32_t bits) {
   uint32_t deepest = static_cast<uint32_t>(__builtin_ctz(bits));
   for (bits &= bits - 1; bits != 0; bits &= bits - 1) {

@@ -1,4 +1,5 @@
-// The polyhedron of one ball, cut by its caps some at a time, and what has become of these.
+// The polyhedron around what the caps of one ball leave (outer_cell.hpp), cut by some caps at a time, and the state of
+// each cap.
 #pragma once
 
 #include "sphere/caps.hpp"
@@ -6,10 +7,15 @@
 
 namespace hsp {
 
-// States of a cap. It is dropped; it is not looked at yet, in this state or one between it and the next; its plane cuts
-// less deep than others do, and waits; it has cut; that is in doubt, and it stays; it is in doubt as it is near a
-// vertex; or it goes through a set of vertices: that and the number of the set. Those from `waits` on are few and have
-// a bit of their own.
+// States of a cap:
+//   dropped      the cap cannot matter
+//   not_tried    it has not been looked at; values from here to below `waits` mean the same (ExposedCaps: size classes)
+//   waits        its plane cuts less deep than the planes of others; it may cut later
+//   has_cut      its plane has become a face
+//   stays        nothing certain is known of it, or there was no room for its face: it is kept
+//   near_vertex  its plane is too near a vertex of the polyhedron for doubles
+//   tied + k     its plane goes through all vertices of set k of TiedSets
+// Few caps are in a state from `waits` on. These states have the bit 0x80, by which they are found.
 struct CapState {
   static constexpr uint8_t dropped = 0, not_tried = 1, waits = 0x80, has_cut = waits + 1, stays = waits + 2,
                            near_vertex = waits + 3, tied = waits + 4;
@@ -17,38 +23,42 @@ struct CapState {
 
 class CellCutting : private CapState {
  public:
-  // Of which the caps leave a part: of the sphere, or of the ball.
+  // What the caps must be kept for: the free part of the sphere, or the ball's power cell inside the ball.
   enum class Part : uint8_t { sphere, ball };
 
-  // balls_alone: of the caps the balls alone are known. state: memory, [caps]. box: where.
+  // balls_alone: `caps` has no doubles, only balls; doubles are made of the caps that are looked at. state: memory,
+  // [caps]. box: the polyhedron at first.
   CellCutting(const Caps &caps, Part part, bool balls_alone, Span<uint8_t> state, const CellBox &box = {})
       : caps_(caps), part_(part), balls_alone_(balls_alone), state_(state) {
     cell_.start(box);
   }
 
-  // Cuts by those whose planes go deeper than that; the others wait. False if nothing is left. Out of line, as all that
-  // has a batch: integers take the stack beside them.
+  // Cuts by those of the caps whose planes go at least least_depth deep into the polyhedron; the others wait. False if
+  // nothing is left. Functions with a CapBatch are out of line, so that it is off the stack when integers are asked.
   [[gnu::noinline]] bool cut_by(Span<const uint32_t> numbers, double least_depth);
-  // The same from the start, the deepest of all first, for caps that stay. Ends soon where most matter, as studs do.
+  // Starts again from the cube, and cuts by the deepest of all caps each time: for caps that found no room. Gives up
+  // soon if few caps drop out, as where all caps are small and matter.
   [[gnu::cold]] bool cut_anew(Span<uint32_t> numbers);
-  // After that, some that leave nothing, the faces: how many.
+  // After a cut that left nothing: writes caps that together cover all, which are the faces and, if one cap holds all
+  // of the polyhedron, that cap. Returns how many.
   uint32_t covering(Span<uint32_t> numbers) const;
 
-  // Drops those that miss what is left. Faces do not: their planes go through vertices.
+  // Drops the caps that miss the polyhedron. A face never does: its plane goes through vertices.
   [[gnu::cold]] void drop(Span<const uint32_t> numbers);
 
-  // Cuts by caps whose planes are near vertices, by integers. False if nothing is left. Those that go deep come first:
-  // where planes have a line in common two of them leave the others nearly nothing, which in another order may cut one
-  // after the other, until there is no room. Many are asked about together, but few behind one that cuts, since the
-  // next may, too.
+  // Cuts by caps whose planes are near vertices; integers say on which side the vertices are. False if nothing is left.
+  // Planes that go deep come first: where many planes have a line in common, two of them leave nearly nothing for the
+  // others. In another order all might cut one after the other, until there is no room. Several caps are asked about at
+  // once, but few after a cap that cuts, since the next one may cut, too.
   bool cut_by_integers(Span<uint32_t> numbers, const CellTies &ties);
 
-  // Drops those of them that miss what is left, but for the planes that go through vertices.
+  // Drops the caps that miss the polyhedron. If the plane of such a cap goes through vertices, the cap becomes `tied`
+  // instead, or stays where `sets` has no room.
   void drop_by_integers(Span<uint32_t> numbers, const CellTies &ties, TiedSets &sets);
 
   const OuterCell &cell() const { return cell_; }
   bool some_wait() const { return some_wait_; }
-  // Whether some stay as there was no room for another face.
+  // Whether caps stay because there was no room for another face.
   bool lacks_room() const { return lacks_room_; }
 
  private:
@@ -61,7 +71,8 @@ class CellCutting : private CapState {
 
   bool is_face(uint32_t number) const;
 
-  // Where all planes go through one point that is not on the sphere, integers would be asked about it again and again.
+  // Whether a cap takes at most a point that does not matter to the part asked for (exact/PROOFS.md, section 7). Where
+  // many planes go through one point off the sphere, integers would else be asked about it again and again.
   bool takes_nothing(const OuterCell::Plane &plane) const;
 
   struct Sides {
@@ -69,17 +80,18 @@ class CellCutting : private CapState {
     VertexSides sides[most];
     VertexBits on_plane[most];
   };
-  // Of the first ones, as many as there is room for: of how many. 0 if the first is not certain to be a circle.
+  // The sides of the vertices for the first of the caps, for as many as there is room. Returns for how many caps; 0 if
+  // the first one is not certain to be a proper circle. find_certain_sides: by doubles alone.
   uint32_t find_sides(Span<const uint32_t> numbers, const CellTies &ties, Sides &found);
   [[gnu::noinline]] uint32_t find_certain_sides(Span<const uint32_t> numbers, Sides &found) const;
 
-  // Of one or more those that may cut, the one whose plane goes deepest first if one goes deeper than doubles can tell;
-  // the others are dropped.
+  // Drops the caps that miss the polyhedron, and returns the others. goes_deep: whether one of their planes certainly
+  // cuts; the plane that goes deepest is then the first. There is at least one cap.
   [[gnu::cold]] Span<uint32_t> keep_deepest_first(Span<uint32_t> numbers, bool &goes_deep);
 
   uint32_t may_cut(CapBatch &batch, uint32_t asked) const;
 
-  // The first ones, a whole batch if there are as many. False if the first is not certain to be a circle.
+  // Loads the first caps, a whole batch if there are as many. False if the first is not certain to be a proper circle.
   bool load(Span<const uint32_t> numbers, CapBatch &batch) const;
 
   const Caps &caps_;
@@ -88,7 +100,7 @@ class CellCutting : private CapState {
   Span<uint8_t> state_;
   OuterCell cell_;
   bool some_wait_ = false, lacks_room_ = false;
-  uint32_t buried_by_ = no_id;
+  uint32_t buried_by_ = no_id;  // the cap that holds all of the polyhedron
 };
 
 }  // namespace hsp

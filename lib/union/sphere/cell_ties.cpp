@@ -1,8 +1,8 @@
-// Sides of vertices by integers.
+// Decides by integers on which side of a plane a vertex is.
 //
-// As an example four balls of radius 5 around points 5 away from the origin, each of whose spheres goes through it.
-// For the first of them the planes of the others meet in one point, and of the inflated ones any three in a point
-// nearby, which the fourth plane leaves out or not.
+// As an example a ball and four others, whose spheres all go through one point. On the first ball the planes of the
+// four others go through this point. Of the inflated balls any three of these planes meet in a point of their own
+// nearby, and the fourth plane either cuts that point off or does not.
 #include "sphere/cell_ties.hpp"
 
 #include "exact/power_vertex.hpp"
@@ -14,8 +14,9 @@ uint64_t has(const uint64_t (&bits)[2], uint32_t vertex) {
   return bits[vertex / 64] >> vertex % 64 & 1U;
 }
 
-// Of a vertex on a side of the cube, one before it among those on the line of its other two planes. v if there is none.
-// Planes of spheres through two points go along the line and have all of it on one side.
+// If vertex v is on a side of the cube: a vertex before v, one of `among`, on the line of the two other planes of v;
+// else, or if there is none, v. The planes of spheres through two common points are parallel to that line, so that all
+// of the line is on one side of such a plane.
 uint32_t other_end(const OuterCell &cell, uint32_t v, const uint64_t (&among)[2]) {
   const uint8_t *const face = cell.face[v];
   uint32_t side = 0;

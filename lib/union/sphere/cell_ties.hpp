@@ -1,6 +1,7 @@
-// On which side of a cap's plane the vertices of a polyhedron are, by integers, where doubles are not sure: planes that
-// go through one point, as those of spheres that do. All balls are inflated as in exact/PROOFS.md, section 3, so that
-// there is always an answer; the polyhedron is that of the inflated balls (section 7).
+// Decides by integers on which side of a cap's plane a vertex of the polyhedron is, where doubles are not certain. They
+// are not where many planes go through one point, as the planes of spheres through one point do. All balls are inflated
+// as in exact/PROOFS.md, section 3, so that there is always an answer; the polyhedron is that of the inflated balls
+// (section 7).
 #pragma once
 
 #include "sphere/caps.hpp"
@@ -8,7 +9,7 @@
 
 namespace hsp {
 
-// Bits of vertices.
+// A set of vertices of a polyhedron, a bit for each.
 struct VertexBits {
   uint64_t word[2] = {0, 0};
 
@@ -22,34 +23,35 @@ class CellTies {
  public:
   explicit CellTies(const Caps &caps) : caps_(caps) {}
 
-  // Decides about the vertices of which `sides` is unsure, for each of some caps whose planes are no faces, and finds
-  // those through which the planes go before the inflation. Cold: few sets get here, and nearly all of it is exact
-  // questions.
+  // For the caps with these numbers, of which none is a face: decides all vertices of which `sides` is unsure, and adds
+  // to `on_plane` those that lie on the cap's plane before the inflation. `sides` and `on_plane` have an entry for each
+  // cap. Cold: few sets get here, and nearly all of it is exact questions.
   [[gnu::cold]] void decide(const OuterCell &cell, Span<const uint32_t> numbers, VertexSides *sides,
                             VertexBits *on_plane) const;
 
  private:
+  // Of a face: the plane of its cap, or a side of the cube.
   exact::Plane plane_of(const OuterCell &cell, uint32_t face) const;
 
   const Caps &caps_;
 };
 
-// The sets of vertices that planes go through.
+// Sets of vertices: each is all vertices that lie on the plane of some cap.
 class TiedSets {
  public:
   static constexpr uint32_t most = 16;
 
-  // The number of a set; `most` if there are too many.
+  // The number of a set, which is added if it is new; `most` if there is no room.
   uint32_t number_of(const VertexBits &set);
-  // Whether a plane goes through all of them that is kept.
+  // Whether some cap is kept whose plane goes through all vertices of the set.
   bool is_kept(uint32_t number) const { return (kept_ >> number & 1U) != 0; }
-  // Keeps a plane through these.
+  // Notes that a cap is kept whose plane goes through the vertices of the set.
   void keep(uint32_t number);
 
  private:
   VertexBits set_[most];
   uint32_t count_ = 0;
-  uint32_t kept_ = 0;  // bits
+  uint32_t kept_ = 0;  // bits of sets
 };
 
 }  // namespace hsp

@@ -1,11 +1,11 @@
-// Caps that may touch what is free, of a ball that has hundreds of them.
+// Finds the caps that may touch the free part of a sphere with hundreds of caps.
 //
 // As an example the unit sphere and the caps
 //   A   x >= 0.5                     60 degrees around x
 //   B   x >= 0.9                     26 degrees around x: inside A, hence discarded
-//   C   0.6 x + 0.8 y >= 0.95        18 degrees around a direction 53 degrees from x: up to 71 degrees from x, out of
-//                                    A, so that it stays
-// Copies of A are dropped but one. Most discarded caps are inside one that is much larger: large ones are tried first.
+//   C   0.6 x + 0.8 y >= 0.95        18 degrees around a direction 53 degrees from x: it reaches to 71 degrees from x,
+//                                    out of A, so that it stays
+// Of copies of A one stays. Most discarded caps are inside a much larger one, so large caps are tried first.
 #include "sphere/exposed_caps.hpp"
 
 #include <cstring>
@@ -13,8 +13,8 @@
 namespace hsp {
 namespace {
 
-// Equal balls follow each other, as the grid has them: of these all but the outermost are dropped. Copies of a plane
-// that cuts would stay in doubt. numbers: ascending. Returns those that are left.
+// Balls with one centre follow each other in grid order: all but the outermost of these are dropped. As a copy of a
+// plane that has cut goes through vertices, it would stay in doubt. numbers: ascending. Returns those that are left.
 Span<const uint32_t> without_copies(const Caps &caps, Span<uint32_t> numbers) {
   const BallSet &balls = caps.balls();
   uint32_t left = 0;
@@ -31,7 +31,7 @@ Span<const uint32_t> without_copies(const Caps &caps, Span<uint32_t> numbers) {
 
 }  // namespace
 
-// Every so many-th cap, the largest first: after few of them most balls are known to be buried.
+// Every step-th cap, the largest first: if the ball is buried, that is mostly known after few of them.
 template <class Real>
 Span<const uint32_t> ExposedCaps::order_by_size(const Real *b, uint32_t count, uint32_t step) {
   constexpr uint32_t classes = 64;
@@ -55,7 +55,7 @@ Span<const uint32_t> ExposedCaps::order_by_size(const Real *b, uint32_t count, u
   return order_.part(0, start[classes - 1]);
 }
 
-// Caps in these states, in their order.
+// The caps in states first to last, ascending.
 Span<uint32_t> ExposedCaps::in_states(uint32_t count, uint8_t first, uint8_t last) {
   uint32_t found = 0;
   for (uint32_t k = 0; k < count; ++k) {
@@ -72,8 +72,8 @@ Span<uint32_t> ExposedCaps::in_states(uint32_t count, uint8_t first, uint8_t las
   return order_.part(0, found);
 }
 
-// Of the planes that go through one set of vertices one stays, so that ties are seen. It is none of a ball inside
-// another one that stays, which may not count as a tie.
+// Of the caps whose planes go through one set of vertices one stays, so that ties are seen. Its ball does not lie
+// inside the ball of another cap that stays: such a ball may not count as a tie.
 void ExposedCaps::keep_planes_of_ties(const Caps &caps, TiedSets &sets) {
   const Span<const uint32_t> others = in_states(caps.count, has_cut, near_vertex);
   for (uint32_t k = 0; k < caps.count; ++k) {
@@ -89,7 +89,8 @@ void ExposedCaps::keep_planes_of_ties(const Caps &caps, TiedSets &sets) {
 }
 
 bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
-  // Where planes nearly agree, as of copies of one ball, the deepest of all is to cut, not one after the other.
+  // Planes that go less deep wait. Where planes nearly agree, as those of nearly equal balls do, the deepest of all is
+  // to cut, not one after the other.
   constexpr double deep = 0x1p-5;
   constexpr uint32_t many_refused = 32;
   const uint32_t count = caps.count;
@@ -97,7 +98,7 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
   if (floats == nullptr) {
     if (!cutting.cut_by(order_by_size(caps.b.data(), count, 1), deep)) return false;
   } else {
-    // The largest ones of some first; then floats tell which of the others are worth their doubles: few, once the
+    // First the largest caps of a sample. Then floats tell of which other caps doubles are to be made: of few, once the
     // deepest have cut.
     constexpr uint32_t first = 2 * CapBatch::most, sample = 8 * CapBatch::most;
     const Span<const uint32_t> largest = order_by_size(floats->b, count, count / sample + 1);
@@ -135,7 +136,7 @@ bool ExposedCaps::find(Part part, const Caps &caps, const FloatCaps *floats) {
 
 bool ExposedCaps::keep(Part part, Caps &caps, uint32_t many) {
   if (small_code) return true;
-  // Where the ball has another one inside, as of copies of a set each has, others may be there several times.
+  // If the ball has another one inside, as every ball has where a set is there twice, other balls may have copies, too.
   if (caps.met > caps.count) {
     for (uint32_t k = 0; k < caps.count; ++k) order_[k] = k;
     caps.keep(without_copies(caps, order_.part(0, caps.count)));

@@ -1,8 +1,8 @@
-// Of many caps of one ball, those that may touch its free part. The others are covered by these, strictly, so that
-// whatever is found of the free part of the sphere is found with these alone: vertices, circles, clusters, ties. Or
-// those that may touch the ball's power cell, inside the ball: with these alone the ball's contacts are found.
-// (exact/PROOFS.md, section 7.) In sets of many overlaps, models of one molecule or poses of a ligand, a ball has a
-// thousand caps, and mostly a dozen of these cover it.
+// Finds, among many caps of one ball, the caps that may touch the free part of its sphere. These cover all other caps
+// strictly. So everything about the free part (vertices, free circles, clusters, ties) is found with these caps alone.
+// Or finds the caps that may touch the ball's power cell inside the ball: the ball's contacts are found with these
+// alone. (exact/PROOFS.md, section 7.) In sets of many overlaps, models of one molecule or poses of a ligand, a ball
+// has a thousand caps, and mostly a dozen of them cover it.
 #pragma once
 
 #include "core/small_code.hpp"
@@ -13,24 +13,24 @@ namespace hsp {
 
 class ExposedCaps : private CapState {
  public:
-  // Fewer are searched as they are: that is as quick, and where it turns out not to be, these are found after all.
-  // Small code does without: where flash counts, balls have few caps.
+  // Fewer caps are searched as they are, which is as quick; if the search turns out to be slow, exposed caps are found
+  // after all. Small code does without: where flash memory is scarce, balls have few caps.
   static constexpr uint32_t fewest = 160;
   static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest; }
 
   // Memory, [caps] each.
   ExposedCaps(Span<uint32_t> order, Span<uint8_t> state) : order_(order), state_(state) {}
   using Part = CellCutting::Part;
-  // False if nothing of it is left. The radius is not 0. floats: where of caps the balls alone are known, the caps in
-  // floats; doubles are made of those caps alone that are looked at.
+  // False if nothing of the part is left. The ball's radius is not 0. floats: null, or, if `caps` has no doubles but
+  // only balls, its caps in floats; doubles are then made of the caps that are looked at.
   bool find(Part part, const Caps &caps, const FloatCaps *floats = nullptr);
-  // After find: the numbers of those that stay, ascending.
+  // After find: the numbers of the caps that stay, ascending.
   Span<const uint32_t> kept() const { return order_.part(0, kept_); }
-  // Of so many caps or more keeps these. False if nothing is left. Of fewer it keeps one of each of equal balls, if
-  // there are such.
+  // If there are `many` caps or more: keeps only those that find() keeps; false if nothing of the part is left. Of
+  // fewer caps it may drop copies, so that of equal balls one stays.
   bool keep(Part part, Caps &caps, uint32_t many = fewest);
 
-  // For tests: of how many caps that doubles leave in doubt at vertices integers are asked.
+  // For tests: integers are asked if doubles leave so many caps or more in doubt because they are near vertices.
   uint32_t fewest_ties = 24;
 
  private:

@@ -1,8 +1,8 @@
 // The polyhedron around what caps leave, cut by one plane after the other.
 //
-// As an example the cube at first: 6 planes and 8 vertices, each a triple of planes. A plane that has one vertex beyond
-// it takes that away and brings three, on the edges that met there: 7 planes, 10 vertices. With f planes that all bound
-// it there are 2 f - 4 vertices, by Euler's relation, as each has three edges.
+// As an example the cube at first: 6 planes and 8 vertices, each with three planes. A plane that cuts off one vertex
+// brings three new ones, on the three edges of that vertex: 7 planes, 10 vertices. With f faces there are 2 f - 4
+// vertices, by Euler's relation, as each vertex has three edges.
 #include "sphere/outer_cell.hpp"
 
 #include "lanes/floating_point.hpp"
@@ -10,9 +10,9 @@
 namespace hsp {
 namespace {
 
-// The least determinant of three unit normals whose point is known well enough.
+// Three planes meet in a point that is known well enough if the determinant of their unit normals is larger than this.
 constexpr double least_determinant = 0x1p-24;
-// A polyhedron that is nearer to the sphere's centre than that, squared, lies inside the sphere.
+// A polyhedron whose vertices have a smaller squared distance from the centre lies inside the sphere.
 constexpr double certainly_inside = 1.0 - 0x1p-16;
 
 double minor(double a, double d, double c, double e) {
@@ -86,7 +86,8 @@ OuterCell::Cut OuterCell::cut(const Plane &plane, const uint64_t (&outside)[2]) 
   b[face_of_cap] = plane.b;
   cap[face_of_cap] = plane.cap;
 
-  // The directed edges of the triples that go; those whose opposite stays get a vertex with the new plane.
+  // The directed edges of the vertices that are cut off. An edge whose opposite is not among them is cut by the plane,
+  // which gives a new vertex.
   uint64_t edges[most_faces];
   for (uint64_t left = faces; left != 0; left &= left - 1) edges[__builtin_ctzll(left)] = 0;
   const auto visit_edges = [&](auto visit) {
@@ -139,7 +140,7 @@ bool OuterCell::lies_inside_sphere() const {
   return most < certainly_inside;
 }
 
-// The numbers are those of PROOFS.md, section 7.
+// exact/PROOFS.md, section 7, has these numbers and the proof.
 OuterCell::Taken OuterCell::part_taken(const Plane &plane) const {
   constexpr double missed = -0x1p-16, touched = 0x1p-32, near_squared = 0x1p-24, off_the_sphere = 0x1p-8;
   double px = 2.0, py = 0.0, pz = 0.0;

@@ -1,6 +1,6 @@
-// A polyhedron in doubles around what the caps of one ball leave free: some of the caps' planes bound it. On the unit
-// sphere of caps.hpp a cap u.x >= b takes a half-space away; what all caps leave of space is the ball's power cell, and
-// what some of them leave, as here, contains it. A cap that certainly misses this misses the power cell.
+// A polyhedron in doubles that contains the power cell of one ball. The unit is the ball's radius. A cap u.x >= b
+// (caps.hpp) takes a half-space away from a cube around the unit sphere. All caps together leave the power cell; the
+// polyhedron is what some of the caps leave. A cap that certainly misses the polyhedron misses the power cell.
 //
 //     +-----------+        +-------.            +-------.  /
 //     |   .---.   |        |   .---.\           |   .---.\/
@@ -9,8 +9,8 @@
 //     +-----------+        +----------+         +----------+
 //       the cube at first    a cap has cut        drops out
 //
-// It is kept as its vertices alone, each a triple of planes; there are no edges and no neighbours. Why that is enough,
-// and that the answers are certain: exact/PROOFS.md, section 7.
+// Only the vertices are stored, each with its three planes; edges and neighbours are not. exact/PROOFS.md, section 7,
+// proves that this is enough and that the answers are certain.
 #pragma once
 
 #include "core/status.hpp"
@@ -20,8 +20,8 @@ namespace hsp {
 
 // A cube with sides along the axes: at first the one around the unit sphere.
 struct CellBox {
-  // Half of its side, as a fraction: somewhat larger than the sphere, so that balls that are inflated by infinitely
-  // little lie in it, too, and planes that meet in a point of the sphere hardly meet in one of a side.
+  // Half of its side, as a fraction. The cube is somewhat larger than the sphere: it contains the infinitesimally
+  // inflated ball, too, and planes that meet in a point of the sphere hardly ever meet in a point of a side.
   static constexpr int32_t side_numerator = 9, side_denominator = 8;
 
   double x = 0.0, y = 0.0, z = 0.0;  // its centre
@@ -33,14 +33,14 @@ struct OuterCell {
   static constexpr uint32_t most_vertices = 2 * most_faces - 4;  // of a polyhedron whose vertices have three edges each
   static constexpr uint32_t room = most_vertices + 4;            // whole registers are read
 
-  // Vertices: where they are, how far the computed depth of a plane may be off there, their planes.
+  // Vertices: their positions, the error bound of a cap's depth there, their three planes.
   double x[room], y[room], z[room], error[room];
   uint8_t face[room][3];
   uint32_t vertices = 0;
   // Planes u.x = b of the cube and of the caps that have cut.
   double ux[most_faces], uy[most_faces], uz[most_faces], b[most_faces];
-  uint32_t cap[most_faces];  // of which cap a plane is; no_id of the cube
-  uint64_t faces = 0;        // bits of those that have a vertex
+  uint32_t cap[most_faces];  // the cap of a plane; no_id for a side of the cube
+  uint64_t faces = 0;        // bits of the planes that have a vertex
 
   [[gnu::cold]] void start(const CellBox &box = {});
   // Whether no part of it reaches the unit sphere.
@@ -59,10 +59,11 @@ struct OuterCell {
     uint32_t cap = no_id;
   };
   Cut cut(Target target, const Plane &plane);
-  // The same where it is known which vertices lie in the cap: bits. It is not `unsure`.
+  // The same where it is known which vertices lie in the cap, as bits. The answer is never `unsure`.
   Cut cut(const Plane &plane, const uint64_t (&outside)[2]);
 
-  // The part that a cap takes: at most what is near one point, as where many planes go through one, or maybe more.
+  // The part of the polyhedron that a cap takes: at most the neighbourhood of one point, as where many planes go
+  // through that point, or perhaps more.
   enum class Taken : uint8_t { point_inside_sphere, point_outside_sphere, more };
   [[gnu::cold]] Taken part_taken(const Plane &plane) const;
 
@@ -74,25 +75,27 @@ struct OuterCell {
 struct CapBatch {
   static constexpr uint32_t most = 32;
   double ux[most], uy[most], uz[most], b[most];
-  double depth[most];  // how far a plane cuts into the polyhedron, about
+  double depth[most];  // roughly how far a plane cuts into the polyhedron
   uint32_t count = 0;
 
   uint32_t all() const { return count < most ? (1U << count) - 1U : ~0U; }
 };
 
-// Bits of those of `asked` caps of a batch that are not certain to miss the polyhedron, whose depths are set.
+// Of the caps of a batch with bits in `asked`: the bits of those that are not certain to miss the polyhedron. Sets the
+// depths of all asked caps.
 HSP_KERNEL(uint32_t, caps_that_may_cut, (const OuterCell &cell, CapBatch &caps, uint32_t asked), (cell, caps, asked))
 
-// The same of caps in floats: how many of the first `count` of them are not certain to miss the polyhedron, their
-// numbers, ascending, and about the deepest of them. There are more caps behind these, as FloatCaps::pad writes them.
+// The same for the first `count` caps in floats: returns how many are not certain to miss the polyhedron, and writes
+// their numbers, ascending, and the number of the one that goes about deepest. FloatCaps::pad has written caps behind
+// the last one.
 HSP_KERNEL(uint32_t, float_caps_that_may_cut,
            (const OuterCell &cell, const FloatCaps &caps, uint32_t count, uint32_t *numbers, uint32_t &deepest),
            (cell, caps, count, numbers, deepest))
 
 // On which side of a plane vertices are.
 struct VertexSides {
-  uint64_t outside[2];  // bits: certainly in the cap
-  uint64_t unsure[2];   // all others are certainly not
+  uint64_t outside[2];  // bits of the vertices that are certainly in the cap
+  uint64_t unsure[2];   // of those that are not certain; all others are certainly not in the cap
 };
 HSP_KERNEL(VertexSides, sides_of_vertices, (const OuterCell &cell, const OuterCell::Plane &plane), (cell, plane))
 
