@@ -1,9 +1,9 @@
-// Boxes, one in the other, as one array: each followed by those that are in it, or by the caps that it lists.
+// Nested boxes in one array. Each box is followed by the boxes in it, or by the caps that it lists.
 //
-// As an example a cube that is halved, of whose parts two list caps, the first one 3 and 8, the other one 5:
+// As an example a cube that is halved, and two of its parts: the first lists caps 3 and 8, the other one cap 5.
 //     word   0               6              14
 //          | cube, ends at 21 | part, lists 2 | 3 8 | part, lists 1 | 5 |
-// A plane that misses a box goes on where the box ends.
+// A search for a plane that misses a box goes on where the box ends.
 #include "sphere/cap_boxes.hpp"
 
 namespace hsp {
@@ -24,7 +24,7 @@ bool touches_sphere(const CellBox &box) {
 
 }  // namespace
 
-// In units from the corner of the cube: its centre, and half its side.
+// The centre of a box, in units from the corner of the cube, and half of its side.
 struct CapBoxes::Box {
   uint32_t x, y, z, half;
 
@@ -47,10 +47,10 @@ struct CapBoxes::Box {
 
 struct CapBoxes::Found {
   Span<const uint32_t> caps;
-  bool may_be_free;  // otherwise they cover all
+  bool may_be_free;  // otherwise the caps cover all of the sphere in the box
 };
 
-// Of the caps above, which matter in a box that has this one in it, those that matter there.
+// The caps that matter in a box. above: the caps that matter in a box around it.
 CapBoxes::Found CapBoxes::find_in(const Caps &caps, const CellBox &box, Span<const uint32_t> above) {
   CellCutting cutting(caps, CellCutting::Part::sphere, false, state_, box);
   const auto left_of = [&](Span<const uint32_t> numbers) {
@@ -75,16 +75,16 @@ void CapBoxes::write(uint32_t at, const Box &box, uint32_t end, uint32_t listed)
   for (uint32_t k = 0; k < Box::words; ++k) boxes_[at + k] = words[k];
 }
 
-// Writes the parts of a box, and theirs, one after the other. The caps of boxes that are halved are behind all that is
-// written, those of the last one first. False if there is no room, or if it takes too long: planes that hardly differ
-// are together in the smallest boxes.
+// Writes a box, its parts, and theirs, one after the other. The caps of the boxes that are being halved are a stack,
+// which grows down from the end of the memory. False if there is no room, or if it takes too long: planes that hardly
+// differ are together even in the smallest boxes.
 bool CapBoxes::halve(const Caps &caps, const Box &whole) {
   constexpr uint32_t parts = 8, most_tried = 384;  // for each cap
   struct Halved {
     Box box;
     uint32_t at;            // where it is written
     uint32_t above, count;  // where its caps are
-    uint32_t part;          // the next one
+    uint32_t part;          // the next part
   };
   Halved halved[most_halvings];
   uint32_t depth = 0, first_above = boxes_.size() - caps.count;
@@ -108,7 +108,7 @@ bool CapBoxes::halve(const Caps &caps, const Box &whole) {
     const uint32_t count = found.caps.size();
     if (count == 0) continue;
     const bool is_halved = found.may_be_free && count > most_listed_ && depth + 1 < most_halvings;
-    // Nearly the same caps are not written again.
+    // A part with nearly all caps of its box uses the list of the box.
     const bool has_own = !is_halved || 4 * uint64_t{count} < 3 * uint64_t{now.count};
     if (first_above - end_ < Box::words + (has_own ? count : 0)) return false;
     const uint32_t first = end_ + Box::words;

@@ -1,12 +1,12 @@
-// Of one ball with hundreds of large caps, those that matter along the circle of one of them: an index by boxes.
+// An index by boxes, for a ball with hundreds of large caps: it finds the caps that matter along the circle of one cap.
 //
-//     +-------+---+---+   The cube around the unit sphere is halved along each axis, and so are its parts, until few
-//     |       |   |+-+|   caps may touch what is free in one. A box lists these; if nothing in it is free, caps that
-//     |       +---++-+|   cover all of the sphere there. The boxes that a circle's plane goes through list all that
-//     +-------+---+---+   matters to what is free of it (exact/PROOFS.md, section 7).
+//     +-------+---+---+   The cube around the unit sphere is halved along each axis, and its eight parts again, until
+//     |       |   |+-+|   few caps may touch the free part of the sphere in a box. The box lists these caps. If nothing
+//     |       +---++-+|   is free in a box, it lists caps that cover the sphere there. The boxes that the plane of a
+//     +-------+---+---+   circle meets list all caps that matter to the circle's free parts (exact/PROOFS.md, 7).
 //
-// As an example balls close together on a line and a large ball beside it. All its caps meet each other, and each is
-// free for a short way between the next ones: a box around a part of that way lists those of its balls.
+// As an example balls close together on a line, and a large ball beside the line. All caps of the large ball meet each
+// other, and each circle has a short free arc between the next two circles: a box around a part of that arc lists few.
 #pragma once
 
 #include "core/small_code.hpp"
@@ -16,24 +16,25 @@ namespace hsp {
 
 class CapBoxes {
  public:
-  // Fewer are compared each with each: that is as quick. Of so many all have been found to matter.
+  // Fewer caps are compared each with each, which is as quick. Of so many, ExposedCaps has found that all matter.
   static constexpr uint32_t fewest = ExposedCaps::fewest;
   static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest; }
 
-  // Memory, [words_for_each caps] or more: with more, lists are shorter.
+  // Memory: words_for_each words for each cap, or more. With more memory the boxes have shorter lists.
   static constexpr uint32_t words_for_each = 8;
   explicit CapBoxes(Span<uint32_t> memory) : memory_(memory) {}
 
-  // Of all caps, once before the others. False if boxes do not help: then all are around each.
+  // Builds the boxes, once, before around(). False if boxes do not help: around() then gives all caps.
   [[gnu::cold]] bool start(const Caps &caps);
-  // Those that matter along the circle of cap j, j itself, and others, ascending. Valid until the next call.
+  // All caps that matter along the circle of cap j, j itself, and perhaps others, ascending. Valid until the next call.
   Span<const uint32_t> around(const Caps &caps, uint32_t j);
 
  private:
   struct Box;
   struct Found;
 
-  // How often the cube is halved at most, and how many caps a box lists that is not, if there is room.
+  // How often the cube is halved at most. A box with no more caps than fewest_listed is not halved; if memory is short,
+  // that limit is raised (most_listed_).
   static constexpr uint32_t most_halvings = 16, fewest_listed = 32;
   static constexpr uint32_t all_units = 1U << most_halvings;  // from the cube's centre to its sides
   static constexpr double unit = CellBox{}.half / all_units;
@@ -46,8 +47,8 @@ class CapBoxes {
   Span<uint32_t> near_, marks_, boxes_;
   Span<uint8_t> state_;
   uint32_t most_listed_ = 0;
-  uint64_t tried_ = 0;  // caps in boxes
-  uint32_t end_ = 0;    // of what is written of boxes_
+  uint64_t tried_ = 0;  // pairs of a box and a cap that have been tested
+  uint32_t end_ = 0;    // how many words of boxes_ are written
 };
 
 }  // namespace hsp

@@ -1,4 +1,4 @@
-// Clusters of caps, one after the other.
+// Finds clusters of caps, one after the other.
 //
 // As an example caps 0 to 3, from large to small, of which 0 meets 2 and 2 meets 3. The first cluster begins with 0,
 // which takes 2, and 2 takes 3. None of the others is left that meets 3, so that the second cluster begins, with 1, and
@@ -25,7 +25,7 @@ bool caps_meet(const Caps &caps, const exact::Predicates &predicates, uint32_t j
 
 }  // namespace
 
-// The largest cap of taken_[first .. last - 1] is exchanged with the first one.
+// Exchanges the largest cap of taken_[first .. last - 1] with the first one.
 void CapClusters::bring_largest(const Caps &caps, uint32_t first, uint32_t last) {
   uint32_t largest = first;
   double least = caps.b[taken_[first]];
@@ -39,8 +39,8 @@ void CapClusters::bring_largest(const Caps &caps, uint32_t first, uint32_t last)
   taken_[first] = cap;
 }
 
-// Cluster by cluster: each cap that is known to belong to one takes what it meets of the caps that are left. Their
-// number falls quickly, as the largest caps, which meet most others, come first.
+// Cluster by cluster: each cap of the cluster takes into it all caps that it meets, of those that are left. The number
+// of caps that are left falls quickly, as the largest caps, which meet most others, come first.
 uint32_t CapClusters::find(const Caps &caps) {
   const uint32_t n = caps.count;
   for (uint32_t k = 0; k < n; ++k) taken_[k] = k;

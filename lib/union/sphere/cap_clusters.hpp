@@ -15,18 +15,18 @@ class CapClusters {
     taken_ = workspace.take<uint32_t>(capacity);
   }
 
-  // Puts caps that touch or overlap together; returns the number of clusters.
+  // Puts caps that touch or overlap into one cluster; returns the number of clusters.
   uint32_t find(const Caps &caps);
-  // The same for very many, by an index of them.
+  // The same for very many caps, by an index.
   uint32_t find(const Caps &caps, NearCaps near);
-  // After find: whether a cap stands for its cluster. Each cluster has one such cap.
+  // After find(): whether a cap represents its cluster. Each cluster has one such cap.
   bool is_representative(uint32_t cap) const { return cluster_[cap] == cap; }
 
  private:
   void bring_largest(const Caps &caps, uint32_t first, uint32_t last);
 
-  Span<uint32_t> cluster_;  // the cap that stands for it
-  Span<uint32_t> taken_;
+  Span<uint32_t> cluster_;  // for each cap, the representative of its cluster
+  Span<uint32_t> taken_;    // the caps in the order in which clusters take them
 };
 
 }  // namespace hsp

@@ -1,12 +1,13 @@
-// Free intervals of a meridian: each ends where caps do that no other cap covers there.
+// Finds the free intervals of a meridian. Each begins and ends where a cap's part of the meridian ends in a point that
+// no other cap covers.
 //
 // As an example three caps of 30 degrees about axes in the plane of the meridian, in degrees from the direction z on:
 //   axis      covers          free ends
 //      0     -30 to  30       the entry, as 30 lies in the second cap
 //     45      15 to  75       the exit
 //    180     150 to 210       both
-// So 75 to 150 is free, from the exit of the second cap to the entry of the third, and so is 210 to 330. Where there
-// are many caps, they are sorted by their entries: if none is longer than 60 degrees, 75 lies in none but those that
+// So 75 to 150 is free, from the exit of the second cap to the entry of the third, and so is 210 to 330. If there are
+// many caps, they are sorted by their entries: if no cap covers more than 60 degrees, 75 can lie only in caps that
 // begin between 15 and 75.
 #include "sphere/great_circles.hpp"
 
@@ -25,7 +26,8 @@ using CapBounds = CapPairBounds<double>;
 using exact::Plane;
 using exact::Vector;
 
-// Odd in the axis, so that both balls of a circle name its points in the plane by the same signs.
+// The normal is an odd function of the axis, so that both balls of a circle name its points in the plane by the same
+// signs.
 Plane meridian_through(const Vector &axis) {
   if (axis.x != 0 || axis.y != 0) return exact::virtual_plane({-axis.y, axis.x, 0}, 0);
   return exact::virtual_plane({axis.z > 0 ? 1 : -1, 0, 0}, 0);
@@ -33,10 +35,10 @@ Plane meridian_through(const Vector &axis) {
 
 namespace {
 
-// The plane of a meridian with normal m, as the plane of two axes: along w = m x z, which is horizontal, and up. The
-// direction z, w, -z, -w is a turn counter-clockwise about m. A cap u.x >= b covers of the meridian what satisfies
-// along x_w + up x_z >= b, with along = u.w and up = u.z. Where S = along^2 + up^2 and q = S - b^2 > 0 the circles
-// cross, in the points  (b (along, up) +- sqrt(q) (up, -along)) / S, of which + is the exit.
+// The plane of a meridian with normal m has two axes: along w, the horizontal unit vector parallel to m x z, and up.
+// The directions z, w, -z, -w are a turn counter-clockwise about m. Of the meridian, a cap u.x >= b covers the points
+// with along x_w + up x_z >= b, where along = u.w and up = u.z. With S = along^2 + up^2 and q = S - b^2, the circles
+// cross if q > 0, in the points  (b (along, up) +- sqrt(q) (up, -along)) / S, of which + is the exit.
 //
 // The errors of q, of the points and of their tests are below those of the general pair (cap_pair.hpp), whose bounds
 // are used here: in units of 2^-53 along has 3.5 + 3.5 + 2, S 23, q 38, each coordinate of a point, with s = 1/S, at
@@ -51,7 +53,7 @@ struct MeridianAxis {
   }
 };
 
-// The end points of what a cap covers of a meridian.
+// The end points of the part that a cap covers of a meridian.
 struct CoveredEnds {
   using Lanes = Wide<double, 2>;
   Lanes::Real along, up;  // lane 0: entry, lane 1: exit
@@ -74,9 +76,9 @@ struct CoveredEnds {
   }
 };
 
-constexpr uint32_t both_ends = MeridianCap::free_entry | MeridianCap::free_exit;  // as lanes have their bits
+constexpr uint32_t both_ends = MeridianCap::free_entry | MeridianCap::free_exit;  // bit of lane 0, bit of lane 1
 
-// Which ends of a cap on a meridian, of those that were free so far, are free of others, too.
+// Of the ends of a cap on a meridian that are free so far (bits free_ends): those that lie in none of `others`.
 uint32_t free_ends_of(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
                       Span<const MeridianCap> others, const MeridianCap &own, uint32_t free_ends) {
   using Lanes = CoveredEnds::Lanes;
@@ -96,16 +98,16 @@ uint32_t free_ends_of(const Caps &caps, const exact::Predicates &predicates, con
   return free_ends;
 }
 
-// A place on the meridian, counter-clockwise from the direction z, as a number that begins anew after a whole turn: the
-// lowest two bits are 0.
+// The place of a direction on the meridian, counter-clockwise from z: 2^32 is a whole turn. It grows with the angle but
+// not in proportion. Its lowest two bits are 0.
 uint32_t place_of(double along, double up) {
   const double size = std::fabs(along) + std::fabs(up), part = along >= 0.0 ? 1.0 - up / size : 3.0 + up / size;
   return static_cast<uint32_t>(static_cast<int64_t>(part * 0x1p30)) & ~both_ends;
 }
 
-// The caps on a meridian, where they are many, in an order in which few of them may reach an end of one. Long ones, and
-// those whose ends are in doubt, come first: they may reach all. The others are in the order of their entries, and none
-// is longer than `longest`. Places have errors far below `slack` where ends are not in doubt.
+// Sorts many caps on a meridian so that few caps have to be tested for each end. Long caps, and caps whose ends are in
+// doubt, come first: they may reach any end. The others follow in the order of their entries, and none of them is
+// longer than `longest_`. If ends are not in doubt, the errors of their places are far below `slack`.
 class CapsByPlace {
  public:
   static constexpr uint32_t fewest = 32;
@@ -130,7 +132,7 @@ class CapsByPlace {
                   [](const MeridianCap &a, const MeridianCap &b) { return a.free_ends < b.free_ends; });
   }
 
-  // Calls visit(part) for parts that hold all that may reach an end of cap k.
+  // Calls visit(part) for parts of the caps. Together these hold every cap that may reach an end of cap k.
   template <class Visit>
   void visit_near(uint32_t k, Visit visit) const {
     const uint32_t count = crossing_.size();
@@ -148,7 +150,8 @@ class CapsByPlace {
  private:
   static constexpr uint32_t slack = UINT32_C(1) << 14, half_turn = UINT32_C(1) << 31, in_doubt = UINT32_MAX;
 
-  // From the entry to the exit, where both are known. Else they may be NaN.
+  // The length from the entry to the exit, as a difference of places; in_doubt where the ends, which may be NaN then,
+  // are not known well.
   static uint32_t length_of(const MeridianCap &cap, uint32_t &entry) {
     const CoveredEnds ends(cap);
     entry = 0;
@@ -163,7 +166,7 @@ class CapsByPlace {
   }
 
   Span<MeridianCap> crossing_;
-  uint32_t first_ = 0;  // of those that are not long
+  uint32_t first_ = 0;  // the first cap that is not long
   uint32_t longest_ = 0;
 };
 
@@ -226,7 +229,7 @@ namespace {
 
 enum class OnMeridian { nothing, crosses, covers };
 
-// Whether cap l crosses a meridian, as `cap` then, or covers it.
+// Whether cap l crosses a meridian or covers it. Writes it to `cap` as a cap in the meridian's plane.
 [[gnu::always_inline]] inline OnMeridian on_meridian(const Caps &caps, const exact::Predicates &predicates,
                                                      const Plane &meridian, const MeridianAxis &axis, uint32_t l,
                                                      MeridianCap &cap) {
@@ -242,7 +245,8 @@ enum class OnMeridian { nothing, crosses, covers };
   return predicates.side(meridian, caps.plane(l)).sign > 0 ? OnMeridian::covers : OnMeridian::nothing;
 }
 
-// By the index. Returns how many caps cross, no_id if one covers the meridian; crossing.size() if there may be more.
+// Finds by the index the caps that cross a meridian. Returns how many, no_id if a cap covers the meridian, or
+// crossing.size() if there may be more than fit.
 [[gnu::cold, gnu::noinline]] uint32_t find_by_sectors(const MeridianSectors &sectors, const Caps &caps,
                                                       const exact::Predicates &predicates, const Plane &meridian,
                                                       const MeridianAxis &axis, Span<MeridianCap> crossing) {
@@ -298,8 +302,9 @@ void FreeIntervals::find(const Caps &caps, const exact::Predicates &predicates, 
   }
 }
 
-// From the upper pole the turn goes first towards w = m x z; the lower pole is half a turn away. With e = v.w the signs
-// of e and v.z give the side of v, and only two directions on the same side of the poles have to be compared.
+// From the upper pole, a counter-clockwise turn goes first towards w = m x z; the lower pole is half a turn away. With
+// e = v.w the signs of e and v.z say on which side of the poles v is. Only two directions on the same side have to be
+// compared.
 bool pole_lies_between(const Vector &m, const Vector &from, const Vector &to, int pole) {
   const auto side = [&](const Vector &v) {
     const int64_t e = v.x * m.y - v.y * m.x;
@@ -310,19 +315,19 @@ bool pole_lies_between(const Vector &m, const Vector &from, const Vector &to, in
   const int side_to = side(to);
   if (side_from == 0 || side_to == 0) return false;
   if (side_from != side_to) {
-    // Behind the pole comes side 1, then 2, then -1: the pole is passed on the way down in this order.
+    // Behind the pole comes side 1, then 2, then -1. A turn from a later to an earlier one of these passes the pole.
     const auto position = [](int where) { return where == 1 ? 1 : where == 2 ? 2 : 3; };
     return position(side_from) > position(side_to);
   }
-  // On one side: passed unless `to` comes first; the whole turn if they are equal.
+  // On one side: the turn passes the pole unless it comes to `to` before. Equal directions are a whole turn apart.
   return side_from == 2 || exact::orientation(m, from, to) <= 0;
 }
 
 namespace {
 
 // Whether the highest (+1) or lowest (-1) point lies in a cap. On the unit sphere it is (0, 0, +-1), where a test has
-// the errors of u and b alone, 3.5 + 7 + 2 units. Exactly, the poles are p+ and p- of two coordinate planes, whose
-// normals may have any length: the filter is sharpest if it is that of the others.
+// the errors of u and b alone, 3.5 + 7 + 2 units. For the exact stage the poles are p+ and p- of two coordinate planes.
+// Their normals may have any length; the filter is sharpest if it is about that of the other planes' normals.
 bool covers_pole(const Caps &caps, const exact::Predicates &predicates, uint32_t cap, int pole) {
   constexpr double certain = 16 * unit_roundoff;
   const double value = (pole > 0 ? caps.uz[cap] : -caps.uz[cap]) - caps.b[cap];

@@ -9,8 +9,8 @@ namespace {
 // A cap that reaches into more sectors is wide.
 constexpr uint32_t most_sectors = 16;
 
-// How far a direction has come of the half turn from (1, 0) to (-1, 0), from 0 to 2: not as an angle, but in the same
-// order.
+// The position of a direction on the half turn from (1, 0) to (-1, 0), from 0 to 2. It grows with the angle but is not
+// in proportion to it.
 double part_of_turn(double x, double y) {
   if (y < 0.0 || (y == 0.0 && x < 0.0)) {
     x = -x;
@@ -26,9 +26,10 @@ uint32_t MeridianSectors::sector_of(double x, double y, uint32_t sectors) {
   return sector < sectors ? static_cast<uint32_t>(sector) : sectors - 1;
 }
 
-// A meridian with the normal n meets a cap with the axis u only if |u.n| is at most the sine of the cap's angle: if its
-// direction is, seen from above, no farther from u than the angle whose sine is that by the length of u there. The
-// square is made larger by more than the errors of b, 16 units of 2^-53, and the sine by more than all others.
+// A meridian with the normal n meets a cap with the axis u only if |u.n| is at most the sine of the cap's angle. Seen
+// from above, the meridian's direction is then no farther from u than an angle whose sine is the cap's sine, divided by
+// the horizontal length of u. The square of the sine is enlarged by more than the error from b, 16 units of 2^-53, and
+// the sine by more than all other errors.
 MeridianSectors::Reach MeridianSectors::reach_of(const Caps &caps, uint32_t cap, uint32_t sectors) {
   const Reach wide{0, no_id};
   const double x = caps.ux[cap], y = caps.uy[cap], b = caps.b[cap];

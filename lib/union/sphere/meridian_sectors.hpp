@@ -1,9 +1,9 @@
-// Of one ball with very many caps, those that a meridian may meet: an index by longitude.
+// An index by longitude for a ball with very many caps: it finds the caps that a meridian may meet.
 //
-//        . 2 .        A meridian is a whole circle, so that longitudes half a turn apart are the same: four sectors
-//      3   |   1      of the half turn, from above. A cap is listed in each sector that it reaches into, the meridian
-//     ---- + ---- 0   is in one of them. A few caps that reach into many, those around the poles for instance, are
-//      1   |   3      in no sector and are always looked at.
+//        . 2 .        The half turn of longitudes is divided into sectors; here there are four, seen from above. A
+//      3   |   1      meridian is a whole circle, so that longitudes half a turn apart are in the same sector. A cap is
+//     ---- + ---- 0   listed in each sector that it reaches into, and a meridian is in one sector. Caps that reach into
+//      1   |   3      many sectors, as around the poles, are wide: they are in no sector and are always looked at.
 //        ' 2 '
 #pragma once
 
@@ -19,23 +19,24 @@ class MeridianSectors {
 
   // Memory, [sectors_for(caps) + 1] and [entries_for_each caps].
   static constexpr uint32_t entries_for_each = 3;
-  static constexpr uint32_t sectors_for(uint32_t caps) { return caps / 8; }  // of which half and more is for marks
+  static constexpr uint32_t sectors_for(uint32_t caps) { return caps / 8; }  // half and more of this is for marks
   struct Memory {
     Span<uint32_t> first, listed;
   };
 
-  // Of all caps, once before the others.
+  // Builds the index, once, before the other functions.
   void start(const Caps &caps, const Memory &memory);
 
-  // Marks of the caller's, first none, then where a cap reaches: in sectors finer than those that caps are listed in.
+  // The caller's marks: clear_marks() removes all, mark() sets those of the sectors that a cap reaches into. The
+  // sectors of marks are finer than those in which caps are listed.
   void clear_marks() const;
   void mark(const Caps &caps, uint32_t cap) const;
   bool is_marked(double along_x, double along_y) const {
     return marks_.data()[sector_of(along_x, along_y, marks_.size())] != 0;
   }
 
-  // Calls visit(cap), with ascending numbers, for all caps that have a common point with the meridian in a direction,
-  // a horizontal unit vector, until it returns false.
+  // Calls visit(cap) with ascending numbers, until it returns false, for all caps that may have a point in common with
+  // the meridian in the direction (along_x, along_y), a horizontal unit vector.
   template <class Visit>
   void visit(double along_x, double along_y, Visit visit) const {
     const uint32_t sector = sector_of(along_x, along_y, sectors_);
@@ -54,8 +55,8 @@ class MeridianSectors {
   }
 
  private:
-  // Sectors from the first to the last into which a cap reaches, counted on from their number where the half turn ends;
-  // no_id if it may reach into all.
+  // The sectors into which a cap reaches: `count` of them from `first` on, where sector 0 follows the last one. `count`
+  // is no_id if it may reach into all.
   struct Reach {
     uint32_t first, count;
   };
@@ -67,7 +68,7 @@ class MeridianSectors {
   const uint32_t *listed_;
   Span<uint8_t> marks_;
   uint32_t sectors_;
-  uint32_t placed_, all_;  // entries in sectors, and with the wide caps behind them
+  uint32_t placed_, all_;  // number of entries in sectors; the same with the wide caps, which are behind them
 };
 
 }  // namespace hsp

@@ -23,7 +23,7 @@ uint32_t NearCaps::square_of(double coordinate) const {
   return square < squares_ ? static_cast<uint32_t>(square) : squares_ - 1;
 }
 
-// The reach that a few exceed, by powers of two.
+// Chooses farthest_, a power of two that the reaches of few caps exceed, and sorts the others into squares.
 void NearCaps::start(const Caps &caps) {
   constexpr uint32_t sizes = 24, most_far = 64;
   const uint32_t count = caps.count;

@@ -1,10 +1,11 @@
-// Of one ball with very many caps, those that may meet one of them: an index by where their axes are, seen along z.
+// An index for a ball with very many caps: it finds the caps that may meet a given cap. The tips of the caps' axes on
+// the unit sphere, seen along z, are sorted into squares.
 //
-//     +---+---+---+---+   A cap lies within `reach` of its axis, the chord of its angle. Two caps have a common point
-//     |   | o |   |   |   only if their axes are no farther apart than their reaches together. Most caps are in the
-//     +---+--(+)--+---+   square of their axis. A square is as wide as their largest reach, so that those around a
-//     | o |   |   | o |   cap's own square hold all that it may meet. A few that reach farther are in no square and are
-//     +---+---+---+---+   always looked at.
+//     +---+---+---+---+   A cap lies within its `reach`, the chord of its angle, of the tip of its axis. Two caps have
+//     |   | o |   |   |   a common point only if these tips are no farther apart than the sum of the reaches. Most caps
+//     +---+--(+)--+---+   are listed in the square of their tip. A square is at least as wide as the largest reach of
+//     | o |   |   | o |   these caps, so that few squares around a cap's own hold all caps that it may meet. A few caps
+//     +---+---+---+---+   that reach farther are in no square and are always looked at.
 #pragma once
 
 #include "core/small_code.hpp"
@@ -14,8 +15,8 @@ namespace hsp {
 
 class NearCaps {
  public:
-  // Fewer are compared each with each: that is as quick. Of large ones one meets most of the others. b: of the caps, as
-  // Caps or FloatCaps have it.
+  // Fewer caps are compared each with each, which is as quick; so are large ones, as each meets most of the others. b:
+  // of the caps, as in Caps or FloatCaps.
   static constexpr uint32_t fewest = 128;
   template <class Real>
   static bool are_many(const Caps &caps, const Real *b) {
@@ -29,13 +30,13 @@ class NearCaps {
   };
   explicit NearCaps(const Memory &memory) : memory_(memory) {}
 
-  // Of all caps, once before the others.
+  // Builds the index, once, before around().
   void start(const Caps &caps);
-  // Those that have a common point with cap j, j itself, and a few others, ascending. Valid until the next call.
+  // All caps with a point in common with cap j, j itself, and a few others, ascending. Valid until the next call.
   Span<const uint32_t> around(const Caps &caps, uint32_t j) const;
 
  private:
-  // Whether one meets few of them: on average they are a 32nd of the sphere at most, and together 16 spheres.
+  // Whether a cap meets few others: less than a 32nd of the sphere on average, less than 16 spheres all together.
   template <class Real>
   static bool are_small(const Real *b, uint32_t count) {
     Real parts = 0;
@@ -48,8 +49,8 @@ class NearCaps {
   Memory memory_;
   uint32_t squares_ = 1;   // along an axis
   uint32_t placed_ = 0;    // caps in squares; behind them in in_square are those that reach farther
-  double per_length_ = 0;  // squares
-  double farthest_ = 0;    // reach of a cap in a square
+  double per_length_ = 0;  // squares for each unit of length
+  double farthest_ = 0;    // no cap in a square has a larger reach
 };
 
 }  // namespace hsp
