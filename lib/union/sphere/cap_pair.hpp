@@ -1,14 +1,15 @@
-// Two caps of one sphere in floating point, with proven error bounds: whether their circles cross, where, and how deep
-// other caps hold these points. Written once, for one double, for doubles in lanes and for floats in lanes: a pair of
-// caps, or one cap with several. Templates of words that have internal linkage have it themselves, as kernels need.
+// Two caps of one sphere in floating point, with proven error bounds: whether their circles cross, in which points, and
+// how deep these points lie in other caps. The formulas are written once, as templates: for one double, for doubles in
+// lanes and for floats in lanes; for a pair of caps, or for one cap with several. A template over a word type with
+// internal linkage has internal linkage itself, as kernels need.
 //
 // On the unit sphere circle j is u_j.x = b_j. With g = u_j.u_k, S = 1 - g^2 = |u_j x u_k|^2 and
 //   q = 1 - g^2 - b_j^2 - b_k^2 + 2 g b_j b_k     (D of lib/ground/exact up to a positive factor)
 // the circles cross iff q > 0, in the points  alpha u_j + beta u_k +- gamma (u_j x u_k)  with
 //   alpha = (b_j - g b_k)/S,  beta = (b_k - g b_j)/S,  gamma = sqrt(q)/S.
 //
-// Errors, first order, with |b| <= 1, q <= S <= 1; a product is rounded before it is added, or not, where the target
-// fuses them. In doubles in units of e = 2^-53 (u 3.5, b 7 from caps.hpp), in floats of e = 2^-24 (u 6.5, b 29 from
+// Errors, first order, with |b| <= 1, q <= S <= 1. They hold whether the target rounds a product before it is added or
+// fuses both. The units are e = 2^-53 in doubles (u 3.5, b 7 from caps.hpp) and e = 2^-24 in floats (u 6.5, b 29 from
 // float_caps.hpp):
 //                                                                                          doubles    floats
 //   g         2 u + 3                                                                           10        16
@@ -49,10 +50,10 @@ struct CapPairBounds;
 template <>
 struct CapPairBounds<double> {
   static constexpr double roundoff = unit_roundoff;
-  // Of q, for whether the circles cross, and for where: below this the pair is left to the exact stage. 108 e is far
-  // smaller.
+  // Bounds of q: above the first it is certain that the circles cross, above the second it is certain in which points;
+  // else the pair is left to the exact stage. The error of q, 108 e, is far smaller.
   static constexpr double crossing = 0x1p-32, points = crossing;
-  static constexpr double centre = 32 * unit_roundoff;         // of g b_j - b_k, the centre of circle j against cap k
+  static constexpr double centre = 32 * unit_roundoff;  // of g b_j - b_k, the depth of circle j's centre in cap k
   static constexpr double point_s = 256.0, point_root = 80.0;  // e s (point_s s + point_root / sqrt(q))
 };
 template <>
@@ -64,7 +65,7 @@ struct CapPairBounds<float> {
   static constexpr float point_s = 512.0F, point_root = 240.0F;
 };
 
-// A word of one double. Owner: void, or for kernels a type of theirs that has internal linkage.
+// A word of one double. Owner: void, or in a kernel a type with internal linkage.
 template <class Owner>
 struct OwnedDouble {
   using Real = double;
@@ -91,7 +92,7 @@ struct CapPointers {
   const Real *x, *y, *z, *b;
 };
 
-// Some caps, one in each lane, or one in all of them.
+// Several caps, one in each lane, or one cap in all lanes.
 template <class Lanes>
 struct LaneCaps {
   Lanes x, y, z, b;
@@ -105,7 +106,7 @@ struct LaneCaps {
   Lanes dot(const LaneCaps &other) const { return fused(x, other.x, fused(y, other.y, z * other.z)); }
 };
 
-// One cap with several.
+// Pairs of one cap j with several caps k.
 template <class Lanes>
 struct LanePairs {
   using Bounds = CapPairBounds<typename Lanes::Real>;
@@ -120,7 +121,7 @@ struct LanePairs {
         bk(others.b) {}
 
   auto certainly_cross() const { return greater(q, Lanes::all(Bounds::crossing)); }
-  auto certainly_cross_in_points() const { return greater(q, Lanes::all(Bounds::points)); }  // it is certain where
+  auto certainly_cross_in_points() const { return greater(q, Lanes::all(Bounds::points)); }  // where is certain, too
   auto certainly_apart() const { return greater(Lanes::all(-Bounds::crossing), q); }
   auto may_cross() const { return not_greater(Lanes::all(-Bounds::crossing), q); }
   // For circles that do not cross: circle j lies inside cap k, or circle k inside cap j, or neither.
@@ -139,9 +140,9 @@ struct LanePairs {
   Lanes j_depth() const { return fused_minus(g, bk, bj); }
 };
 
-// The chords between the points of pairs that certainly cross there, as m + s gamma n, with s from -1 at p- to 1 at p+.
-// The bound adds up the errors of both parts, so it bounds f = u_l.m - b_l and g = gamma u_l.n together, and f + g and
-// f - g; two more additions are within its slack.
+// For pairs with certainly_cross_in_points(): the chords between both points, as m + s gamma n, with s from -1 at p- to
+// 1 at p+. `error` bounds the sum of the errors of f = u_l.m - b_l and g = gamma u_l.n for any cap l, hence those of
+// f + g and f - g; two more additions are within its slack.
 template <class Lanes>
 struct LaneChords {
   Lanes mx, my, mz;
@@ -170,7 +171,7 @@ struct LaneChords {
   }
 };
 
-// Points of the sphere, each with the bound of the error of its depth u.p - b in any cap.
+// Points p of the sphere, each with an error bound for its depth u.p - b in any cap.
 template <class Lanes>
 struct LanePoints {
   Lanes x, y, z, error;
@@ -193,7 +194,7 @@ struct LaneCrossings {
         plus{fused(chord.gamma, chord.nx, chord.mx), fused(chord.gamma, chord.ny, chord.my),
              fused(chord.gamma, chord.nz, chord.mz), chord.error} {}
 
-  // Nothing is certain of points that may not be there.
+  // Makes the error bound infinite where the circles do not certainly cross in points.
   void doubt_uncertain(Lanes q) {
     using Bounds = CapPairBounds<typename Lanes::Real>;
     minus.error = plus.error = where_greater(q, Lanes::all(Bounds::points), plus.error, Lanes::all(__builtin_inff()));
@@ -206,7 +207,7 @@ LaneCaps<Word> cap_in(const Caps &caps, uint32_t k) {
   return {{caps.ux[k]}, {caps.uy[k]}, {caps.uz[k]}, {caps.b[k]}};
 }
 
-// The same of two caps in doubles, for code without lanes.
+// A pair of two caps in doubles, for code without lanes.
 struct CapPair : LanePairs<DoubleWord> {
   template <class Caps>
   CapPair(const Caps &caps, uint32_t j, uint32_t k)
@@ -222,9 +223,9 @@ struct CrossingPoints {
   CrossingPoints(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair)
       : CrossingPoints(
             LaneCrossings<DoubleWord>(cap_in<DoubleWord>(caps, j), cap_in<DoubleWord>(caps, k), pair.g, pair.q)) {}
-  // The same by the difference of both planes. Where these nearly agree their points are far more certain like this:
-  // s and s sqrt(s) above, for planes 1e-4 apart 1e8 and 1e12, become some sqrt(s), 1e4. The bound is found afterwards,
-  // from how far the points are from both planes and the sphere.
+  // The same from the difference of both planes. If the planes nearly agree, this is far more accurate: the factors s
+  // and s sqrt(s) of the errors above, 1e8 and 1e12 for planes 1e-4 apart, become about sqrt(s), 1e4. The error bound
+  // is found afterwards, from the distances of the computed points from both planes and the sphere.
   template <class Caps>
   CrossingPoints(const Caps &caps, uint32_t j, uint32_t k)
       : CrossingPoints(caps.axis(j), caps.axis(k) - caps.axis(j), caps.b[j], caps.b[k] - caps.b[j]) {}
@@ -232,14 +233,16 @@ struct CrossingPoints {
  private:
   // Planes u.x = b and w.x = c, with n = u x w. As errors u and b have 3.5e and 7e, w and c 7e + |w| e <= 9e and
   // 14e + |c| e <= 16e, and n, as |w| <= 2, less than 3.5 * 2 + 9 + 6 = 22e. For a point p with | |p|^2 - 1 | < 2^-10:
-  //   - It is off the true planes by at most R = |u.p - b| + 20e and Q = |w.p - c| + 40e, which have the roundings of
-  //     these, too. A step to their line has -R along the true u and, across it and the line, (Q + |u.w| R) / |n|; as
-  //     |u.w| = |w|^2 / 2 <= 2, it is no longer than D = R + (Q + 2 R) / N with N = |n| - 32e.
-  //   - There | |p|^2 - 1 | is at most E = | |p|^2 - 1 | + 8e + 4D, if D < 1, and the distance from the line's point
-  //     that is nearest to the sphere's centre at least T = |p.n| / |n| - 3D: the direction of n is off by less than
-  //     44e / N, its length by 22e, and D has 80e / N and more. If T > 0 p is on its side, as p.n / |n| is off by less
-  //     than 40e / N, and if T^2 > E the line meets the sphere there, at most E / T away.
-  // A test adds 3.5 + 7 + 4.
+  //   - Its distance from the true planes is at most R = |u.p - b| + 20e and Q = |w.p - c| + 40e; 20e and 40e hold the
+  //     roundings of these values, too. The step from p to the line of the true planes has -R along the true u and,
+  //     across u and the line, (Q + |u.w| R) / |n|. As |u.w| = |w|^2 / 2 <= 2, the step is no longer than D = R +
+  //     (Q + 2 R) / N with N = |n| - 32e.
+  //   - At the end p' of the step, | |p'|^2 - 1 | is at most E = | |p|^2 - 1 | + 8e + 4D, if D < 1. The distance of p'
+  //     from the line's point nearest to the sphere's centre is at least T = |p.n| / |n| - 3D: the direction of n is
+  //     off by less than 44e / N, its length by 22e, and D has 80e / N and more. If T > 0, p' is on the same side of
+  //     that point as p, as p.n / |n| is off by less than 40e / N. If T^2 > E, the line meets the sphere on this side,
+  //     at most E / T away from p'.
+  // A test against a cap adds 3.5 + 7 + 4.
   CrossingPoints(const Vec3 &u, const Vec3 &w, double b, double c) {
     constexpr double e = unit_roundoff;
     const Vec3 n = cross(u, w);
@@ -265,7 +268,7 @@ struct CrossingPoints {
       : x{p.minus.x.v, p.plus.x.v}, y{p.minus.y.v, p.plus.y.v}, z{p.minus.z.v, p.plus.z.v}, error(p.plus.error.v) {}
 };
 
-// Their chord as m + s w.
+// The chord between the points of a pair that certainly crosses, as m + s w with s from -1 to 1.
 struct UnitChord {
   Vec3 m, w;
   double error;

@@ -1,12 +1,12 @@
-// Which circles of caps are certainly covered by other caps, and which certainly cross one, in fractions. Nothing on a
-// covered circle is free, so that none of its pairs has to be looked at. Most circles of a ball with many caps are
-// covered.
+// Finds in fractions of 16 bits which circles of caps other caps certainly cover, and which circles certainly cross
+// another one. Nothing on a covered circle is free, so that none of its pairs has to be looked at. Most circles of a
+// ball with many caps are covered.
 //
 // A circle is cut into eight arcs of 45 degrees, and is covered if each arc lies inside one of the caps. With u, b the
 // cap of the circle, v, c another one, E and F unit vectors across u and each other, and r = sqrt(1 - b^2), the depth
 // of the circle's point at angle t in the other cap is d(t) = A + X cos t + Y sin t with A = b u.v - c, X = r E.v and
-// Y = r F.v. It is known to within 18 f, with f = 2^-15, by what fractions are known to (below), and with
-// e = 2^-24:
+// Y = r F.v. Its error is at most 18 f, with f = 2^-15. This follows from the errors of fractions (below) and, with
+// e = 2^-24, of floats:
 //   r E, r F     E, F: u has a length within 11 e of 1 and is 11 e from the true one; they turn with u no more than
 //                three times as far; 1 / (1 + |z|) is known to 3 e: 38 e; r for 1 - b^2 > 2^-8, so that r > 2^-4:
 //                60 e / (2 r) + e < 481 e; rounded by f / 2                                                   1.6
@@ -14,21 +14,21 @@
 //   X, Y         2.6 sqrt(3) + 1.5                                                                              6
 //   X cos t, Y sin t   at eighths of a turn: 6 / sqrt(2) + 0.3 by the constant + 0.5 < 5.1, for both         10.2
 //
-// If d exceeds a margin of 32 f at both ends of an arc and its least value is at one of them, the arc lies inside the
-// cap. The least value is between the ends only if the direction t where X cos t + Y sin t = -B, B its largest value,
-// is; then the nearer end is no more than 22.5 degrees from it, and there d <= A - 0.9238 B. To exclude that, A is
-// lowered to 0.92 max(|X|, |Y|) <= 0.92 B + 6.4 f where it is larger, which makes no d larger: then what is computed
-// there is at most 6.4 f - 0.0038 B + 10.2 f, which is below the margin.
+// If d exceeds a margin of 32 f at both ends of an arc, and its least value on the arc is at one of the ends, the arc
+// lies inside the cap. Let B be the largest value of X cos t + Y sin t. The least value of d lies between the ends only
+// if the t with X cos t + Y sin t = -B does. Then the nearer end is no more than 22.5 degrees from this t, and d there
+// is <= A - 0.9238 B. To exclude that, A is lowered to 0.92 max(|X|, |Y|) <= 0.92 B + 6.4 f if it is larger, which
+// makes no d larger: the computed d at that end is then at most 6.4 f - 0.0038 B + 10.2 f, below the margin.
 //
-// Asked for are caps with c <= 7/8. Where A stops at 1 it is lowered. Where it stops at -1, the margin is lost; but
-// then |b u.v| >= 1/8 and B <= 1 - |b u.v|, so that no d seems positive.
+// The caps that may cover arcs have c <= 7/8. Fractions stop at -1 and at 1. Where A stops at 1 it is lowered anyway.
+// Where it stops at -1, the margin is lost; but then |b u.v| >= 1/8 and B <= 1 - |b u.v|, so that no d seems positive.
 //
-// Fractions are twice as many at once as floats. With f = 2^-15 their step: u and b of circles, v and c of caps are
-// rounded by f / 2, or 1 is taken for 1 - f; 6.5 e and 29 e are less than 0.1 f more (float_caps.hpp): they are known
-// to f. So that no dot product becomes -1, u is shortened by a factor; so are all depths, of which only signs are asked
-// for, if c is, while v and b are what they are. A dot product of vectors of at most length 1, with components known to
-// p f and q f, is known to sqrt(3) (p + q) f and three times f / 2; no sum is larger than 1, so that one that stops
-// there is not made worse by that:
+// A register holds twice as many fractions as floats. Their step is f = 2^-15. u and b of circles, v and c of caps are
+// rounded by f / 2, or 1 is taken for 1 - f; the errors 6.5 e and 29 e of floats (float_caps.hpp) are less than 0.1 f.
+// So each of these has an error of at most f. u is shortened by a factor, so that no dot product becomes -1. With c
+// shortened, too, and v and b as they are, all depths are shortened by this factor; only their signs are asked for. A
+// dot product of vectors of at most length 1, whose components have errors of p f and q f, has an error of sqrt(3)
+// (p + q) f and three times f / 2. No true sum is larger than 1, so that a sum that stops at 1 has no larger error:
 //   u.v         2 sqrt(3) + 1.5                5
 //   b u.v       1 + 5 + 0.5                    6.5
 //   b u.v - c   1 more                         7.5
@@ -39,7 +39,7 @@
 //   -45 to 0        0.71   1             inside the first cap
 //     0 to 45       1      0.71          inside it, too
 //    45 to 90       0.71   0             not certainly: 0 is not above the margin. It is inside y >= 0 as a whole
-// Each cap has two of the eight arcs, and the four have all: the circle is covered.
+// Each cap covers two of the eight arcs, and the four caps cover all: the circle is covered.
 #pragma once
 
 #include "sphere/crossing_pairs.hpp"
@@ -54,7 +54,7 @@ struct LaneFractions {
   Fractions x, y, z;
 };
 
-// Caps as fractions that each stand there twice.
+// Stores caps as fractions, each of them twice.
 inline void store_as_fractions(const LaneCaps<Floats> &caps, float *x, float *y, float *z, float *b) {
   Fractions::twice(caps.x, 1.0F).store(x);
   Fractions::twice(caps.y, 1.0F).store(y);
@@ -62,7 +62,7 @@ inline void store_as_fractions(const LaneCaps<Floats> &caps, float *x, float *y,
   Fractions::twice(caps.b, fraction_factor).store(b);
 }
 
-// One of them.
+// One such cap in all lanes.
 struct FractionCap {
   Fractions x, y, z, b;
 
@@ -73,7 +73,7 @@ struct FractionCap {
   Fractions dot(const LaneFractions &a) const { return a.x * x + a.y * y + a.z * z; }
 };
 
-// As many circles as there are fractions.
+// As many circles as a register holds fractions.
 struct FractionCircles {
   LaneFractions u;
   Fractions b;
@@ -84,14 +84,15 @@ struct FractionCircles {
         b(Fractions::of(low.b, high.b, 1.0F)) {}
 };
 
+// The arcs of such circles that caps cover.
 class CoveredArcs {
  public:
   using SomeCaps = LaneCaps<Floats>;
 
-  // As many circles as there are fractions.
+  // The circles in both words of floats; together these are as many as a register holds fractions.
   CoveredArcs(const SomeCaps &low, const SomeCaps &high) : CoveredArcs(low, high, Frames(low), Frames(high)) {}
 
-  // One more cap that may cover arcs of them.
+  // Adds one more cap, which may cover arcs of the circles.
   void cover(const FractionCap &cap) {
     const Fractions x = cap.dot(e_), y = cap.dot(f_);
     const Fractions most = larger(magnitude(x), magnitude(y)) * Fractions::all(0.92F);
@@ -161,13 +162,12 @@ class CoveredArcs {
   FractionSigns open_[4];  // negative for arcs that no cap has covered so far
 };
 
-// How circles, as many as there are fractions, lie to the large caps. With d = u_k.(b_j u_j) - b_k the depth of the
-// centre of circle j in cap k and S = 1 - g^2, the circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j lies
-// inside cap k iff q < 0 and d > 0. With f = 2^-15 and by covered_circles.hpp, d is known to 7.5 f and its square to
-// 15.5; g^2 to 10.5, S to 11, 1 - b_j^2 to 1.1 and their product to 12.6: q to 28.1 f, below the margin of 32 f. Where
-// d > 1 it stops there, and its square at 1, which S (1 - b_j^2) does not exceed. Where d < -0.99 it is taken for that:
-// as b_k < 7/8, |b_j g| > 0.11 then, and S (1 - b_j^2) <= (1 - |b_j g|)^2 < 0.8, so that the circles still seem to be
-// apart.
+// How circles, as many as a register holds fractions, lie to the large caps. Let d = u_k.(b_j u_j) - b_k be the depth
+// of the centre of circle j in cap k, and S = 1 - g^2. The circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j
+// lies inside cap k iff q < 0 and d > 0. Errors in units of f = 2^-15, by the first comment of this file: d 7.5, its
+// square 15.5; g^2 10.5, S 11, 1 - b_j^2 1.1, their product 12.6; q 28.1, below the margin of 32. If d > 1, it stops at
+// 1 and so does its square, which S (1 - b_j^2) does not exceed. If d < -0.99, -0.99 is taken for it: as b_k < 7/8,
+// |b_j g| > 0.11 then, and S (1 - b_j^2) <= (1 - |b_j g|)^2 < 0.8, so that the circles still seem to be apart.
 class AmongLargeCaps {
  public:
   AmongLargeCaps(const CapPointers<float> &large, uint32_t count, const LaneCaps<Floats> &low,
@@ -188,14 +188,14 @@ class AmongLargeCaps {
     outside_ = inside_ - margin();
     crossing_ = least_ + margin();
   }
-  // The circles that do not certainly lie inside one.
+  // The circles that do not certainly lie inside one of the caps.
   LaneBits low_outside() const {
     return negative(outside_.signs_of_low());
   }
   LaneBits high_outside() const {
     return negative(outside_.signs_of_high());
   }
-  // Negative for circles that certainly cross that of one.
+  // Negative for circles that certainly cross the circle of one of the caps.
   Floats low_crossing() const {
     return crossing_.signs_of_low();
   }
@@ -212,10 +212,10 @@ class AmongLargeCaps {
   Fractions outside_, crossing_;
 };
 
-// Whether a circle certainly crosses another one, or lies inside a cap as a whole: by the formulas of AmongLargeCaps in
-// floats, the circle being one and the caps all, itself among them, of which nothing is certain. Where |d| < 1.2 its
-// square has an error of 2.4 * 76 e, e = 2^-24, and the other product one of 95 e, below 512 e together; where it is
-// larger, -q > 0.4. If -q > 512 e, |d| is above 512 e too.
+// Whether one circle certainly crosses another one or lies inside a cap as a whole, by the formulas of AmongLargeCaps
+// in floats. The caps are all caps of the ball; among them is the circle's own, for which nothing is certain. With e =
+// 2^-24: if |d| < 1.2, its square has an error of 2.4 * 76 e, and the other product one of 95 e, together below 512 e;
+// if |d| is larger, -q > 0.4. If -q > 512 e, |d| is above 512 e, too.
 inline bool has_covered_point(const CapPointers<float> &caps, uint32_t count, uint32_t circle) {
   const LaneCaps<Floats> own = LaneCaps<Floats>::all_of(caps, circle);
   const Floats one = Floats::all(1.0F), margin = Floats::all(CapPairBounds<float>::crossing);

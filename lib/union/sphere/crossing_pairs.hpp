@@ -1,6 +1,6 @@
-// Pairs of caps in lanes that wait for their points, and points in lanes against all caps: for kernels, by the formulas
-// and with the error bounds of cap_pair.hpp. A point in a cap is covered. One that is outside all caps but its own two,
-// on which it lies, is free.
+// For kernels: pairs of caps that wait until there are enough to compute their points in lanes, and the tests of points
+// against all caps. The formulas and error bounds are those of cap_pair.hpp. A point inside a cap is covered. A point
+// that is outside all caps but its own two, on whose circles it lies, is free.
 #pragma once
 
 #include "lanes/words.hpp"
@@ -9,9 +9,9 @@
 namespace hsp {
 namespace {
 
-// Pairs that wait until there are enough of them. The numbers of the caps are small integers. The caller that adds
-// pairs keeps how many there are, in a register: for the compiler, a vector that is stored may change any object, so a
-// count here too.
+// Pairs that wait until there are enough of them. j and k are the numbers of the caps, small integers as floats. The
+// caller keeps the number of pairs, in a register: to the compiler, a store of a vector may change any object, and so
+// it might change a count kept here.
 template <class Lanes, uint32_t room>
 struct alignas(32) CrossingPairs {
   using Real = typename Lanes::Real;
@@ -22,7 +22,7 @@ struct alignas(32) CrossingPairs {
   Real j[size], k[size];
 
   static bool is_full(uint32_t count) { return count > room - Lanes::lanes; }
-  // Adds the chosen ones of the pairs of cap j with caps k to `count` others. Returns how many there are then.
+  // Adds the chosen pairs of cap j with caps k behind `count` others. Returns how many pairs there are then.
   uint32_t add(uint32_t count, Lanes j_cap, const LaneCaps<Lanes> &cap, Lanes k_caps, const LaneCaps<Lanes> &others,
                const LanePairs<Lanes> &pairs, LaneBits chosen) {
     const FrontOrder order = front_order<Lanes>(chosen);
@@ -47,7 +47,7 @@ struct alignas(32) CrossingPairs {
   }
 };
 
-// Points against caps that come one by one.
+// Tests points, one in each lane, against caps that come one by one.
 template <class Lanes>
 struct PointTest {
   LanePoints<Lanes> point;
@@ -64,7 +64,7 @@ struct PointTest {
   LaneBits outside() const { return near.equal(2); }
 };
 
-// Which lanes of two vectors of points do not certainly lie inside one of caps begin .. end - 1.
+// The lanes of two vectors of points that do not certainly lie inside one of caps begin .. end - 1.
 struct NotCovered {
   LaneBits first, second;
 
@@ -82,8 +82,8 @@ struct NotCovered {
   }
 };
 
-// One point against all caps, some of them at a time. It is open if it is not certainly covered, and if it is certain,
-// free.
+// One point against all caps, some of them at a time. The point is open if it is not certainly covered. If it is open
+// and certain, it is free.
 struct PointState {
   bool open, certain;
 

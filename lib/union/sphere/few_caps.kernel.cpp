@@ -17,7 +17,7 @@ namespace {
 // Bits of caps.
 using CapBits = uint32_t;
 
-// How the circle of one cap lies to the circles of all others, where that is certain.
+// How the circle of one cap lies to the circles of all others, as far as that is certain.
 struct Relations {
   CapBits cross = 0;      // they cross
   CapBits at_points = 0;  // and it is certain where
@@ -36,7 +36,7 @@ template <class Lanes>
   relations.contains |= (apart & pairs.certainly_contains()) << shift;
 }
 
-// One or both points of a pair, without a branch on which: there is room for one more.
+// Writes p- and p+ of a pair as they are free (1) or not (0), without a branch: there is room for one point more.
 inline void put_points(uint8_t j, uint8_t k, uint32_t minus, uint32_t plus, FewCaps &found) {
   found.point[found.points] = {j, k, 0};
   found.points += minus;
@@ -49,7 +49,7 @@ struct Clusters {
   CapBits member[most_few_caps];
   uint32_t count = 0;
 
-  // One set that joins all that have a cap in common with it.
+  // Adds a set, and unites it with all sets that have a cap in common with it.
   void add(CapBits joined) {
     uint32_t kept = 0;
     for (uint32_t c = 0; c < count; ++c) {
@@ -64,7 +64,7 @@ struct Clusters {
   }
 };
 
-// A constant as an argument.
+// A compile-time constant as an argument.
 template <uint32_t n>
 struct Number {
   constexpr operator uint32_t() const { return n; }
@@ -92,7 +92,8 @@ class FewCapsSearch {
  private:
   static CapBits first_caps(uint32_t count) { return (1U << count) - 1U; }
 
-  // Each cap with those of its own vector and of later ones. Two vectors stay in registers, and each has its own loop.
+  // Each cap with the caps of its own vector and of later vectors. If all caps are in one or two vectors, these stay in
+  // registers, and each has its own loop.
   bool add_rows() {
     if constexpr (vectors <= 2) {
       SomeCaps all_caps[vectors];
@@ -115,7 +116,8 @@ class FewCapsSearch {
     return true;
   }
 
-  // Cap j with vectors first .. last - 1, which may be given. Pairs count once, with the later cap as the other one.
+  // Cap j with the caps of vectors first .. last - 1; all_caps: these vectors if they are in registers, else null. A
+  // pair counts once, at its first cap.
   template <class First, class Last>
   bool add_row(uint32_t j, First first, Last last, const SomeCaps *all_caps) {
     const SomeCaps cap = SomeCaps::all_of(caps_, j);
@@ -145,8 +147,8 @@ class FewCapsSearch {
     return unsure_ == 0;
   }
 
-  // The points of the pairs that wait, against all caps. False if one is neither covered nor free for certain. Out of
-  // line: inlined into each row it takes the registers of the rows.
+  // Tests the points of the pairs that wait against all caps. False if a point is neither certainly covered nor
+  // certainly free. Out of line: inlined into the loop over rows, it would take the registers of that loop.
   [[gnu::noinline]] bool test_points() {
     const uint32_t count = pair_count_;
     for (uint32_t p = 0; p < count; p += Lanes::lanes) {
@@ -186,7 +188,8 @@ class FewCapsSearch {
   uint32_t pair_count_ = 0;
 };
 
-// Up to eight caps in floats, by all pairs side by side instead of cap by cap: no branch depends on which ones cross.
+// The same for up to eight caps in floats, with all pairs side by side instead of cap by cap: no branch depends on
+// which circles cross.
 class PairSearch {
  public:
   using SomeCaps = LaneCaps<Floats>;
@@ -229,8 +232,8 @@ class PairSearch {
   }
   uint32_t pairs_before_later() const { return first_later_ * (2 * count_ - first_later_ - 1) / 2; }
 
-  // The points of crossing pairs against all caps. Their caps are collected in words: bytes that are read together have
-  // to be written together.
+  // Tests the points of crossing pairs against all caps. The numbers of the pairs' caps are collected in words, as
+  // bytes that are read together have to be written together.
   bool test_points(uint32_t crossing) {
     found_.crossing = static_cast<uint32_t>(__builtin_popcount(crossing));
     while (crossing != 0) {
@@ -253,7 +256,7 @@ class PairSearch {
     const LanePairs<Floats> pair(u, v);
     const LaneCrossings<Floats> crossings(u, v, pair.g, pair.q);
     PointTest<Floats> minus(crossings.minus), plus(crossings.plus);
-    // There is nothing in caps behind the last one.
+    // Nothing lies in the caps behind the last one.
 #pragma GCC unroll 2
     for (uint32_t t = 0; t < PairsOfFew::most; ++t) {
       const SomeCaps cap = SomeCaps::all_of(caps_, t);
@@ -278,7 +281,7 @@ class PairSearch {
   FewCaps &found_;
 };
 
-// False for words of two numbers: the loops of VertexFinder take no more instructions.
+// False for registers of two numbers: the loops of VertexFinder take no more instructions.
 template <class Lanes, class Real>
 bool find_few(const CapPointers<Real> &caps, uint32_t count, uint32_t first_later, FewCaps &found) {
   if constexpr (Lanes::lanes > 2) {

@@ -1,9 +1,9 @@
-// One ball's search with several caps at a time.
+// The search of one ball with several caps at a time.
 //
-// As an example of the memory, for 100 neighbours: rows of 100 numbers and some spare ones, up to a multiple of 8,
-// behind each other in one array:
-//   caps, by_size, large, exposed      four rows each, x, y, z and b
-//   exposed_cap, crossed               one each, of numbers of caps: 18 rows in all
+// As an example the memory for 100 neighbours. It is one array of 18 rows, each of 100 numbers and some spare ones, up
+// to a multiple of 8:
+//   caps, by_size, large, exposed      four rows each: x, y, z and b
+//   exposed_cap, crossed               one row each, of a number for each cap
 #include "sphere/lane_search.hpp"
 
 namespace hsp {
@@ -65,8 +65,8 @@ void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours) {
 }
 
 Span<uint32_t> SearchInLanes::take_candidates(Workspace &workspace, uint32_t neighbours) {
-  // There is no limit for the balls of a cube and those around it. Their volume is some six times that in which a
-  // ball's neighbours lie.
+  // The number of balls in a cube and those around it has no limit. The volume of these cubes is some six times that in
+  // which the neighbours of one ball lie.
   const uint32_t most = neighbours <= PairSweep::most_caps ? neighbours : PairSweep::most_caps;
   const uint64_t room = 8 * (uint64_t{most} + 32);
   return workspace.take<uint32_t>(CandidatesInLanes::number_of_arrays * room);
@@ -142,7 +142,7 @@ uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &fin
     return 0;
   }
   if (CapBoxes::are_many(caps)) {
-    // Where floats are certain of most pairs they are quicker than boxes.
+    // If floats are certain of most pairs, they are quicker than boxes.
     if (caps.count < most_in_pairs && find_many(balls, caps, finder, GivesUp::late, vertices, circles)) return 0;
     caps.make_doubles();
     const Span<uint32_t> idle_rows(reinterpret_cast<uint32_t *>(rows_.data()), rows_.size());
@@ -174,7 +174,7 @@ uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &fin
 
 bool SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, GivesUp gives_up,
                               FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
-  // Of molecules large caps leave fewer circles open.
+  // In molecules large caps leave fewer circles exposed.
   constexpr uint32_t many_circles = 32;
   const uint64_t known = vertices.required();
   bool prepared = false;

@@ -1,5 +1,6 @@
-// Steps 1 and 2 for one ball after the other, several caps at a time: in floats first, then in doubles. Caps and
-// VertexFinder decide the rest, so that all results are theirs. There is none in libraries without kernels of lanes.
+// Steps 1 and 2 of Section 4.2 for one ball after the other, several caps at a time: in floats first, then in doubles.
+// Caps and VertexFinder decide what is left open, and the results are the same as theirs. Libraries without kernels of
+// lanes have NoSearchInLanes instead.
 #pragma once
 
 #include "sphere/cube_candidates.hpp"
@@ -13,34 +14,36 @@ namespace hsp {
 class SearchInLanes {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
-  // Memory for the candidates of a cube, which the search has from start to end.
+  // Memory for the candidates of a cube, which the search uses from start() to end().
   static Span<uint32_t> take_candidates(Workspace &workspace, uint32_t neighbours);
   void start(Span<uint32_t> memory_of_candidates) { candidates_.start(memory_of_candidates, target_); }
   void end() { candidates_.end(); }
 
-  // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
+  // Prepares the search of the balls of one cube. block: the cubes around it. False if its balls are to be searched
+  // without lanes.
   bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
-  // The same for balls from `first_own` on that are at most 1.5 sides from a centre along each axis, and whose
+  // The same for balls from `first_own` on that are at most 1.5 `side` from `centre` along each axis, and whose
   // neighbours lie in the block.
   bool start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own, const double (&centre)[3],
                    double side);
-  // The caps of ball i of that cube: their balls, and floats. False if that is left to Caps::gather. selected: null, or
-  // as for Caps::put_selected_first.
+  // Finds the caps of ball i of that cube: their balls, and their floats, which the search keeps. False if that is left
+  // to Caps::gather. selected: null, or as for Caps::put_selected_first.
   bool gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components, const uint32_t *selected);
-  // Whether no more than so many balls meet ball i. If not, that is left to gather.
+  // Whether certainly at most so many balls meet ball i. If false, there may be more.
   bool certainly_meets_few(uint32_t i, uint32_t most) const {
     return levels_ == nullptr && candidates_.count(i) <= most;
   }
-  // After gather: as VertexFinder::find; of `idle` the memory is used. Returns the number of clusters of the caps, 0 if
-  // they were not counted.
+  // After gather(): the same as VertexFinder::find. The memory of `idle` may be used. Returns the number of clusters of
+  // the caps, 0 if they were not counted.
   uint32_t find(const BallSet &balls, Caps &caps, VertexFinder &finder, const FreeIntervals &idle,
                 FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles);
 
-  // The number of clusters of the caps of ball i by n others; 0 if these are many, or if floats are not certain.
+  // The number of clusters of the caps of ball i by n others; 0 if n is larger than most_few_caps or floats are not
+  // certain.
   static uint32_t count_few_clusters(Target target, const BallSet &balls, uint32_t i, const uint32_t *others,
                                      uint32_t n);
 
-  // For tests: for which target, if at all, and which stages there are.
+  // For tests: the target, whether there is a search in lanes, and which of its stages there are.
   void use(Target target, bool use_lanes) {
     target_ = target;
     enabled = use_lanes;
@@ -52,16 +55,16 @@ class SearchInLanes {
  private:
   bool keep_exposed(Caps &caps, ExposedCaps exposed);
   bool find_few(Caps &caps, FewCaps &found);
-  // When a search gives up: late, where many pairs take long; soon, also where many circles are open.
+  // When a search gives up: `late` is if many pairs take long; `soon` is then, and if many circles are left at first.
   enum class GivesUp : uint8_t { never, late, soon };
-  // False if it gave up: then nothing is found.
+  // False if it gave up; nothing has been added then.
   bool find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, GivesUp gives_up,
                  FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles);
 
   Target target_ = Target::baseline;
   CandidatesInLanes candidates_;
   const RadiusLevels *levels_ = nullptr;  // instead of candidates, if the grid has levels
-  Span<float> rows_;                      // all of the sweep
+  Span<float> rows_;                      // the memory of all arrays of sweep_
   PairSweep sweep_;
   Span<uint32_t> uncrossed_;
 };

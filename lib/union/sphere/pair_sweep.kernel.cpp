@@ -1,10 +1,10 @@
-// Pairs of many caps in floats: those with a point that no large cap certainly covers.
+// Finds in floats, among many caps, the pairs with a point that no cap certainly covers.
 //
 // As an example caps with b = 0.8, 0.3, 0.7, 0.9 and 0.1; a cap is the larger the smaller its b is:
 //   class 0, b < 0.6      0.3  0.1        class_end[0] = 2
 //   class 1, b < 0.8      0.7             class_end[1] = 3
-// so that by_size is 0.3 0.1 0.7: in a class they stay in their order, and the others, which cover little, are left
-// out. Points of a batch of pairs are tried against these three first. Those that are left are tried against all five.
+// so that by_size is 0.3 0.1 0.7: in a class, caps stay in their order; 0.8 and 0.9, which cover little, are left out.
+// The points of a batch of pairs are tested against these three caps first, and what is left of them against all five.
 #include "sphere/pair_sweep.hpp"
 #include "sphere/covered_circles.hpp"
 #include "sphere/pairs_of_few.hpp"
@@ -15,7 +15,8 @@ namespace {
 using SomeCaps = LaneCaps<Floats>;
 using SomePoints = LanePoints<Floats>;
 
-// Heights below which caps belong to the first class and to the second. Those of either are called large.
+// A cap whose height b is below the first number is in the first class, else below the second one in the second class.
+// Caps of both classes are called large.
 constexpr float class_limits[PairSweep::size_classes] = {0.6F, 0.8F};
 constexpr uint32_t last_class = PairSweep::size_classes - 1;
 
@@ -37,7 +38,7 @@ void store_chosen(const FloatCaps &to, uint32_t slot, const SomeCaps &caps, cons
   store_front(to.b + slot, caps.b, order);
 }
 
-// The second class waits where exposed circles will be, until it is known where the first one ends.
+// The caps of the second class wait in the arrays of exposed circles until it is known where the first class ends.
 void sort_by_size(PairSweep &sweep) {
   const CapPointers<float> from = pointers(sweep.caps), waiting = pointers(sweep.exposed);
   const FloatCaps to = sweep.by_size;
@@ -78,7 +79,8 @@ void end_exposed(PairSweep &sweep, uint32_t count) {
   sweep.exposed_count = count;
 }
 
-// The arrays of exposed circles, to which circles are added. They may come from the same arrays, from behind there.
+// Adds circles to the arrays of exposed circles. The added circles may come from the same arrays, if they stand at or
+// behind the place where they are written.
 class ExposedCircles {
  public:
   explicit ExposedCircles(PairSweep &sweep) : to_(sweep.exposed), cap_(sweep.exposed_cap), crossed_(sweep.crossed) {}
@@ -98,8 +100,8 @@ class ExposedCircles {
   uint32_t kept_ = 0;
 };
 
-// Those that no cap of the first class covers alone: caps of the second cover few more, which their union with others
-// does as well.
+// Keeps the circles that no single cap of the first class covers. Single caps of the second class cover few more, and
+// leave_out_covered_circles() finds these as well.
 void keep_exposed(PairSweep &sweep) {
   const CapPointers<float> caps = pointers(sweep.caps), large = pointers(sweep.large);
   const uint32_t count = sweep.count, largest_caps = sweep.class_end[0];
@@ -117,7 +119,8 @@ void keep_exposed(PairSweep &sweep) {
   end_exposed(sweep, exposed.kept());
 }
 
-// Leaves out circles that large caps certainly cover together. The pairs of a few circles are looked at sooner.
+// Leaves out circles that large caps certainly cover together. If there are few circles, testing their pairs is
+// quicker.
 void leave_out_covered_circles(PairSweep &sweep) {
   const CapPointers<float> from = pointers(sweep.exposed), large = pointers(sweep.large);
   const uint32_t count = sweep.exposed_count, large_caps = sweep.class_end[last_class];
@@ -138,7 +141,7 @@ void leave_out_covered_circles(PairSweep &sweep) {
   end_exposed(sweep, exposed.kept());
 }
 
-// Crossing points that no cap has been found to cover so far. Their count is kept apart, as that of CrossingPairs is.
+// Crossing points that no cap has been found to cover so far. Their number is kept by the caller, as for CrossingPairs.
 struct alignas(32) OpenPoints {
   static constexpr uint32_t size = 2 * PairSweep::batch + 16;
   float x[size], y[size], z[size], error[size];
@@ -162,8 +165,8 @@ struct alignas(32) OpenPoints {
   }
 };
 
-// Adds those points of pairs, number p, p + 1, ..., that are in no cap of the first class. Returns how many
-// points there are then.
+// Of the points of pairs p, p + 1, .., adds those that are in no cap of the first class. Returns how many points there
+// are then.
 [[gnu::always_inline]] inline uint32_t add_points(const CapPointers<float> &by_size, uint32_t first_class,
                                                   LaneCrossings<Floats> crossings, Floats q, uint32_t p, LaneBits valid,
                                                   OpenPoints &open, uint32_t count) {
@@ -177,8 +180,8 @@ struct alignas(32) OpenPoints {
 
 using Pairs = CrossingPairs<Floats, PairSweep::batch>;
 
-// The points of all pairs of the few exposed circles that are in no cap of the first class, without a branch on which
-// circles cross. Returns how many points they are.
+// Finds the points of all pairs of the few exposed circles that are in no cap of the first class, without a branch that
+// depends on which circles cross. Returns how many points these are.
 uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {
   const CapPointers<float> by_size = pointers(sweep.by_size);
   const uint32_t circles = sweep.exposed_count, count = count_of_pairs(circles);
@@ -210,7 +213,7 @@ constexpr uint32_t passed_at_once = 2 * Floats::lanes;
     const Floats pairs_a = Floats::load(open.pair + p), pairs_b = Floats::load(open.pair + p + Floats::lanes);
     const NotCovered open_lanes(by_size, begin, end, a, b);
     left = open.keep(left, a, pairs_a, first_lanes(count - p) & open_lanes.first);
-    // Without a branch on how many there are.
+    // No branch depends on how many there are.
     left = open.keep(left, b, pairs_b,
                      first_lanes(count - p > Floats::lanes ? count - p - Floats::lanes : 0) & open_lanes.second);
   }
@@ -225,8 +228,8 @@ struct CirclePair {
   uint32_t j, k;
 };
 
-// The rest of a batch, of whose open points so many are known. circles_of(p) are the numbers of the exposed circles
-// of pair p.
+// Tests the open points of a batch against the other large caps, then against all caps, and writes the pairs that have
+// open points left. circles_of(p): the numbers of the exposed circles of pair p.
 template <class CirclesOf>
 uint32_t answer(const PairSweep &sweep, OpenPoints &open, uint32_t points, CirclesOf circles_of, OpenPair *answers) {
   points = leave_out_covered(pointers(sweep.by_size), sweep.class_end[0], sweep.class_end[last_class], open, points);
@@ -274,7 +277,7 @@ uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
   return count;
 }
 
-// The same of the next pairs of many circles.
+// The same as open_points_of_few(), for the next pairs of many circles.
 uint32_t open_points_of_many(PairSweep &sweep, Pairs &pairs, OpenPoints &open) {
   const CapPointers<float> by_size = pointers(sweep.by_size);
   const uint32_t first_class = sweep.class_end[0], count = add_pairs(sweep, pairs);

@@ -1,5 +1,4 @@
-// All pairs j < k of up to eight things side by side, in order, so that a word holds them all: for kernels, which take
-// the things of pairs from registers, and which things pairs have in common from bits.
+// For kernels: tables of all pairs j < k of up to eight things, in order, so that one word has a bit for each pair.
 #pragma once
 
 #include "lanes/words.hpp"
@@ -8,13 +7,15 @@ namespace hsp {
 
 struct PairsOfFew {
   static constexpr uint32_t most = 8, size = 32;
+  // For each number of things: the things of pair p.
   alignas(64) uint8_t j[most + 1][size];
   uint8_t k[most + 1][size];
-  // Bits of pairs: those whose first thing, and whose second thing, is a thing.
+  // For each number of things: the bits of the pairs whose first thing, or second thing, is thing t.
   alignas(32) uint32_t first[most + 1][most];
   alignas(32) uint32_t second[most + 1][most];
-  // The 8 x 8 bits of a symmetric matrix, a byte for each row, of four pairs of eight things each. Pairs of fewer ones
-  // are the last of these, in the same order: those of the last things.
+  // For each four of the 28 pairs of eight things, and for each of the 16 sets of these four: a symmetric matrix of
+  // 8 x 8 bits, a byte for each row, with the bits of the pairs in the set. The pairs of fewer things are the last of
+  // the 28, in the same order: those of the last things.
   static constexpr uint32_t fours = 7;
   uint64_t matrix[fours][16];
 };
@@ -27,7 +28,7 @@ constexpr uint32_t count_of_pairs(uint32_t things) {
   return things * (things - 1) / 2;
 }
 
-// Of the pairs of so many things that are set, with these as the last ones.
+// The matrix of the pairs whose bits are set in `pairs`, pairs of `things` things, which are the last of the eight.
 inline uint64_t matrix_of(uint32_t things, uint32_t pairs) {
   uint64_t all = 0;
   pairs <<= 4 * PairsOfFew::fours - count_of_pairs(things);
@@ -38,7 +39,7 @@ inline uint64_t matrix_of(uint32_t things, uint32_t pairs) {
   return all;
 }
 
-// The things that are the first one of a pair of one kind or the second one of a pair of another.
+// The bits of the things that are the first thing of a pair in as_first or the second thing of a pair in as_second.
 inline LaneBits things_in(uint32_t things, uint32_t as_first, uint32_t as_second) {
   LaneBits in_none = 0;
   for (uint32_t t = 0; t < PairsOfFew::most; t += Integers::lanes) {
@@ -49,7 +50,7 @@ inline LaneBits things_in(uint32_t things, uint32_t as_first, uint32_t as_second
   return ~in_none & ((1U << things) - 1U);
 }
 
-// How many sets `things` things fall into of which a symmetric matrix says which belong together (Warshall 1962).
+// The number of connected components of a graph of `things` things with this symmetric matrix (Warshall 1962).
 inline uint32_t connected_sets(uint64_t matrix, uint32_t things) {
   constexpr uint64_t lowest_of_each = UINT64_C(0x0101010101010101);
 #pragma GCC unroll 8
@@ -57,7 +58,7 @@ inline uint32_t connected_sets(uint64_t matrix, uint32_t things) {
     const uint64_t rows = (matrix >> t & lowest_of_each) * 255;
     matrix |= rows & (matrix >> 8 * t & 255) * lowest_of_each;
   }
-  // A set is counted at its first thing, which belongs together with none before it.
+  // A component is counted at its first thing, which is connected with none before it.
   constexpr uint64_t before = UINT64_C(0x7F3F1F0F07030100), rest = UINT64_C(0x7F7F7F7F7F7F7F7F);
   const uint64_t earlier = matrix & before;
   const uint64_t has_earlier = (((earlier & rest) + rest) | earlier) >> 7 & lowest_of_each;

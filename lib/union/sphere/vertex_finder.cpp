@@ -1,10 +1,10 @@
-// Free vertices and free circles of one ball, by pairs of its caps.
+// Finds the free vertices and free circles of one ball, by pairs of its caps.
 //
 // As an example the ball of radius 5 at 0 with the caps of balls of radius 5 at (6,0,0) and (0,6,0), whose circles
 // cross at (0.6, 0.6, +-0.529) on the unit sphere (cap_pair.hpp), and a third cap z >= b:
 //   third ball                   b       depth of the upper point, 0.529 - b
 //   radius 5 at (0,0,6)         0.6      -0.071      outside, if the error bound is less: the point is free so far
-//   radius 5 at (0,0,4)         0.4       0.129      inside: covered, and the pair is done with that point
+//   radius 5 at (0,0,4)         0.4       0.129      inside: the point is covered, and no other cap is asked
 //   radius 5 at (0,0,5.2915)   0.529       0         near 0: uncertain, and integers decide
 // A point that is outside all other caps is a vertex of the union, of these two balls and the one at hand.
 #include "sphere/vertex_finder.hpp"
@@ -21,7 +21,7 @@ constexpr uint32_t size_classes = 8;
 
 enum class PointAnswer { covered, free, uncertain };
 
-// A point, for testing against pairs of caps.
+// A point, to be tested against two caps at a time.
 struct LanePoint {
   Two::Real x, y, z;
 
@@ -36,9 +36,9 @@ struct LanePoint {
   }
 };
 
-// A point that is beyond the error bound inside one cap is covered. It is free if it is beyond the bound outside all
-// caps but its own two, on which it lies by construction. `hint` is the group that covered the last point: points of
-// one circle are near each other.
+// A point is covered if it is inside some cap by more than the error bound. It is free if it is outside all caps by
+// more than the bound, but for its own two, on whose circles it lies by construction. `hint` is the group that covered
+// the last point, and is tested first: points of one circle are near each other.
 PointAnswer test_point(const CapTests &tests, double x, double y, double z, double error, uint32_t &hint) {
   const LanePoint point{Two::all(x), Two::all(y), Two::all(z)};
   const Two::Real bound = Two::all(error);
@@ -55,11 +55,12 @@ PointAnswer test_point(const CapTests &tests, double x, double y, double z, doub
 }
 
 // The exact stage: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
-// cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
-// inside one of the vertex's three balls and touches it there. This exception makes the flag independent of the ball at
-// which the vertex is decided. If the circles certainly cross, callers may give their points in doubles: then only the
-// caps that these leave open are tested. First the one that covered a point last: where many planes go through one
-// point it mostly covers this one, too.
+// cross. A vertex is tied if a further sphere passes through it before the perturbation. The sphere of a ball that lies
+// inside one of the vertex's three balls and touches it there does not count; without this exception the flag would
+// depend on the ball at which the vertex is decided.
+// points: null, or, if the circles certainly cross, their points in doubles; then only the caps are asked about that
+// doubles leave open. holder: the test cap that covered the last point, which is asked first: where many planes go
+// through one point, it mostly covers the next point, too.
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
                            const CrossingPoints *points, uint32_t &holder, FixedVector<VertexRecord> &vertices);
 
@@ -92,7 +93,7 @@ void CapTests::fill_with(const Caps &caps, uint32_t number, NumberOf number_of) 
     b[slot] = caps.b[k];
     cap[slot] = k;
   }
-  // Caps that nothing lies in, to fill the last group.
+  // Caps in which nothing lies fill the last group.
   for (uint32_t slot = count; slot < count + group; ++slot) {
     ux[slot] = uy[slot] = uz[slot] = 0.0;
     b[slot] = 4.0;
@@ -112,7 +113,7 @@ void VertexFinder::carve(Workspace &workspace, uint32_t capacity) {
   state_ = workspace.take<uint8_t>(capacity);
 }
 
-// Pushes those of both points that are free. False, and nothing, if one is not certain.
+// Pushes those of the two points that are free. If one of them is uncertain, pushes nothing and returns false.
 #if !defined(__OPTIMIZE_SIZE__)
 [[gnu::always_inline]]
 #endif
@@ -132,8 +133,8 @@ VertexFinder::decide_points(const Caps &caps, uint32_t j, uint32_t k, const Cros
   return true;
 }
 
-// Of circles that certainly cross, in points that are not certain: first by a better formula, then by integers. If the
-// points of a pair were passed on, every pair would store them.
+// Decides circles that certainly cross, in points of which the first formula is not certain: by a better formula, then
+// by integers. The points are computed again here: if pair() passed them on, every pair would have to store them.
 [[gnu::noinline]] void VertexFinder::decide_crossing(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k,
                                                      FixedVector<VertexRecord> &vertices) {
   const CrossingPoints points =
@@ -145,7 +146,7 @@ VertexFinder::decide_points(const Caps &caps, uint32_t j, uint32_t k, const Cros
   find_vertices_exactly(balls, caps, tests_, j, k, &points, holder_, vertices);
 }
 
-// Where size counts there is one copy.
+// Where code size counts there is one copy.
 #if !defined(__OPTIMIZE_SIZE__)
 [[gnu::always_inline]]
 #endif
@@ -220,7 +221,7 @@ void VertexFinder::cull_and_find(const BallSet &balls, Caps &caps, FixedVector<V
   find(balls, caps, vertices, circles);
 }
 
-// One index or the other, started.
+// One of the two indices, built; `near` is null for the boxes.
 struct VertexFinder::CapIndex {
   const NearCaps *near;
   CapBoxes *boxes;
@@ -279,8 +280,8 @@ bool has_ball_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
   return inner != no_id && outer != no_id && lies_inside(balls, inner, outer);
 }
 
-// Whether a cap is to be asked about points that may be free: one of them is nearer to its circle than doubles tell.
-// Points that certainly lie inside are not free.
+// Whether integers must be asked about a cap: doubles do not tell whether one of the points, which may still be free,
+// lies inside it. Points that certainly lie inside are marked as not free.
 bool leaves_open(const CrossingPoints &points, const CapTests &tests, uint32_t t, bool (&free)[2]) {
   bool open = false;
   for (int point = 0; point < 2; ++point) {
@@ -354,8 +355,9 @@ bool a_point_is_certainly_covered(const Caps &caps, const CapTests &tests, uint3
   return false;
 }
 
-// Called for a circle without vertices of two later balls; it may still have others. A circle with a covered point is
-// not free as a whole. Any other is free as a whole iff it crosses no other circle and lies inside no other cap.
+// Called for a circle of which no crossing with a later circle is known; it may still cross others. A circle with a
+// covered point is not free as a whole. Any other circle is free as a whole iff it crosses no other circle and lies
+// inside no other cap.
 bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j) {
   if (a_point_is_certainly_covered(caps, tests, j)) return false;
   const exact::Predicates predicates = caps.predicates();

@@ -1,5 +1,6 @@
-// Step 2 of Section 4.2 for one ball: its free vertices with two balls later in grid order, and its free circles with a
-// later ball. Each vertex and circle is decided exactly once, so that its balls cannot disagree about it.
+// Step 2 of Section 4.2 for one ball: finds its free vertices with two balls that are later in grid order, and its free
+// circles with one later ball. So each vertex and each circle is decided once, at the first of its balls, and its balls
+// cannot disagree about it.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -10,24 +11,24 @@
 
 namespace hsp {
 
-// The n-th of 0, 1, 2, .. where one of them comes before all others.
+// The n-th number of 0, 1, 2, .. if the number `one` is moved to the front.
 constexpr uint32_t with_one_first(uint32_t n, uint32_t one) {
   return n > one ? n : n == 0 ? one : n - 1;
 }
 
 struct CrossingPoints;
 
-// A copy of the caps, largest first by coarse classes of size: a covered point is most likely covered by one of the
-// first.
+// A copy of the caps for testing points, sorted by coarse classes of size, the largest first: a covered point is most
+// likely covered by a large cap.
 struct CapTests {
-  static constexpr uint32_t group = 4;  // caps that are tested at once; the arrays are padded by one group
+  static constexpr uint32_t group = 4;  // caps that are tested together; the arrays are padded by one group
   Span<double> ux, uy, uz, b;
   Span<uint32_t> cap;  // index in Caps
   uint32_t count = 0;
 
   void carve(Workspace &workspace, uint32_t capacity);
   void fill(const Caps &caps);
-  // Of some of them alone.
+  // The caps with these numbers alone.
   void fill(const Caps &caps, Span<const uint32_t> numbers);
 
  private:
@@ -39,37 +40,37 @@ class VertexFinder {
  public:
   void carve(Workspace &workspace, uint32_t capacity);
 
-  // Of many caps those that matter, in memory of this one that is idle before the search.
+  // Finds the caps that matter, in memory of this finder that is idle before the search.
   ExposedCaps exposed_caps() const { return {tests_.cap, state_}; }
-  // Of many caps keeps these. False if nothing of the sphere is free.
+  // If there are many caps, keeps those that matter. False if nothing of the sphere is free.
   bool keep_exposed(Caps &caps) const { return exposed_caps().keep(ExposedCaps::Part::sphere, caps); }
 
-  // Among caps from caps.first_later on.
+  // Finds all vertices of two later caps and all free circles of later caps; these begin at caps.first_later.
   void find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
-  // The same of very many caps, by an index of them: what meets a circle is near to its cap, or listed in boxes.
+  // The same for very many caps, with an index that lists the caps that may matter along one circle.
   void find(const BallSet &balls, const Caps &caps, NearCaps near, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
   void find(const BallSet &balls, const Caps &caps, CapBoxes boxes, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
-  // The same, but where many pairs take long, as of spheres through one point or planes that nearly agree, only caps
-  // that matter stay.
+  // The same, but if many pairs take long, as with spheres through one point or planes that nearly agree, the search
+  // begins again with the caps that matter; `caps` keeps only these.
   void cull_and_find(const BallSet &balls, Caps &caps, FixedVector<VertexRecord> &vertices,
                      FixedVector<CircleRecord> &circles);
-  // The parts of that: false if it gave up, as many pairs take long; then nothing is found.
+  // One search of cull_and_find(). False if it gave up, because many pairs take long; nothing has been added then.
   bool search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
               FixedVector<CircleRecord> &circles);
-  // On the circle of the last cap alone.
+  // The same on the circle of the last cap alone.
   void find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                     FixedVector<CircleRecord> &circles);
 
-  // Parts of find, for callers that find the rest otherwise: start, then any pairs j < k and any circles j of later
-  // caps.
+  // The steps of find(), for callers that decide most pairs otherwise: start(), then any pairs j < k of later caps,
+  // then the circles j of any later caps.
   void start(const Caps &caps);
   void decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
   void decide_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;
-  // Whether so many pairs since the start took more than the first formula, each with all caps, that it is quicker to
-  // keep exposed caps first.
+  // Whether so many pairs since start() took more than the first formula, each of them tested against all caps, that it
+  // is quicker to find the exposed caps first.
   bool asks_much() const { return !small_code && uint64_t{effort_} * tests_.count > 1024 * effort_of_integers; }
 
  private:
@@ -82,17 +83,17 @@ class VertexFinder {
   void decide_crossing(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k,
                        FixedVector<VertexRecord> &vertices);
 
-  // State of a cap during the loop over pairs; bits.
+  // Bits of a cap's state during the loop over pairs.
   static constexpr uint8_t crossed = 1;  // its circle crosses another one, so it is not a free circle
   static constexpr uint8_t covered = 2;  // its circle lies inside another cap, so it has no free point at all
 
-  static constexpr uint32_t effort_of_integers = 32;  // for a pair; by the better formula 1
+  static constexpr uint32_t effort_of_integers = 32;  // of a pair; that of the better formula is 1
 
   CapTests tests_;
   Span<uint8_t> state_;
-  uint32_t effort_ = 0;        // for pairs by more than the first formula: 1 each, more by integers
+  uint32_t effort_ = 0;        // of all pairs that took more than the first formula
   uint32_t hint_[2] = {0, 0};  // the groups of test caps that covered the last p- and p+
-  uint32_t holder_ = 0;        // the test cap that by integers covered the last one
+  uint32_t holder_ = 0;        // the test cap that covered the last point that integers decided
 };
 
 }  // namespace hsp
