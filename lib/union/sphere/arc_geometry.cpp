@@ -43,9 +43,9 @@ Vec3 crossing_point(const Plane &P, const Plane &Q, int sign, double root_D) {
   return crossing.point(sign > 0 ? root_D : -root_D, 0.5);
 }
 
-// In find() doubles have D within the filter's bound and q within 6e L^3 (filter.hpp). Where D is so far above its
-// bound, at least L^6/128, its relative error is below 2^-40. As D <= W N and |q| <= L |n|, the error of D is at most
-// 12e L^4 |n| + 11e L^2 |n|^2 and that of the position below 100e L.
+// In find(), D in doubles is off by no more than the filter's bound, and q by 6e L^3 (filter.hpp). If D is 2^40 times
+// its bound or more, at least L^6/128, its relative error is below 2^-40. As D <= W N and |q| <= L |n|, the error of D
+// is at most 12e L^4 |n| + 11e L^2 |n|^2 and that of the position below 100e L.
 CrossingPointFinder::CrossingPointFinder(const Sphere &sphere, double length_squared)
     : sphere_(sphere), well_conditioned_(0x1p40 * exact::FilterBounds::for_length_squared(length_squared).D) {}
 
@@ -58,7 +58,8 @@ double exterior_angle(double root_D, const Sphere &sphere, const Plane &P, const
   return limit_angle(std::sqrt(static_cast<double>(sphere.W)) * root_D, Exact::exterior_cosine(sphere, P, Q));
 }
 
-// From the direction of Q to that of R about the axis of P, less half of what Q covers and half of what R covers.
+// The angle from the direction of Q to that of R about the axis of P, less half of the arc that Q covers and half of
+// the arc that R covers.
 double arc_angle(const Plane &P, const Plane &Q, double root_D_exit, const Plane &R, double root_D_entry) {
   const bool same = Q.index == R.index;
   const double distance = length(P.v);
@@ -67,8 +68,8 @@ double arc_angle(const Plane &P, const Plane &Q, double root_D_exit, const Plane
            : Complex{Exact::cross_dot_cross(P.v, Q.v, R.v), Exact::triple_product(P.v, Q.v, R.v) * distance};
   const Complex half_exit{Exact::radical_coordinate(P, Q), root_D_exit * distance};
   const Complex half_entry{Exact::radical_coordinate(P, R), root_D_entry * distance};
-  // One arc tangent of the product; every factor has a relative error of a few units, so the angle has an absolute one.
-  // Close to the cut at angle 0 the exact signs of the three parts decide.
+  // One arc tangent of the product. Every factor has a relative error of a few units, so the angle has an absolute
+  // error of a few units. Close to the branch cut at angle 0 the exact signs of the three factors decide.
   const Complex product = between * (half_exit * half_entry).conjugate();
   const double angle = arc_tangent(product.y, product.x);
   if (angle > branch_cut_margin) return angle;

@@ -1,5 +1,5 @@
-// Positions and angles on one sphere: where circles cross, the centre and radius of a circle, the angles of arcs and at
-// vertices. Lengths are in lattice steps, positions are relative to the centre of the ball.
+// Positions and angles on one sphere: crossing points of circles, the centre and radius of a circle, the angles of arcs
+// and at vertices. Lengths are in lattice steps, positions are relative to the centre of the ball, angles in radians.
 #pragma once
 
 #include "core/elementary.hpp"
@@ -17,7 +17,7 @@ struct CircleGeometry {
   double radius;
 
   // P: the plane of the other ball. The centre is h v / (2 |v|^2), the radius sqrt(Delta) / (2 |v|). Inline, as most
-  // readers want only some of these.
+  // callers read only some of the members.
   CircleGeometry(const exact::Sphere &sphere, const exact::Plane &P) {
     const double U = static_cast<double>(dot(P.v, P.v));
     const double distance = std::sqrt(U);
@@ -35,7 +35,7 @@ struct CircleGeometry {
 // The common point p+ (sign > 0) or p- of the circles of P and Q. root_D: sqrt(D), from exact::discriminant().
 Vec3 crossing_point(const exact::Plane &P, const exact::Plane &Q, int sign, double root_D);
 
-// The same for many points of one sphere: in doubles where these are precise, else from the exact integers.
+// The same for many points of one sphere: in doubles where these are precise enough, else from the exact integers.
 class CrossingPointFinder {
  public:
   struct Point {
@@ -45,7 +45,7 @@ class CrossingPointFinder {
 
   // length_squared: as for exact::Predicates.
   CrossingPointFinder(const exact::Sphere &sphere, double length_squared);
-  // p+ of the circles of P and Q, which cross.
+  // The point p+ of the circles of P and Q, which cross.
   Point find(const exact::Plane &P, const exact::Plane &Q) const {
     const CircleCrossing<Vec3, double> crossing = exact::circle_crossing(P, Q);
     const double D = crossing.discriminant(static_cast<double>(sphere_.W));

@@ -5,7 +5,7 @@
 namespace hsp::HSP_TARGET {
 namespace {
 
-// Collects those near one candidate.
+// Collects the candidates near one of them.
 class NearLanes {
  public:
   NearLanes(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most)
@@ -17,7 +17,7 @@ class NearLanes {
         most_(most) {}
 
   uint32_t found() const { return found_; }
-  // Of the candidates from c on, as many as there are lanes.
+  // Which candidates are near, from c on, as many as there are lanes.
   LaneBits lanes(uint32_t c) const {
     return not_less(doubt_, ball_.excess(Floats::load(block_.x + c), Floats::load(block_.y + c),
                                          Floats::load(block_.z + c), Floats::load(block_.r + c)));
@@ -26,7 +26,7 @@ class NearLanes {
     store_front(near_ + found_, Integers::load(block_.ball + c), FrontOrder::of(chosen));
     found_ += ones(chosen);
   }
-  // Lanes after the last one are near to nothing.
+  // Lanes after the last candidate are near to nothing.
   void keep_near(uint32_t first, uint32_t last) {
     for (uint32_t c = first; c < last && found_ <= most_; c += Floats::lanes) keep(c, lanes(c));
   }

@@ -5,7 +5,7 @@
 //   R = 5 at (6,0,0)      36 / 60 =  0.6      a cap: the part x >= 3 of the sphere
 //   R = 1 at (3,0,0)      33 / 30 =  1.1      above 1: the other ball is inside this one, and has no cap
 //   R = 10 at (3,0,0)    -66 / 30 = -2.2      below -1: this ball is contained in the other one
-//   R = 4 at (9,0,0)      90 / 90 =  1        they touch, which integers say, and the perturbation says what that is
+//   R = 4 at (9,0,0)      90 / 90 =  1        they touch, as integers say; the perturbation makes it a circle
 //   R = 1 at (9,0,0)     105 / 90 =  1.2      too far away
 #include "sphere/caps.hpp"
 
@@ -36,7 +36,7 @@ void Caps::carve(Workspace &workspace, uint32_t capacity) {
   target = workspace.target();
 }
 
-// One ball's component of the union. Most of its neighbours have its root as their parent already.
+// Joins the neighbours of ball i to its component of the union. Most neighbours have its root as their parent already.
 class Caps::Joining {
  public:
   Joining(uint32_t i, DisjointSets *components)
@@ -68,7 +68,8 @@ void Caps::start(const BallSet &balls, uint32_t i) {
   contained = false;
 }
 
-// How far ball j is: the differences and the sum are exact.
+// The distance of ball j: v, the difference of the centres, and `sum`, that of the radii, are exact; `squared` is
+// rounded.
 struct Caps::Distance {
   Vec3 v;
   double sum, squared;
@@ -77,7 +78,8 @@ struct Caps::Distance {
   Distance(const BallSet &balls, uint32_t i, uint32_t j) : Distance(balls.difference(i, j), balls.r[j] + balls.r[i]) {}
 };
 
-// Ball j is not certainly disjoint from the origin ball. Returns false if it contains it.
+// Adds the cap of ball j, which is not certainly disjoint from the origin ball. Returns false if ball j contains the
+// origin ball.
 [[gnu::always_inline]] inline bool Caps::take(const exact::LatticeBall &own, uint32_t j, const Distance &distance,
                                               Joining &joining) {
   const BallSet &balls = *balls_;
@@ -121,7 +123,7 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, Disj
   if (!small_code && block.levels != nullptr && block.ranges > 0) {
     uint32_t found = block.levels->find_neighbours(balls, i, ball.data(), capacity());
     if (found <= capacity()) {
-      // Of a part of a block the others come first.
+      // If the block begins behind the first neighbours, leaves these out.
       uint32_t others = 0;
       while (others < found && ball[others] < block.range[0].first) ++others;
       for (uint32_t k = others; k < found; ++k) ball[k - others] = ball[k];
@@ -158,7 +160,7 @@ void Caps::gather_given(const BallSet &balls, uint32_t i, uint32_t n) {
   take_given<false>(n, joining);
 }
 
-// One by one. Out of line: what is left over elsewhere is rare.
+// Takes balls one by one. Out of line, as few balls are left for it.
 [[gnu::noinline]] bool Caps::take_each(const uint32_t *near, uint32_t n, Joining &joining) {
   const exact::LatticeBall own = balls_->ball(origin);
   for (uint32_t k = 0; k < n; ++k) {
@@ -167,7 +169,7 @@ void Caps::gather_given(const BallSet &balls, uint32_t i, uint32_t n) {
   return true;
 }
 
-// No cap comes behind its ball.
+// Reads the balls from `ball` while it writes caps there: no cap is written behind the place of its ball.
 template <bool ranked>
 void Caps::take_given(uint32_t n, Joining &joining) {
   if constexpr (has_lanes) {
@@ -212,7 +214,7 @@ uint32_t Caps::make_doubles_of(Span<const uint32_t> numbers, const CapArrays &to
   return 0;
 }
 
-// The same, some balls at a time.
+// The same as gather(), some balls at a time.
 void Caps::gather_in_lanes(const CubeBlock &block, Joining &joining) {
   if constexpr (has_lanes) {
     constexpr uint32_t room = 128;
@@ -241,8 +243,8 @@ bool Caps::take_near(Span<uint32_t> near, Joining &joining) {
   return take_all<true>(near.data(), hits, joining);
 }
 
-// May read and write four ids past the end of `near`. Unless the caps are `ranked`, nothing is joined, and where later
-// balls begin is not asked.
+// May read and write four ids past the end of `near`. `ranked`: the balls are in grid order; else first_later means
+// nothing, and balls are joined to nothing.
 template <bool ranked>
 bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
   const BallArrays arrays = arrays_of(*balls_);

@@ -1,4 +1,5 @@
-// The candidates around one cube after the other (candidate_block.hpp). Libraries without kernels of lanes have none.
+// The candidates around one cube after the other (candidate_block.hpp). Libraries without kernels of lanes have
+// NoCandidates instead.
 #pragma once
 
 #include <type_traits>
@@ -10,21 +11,21 @@ namespace hsp {
 
 class CandidatesInLanes {
  public:
-  static constexpr uint32_t number_of_arrays = 5;  // that the memory is shared out among
+  static constexpr uint32_t number_of_arrays = 5;  // into which the memory is divided
 
-  // From start to end this memory holds candidates, and its owner leaves it alone.
+  // From start() to end() this memory holds candidates, and its owner leaves it alone.
   void start(Span<uint32_t> memory, Target target);
   void end();
 
-  // For the balls of one cube from `first_own` on: those in the block are their candidates. False if there is no room
-  // for them.
+  // Prepares for the balls of one cube, which begin at `first_own`: the balls in the block are their candidates. False
+  // if there is no room for these.
   bool start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block);
-  // The same for balls from `first_own` on that are at most 1.5 sides from a centre along each axis.
+  // The same for balls from `first_own` on that are at most 1.5 `side` from `centre` along each axis.
   bool start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own, const double (&centre)[3],
                    double side);
 
-  // Those that are not certainly disjoint from ball i, in the order of the block, as near_candidates and
-  // later_candidates say.
+  // The candidates that are not certainly disjoint from ball i, in the order of the block: near_candidates(),
+  // count_candidates() and later_candidates() of candidate_block.hpp. count() leaves out ball i itself.
   uint32_t near(uint32_t i, uint32_t *ids, uint32_t most, uint32_t &earlier) const {
     return near_candidates(target_, block_, slot(i), ids, most, earlier);
   }
@@ -39,8 +40,8 @@ class CandidatesInLanes {
   Target target_ = Target::baseline;
   Span<uint32_t> memory_;
   CandidateBlock block_;
-  uint32_t first_own_ = 0;  // ball of the cube
-  uint32_t own_rank_ = 0;   // and its number among the candidates
+  uint32_t first_own_ = 0;  // the first ball of the cube
+  uint32_t own_rank_ = 0;   // its number among the candidates
 };
 
 class NoCandidates {

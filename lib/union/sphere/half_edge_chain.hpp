@@ -1,8 +1,9 @@
-// Which half-edge of one sphere follows which: half_edges.hpp's find_next() for all at once. Half-edges that arrive at
-// a vertex along one circle, and those that leave along it, are bits of words that belong to the circle. So nearly
-// every half-edge finds its follower without a comparison, and the cyclic order decides between what is left. Every
-// half-edge follows one other, so that one that was found is no candidate any more. Where there are more half-edges
-// than bits, the words are the heads of lists.
+// Finds for every half-edge of one sphere the half-edge that follows it: find_next() of half_edges.hpp for all at once.
+// Each circle has two words of bits. A half-edge has a bit in the word `leaving` of its own circle, and one in the word
+// `arriving` of its previous circle, along which its loop arrives at the vertex where it starts. So nearly every
+// half-edge finds its follower without a comparison, and the cyclic order decides among the candidates that are left.
+// As every half-edge follows exactly one other, a follower that is found is no candidate any more. If there are more
+// half-edges than bits, the words are the heads of lists.
 #pragma once
 
 #include "core/id_range.hpp"
@@ -15,19 +16,20 @@ namespace hsp {
 class HalfEdgeChain {
  public:
   HalfEdgeChain() = default;
-  // Words for circles with numbers below their size; 0 between calls.
+  // Two words for each circle; the numbers of the circles are below the size of the arrays. All words are 0 between
+  // calls.
   HalfEdgeChain(Span<uint32_t> arriving, Span<uint32_t> leaving)
       : HalfEdgeChain(arriving, leaving, {0, arriving.size()}) {}
-  // Only for circles with numbers in a range.
+  // The same, for circles with numbers in a range alone.
   HalfEdgeChain(Span<uint32_t> arriving, Span<uint32_t> leaving, IdRange circles)
       : arriving_(arriving), leaving_(leaving) {
     for (uint32_t &word : arriving_.part(circles.first, circles.last)) word = 0;
     for (uint32_t &word : leaving_.part(circles.first, circles.last)) word = 0;
   }
 
-  // Stores in each half-edge the number of its follower, the first of them being number `first`. `previous` is the
-  // circle of the half-edge that ends where it starts, direction(c) the normal of the plane of circle c. O(n) but for
-  // circles of several arcs, where each half-edge looks at all of its circle.
+  // Stores in each half-edge the number of its follower; the first half-edge has the number `first`. `previous` is the
+  // member with the circle of the half-edge that ends where this one starts, direction(c) the normal of the plane of
+  // circle c. O(n), except that on a circle with several arcs each half-edge looks at all arcs of the circle.
   template <class Item, class Direction>
   void link(Span<Item> half_edges, uint32_t first, uint32_t Item::*previous, Direction direction) const {
     if (half_edges.size() <= most) {
@@ -42,8 +44,8 @@ class HalfEdgeChain {
     }
   }
 
-  // The same in two steps, for at most that many half-edges: all are marked first, in any order. The sum of what is
-  // returned is the number of circles.
+  // The same in two steps, for at most `most` half-edges: all are marked first, in any order, then linked. The sum of
+  // the values that mark() returns is the number of circles.
   static constexpr uint32_t most = 32;
   uint32_t mark(uint32_t previous_circle, uint32_t circle, uint32_t k) const {
     const uint32_t bit = UINT32_C(1) << k;
@@ -54,7 +56,8 @@ class HalfEdgeChain {
   }
   template <class Item, class Direction>
   void link_marked(Span<Item> half_edges, uint32_t first, uint32_t Item::*previous, Direction direction) const {
-    // Those that can follow one half-edge alone are taken from the others first: no branch depends on them.
+    // Half-edges with one candidate alone come first: no branch depends on them, and their followers are no candidates
+    // for the others.
     uint32_t open = 0;
     for (uint32_t k = 0; k < half_edges.size(); ++k) {
       Item &half_edge = half_edges[k];
@@ -81,9 +84,9 @@ class HalfEdgeChain {
   }
 
  private:
-  // Those that arrive along one circle are a list: it begins in the circle's word, and goes on in `next`, each number
-  // increased by 1. Until lists are not needed any more, followers are kept in place of the previous circles, which
-  // followers tell again.
+  // The half-edges that arrive along one circle are a list: it begins in the circle's word and goes on in `next`, each
+  // number increased by 1. While the lists are needed, followers are stored in place of the previous circles. At the
+  // end these are restored from the followers.
   template <class Item, class Direction>
   void link_lists(Span<Item> half_edges, uint32_t first, uint32_t Item::*previous, Direction direction) const {
     for (uint32_t k = 0; k < half_edges.size(); ++k) {
@@ -117,7 +120,8 @@ class HalfEdgeChain {
 
   static uint32_t lowest_of(uint32_t bits) { return static_cast<uint32_t>(__builtin_ctz(bits)); }
 
-  // A follower that leaves along the circle before the half-edge is a whole turn away: it is the last.
+  // The candidates to follow a half-edge. One that leaves along the half-edge's previous circle is a whole turn away:
+  // it is a candidate only if there is no other.
   uint32_t candidates(uint32_t circle, uint32_t previous_circle) const {
     const uint32_t all = arriving_[circle];
     const uint32_t nearer = all & ~leaving_[previous_circle];

@@ -26,13 +26,13 @@ struct VertexRecord {
 
   bool positive() const { return (code & positive_bit) != 0; }
   bool tied() const { return (code & tied_bit) != 0; }
-  // Which of its three balls this is.
+  // 0, 1 or 2: which of the three balls b is.
   uint32_t slot_of(uint32_t b) const { return ball[0] == b ? 0 : ball[1] == b ? 1 : 2; }
   bool has(uint32_t b) const { return ball[0] == b || ball[1] == b || ball[2] == b; }
 };
 
-// A vertex with its balls in another order. The sign is that of p+ or p- of the circles of ball[1] and ball[2] on
-// ball[0]: every exchange of two balls changes it.
+// A vertex with its balls in another order. The sign says whether it is p+ or p- of the circles of ball[1] and ball[2]
+// on ball[0]: every exchange of two balls changes it.
 struct OrderedVertex {
   uint32_t ball[3];
   int sign;
@@ -61,10 +61,11 @@ struct HalfEdge {
   uint32_t loop;
 };
 
-// The position of the half-edge that follows `half_edge` among those of one sphere: it starts at the end of this arc.
-// previous(h) is the circle of the half-edge that ends where h starts, and direction(c) the normal of the plane of
-// circle c. Several arcs on one circle are distinguished by the order of the mid-points of the covered arcs: the free
-// arc that a loop traverses backwards from entry R ends at the exit that comes last before R, counter-clockwise.
+// The index, among the half-edges of one sphere, of the half-edge that follows `half_edge`: it starts where `half_edge`
+// ends. previous(h) is the circle of the half-edge that ends where h starts, and direction(c) the normal of the plane
+// of circle c. Several arcs on one circle are distinguished by the order of the mid-points of the covered arcs: a loop
+// runs clockwise, so the free arc that it enters at the entry of cap R ends at the exit that comes last before R,
+// counter-clockwise.
 template <class Item, class Previous, class Direction>
 uint32_t find_next(Span<Item> half_edges, const Item &half_edge, Previous previous, Direction direction) {
   uint32_t best = no_id;

@@ -1,5 +1,4 @@
-// The planes of four pairs of balls, exactly: plane_of of exact/plane.hpp in lanes. Everything has
-// internal linkage.
+// The planes of four pairs of balls, exactly: plane_of() of exact/plane.hpp in lanes. Everything has internal linkage.
 #pragma once
 
 #include "lanes/twofold.hpp"
@@ -29,11 +28,11 @@ struct LaneBalls {
         r(Four::gather(balls.r, ids)) {}
 };
 
-// The planes of one other ball of each.
+// The planes that four balls have by one other ball each.
 struct LanePlanes {
   FourDoubles x, y, z;  // the vector to the other centre
   LaneVectors v;        // the same
-  LongIntegers U;       // its square
+  LongIntegers U;       // |v|^2
   LongIntegers h;
 
   LanePlanes(const LaneBalls &own, const LaneBalls &other)
