@@ -4,7 +4,7 @@
 //        --circles-----> closed half-edge       = a loop on its own
 //        --loops-------> loop --face--> face --shell--> shell
 //
-// All ids of balls are the grid's. Readers use the accessors of class Boundary; only the files of this room that
+// All ids of balls are in grid order. Readers use the accessors of class Boundary; only the files of this room that
 // build a boundary know its arrays.
 //
 // As an example the balls of radius 5 at (0,0,0), (6,0,0) and (0,6,0). All three spheres meet in (3, 3, +-2.65), and
@@ -28,8 +28,8 @@ namespace hsp {
 
 struct BoundaryLimits {
   uint32_t balls = 0, neighbours = 0, vertices = 0, circles = 0;
-  uint32_t workers = 0;  // that may share the work; 0 is 1
-  // Loops have at least two arcs or are circles.
+  uint32_t workers = 0;  // how many workers may share the work; 0 means 1
+  // A loop has at least two arcs or is a circle.
   uint64_t most_loops() const { return 3 * static_cast<uint64_t>(vertices) / 2 + 2 * static_cast<uint64_t>(circles); }
 };
 
@@ -55,7 +55,7 @@ class ClosedHalfEdge {
   uint32_t id_;
 };
 
-// A part of a loop: a half-edge, or a whole circle.
+// An element of a loop: a half-edge, or a whole circle.
 class LoopElement {
  public:
   LoopElement() = default;
@@ -66,7 +66,7 @@ class LoopElement {
 
   constexpr bool is_circle() const { return (code_ & circle_bit) != 0; }
   constexpr uint32_t code() const { return code_; }
-  constexpr uint32_t half_edge() const { return code_; }  // if it is none
+  constexpr uint32_t half_edge() const { return code_; }  // if it is no circle
   constexpr ClosedHalfEdge closed_half_edge() const { return ClosedHalfEdge::from_id(code_ & ~circle_bit); }
 
  private:
@@ -77,11 +77,12 @@ class LoopElement {
 
 struct FaceRecord {
   uint32_t ball;
-  uint32_t first_loop;  // those of a face are consecutive, and those of the next face follow
+  uint32_t first_loop;  // the loops of a face are consecutive, and those of the next face follow
   uint32_t shell;
 };
 
-// Where the parts of a ball begin. Those of the next ball follow. Together, since where one is read most of them are.
+// The first half-edge, closed half-edge, loop and face of a ball. Those of the next ball follow. They are one record,
+// since whoever reads one of them reads most of them.
 struct FirstParts {
   uint32_t half_edge, closed_half_edge, loop, face;
 };
@@ -90,12 +91,12 @@ struct FirstParts {
 struct BoundaryArrays {
   FixedVector<VertexRecord> vertices;
   FixedVector<CircleRecord> circles;
-  Span<double> root_discriminant;  // [vertices] sqrt(D), exact D rounded once
+  Span<double> root_discriminant;  // [vertices] sqrt(D), where the exact D is rounded once
 
   Span<FirstParts> first;                 // [balls + 1]
-  Span<HalfEdge> half_edges;              // [3 vertices], by ball, and on each by rank of their circles
-  Span<uint32_t> half_edge_at;            // [3 vertices] that of vertex v on its ball number t at 3 v + t
-  Span<ClosedHalfEdge> closed_half_edge;  // [2 circles] by ball, and on each by rank
+  Span<HalfEdge> half_edges;              // [3 vertices] by ball, and on each ball by the rank of the circle's ball
+  Span<uint32_t> half_edge_at;            // [3 vertices] at 3 v + t: which starts at vertex v on its ball number t
+  Span<ClosedHalfEdge> closed_half_edge;  // [2 circles] by ball, and on each ball by the rank of the other ball
 
   Span<LoopElement> loop_start;  // [loops]
   Span<uint32_t> loop_face;      // [loops]
@@ -106,16 +107,18 @@ struct BoundaryArrays {
   uint32_t shell_count = 0;
   uint32_t component_count = 0;
 
-  Span<uint8_t> ball_state;  // [balls] bits, and above them the number of clusters of its caps, 0 if not counted:
+  // [balls] The bits contained and without_caps; above them the number of clusters of the ball's caps, 0 if they are
+  // not counted, in units of one_cluster. Or left_out.
+  Span<uint8_t> ball_state;
   static constexpr uint8_t contained = 1;
   static constexpr uint8_t without_caps = 2;  // no other sphere meets it: free as a whole unless it is contained
   static constexpr uint32_t one_cluster = 4;
-  static constexpr uint8_t left_out = 252;  // it only blocks: nothing of it is looked for
+  static constexpr uint8_t left_out = 252;  // it covers other balls, but nothing on its own sphere is looked for
 
-  Span<uint32_t> component_origin;  // [balls] the ball of lowest rank of the component
-  Span<uint32_t> component;         // [balls] number of the component
+  Span<uint32_t> component_origin;  // [balls] the ball of lowest rank in the ball's component
+  Span<uint32_t> component;         // [balls] number of the ball's component
 
-  Target target = Target::baseline;  // of the kernels for it
+  Target target = Target::baseline;  // whose kernels are used
 
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 };
@@ -125,7 +128,7 @@ class Boundary {
   uint32_t ball_count() const { return a_.balls; }
   uint32_t vertex_count() const { return a_.vertices.size(); }
   uint32_t circle_count() const { return a_.circles.size(); }
-  // Every arc is two half-edges, one on each of its balls, and every vertex starts three.
+  // Every arc is two half-edges, one on each of its balls, and three half-edges start at every vertex.
   uint32_t half_edge_count() const { return 3 * vertex_count(); }
   uint32_t arc_count() const { return half_edge_count() / 2; }
   uint32_t loop_count() const { return a_.loop_count; }
@@ -137,7 +140,7 @@ class Boundary {
     return static_cast<int64_t>(vertex_count()) - arc_count() + 2 * static_cast<int64_t>(face_count()) - loop_count();
   }
 
-  // The parts of one ball. Numbers of one ball are consecutive.
+  // The parts of one ball; their numbers are consecutive.
   IdRange half_edges(uint32_t ball) const { return range(&FirstParts::half_edge, ball); }
   IdRange loops(uint32_t ball) const { return range(&FirstParts::loop, ball); }
   IdRange faces(uint32_t ball) const { return range(&FirstParts::face, ball); }
@@ -146,9 +149,9 @@ class Boundary {
     return a_.closed_half_edge.part(ids.first, ids.last);
   }
   bool is_contained(uint32_t ball) const { return (a_.ball_state[ball] & BoundaryArrays::contained) != 0; }
-  // Nothing is known of it, as the boundary is that of some balls alone.
+  // Whether the ball is not among the selected ones: nothing is known of its part of the boundary.
   bool is_left_out(uint32_t ball) const { return a_.ball_state[ball] == BoundaryArrays::left_out; }
-  // No other sphere meets it, and no other ball contains it.
+  // Whether no other sphere meets the ball, and no other ball contains it.
   bool is_free_of_caps(uint32_t ball) const { return a_.ball_state[ball] == BoundaryArrays::without_caps; }
   bool is_exposed(uint32_t ball) const { return !faces(ball).empty(); }
   bool is_whole_sphere(uint32_t ball) const { return is_exposed(ball) && loops(ball).empty(); }
@@ -163,7 +166,7 @@ class Boundary {
   const HalfEdge &half_edge(uint32_t e) const { return a_.half_edges[e]; }
   const HalfEdge *half_edge_data() const { return a_.half_edges.data(); }
   const double *root_discriminant_data() const { return a_.root_discriminant.data(); }
-  // The circle of the half-edge that ends where this one starts: that of the third ball of the vertex.
+  // The circle of the half-edge that ends where this one starts: the circle of the vertex's third ball.
   uint32_t previous_circle(uint32_t ball, const HalfEdge &half_edge) const {
     const VertexRecord &start = vertex(half_edge.vertex);
     return start.ball[0] ^ start.ball[1] ^ start.ball[2] ^ ball ^ half_edge.circle;
@@ -197,12 +200,12 @@ class Boundary {
   // The first half-edge of the loop, or the circle that it consists of.
   LoopElement loop_start(uint32_t loop) const { return a_.loop_start[loop]; }
   const FaceRecord &face(uint32_t f) const { return a_.faces[f]; }
-  // Loops of half-edges by their starts, then circles; none on a whole sphere.
+  // First the loops of half-edges, in the order of their first half-edges, then circles. A whole sphere has no loops.
   IdRange loops_of_face(uint32_t f) const {
     return {face(f).first_loop, f + 1 < a_.face_count ? face(f + 1).first_loop : a_.loop_count};
   }
 
-  // Whose kernels run.
+  // The target whose kernels run.
   Target target() const { return a_.target; }
 
   // Components of the union, numbered in the order of their first ball in the input.
@@ -210,32 +213,32 @@ class Boundary {
   // The ball of lowest rank in a ball's component.
   uint32_t component_origin(uint32_t ball) const { return a_.component_origin[ball]; }
 
-  // Hints to the processor: what belongs to a ball will be read soon.
+  // Hints to the processor that records of a ball will be read soon.
   void prefetch_ranges(uint32_t ball) const {
     __builtin_prefetch(&a_.first[ball]);
     __builtin_prefetch(&a_.component_origin[ball]);
   }
   // Always inlined: g++ finds no effect in such a function, and leaves out calls of it.
   [[gnu::always_inline]] void prefetch_half_edges(uint32_t ball) const {
-    // Most balls have no more than three lines of them, and how many none can predict. Addresses are integers, as lines
-    // may lie behind the last half-edge.
+    // The half-edges of most balls are in three cache lines at most; a branch on how many would be mispredicted.
+    // Addresses are integers, as lines may lie behind the last half-edge.
     constexpr uint32_t lines = 3, size_of_line = 64;
     const uintptr_t front = reinterpret_cast<uintptr_t>(a_.half_edges.data() + half_edges(ball).first);
     for (uint32_t k = 0; k < lines; ++k) __builtin_prefetch(reinterpret_cast<const void *>(front + k * size_of_line));
   }
-  // Where half-edges of the ball start. `all_half_edges`: how many there are, in a periodic box fewer than three a
-  // vertex.
+  // The vertices where the ball's half-edges start. all_half_edges: how many half-edges there are in all; in a periodic
+  // box these are fewer than three a vertex.
   [[gnu::always_inline]] void prefetch_vertices(uint32_t ball, uint32_t all_half_edges) const {
     visit_first_half_edges(
         ball, all_half_edges, [this](const HalfEdge &e) __attribute__((always_inline)) {
           __builtin_prefetch(&a_.root_discriminant[e.vertex]);
         });
   }
-  // Those that start at a vertex.
+  // The half-edges that start at a vertex.
   [[gnu::always_inline]] void prefetch_half_edges_at(uint32_t v) const {
     for (uint32_t t = 0; t < 3; ++t) __builtin_prefetch(&a_.half_edges[half_edge_at(v, t)]);
   }
-  // The balls along whose circles they run.
+  // The balls along whose circles the ball's half-edges run.
   [[gnu::always_inline]] void prefetch_neighbours(const BallSet &balls, uint32_t ball, uint32_t all_half_edges) const {
     visit_first_half_edges(
         ball, all_half_edges, [&balls](const HalfEdge &e) __attribute__((always_inline)) { balls.prefetch(e.circle); });
@@ -249,8 +252,8 @@ class Boundary {
     return {a_.first[ball].*part, a_.first[ball + 1].*part};
   }
 
-  // Always eight, some of them the next ball's: a loop over as many as the ball has would be mispredicted. None at the
-  // end of all half-edges.
+  // Visits eight half-edges, of which some may be the next ball's: the end of a loop over those of the ball alone would
+  // be mispredicted. Visits none if fewer than eight are left.
   template <class Visit>
   [[gnu::always_inline]] void visit_first_half_edges(uint32_t ball, uint32_t all_half_edges, Visit visit) const {
     constexpr uint32_t most = 8;

@@ -1,11 +1,11 @@
 // The boundary, stage by stage, by one worker or several. All of them end a stage before the next one begins.
 //
-//   search         each worker its cubes: vertices and circles, each found at the first of its balls
-//   placing        those of worker 0, then of 1, and so on in one array: ids do not depend on how many there are
-//   counting       of each ball its half-edges, also those of records that another worker has found
-//   distributing   3 half-edges a vertex, 2 a circle, to where their balls have them
-//   linking        next of each half-edge; loops and faces, numbered with gaps between workers
-//   closing_gaps   numbers without the gaps
+//   search         each worker finds the vertices and circles of its cubes, each at the first of its balls
+//   placing        the records of worker 0, of worker 1, .. in one array: ids do not depend on the number of workers
+//   counting       the half-edges of each ball, also those of records that another worker has found
+//   distributing   3 half-edges a vertex, 2 a circle, to the places of their balls
+//   linking        the next half-edge of each; loops and faces, numbered with gaps between workers
+//   closing_gaps   loops and faces get numbers without gaps
 //   joining        faces that share an arc, to shells
 //   numbering      shells, and components of balls
 #include "boundary/boundary_builder.hpp"
@@ -15,7 +15,7 @@
 namespace hsp {
 namespace {
 
-// The stages after the search. Each reads what all workers have done in those before.
+// The stages after the search. Each reads what all workers have done in the stages before.
 enum Stage : uint32_t { placing, counting, distributing, linking, closing_gaps, joining, numbering };
 
 }  // namespace
@@ -45,7 +45,7 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   selected_ = workspace.take<uint32_t>(limits.balls);
   const uint32_t count = larger_count(limits.workers, 1);
   workers_ = workspace.take<BoundaryWorker>(count);
-  BoundaryWorker measured;  // while there is no memory
+  BoundaryWorker measured;  // for measuring, while there is no memory
   for (uint32_t w = 0; w < count; ++w) {
     BoundaryWorker &worker = workers_.empty() ? measured : workers_[w];
     worker.carve(workspace, limits, arrays(), w, scratch_);
@@ -77,7 +77,7 @@ Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, co
 
   const Found all = found();
   needed_.neighbours = all.neighbours;
-  // Not all were looked for if there was no room for all neighbours of a ball.
+  // If there was no room for all neighbours of a ball, not all vertices have been looked for.
   if (all.neighbours > limits_.neighbours) return Status::capacity;
   needed_.vertices = clamped_count(all.vertices);
   needed_.circles = clamped_count(all.circles);
@@ -134,7 +134,7 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
         if (worker == 0 && !joins_) leave_out_components();
         return;
       }
-      // Neither knows of the other.
+      // Worker 0 numbers the shells, the last worker the components.
       if (worker == 0 && shares_shells()) number_shells(DisjointSets(scratch_.part(0, a.face_count)), a);
       if (worker == 0 && !shares_shells()) find_shells(boundary_, a, scratch_, own.patience());
       if (worker < count_ - 1 || !own.patience().allows(50 * uint64_t{a.balls})) return;
@@ -164,7 +164,8 @@ void BoundaryBuilder::place(uint32_t worker) {
   });
 }
 
-// The sets of worker 0 are those of all. They do not know the balls behind its share and those around it.
+// The sets of worker 0, in component_origin, become the sets of all. Balls behind those that worker 0 has met are not
+// in them yet.
 void BoundaryBuilder::join_components() {
   const uint32_t n = grid_->balls().n;
   const Span<uint32_t> parent = arrays().component_origin.part(0, n);
@@ -173,7 +174,7 @@ void BoundaryBuilder::join_components() {
   for (const BoundaryWorker &worker : workers_.part(1, count_)) worker.join_components(components);
 }
 
-// Every ball is the origin of its own terms.
+// Without components every ball is the origin of its own terms.
 void BoundaryBuilder::leave_out_components() {
   BoundaryArrays &a = arrays();
   a.shell_count = a.component_count = 0;
@@ -199,9 +200,9 @@ void BoundaryBuilder::link(uint32_t worker) {
   workers_[worker].link(grid_->balls(), sweep, boundary_, scratch_, arrays());
 }
 
-// Without gaps between those of workers, loops and faces have the numbers that one worker would give them. Their
-// records are all moved by worker 0, in order, as they may go where others come from. Wherever else their numbers are
-// stored is left to whom it belongs. Every face becomes a shell by itself, if all workers are to join them.
+// Without the gaps, loops and faces have the numbers that one worker would give them. Worker 0 moves all of their
+// records, in order, as a record may move to a place from which another one moves away. In other records each worker
+// changes the numbers of its own loops and faces. If all workers are to join faces, each face becomes a set by itself.
 void BoundaryBuilder::close_gaps(uint32_t worker) {
   BoundaryArrays &a = arrays();
   uint32_t loops = 0;

@@ -1,6 +1,6 @@
 // Steps 1 and 2 of Section 4.2 over all balls, and what follows from them: loops, faces, shells, components. The work
-// can be split among workers, each with a share of the cubes, in stages; the results do not depend on the split. All
-// workers end a stage before one begins the next.
+// is done in stages and can be split among workers, each with a share of the cubes. All workers end a stage before one
+// of them begins the next. The results do not depend on the split.
 #pragma once
 
 #include "boundary/boundary_worker.hpp"
@@ -14,29 +14,30 @@ class BoundaryBuilder : public Limited<BoundaryLimits> {
  public:
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 
-  // All of it; by all workers that the limits allow for, if the executor has more than one. Status::capacity if a limit
-  // is too small, or allows for fewer than it has; needed() then reports what suffices. Status::executor if it fails,
-  // Status::stopped if it says so.
-  // selected: null, or in the caller's order whether a ball is not left out. Those left out only block: nothing of them
-  // is there, nor are twins, shells and components.
+  // Builds all of it; if the executor has more than one worker, with as many as the limits allow for. Status::capacity
+  // if a limit is too small or the executor has more workers than the limits allow for; needed() then reports what
+  // suffices. Status::executor if the executor fails, Status::stopped if it stops the work.
+  // selected: null, or for each ball in the caller's order 0 if it is left out. A ball that is left out covers parts of
+  // others, but its own part of the boundary is missing, and there are no twins, shells and components.
   Status build(const CubeGrid &grid, const Executor &executor = {}, const uint8_t *selected = nullptr) {
     return build(grid, executor, selected, selected == nullptr, selected == nullptr);
   }
-  // Of the balls of a grid with images alone, ball by ball as in the boundary of the whole; shells are left to the
-  // caller. joins: whether joined_balls() are there.
+  // Builds the boundary of the own balls of a grid with images, ball by ball as in the boundary of the whole. Shells
+  // are left to the caller. joins: whether balls are joined for joined_balls().
   Status build_in_box(const CubeGrid &grid, const Executor &executor, bool joins) {
     return build(grid, executor, nullptr, joins, false);
   }
-  // An image is inside others if its ball is.
+  // Gives an image the state of its ball: it is contained if its ball is.
   void take_state(uint32_t image, uint32_t ball) { arrays().ball_state[image] = arrays().ball_state[ball]; }
-  // Balls and images, where each ball is joined to all that meet it. One inside others is joined to one of these, which
-  // whatever meets it meets, too. Each has its representative as parent.
+  // Disjoint sets of balls and images, as parents: the parent of each is the representative of its set. Each ball is
+  // joined to all that meet it. A contained ball is joined to one that contains it, as all that meet the one meet the
+  // other, too.
   Span<const uint32_t> joined_balls() {
     const Span<uint32_t> parent = arrays().component_origin.part(0, needed_.balls);
     DisjointSets(parent).flatten();
     return parent;
   }
-  // Numbers the shells, from the faces that have been joined.
+  // Numbers the shells. shells: the faces, joined by the caller.
   void take_shells(DisjointSets shells) { number_shells(shells, arrays()); }
 
   const Boundary &boundary() const { return boundary_; }
@@ -79,11 +80,11 @@ class BoundaryBuilder : public Limited<BoundaryLimits> {
   Boundary boundary_;
   Span<BoundaryWorker> workers_;
   Span<uint32_t> scratch_;          // [loops + balls]
-  Span<uint32_t> selected_;         // [balls] those that are not left out, in the grid's order
-  const CubeGrid *grid_ = nullptr;  // while it is built
-  uint32_t count_ = 0;              // of workers that build it
-  bool joins_ = false;              // whether components are looked for
-  bool whole_ = false;              // whether shells are, too
+  Span<uint32_t> selected_;         // [balls] in grid order: 0 if the ball is left out
+  const CubeGrid *grid_ = nullptr;  // the grid while the boundary is built
+  uint32_t count_ = 0;              // number of workers that build it
+  bool joins_ = false;              // whether balls that meet are joined
+  bool whole_ = false;              // whether there are shells and components
 };
 
 }  // namespace hsp

@@ -61,9 +61,9 @@ class BoundaryCheck : FirstViolation<BoundaryInvariant> {
     return true;
   }
 
-  // Twins: each starts where the other ends. That they are on each other's balls, and that the twin of the twin is the
-  // first, follows from what half-edges and successors are known to be. So no two half-edges have one successor, and
-  // the successors chain all half-edges to closed loops.
+  // Twins: each starts where the other ends. It follows from the checks of half-edges and successors that twins are on
+  // each other's balls, and that the twin of a twin is the half-edge itself. So no two half-edges have one successor,
+  // and the successors chain all half-edges to closed loops.
   bool twins() {
     for (uint32_t i = 0; i < balls_.n; ++i) {
       for (const uint32_t u : boundary_.half_edges(i)) {
@@ -74,8 +74,8 @@ class BoundaryCheck : FirstViolation<BoundaryInvariant> {
     return true;
   }
 
-  // Loops keep to one ball and to one number, and start at their first half-edges. That they have two arcs at least
-  // follows: at a vertex the circle changes.
+  // The half-edges of a loop are on one ball and have one loop number, and a loop starts at its first half-edge. It
+  // follows that a loop has at least two arcs: at a vertex the circle changes.
   bool loops() {
     for (uint32_t i = 0; i < balls_.n; ++i) {
       const IdRange loops = boundary_.loops(i);
@@ -153,8 +153,8 @@ class BoundaryCheck : FirstViolation<BoundaryInvariant> {
 
   // Every shell is a closed orientable surface: its Euler characteristic is even and at most 2.
   bool euler() {
-    // V - E + sum over faces of (2 - loops): a vertex starts three half-edges and an arc is two, so that a half-edge
-    // counts 1/3 - 1/2. Six times that is an integer, computed modulo 2^32.
+    // V - E + sum over faces of (2 - loops): three half-edges start at a vertex and an arc is two, so that a half-edge
+    // counts 1/3 - 1/2. Six times the sum is an integer, computed modulo 2^32.
     const Span<uint32_t> six_times = scratch_;
     for (uint32_t s = 0; s < boundary_.shell_count(); ++s) six_times[s] = 0;
     for (uint32_t u = 0; u < boundary_.half_edge_count(); ++u) six_times[shell_of(u)] -= 1;

@@ -1,4 +1,4 @@
-// The combinatorial invariants of a boundary, checked from its records alone. A correct build violates none of them for
+// Checks the combinatorial invariants of a boundary from its records alone. A correct build violates none of them for
 // any input; the check serves fuzzers, careful callers, and those who change the code.
 #pragma once
 
@@ -23,7 +23,7 @@ enum class BoundaryInvariant : uint32_t {
   closure = 11,
 };
 
-// Where: the id of a vertex, half-edge, loop, face, shell or ball.
+// The invariant, and the id of the vertex, half-edge, loop, face, shell or ball that violates it.
 using BoundaryViolation = Violation<BoundaryInvariant>;
 
 // Checks invariants 1 to 8, in order. scratch [loops + balls]. O(size).

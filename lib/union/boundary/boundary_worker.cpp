@@ -6,7 +6,7 @@
 //      0          0            0       0 to 3
 //      1          3            1       4 and 5
 //      2          6            2       6 to 9
-// A cube is never shared: its neighbours are looked up once for all of its balls. A worker may be left without any.
+// A cube is never shared: its neighbours are looked up once for all of its balls. A worker may be left without cubes.
 #include "boundary/boundary_worker.hpp"
 
 #include "core/first_index.hpp"
@@ -23,7 +23,8 @@ uint32_t cube_from(const CubeGrid &grid, uint32_t ball) {
   return first_index(0, grid.own_cubes(), [&grid, ball](uint32_t cube) { return grid.balls_in(cube).first >= ball; });
 }
 
-// Memory for candidates, until half-edges are found: theirs, or the scratch memory if it is more.
+// Memory for candidates during the search: that of the half-edges, which come later, or the scratch memory if that is
+// larger.
 Span<uint32_t> idle_while_searching(const BoundaryArrays &arrays, Span<uint32_t> scratch) {
   const Span<HalfEdge> half_edges = arrays.half_edges;
   const uint64_t words = uint64_t{half_edges.size()} * sizeof(HalfEdge) / sizeof(uint32_t);
@@ -32,10 +33,12 @@ Span<uint32_t> idle_while_searching(const BoundaryArrays &arrays, Span<uint32_t>
           static_cast<uint32_t>(words <= UINT32_MAX ? words : UINT32_MAX)};
 }
 
-// In cubes of so many balls each is compared with the largest one around first: of nested balls most lie in it.
+// In cubes of so many balls each ball is first compared with the largest ball around: if balls are nested, most lie in
+// that one.
 constexpr uint32_t many_in_a_cube = 64;
 
-// In small cubes there may be some if two that follow each other have one x.
+// Whether balls of a cube may lie in balls with the same centre: if there are many, or if two consecutive ones have the
+// same x.
 bool may_be_nested(const BallSet &balls, BallRange own) {
   if (small_code) return false;
   if (own.last - own.first >= many_in_a_cube) return true;
@@ -44,13 +47,13 @@ bool may_be_nested(const BallSet &balls, BallRange own) {
   return same != 0;
 }
 
-// Of equal ones the first, which contains the others.
+// The largest of ball `largest` and those of the range. Of equal balls the first, which contains the others.
 uint32_t largest_ball(const BallSet &balls, BallRange range, uint32_t largest) {
   for (uint32_t j = range.first; j < range.last; ++j) largest = balls.r[j] > balls.r[largest] ? j : largest;
   return largest;
 }
 
-// Of those around a cube; none if they are so many that to look at them takes longer than it saves.
+// The largest of the balls around a cube; no_id if these are so many that looking at them takes longer than it saves.
 uint32_t largest_ball(const BallSet &balls, const CubeBlock &block, BallRange own) {
   uint32_t all = 0;
   for (uint32_t k = 0; k < block.ranges; ++k) all += block.range[k].last - block.range[k].first;
@@ -60,7 +63,8 @@ uint32_t largest_ball(const BallSet &balls, const CubeBlock &block, BallRange ow
   return largest;
 }
 
-// Balls with one centre, from ball i on: the grid has those of a cube one after the other, from small to large ones.
+// The balls with the centre of ball i, from i on: in grid order such balls of one cube follow each other, from small to
+// large ones.
 BallRange concentric(const BallSet &balls, uint32_t i, uint32_t end_of_cube) {
   uint32_t last = i + 1;
   const auto has_centre = [&](uint32_t j) {
@@ -120,7 +124,7 @@ void BoundaryWorker::start(const BallShare &share, const uint32_t *selected, boo
   neighbours_ = 0;
 }
 
-// Every ball of the block becomes a set, if it is none yet.
+// Every ball of the block that is not in a set becomes a set by itself.
 void BoundaryWorker::cover(const CubeBlock &block) {
   const uint32_t first = block.range[0].first;
   const uint32_t last = block.range[block.ranges - 1].last;
@@ -156,8 +160,8 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
   lanes.end();
 }
 
-// Balls of one cube, of which those inside a ball with the same centre leave at once, and where there are many,
-// those inside the largest ball around.
+// Searches the balls of one cube. Balls inside another one with the same centre are contained and are not searched; if
+// the cube has many balls, nor are the others that lie inside the largest ball around.
 void BoundaryWorker::search_nested(const BallSet &balls, const CubeBlock &block, BallRange own, bool in_lanes,
                                    DisjointSets *components, uint8_t *ball_state) {
   const uint32_t largest = own.last - own.first >= many_in_a_cube ? largest_ball(balls, block, own) : no_id;
@@ -177,7 +181,7 @@ void BoundaryWorker::search_nested(const BallSet &balls, const CubeBlock &block,
   }
 }
 
-// Whether nothing is to be searched there.
+// Whether all balls of a range are left out.
 bool BoundaryWorker::leaves_out(BallRange range) const {
   if (selected_ == nullptr) return false;
   for (uint32_t i = range.first; i < range.last; ++i) {
@@ -186,8 +190,8 @@ bool BoundaryWorker::leaves_out(BallRange range) const {
   return true;
 }
 
-// Where balls are left out the first ball of a record may be one of these, before that at which it was found. Every
-// exchange of two balls changes the sign of a vertex.
+// If balls are left out, a record may have a ball that is left out and comes before the ball at which it was found. So
+// its balls are sorted. Every exchange of two balls changes the sign of a vertex.
 void BoundaryWorker::order_balls_of_records(uint32_t first_vertex, uint32_t first_circle) {
   const auto before = [](uint32_t p, uint32_t q) { return p < q; };
   for (uint32_t v = first_vertex; v < vertices_.size(); ++v) {
@@ -219,10 +223,10 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
     ball_state[i] = BoundaryArrays::left_out;
     return;
   }
-  // As the ball before: what lies around the next one is not known yet.
+  // An estimate from the ball before, as the neighbours of this one are not known yet.
   const uint64_t before = caps.met;
   if (!patience_.allows(2000 + (500 + before) * before)) return;
-  // Once a ball has more neighbours than there is room for, nothing but the largest number is asked for.
+  // Once a ball has more neighbours than there is room for, only the largest number of neighbours is looked for.
   if (in_lanes && neighbours_ > caps.capacity() && lanes.certainly_meets_few(i, neighbours_)) return;
   const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, components, selected_);
   if (!by_lanes) caps.gather(balls, block, i, components);
@@ -231,7 +235,7 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
                                        (caps.count == 0 ? BoundaryArrays::without_caps : 0));
   if (caps.contained) return;
   if (caps.met > neighbours_) neighbours_ = caps.met;
-  // Once a ball has more neighbours than there is room for, the rest is only counted.
+  // In that case the vertices of further balls are not looked for.
   if (neighbours_ > caps.capacity()) return;
   uint32_t clusters = 0;
   const uint32_t first_vertex = vertices_.size(), first_circle = circles_.size();
@@ -276,8 +280,8 @@ void BoundaryWorker::join_components(DisjointSets &components) const {
   for (uint32_t i = met_.first; i < met_.last; ++i) components.join(i, parent_[i]);
 }
 
-// Two balls that meet are around each other's cubes, and records are in the order of their first balls; where balls are
-// left out they need not be.
+// Two balls that meet are around each other's cubes, and records are in the order of their first balls: records before
+// the first ball that this worker has met are of no ball of its share. If balls are left out, the order may be another.
 void BoundaryWorker::count(BoundaryArrays &a) {
   const auto first_met = [this](const auto &records, IdRange placed) {
     if (selected_ != nullptr) return UINT32_C(0);
@@ -289,8 +293,8 @@ void BoundaryWorker::count(BoundaryArrays &a) {
   counts = count_half_edges(touching, patience_, a);
 }
 
-// A loop has two half-edges at least, or is closed, and a face has a loop unless it is a whole sphere: so there is room
-// enough between where the numbers of two workers begin.
+// The loops of a worker are numbered from the largest possible number of loops before its balls: a loop has two
+// half-edges at least, or is closed. Faces are numbered likewise: a face has a loop, or is a whole sphere.
 void BoundaryWorker::link(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, Span<uint32_t> scratch,
                           BoundaryArrays &a) {
   const BallRange own = share_.balls;

@@ -5,7 +5,7 @@ namespace hsp {
 void number_components(const CubeGrid &grid, Patience &patience, BoundaryArrays &arrays) {
   const BallSet &balls = grid.balls();
   const Span<uint32_t> lowest =
-      arrays.component;  // for the time being: of the balls seen so far, at the representative
+      arrays.component;  // first used for: at each representative, the ball of lowest rank of its set so far
   DisjointSets components(arrays.component_origin.part(0, arrays.balls));
   components.flatten();
   for (uint32_t i = 0; i < arrays.balls; ++i) {

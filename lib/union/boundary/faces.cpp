@@ -1,9 +1,9 @@
-// Faces of one ball, from its loops.
+// Finds the faces of one ball from its loops.
 //
-// As an example a ball with loops 4, 5 and 6, of which the first and the last bound one free piece, as those of a band
-// around the ball do:
+// As an example a ball with loops 4, 5 and 6, of which 4 and 6 bound one free part, as the two loops of a band around
+// the ball do:
 //   numbered in the order of first loops     face 0: loops 4 and 6      face 1: loop 5
-//   loops sorted by face                     4 6 5, with new numbers 4 5 6, so that those of a face are consecutive
+//   loops sorted by face                     4 6 5, with new numbers 4 5 6: the loops of a face are consecutive
 #include "boundary/faces.hpp"
 
 #include "boundary/point_location.hpp"
@@ -17,8 +17,8 @@ namespace {
 // cheaper than gathering the caps again; with many caps few balls have several loops.
 constexpr uint32_t most_counted_caps = 16;
 
-// Numbers the faces of one ball from the partition of its loops, in the order of their first loops and from face_count
-// on, which counts them. Returns whether the loops of every face are consecutive.
+// Numbers the faces of one ball, the sets of its loops, in the order of their first loops. The numbers begin at
+// face_count, which becomes the number after the last one. Returns whether the loops of every face are consecutive.
 bool number_faces(DisjointSets &sets, uint32_t ball, IdRange loops, uint32_t &face_count, BoundaryArrays &arrays) {
   bool consecutive = true;
   for (const uint32_t loop : loops) {
@@ -47,7 +47,7 @@ void sort_loops_by_face(const Boundary &boundary, uint32_t ball, IdRange loops, 
     next += count;
   }
   for (const uint32_t loop : loops) number[loop - loops.first] = arrays.faces[arrays.loop_face[loop]].first_loop++;
-  // Now every face has the first loop of the next one.
+  // Here the first_loop of every face is the first loop of the next face.
   next = loops.first;
   for (const uint32_t f : faces) {
     const uint32_t last = arrays.faces[f].first_loop;
@@ -58,7 +58,7 @@ void sort_loops_by_face(const Boundary &boundary, uint32_t ball, IdRange loops, 
   for (uint32_t e = half_edges.last; e-- > half_edges.first;) {
     uint32_t &loop = arrays.half_edges[e].loop;
     loop = number[loop - loops.first];
-    arrays.loop_start[loop] = LoopElement::arc(e);  // in the end that with the smallest number
+    arrays.loop_start[loop] = LoopElement::arc(e);  // at last the half-edge with the smallest number
   }
   for (const ClosedHalfEdge e : boundary.circles(ball)) {
     uint32_t &loop = arrays.circles[e.circle()].loop[e.side()];
@@ -67,7 +67,7 @@ void sort_loops_by_face(const Boundary &boundary, uint32_t ball, IdRange loops, 
   }
 }
 
-// The balls whose circles bound the free part of a ball, each once. Returns their number.
+// Writes the balls whose circles bound the free part of a ball, each once. Returns how many.
 uint32_t balls_of_loops(const Boundary &boundary, uint32_t ball, Span<uint32_t> others) {
   uint32_t count = 0;
   // Half-edges of one circle follow each other.
@@ -79,8 +79,8 @@ uint32_t balls_of_loops(const Boundary &boundary, uint32_t ball, Span<uint32_t> 
   return count;
 }
 
-// By which all numbers below `count` follow each other so that few of them are spread over all: without a common
-// factor, and near to the golden section.
+// A step for visiting all numbers below `count`, modulo `count`, such that any few consecutive ones are spread over
+// all: it has no common factor with `count` and is near the golden section of it.
 uint32_t spreading_step(uint32_t count) {
   for (uint32_t step = static_cast<uint32_t>(UINT64_C(0x9E3779B9) * count >> 32);; ++step) {
     uint32_t factor = step, rest = count;
@@ -105,8 +105,8 @@ uint32_t FaceFinder::count_clusters(const Caps &caps, uint32_t known) {
 }
 static_assert((most_counted_caps + 1) * BoundaryArrays::one_cluster <= 256);
 
-// If a sphere has a free point, its free faces and its clusters alternate around the loops as the nodes of a tree whose
-// edges are the loops (the sphere less disjoint closed curves). Hence #faces = #loops - #clusters + 1.
+// If a sphere has a free point, its free faces and its clusters are the nodes of a tree whose edges are the loops, as
+// disjoint closed curves divide the sphere. Hence #faces = #loops - #clusters + 1.
 void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball,
                             uint32_t first_loop, uint32_t counted_clusters, Caps &caps, const VertexFinder &finder,
                             DisjointSets &loops) {
@@ -117,8 +117,8 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
     clusters = find_clusters(caps);
   };
   if (clusters == not_counted && !small_code) {
-    // Every cluster has a loop around it, so that the caps of the loops are of all clusters. If these make up one,
-    // there is one.
+    // Every cluster has a loop around it, so that each cluster has caps whose circles are in loops. If these caps are
+    // one cluster, there is no other.
     const uint32_t n = balls_of_loops(boundary, ball, caps.ball);
     if (caps.lanes) clusters = LaneSearch::count_few_clusters(boundary.target(), balls, ball, caps.ball.data(), n);
     if (clusters == not_counted) {
@@ -166,14 +166,14 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
 }
 
 // The general case: several clusters of caps and several faces on one sphere. For one cap of every cluster take the
-// great circle through the cap's axis and the poles. Both ends of a free interval of it lie on loops of one face: join
-// them. All free intervals that contain a free pole are joined as well.
+// great circle through the cap's axis and the poles. Both ends of each of its free intervals lie on loops of one face:
+// these loops are joined. The loops of all free intervals that contain the upper pole are joined as well.
 //
-// This joins all loops l_1 .. l_r of a face f: the sphere minus f is r discs. The meridian from a cluster in disc a to
-// the pole leaves the disc through l_a, and each further disc it enters it leaves through that disc's loop, so the
-// chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free. As many joins as there are
-// clusters but one leave as many sets as there are faces: after these no further meridian is looked at. Of many
-// clusters those come first whose loop is not in one set with that of the first meridian.
+// This joins all loops l_1 .. l_r of a face f: the sphere without f is r discs. The meridian from a cluster in disc a
+// to the pole leaves the disc through l_a. It leaves each further disc that it enters through that disc's loop. So the
+// chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free. One join less than there are
+// clusters leaves as many sets as there are faces: then no further meridian is looked at. If there are many clusters,
+// those come first whose loop is not yet in one set with a loop of the first meridian.
 void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, uint32_t joins,
                                          DisjointSets &loops) {
   const exact::Predicates predicates = caps.predicates();
@@ -181,7 +181,7 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, u
   if (!small_code) find_first_elements(caps, boundary, intervals_.of_caps());
   uint32_t pole_loop = no_id;
   const auto join = [&](uint32_t p, uint32_t q) { joins -= static_cast<uint32_t>(loops.join(p, q)); };
-  // In the order of the grid those of one side come first, whose meridians are all much the same.
+  // In grid order the caps of one side come first, whose meridians are all much the same. So they are visited in steps.
   const bool many = !small_code && !intervals_.of_caps().empty();
   const uint32_t step = many ? spreading_step(caps.count) : 1;
   uint32_t hub = no_id;

@@ -1,4 +1,4 @@
-// From loops to faces: which loops of one sphere bound the same free piece.
+// From loops to faces: finds which loops of one sphere bound the same free part.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -15,15 +15,15 @@ class FaceFinder {
   void carve(Workspace &workspace, uint32_t neighbours);
 
   const FreeIntervals &idle_while_searching() const { return intervals_; }
-  // The number of clusters of a ball's caps, for BoundaryArrays::ball_state, asked while they are at hand: as it is
-  // known already, or counted if they are few; 0 if they are not.
+  // The number of clusters of a ball's caps, for BoundaryArrays::ball_state, while the caps are at hand. known: this
+  // number, or 0 if it is not known; then they are counted if there are few caps, else the result is 0.
   uint32_t count_clusters(const Caps &caps, uint32_t known);
 
-  // Gathers the loops of some consecutive balls, which are consecutive too, into faces numbered from `first` on, and
-  // sorts them by face. Returns the number after the last face. Writes only what belongs to these balls. The caps of a
-  // ball are gathered again, into `caps`, if it has several loops and its clusters were not counted: first those of its
-  // loops, and all if these do not hang together. And so they are if only meridians show which loops belong together.
-  // `sweep` is before these balls, `arrays` are those of the boundary; scratch [loops].
+  // Gathers the loops of consecutive balls into faces, numbered from `first` on, and sorts each ball's loops by face.
+  // Returns the number after the last face. Writes only what belongs to these balls. The caps of a ball are gathered
+  // again, into `caps`, in two cases. If it has several loops and its clusters were not counted: first the caps on its
+  // loops alone, and all caps if these are not one cluster. If only meridians show which loops belong together: all.
+  // `sweep` has not passed these balls yet, `arrays` are those of the boundary; scratch [loops].
   uint32_t find(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, BallRange range, IdRange loops,
                 uint32_t first, Caps &caps, const VertexFinder &finder, Span<uint32_t> scratch, Patience &patience,
                 BoundaryArrays &arrays);

@@ -1,13 +1,13 @@
-// Half-edges of all balls in rows, and each chained to the next one.
+// Sorts half-edges into rows, one for each ball, and chains each half-edge to the next one.
 //
-// As an example three balls whose spheres meet in vertices 0 and 1 (boundary.hpp). Each vertex starts a half-edge on
-// each of its three balls, a counting sort of six:
+// As an example three balls whose spheres meet in vertices 0 and 1 (boundary.hpp). A half-edge starts at each vertex on
+// each of its three balls, and a counting sort puts the six in order:
 //   ball                    0         1         2
 //   its half-edges        0   1     2   3     4   5
-//   which starts at       0   1     0   1     0   1     half_edge_at[3 v + t]: 0 2 4 of vertex 0, 1 3 5 of vertex 1
-// On ball 0 one of them, from vertex 0 say, leaves along the circle of ball 1, and at vertex 1 the loop arrives along
-// that circle: so the half-edge there is the next one. It leaves along the circle of ball 2, along which the loop
-// arrives at vertex 0: both are one loop.
+//   the vertex of each    0   1     0   1     0   1     half_edge_at[3 v + t]: 0 2 4 of vertex 0, 1 3 5 of vertex 1
+// On ball 0 one half-edge, say that from vertex 0, leaves along the circle of ball 1. At vertex 1 the loop arrives
+// along that circle, so the half-edge from vertex 1 is the next one. It leaves along the circle of ball 2, along which
+// the loop arrives at vertex 0: both half-edges are one loop.
 #include "boundary/half_edge_links.hpp"
 
 #include "core/key_ranks.hpp"
@@ -30,9 +30,9 @@ void for_sides_on(BallRange range, const Record &record, Visit visit) {
   }
 }
 
-// A counting sort of sides of records by their balls, in two steps. After the first one first[i].*part is the end of
-// the part of ball i, counted from the range's first one, and after the second its beginning. This counts those of
-// each ball.
+// A counting sort of the sides of records by their balls, in two steps. After the first step first[i].*part is where
+// the part of ball i ends, counted from the first ball of the range, and after the second step where it begins. This
+// function counts the sides on each ball, for the first step.
 template <uint32_t FirstParts::*part, class Record>
 void count_sides(Span<const Record> records, BallRange range, Span<FirstParts> first, Patience &patience) {
   in_parts(patience, IdRange{0, records.size()}, 100, [&](IdRange some) {
@@ -42,12 +42,13 @@ void count_sides(Span<const Record> records, BallRange range, Span<FirstParts> f
     }
   });
 }
-// In parts where it may be stopped, and not all then.
+// The second step: calls put(place, record, id, side) for each side. It is done in parts, between which it may be
+// stopped; not all sides are put then.
 template <uint32_t FirstParts::*part, class Record, class Put>
 void distribute_sides(Span<const Record> records, IdRange ids, BallRange range, uint32_t before, Span<FirstParts> first,
                       Patience &patience, Put put) {
   for (uint32_t i = range.first; before != 0 && i < range.last; ++i) first[i].*part += before;
-  // From the last one on.
+  // From the last record to the first one.
   in_parts(patience, ids, 100, [&](IdRange some) {
     for (uint32_t id = ids.last - (some.first - ids.first), end = ids.last - (some.last - ids.first); id-- > end;) {
       const Record &record = records[id];
@@ -56,18 +57,20 @@ void distribute_sides(Span<const Record> records, IdRange ids, BallRange range, 
   });
 }
 
+// The circle along which the loop arrives, before half-edges are chained.
 uint32_t arriving_circle(const HalfEdge &half_edge) {
   return half_edge.loop;
 }
 
-// Sums over what lies on a ball run in the order of the ranks of the balls around it. So neither ids nor the position
-// of the set, on which the walls of cubes depend, have an effect on any bit.
+// Chains the half-edges of one ball and numbers its loops. Half-edges and circles of a ball are in the order of the
+// ranks of the balls around it, and sums over them run in this order. So neither ids nor the position of the set, on
+// which the walls of cubes depend, have an effect on any bit.
 class BallLinker {
  public:
   BallLinker(const BallSet &balls, BoundaryArrays &a, const HalfEdgeChain &chain)
       : balls_(balls), a_(a), chain_(chain) {}
 
-  // Chains what lies on ball i to loops, numbered from `loops` on. Returns the number after the last one.
+  // Chains the half-edges of ball i to loops, numbered from `loops` on. Returns the number after the last loop.
   uint32_t link(uint32_t i, uint32_t loops) {
     const uint32_t first = a_.first[i].half_edge;
     const Span<HalfEdge> half_edges = a_.half_edges.part(first, a_.first[i + 1].half_edge);
@@ -86,9 +89,9 @@ class BallLinker {
   }
 
  private:
-  // Sorts and marks half-edges by x, with which ranks begin: differences of x are below 2^31, so that integers are the
-  // keys. Returns false, and marks none, if there are many, or if two centres have the same x: then the order may be
-  // another.
+  // Sorts half-edges by the x of their circles' balls, with which ranks begin, and marks them. Keys are integers, as
+  // differences of x are below 2^31. Returns false, with no half-edge marked, if there are many, or if two centres have
+  // the same x, so that the order of ranks may be another.
   bool sort_by_x(uint32_t i, Span<HalfEdge> half_edges) {
     static_assert(most_counted_keys <= HalfEdgeChain::most);
     HalfEdge given[most_counted_keys];
@@ -114,7 +117,7 @@ class BallLinker {
       circles += chain_.mark(arriving_circle(given[k]), given[k].circle, to);
       sum += to;
     }
-    // Equal keys have the same rank. And there are as many x as circles.
+    // If two keys are equal, the sum of ranks is another. Else there must be as many different x as circles.
     uint32_t different = 1;
     if (2 * sum == count * (count - 1)) {
       for (uint32_t k = 1; k < count; ++k) {
@@ -131,7 +134,7 @@ class BallLinker {
     count_ranks(a_.target, key, count, rank);
   }
 
-  // One half-edge after the other. Where loops end cannot be predicted, so no branch depends on it.
+  // Follows one half-edge after the other. The ends of loops cannot be predicted, so no branch depends on them.
   uint32_t number_few(Span<HalfEdge> half_edges, uint32_t first, uint32_t loops) {
     const uint32_t count = half_edges.size();
     uint32_t left = UINT32_MAX >> (32 - count);
@@ -199,14 +202,14 @@ HalfEdgeCounts count_half_edges(const TouchingRecords &touching, Patience &patie
 
 void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts before, Patience &patience,
                            BoundaryArrays &a) {
-  // Every vertex starts a half-edge on each of its balls. On ball[0] of a positive vertex the loop arrives along the
+  // A half-edge starts at every vertex on each of its balls. On ball[0] of a positive vertex the loop arrives along the
   // circle of ball[1] and leaves along that of ball[2]; the roles rotate cyclically over the three balls, and swap for
-  // a negative vertex. Until half-edges are chained, `next` is where their numbers go in half_edge_at, and `loop` is
-  // the circle along which the loop arrives.
+  // a negative vertex. Until half-edges are chained, `next` is the index in half_edge_at where the half-edge's number
+  // goes, and `loop` is the circle along which the loop arrives.
   distribute_sides<&FirstParts::half_edge, VertexRecord>(
       a.vertices.items(), touching.vertices, touching.balls, before.half_edges, a.first, patience,
       [&a](uint32_t to, const VertexRecord &vertex, uint32_t v, uint32_t t) {
-        // Which of the other two comes first cannot be predicted: an index tells, not a branch.
+        // The order of the other two cannot be predicted: so an index depends on it, not a branch.
         const uint32_t preceding = vertex.positive() ? 1 : 2;
         a.half_edges[to] = {v, vertex.ball[(t + 3 - preceding) % 3], 3 * v + t, vertex.ball[(t + preceding) % 3]};
       });

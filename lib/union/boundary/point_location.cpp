@@ -9,7 +9,7 @@ using exact::Plane;
 
 namespace {
 
-// From so many circles, or half-edges, on one is not looked for from the first one on: both are in the order of the
+// With so many circles, or half-edges, a binary search finds the first of a neighbour: both are in the order of the
 // ranks of their neighbours.
 constexpr uint32_t many = 32;
 
@@ -36,8 +36,8 @@ constexpr uint32_t many = 32;
   return LoopElement::arc(first);
 }
 
-// Of these the one that contains a free point: `found`, which is the first, or a later one on the same circle.
-// plane_of(j) is the plane of ball j as seen from ball i.
+// The element that contains a free point: `found`, which is the first one on its circle, or a later one on the same
+// circle. plane_of(j) is the plane of ball j as seen from ball i.
 template <class PlaneOf>
 [[gnu::always_inline]] inline LoopElement element_from(LoopElement found, const Boundary &boundary,
                                                        const exact::Predicates &predicates, uint32_t i,
@@ -63,9 +63,9 @@ LoopElement element_at(const BallSet &balls, const Boundary &boundary, const exa
   return element_from(first_element_at(balls, boundary, i, neighbour), boundary, predicates, i, plane_of, other, sign);
 }
 
-// One ball with several faces and the caps that keep them apart: those with arcs on their circles. Of the other caps
-// some have no free point on their circles, so that no face ends there; the rest are discs with one face all around
-// their whole circles, and a walk across such a disc comes out in the face where it went in.
+// One ball with several faces, and the caps that keep its faces apart: those with arcs on their circles. Of the other
+// caps, some have no free point on their circles, so that no face ends there. The rest have free circles: they are
+// discs within one face, and a walk across such a disc comes out in the face where it went in.
 class SeveralFaces {
  public:
   SeveralFaces(const BallSet &balls, const Boundary &boundary, uint32_t i)
@@ -97,9 +97,9 @@ class SeveralFaces {
   }
 
   // The face that contains a free point of a great circle; no_id if no such cap crosses the circle. Clockwise from the
-  // point, the first cap is met at its exit, on a loop of that face. lies_between(leave, entry) says whether the point
-  // lies on the way from the exit of one cap to the entry of another; it is asked only of caps that are apart on the
-  // circle.
+  // point, the first cap is met at its exit, on a loop of the point's face. lies_between(leave, entry) says whether the
+  // point lies on the way from the exit of one cap to the entry of another; only caps that are apart on the circle are
+  // asked about.
   template <class LiesBetween>
   uint32_t face_of_point(const exact::Predicates &predicates, const Plane &circle, LiesBetween lies_between) const {
     uint32_t nearest = no_id;
@@ -119,8 +119,8 @@ class SeveralFaces {
     return boundary_.face_of(element_at(balls_, boundary_, predicates, i_, nearest, plane_of, circle, +1));
   }
 
-  // The face of the highest (+1) or lowest (-1) point. The great circle through the pole and the axis of a cap crosses
-  // that cap.
+  // The face of the highest (pole = +1) or lowest (-1) point. The great circle through the pole and the axis of a cap
+  // crosses this cap, so that a face is found.
   uint32_t face_of_pole(const exact::Predicates &predicates, int pole) const {
     const Plane meridian = meridian_through(plane(boundary_.half_edge(boundary_.half_edges(i_).first).circle).v);
     return face_of_point(predicates, meridian, [&](const Plane &leave, const Plane &entry) {
@@ -186,7 +186,8 @@ uint32_t face_of_entry(const BallSet &balls, const Boundary &boundary, uint32_t 
     };
     return interval_that_contains(predicates, meridian, 2, caps_apart, across, +1) == 0;
   });
-  // A great circle that no such cap crosses lies in one face but for the discs of whole circles, and so does a pole.
+  // If no such cap crosses the great circle, it lies in one face, apart from discs within the face. So the face is that
+  // of the pole.
   return face != no_id ? face : ball.face_of_pole(predicates, -1);
 }
 
