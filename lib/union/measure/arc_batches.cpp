@@ -1,4 +1,4 @@
-// Batches of arcs, filled loop by loop.
+// Fills batches of arcs, loop by loop.
 //
 // As an example a ball with one loop of two half-edges, on the circles of balls 1 and 2:
 //   slot        0    1
@@ -39,7 +39,7 @@ void ArcBatches::evaluate() {
   if (!complete) complete_from_integers();
 }
 
-// A slot of its own: a circle, and a half-edge on it or none.
+// Fills the next slot: a circle, and a half-edge on it or none.
 void ArcBatches::put(uint32_t other, double root_discriminant, uint32_t half_edge) {
   const uint32_t s = batch_.count++;
   batch_.other[s] = other;
@@ -90,9 +90,9 @@ bool ArcBatches::find_loop() {
   return false;
 }
 
-// Loop after loop, as many half-edges as there is room for.
+// Gathers loop after loop, as many half-edges as there is room for.
 void ArcBatches::gather_loops() {
-  // A half-edge takes a slot and those before and after it.
+  // A half-edge needs a slot of its own, one before it and one after it.
   while (batch_.count + 3 <= ArcBatch::capacity) {
     if (walk_ == no_id) {
       if (!find_loop()) return;
@@ -108,7 +108,7 @@ void ArcBatches::gather_loops() {
   }
 }
 
-// With the slots before and after it; a circle is the one loop that is left.
+// An arc, with the slots before and after it. A circle becomes the only loop that is left.
 void ArcBatches::gather_element() {
   if (element_.is_circle()) {
     loops_ = {boundary_.loop_of(element_), boundary_.loop_of(element_) + 1};
@@ -121,7 +121,7 @@ void ArcBatches::gather_element() {
   put(boundary_.half_edge(half_edge.next).circle, root_at(half_edge.next));
 }
 
-// After the loops of half-edges.
+// After the loops of half-edges: circles, as many as there is room for.
 void ArcBatches::put_circles() {
   if (walk_ != no_id || !half_edges_.empty()) return;
   if (face_ == no_id) {
@@ -135,7 +135,7 @@ void ArcBatches::put_circles() {
   }
 }
 
-// Lanes beyond the last slot are computed along; they repeat its circle.
+// Lanes beyond the last slot are computed, too. They repeat its circle.
 void ArcBatches::pad() {
   const uint32_t last = batch_.count - 1;
   for (uint32_t s = batch_.count; s < batch_.count + sum_lanes - 1; ++s) {
@@ -163,7 +163,7 @@ void ArcBatches::complete_from_integers() {
   for (uint32_t s = 0; s < count; ++s) {
     if (batch_.arc[s] != 0 && is_missing(batch_.px[batch_.next[s]])) vertex_from_integers(batch_.next[s]);
   }
-  // Most arcs that lacked but a vertex are well-conditioned.
+  // Most arcs that lacked only a vertex are well-conditioned.
   complete_arcs(boundary_.target(), batch_);
   for (uint32_t s = 0; s < count; ++s) {
     if (batch_.arc[s] != 0 && is_missing(batch_.angle[s])) arc_from_integers(s);

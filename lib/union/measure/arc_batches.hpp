@@ -1,6 +1,7 @@
-// The free arcs and circles on one ball in batches: the terms of areas, vector areas and derivatives. Their order is
-// that of the half-edges, which does not depend on ids, so neither do the bits of sums. Kernels evaluate them in
-// doubles, several slots at once; ill-conditioned slots fall back to the exact integers of sphere/arc_geometry.hpp.
+// The free arcs and circles on one ball in batches: each arc has a term in areas, vector areas and derivatives. Arcs
+// are in the order of the half-edges, which does not depend on ids, so the bits of sums do not either. Kernels evaluate
+// them in doubles, several slots at once; ill-conditioned slots are evaluated by the exact integers of
+// sphere/arc_geometry.hpp.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -16,7 +17,7 @@ inline BallOfSet ball_of_set(const BallSet &balls, uint32_t i) {
 
 class ArcBatches {
  public:
-  // The arcs and circles of the given face, or of all faces if it is no_id.
+  // The arcs and circles of the given face, or of all faces of the ball if `face` is no_id.
   ArcBatches(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t face = no_id)
       : balls_(balls),
         boundary_(boundary),
@@ -41,14 +42,14 @@ class ArcBatches {
     evaluate();
     return true;
   }
-  // The two steps of that. Between them batch().other is known, and what else the caller reads from memory may be put
-  // into the batch: it arrives while the batch is evaluated.
+  // The two steps of next(). Between them batch().other is known, and the caller may put further data into the batch:
+  // the processor fetches these from memory while the batch is evaluated.
   bool gather() { return !finished_ && fill(); }
   void evaluate();
   const ArcBatch &batch() const { return batch_; }
   ArcBatch &batch() { return batch_; }
 
-  // The half-edge of a slot with an arc.
+  // The half-edge of slot s, which has an arc.
   uint32_t half_edge(uint32_t s) const { return fits_ ? first_ + s : half_edge_[s]; }
 
  private:
@@ -75,20 +76,20 @@ class ArcBatches {
   const uint32_t ball_, face_;
 
   // The arcs that are left to be gathered.
-  IdRange half_edges_;  // of the ball
-  Span<const ClosedHalfEdge> circles_;
-  IdRange loops_;  // of the face
-  uint32_t circle_ = 0;
-  uint32_t first_circle_ = 0;              // slot of the batch
+  IdRange half_edges_;                     // of the ball
+  Span<const ClosedHalfEdge> circles_;     // all circles of the ball
+  IdRange loops_;                          // of the face
+  uint32_t circle_ = 0;                    // the next one of circles_
+  uint32_t first_circle_ = 0;              // the first slot of the batch with a circle
   uint32_t start_ = no_id, walk_ = no_id;  // the first half-edge of the loop, and the next one; no_id between loops
   bool finished_ = false;
   bool is_single_ = false;
-  LoopElement element_;  // if it is single
+  LoopElement element_;  // the arc or circle, if it is a single one
 
-  const uint32_t first_;  // half-edge of the ball
-  const bool fits_;       // into one batch: all that the ball has
+  const uint32_t first_;  // the first half-edge of the ball
+  const bool fits_;       // whether all that the ball has fits into one batch
   ArcBatch batch_;
-  uint32_t half_edge_[ArcBatch::room];  // unless all fit: of the slots
+  uint32_t half_edge_[ArcBatch::room];  // of the slots, unless all fit
 };
 
 }  // namespace hsp

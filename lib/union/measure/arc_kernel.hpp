@@ -1,11 +1,10 @@
-// The kernels of arc_sums.hpp for registers of n doubles. Like everything in kernels they have internal
-// linkage.
+// The kernels of arc_sums.hpp for registers of n doubles. Like everything in kernels they have internal linkage.
 //
 // As an example two balls of radius 5 whose centres are 8 apart: d = 8, |v|^2 = 64, and the plane of their circle is at
 //   h = (64 + 25 - 25) / (2 * 8) = 4        rho^2 = 25 - 16 = 9
-// a circle with a whole turn of angle, 2 pi, and no vertices. Its term of the area over r^2 is cos(cap) angle = 4/5 * 2
-// pi, so that with one face and one loop area / r^2 = 2 pi (2 - 1) + 8/5 pi = 18/5 pi: 90 pi, the sphere's 100 pi less
-// the cap's 2 pi r (r - h) = 10 pi.
+// The whole circle is free: its angle is 2 pi, and there are no vertices. Its term in area / r^2 is cos(cap) angle =
+// 4/5 * 2 pi. With one face and one loop, area / r^2 = 2 pi (2 - 1) + 8/5 pi = 18/5 pi. So the area is 90 pi: the
+// sphere's 100 pi less the cap's 2 pi r (r - h) = 10 pi.
 #pragma once
 
 #include "core/elementary.hpp"
@@ -18,9 +17,9 @@
 namespace hsp {
 namespace {
 
-// Doubles serve well-conditioned circles, rho^2 >= r^2/64 and d <= 4 r, and well-conditioned vertices, those of two
-// such circles whose axes have an angle of sine s with s^2 >= 1/16. To first order, in units of e = 2^-53, with sigma =
-// rho/r, and v = d u exact:
+// Doubles are used for well-conditioned circles, with rho^2 >= r^2/64 and d <= 4 r, and for well-conditioned vertices:
+// those of two such circles whose axes have an angle of sine s with s^2 >= 1/16. Errors, to first order, in units of
+// e = 2^-53, with sigma = rho/r, and v = d u exact:
 //   u               |v|^2 3, root 2.5, inverse 3.5, product                                         4.5
 //   H = 2 h d       4 d^2 + 2 * 2 |h| d                                                              20 r d
 //   2 h             H/d + 4.5 * 2 |h|                                                                29 r
@@ -60,7 +59,7 @@ struct ArcKernel {
   }
   static Vector axes(const ArcBatch &b, uint32_t s) { return load(b.ux, b.uy, b.uz, s); }
 
-  // Returns the mask of those that doubles do not serve.
+  // Returns the mask of the circles that doubles do not serve.
   [[gnu::always_inline]] static Mask evaluate_circles(const BallOfSet &ball, ArcBatch &batch) {
     const double inverse_diameter = ball.r > 0.0 ? 0.5 / ball.r : 0.0;
     const double most_U = most_square_of_distance * ball.r * ball.r;
@@ -90,9 +89,9 @@ struct ArcKernel {
     return unserved;
   }
 
-  // A loop comes in along the circle v, H = 2 h d and leaves along v', H'. With n = v x v' and q = H v' - H' v twice
-  // the vertex is (q x n + sqrt(D) n)/n.n, where q is orthogonal to n, so that q x n has no cancellation; and the loop
-  // turns there by the angle of (4 r^2 v.v' - H H', 2 r sqrt(D)).
+  // A loop arrives along the circle with v and H = 2 h d, and leaves along the circle with v' and H'. With n = v x v'
+  // and q = H v' - H' v, twice the vertex is (q x n + sqrt(D) n)/n.n; q is orthogonal to n, so that q x n has no
+  // cancellation. There the loop turns by the angle of the direction (4 r^2 v.v' - H H', 2 r sqrt(D)).
   static void evaluate_vertices(double radius, ArcBatch &batch) {
     const double diameter = 2 * radius;
     const double square = diameter * diameter;
@@ -127,7 +126,7 @@ struct ArcKernel {
     batch.exterior_angles = sum_of_lanes(angles);
   }
 
-  // Returns the mask of those that doubles do not serve.
+  // Returns the mask of the arcs that doubles do not serve.
   [[gnu::always_inline]] static Mask evaluate_arcs(ArcBatch &batch) {
     Mask unserved{};
     for (uint32_t s = 0; s < batch.count; s += n) {
@@ -140,7 +139,7 @@ struct ArcKernel {
   [[gnu::noinline]] static Mask evaluate_arcs_by_call(ArcBatch &b, uint32_t s, const Mask &arc) {
     return evaluate_arcs_at(b, s, arc);
   }
-  // The chosen ones of n slots; the angles of the others become 0.
+  // The n slots from s on: the arcs in the mask `arc`. The angles of the others become 0.
   [[gnu::always_inline]] static Mask evaluate_arcs_at(ArcBatch &b, uint32_t s, const Mask &arc) {
     const Vector u = axes(b, s);
     const Vector from = load(b.px, b.py, b.pz, s);
@@ -159,7 +158,8 @@ struct ArcKernel {
     return not_served;
   }
 
-  // The others keep what they have: arcs on circles that doubles do not serve are left out.
+  // Evaluates the arcs whose angles are not numbers, but not those on circles that doubles do not serve. All others
+  // keep their values.
   static void complete_arcs(ArcBatch &b) {
     for (uint32_t s = 0; s < b.count; s += n) {
       const Real angle = L::load(b.angle + s);
@@ -209,7 +209,7 @@ struct ArcKernel {
   }
 
  private:
-  // The input of both kinds of sums.
+  // The input of both kinds of sums, for n slots.
   struct Slots {
     Real height, angle;
     Vector X, u;
@@ -236,7 +236,7 @@ struct ArcKernel {
     store_sums(parts, of);
     return {of[0], {of[1], of[2], of[3]}};
   }
-  // With s the weights, ball k's own area and those of its neighbours give together, per arc,
+  // With weights s, the own area of ball k and the area of neighbour j together give for each arc
   //   dS/dc_k: u phi [ -s_k R_k (1 - h/d) - s_j R_j h/d ] + (q - p) x u [ s_k R_k - s_j R_j ]/d
   //   dS/dR_k: s_k phi (R_k^2/d - h) - s_j R_j R_k phi / d,   as (R_k^2 + R_j^2 - d^2)/(2 d) = R_k^2/d - h
   // The term with the factor s_k R_k - s_j R_j vanishes for equal balls. A sphere with R_k = 0 has only infinitely

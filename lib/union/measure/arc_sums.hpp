@@ -1,10 +1,10 @@
-// Sums over the arcs of one ball, as plain arrays that kernels for registers of several widths fill: a batch
-// of arcs, and the sums. Term k of a sum goes to lane k % 4 in every kernel, so that all give the same bits.
+// Sums over the arcs of one ball: a batch of arcs as plain arrays, which kernels for registers of several widths fill,
+// and the sums. Term k of a sum goes to lane k % 4 in every kernel, so that all kernels give the same bits.
 //
-// A slot of a batch holds a circle, and if it has an arc the arc of a half-edge on this circle and the vertex where the
-// half-edge starts. previous[] and next[] are the slots of the half-edges before and after it. A loop that does not fit
-// into the batch has a slot without an arc before the first and after the last of its half-edges here, for their other
-// circle and their other vertex.
+// A slot of a batch holds a circle. If it has an arc, it also holds the arc of a half-edge on this circle and the
+// vertex where the half-edge starts. previous[] and next[] are the slots of the half-edges before and after it in the
+// loop. If a loop does not fit into the batch, there is a slot without an arc before the first of its half-edges here,
+// for the circle along which the loop arrives, and one after the last, for the vertex where the last arc ends.
 #pragma once
 
 #include <cstdint>
@@ -32,18 +32,22 @@ struct ArcBatch {
   static constexpr uint32_t room = capacity + sum_lanes;  // kernels read whole registers
 
   uint32_t count = 0;
-  bool any_touching = false;  // touching[] holds something only if it is set
+  bool any_touching = false;  // touching[] means something only if this is set
   uint32_t other[room];       // the ball that cuts out the circle
   uint32_t previous[room], next[room];
   int64_t arc[room];               // -1 if there is an arc
   double root_discriminant[room];  // of the vertex
 
-  // Filled in by a kernel: the sum of the exterior angles, less whole turns, and the number of these; the radius of the
-  // other ball; the vector v from the ball's centre to that ball's, its square and 2 h d, with its length d and the
-  // height h of the circle's plane along it; its product with v of the previous slot; its unit vector u, 1/d and 2 h;
-  // twice the vertex, from the ball's centre; the arc's angle, and X = 2 (q - p) x u, with its ends p and q such that
-  // it runs from p to q counter-clockwise about u. Slots without an arc have angle 0 and X 0, so that sums may run over
-  // all of them.
+  // Filled in by a kernel, in this order:
+  //   the sum of the exterior angles less whole turns, and the number of these turns
+  //   the radius of the other ball
+  //   the vector v from the ball's centre to the other one, v.v = d^2, and 2 h d, with h the height of the circle's
+  //   plane along v
+  //   the product of v with v of the previous slot
+  //   the unit vector u of v, 1/d and 2 h
+  //   twice the vertex, relative to the ball's centre
+  //   the arc's angle, and X = 2 (q - p) x u; the arc runs from p to q, counter-clockwise about u
+  // Slots without an arc have angle 0 and X 0, so that sums may run over all slots.
   double exterior_angles, exterior_turns;
   double other_radius[room];
   double vx[room], vy[room], vz[room], square_of_distance[room], scaled_height[room];
@@ -56,14 +60,14 @@ struct ArcBatch {
   // For weighted sums, unless all weights are 1: weight times radius of the other ball.
   bool has_weights = false;
   double other_weight[room];
-  ArcProducts *products = nullptr;  // where a caller wants them
+  ArcProducts *products = nullptr;  // null, or the caller's room for them
 
   // Whether a slot has an arc or is a whole circle.
   bool has_piece(uint32_t s) const { return arc[s] != 0 || angle[s] != 0.0; }
 };
 
-// Of all slots, also where doubles do not serve: the square of v, and that of its vector product with v of the previous
-// slot.
+// For all slots, also those that doubles do not serve: the square of v, and the square of the vector product of v with
+// v of the previous slot.
 struct ArcProducts {
   double square[ArcBatch::room], square_of_normal[ArcBatch::room];
 };
@@ -84,14 +88,15 @@ struct GradientSums {
 
 // The kernels (arc_kernel.hpp).
 //
-// Circles, vertices, exterior angles and arcs of a batch, in doubles. True if doubles served for everything; else what
-// they did not serve is not a number: heights of circles, vertices, angles of arcs; and exterior_angles lacks those.
+// Evaluates circles, vertices, exterior angles and arcs of a batch, in doubles. Returns whether doubles served for
+// everything. Heights of circles, vertices and angles of arcs that they did not serve are not numbers, and
+// exterior_angles lacks the angles at such vertices.
 HSP_KERNEL(bool, evaluate_arcs, (const BallOfSet &ball, ArcBatch &batch), (ball, batch))
-// Once more the arcs whose angles are not numbers, but for those on circles that doubles did not serve: their vertices
-// have been found elsewhere.
+// Evaluates again the arcs whose angles are not numbers, after their vertices have been found otherwise. Arcs on
+// circles that doubles did not serve are left out.
 HSP_KERNEL(void, complete_arcs, (ArcBatch & batch), (batch))
 HSP_KERNEL(AreaSums, sum_areas, (const ArcBatch &batch, double radius), (batch, radius))
-// With weights, too, in one pass.
+// Sums of areas and of weighted areas, in one pass.
 HSP_KERNEL(GradientSums, sum_gradient, (const ArcBatch &batch, double radius, double weight), (batch, radius, weight))
 
 }  // namespace hsp

@@ -1,9 +1,9 @@
 // Areas and volume of the union: Gauss-Bonnet on each sphere, and the divergence theorem over all of them.
 //
 // As an example two balls of radius 5 at 0 and (8,0,0), with u = x and a common circle of radius 3 in the plane x = 4.
-// Each has one face and one loop, so that its area is 25 (2 pi (2 - 1) + 4/5 * 2 pi) = 90 pi. Its vector area is that
-// of the disc, turned around: N = -9 pi u for the first ball and 9 pi u for the second one. Terms of the volume are (r
-// area + c.N) / 3 with the centre c from the origin of the component, here that of the first ball:
+// Each has one face and one loop, so that its area is 25 (2 pi (2 - 1) + 4/5 * 2 pi) = 90 pi. Its vector area is minus
+// that of the circle's disc: N = -9 pi u for the first ball and 9 pi u for the second one. Terms of the volume are
+// (r area + c.N) / 3, with c the centre relative to the origin of the component, which is the first ball's centre here:
 //   first    5 * 90 pi / 3 = 150 pi
 //   second   (5 * 90 pi + 8 * 9 pi) / 3 = 174 pi         sum 324 pi: twice a ball less a cap, (500 - 14) pi / 3
 #pragma once
@@ -21,7 +21,7 @@ class FreeSurface {
   FreeSurface(const Boundary &boundary, double radius) : boundary_(boundary), radius_(radius) {}
 
   void add(const ArcBatch &batch) { add(batch, sums_of(batch)); }
-  // The same for callers that have the sums.
+  // The same for callers that have the batch's sums.
   void add(const ArcBatch &batch, const AreaSums &sums) {
     exterior_angles_ += batch.exterior_angles;
     exterior_turns_ += batch.exterior_turns;
@@ -29,8 +29,8 @@ class FreeSurface {
     vector_area_ = vector_area_ + Vec3{sums.vector_area[0], sums.vector_area[1], sums.vector_area[2]};
   }
 
-  // Multiples of 2 pi are counted before they are rounded. A face can be infinitesimal: its area is 0 up to rounding,
-  // on either side.
+  // area / r^2, not negative. Multiples of 2 pi are counted as integers. A face can be infinitesimal: the sum is 0 up
+  // to rounding, and may be below 0.
   double steradians(uint32_t faces, uint32_t loops) const {
     const double turns = 2.0 * static_cast<double>(faces) - static_cast<double>(loops) - exterior_turns_;
     const double cosines = radius_ > 0.0 ? cosines_ / (2 * radius_) : 0.0;
@@ -46,11 +46,11 @@ class FreeSurface {
   double radius_;
   double exterior_angles_ = 0.0, exterior_turns_ = 0.0;
   double cosines_ = 0.0;             // sum of 2 h angle
-  Vec3 vector_area_{0.0, 0.0, 0.0};  // eight times it
+  Vec3 vector_area_{0.0, 0.0, 0.0};  // eight times the vector area
 };
 
-// Ball i's centre seen from the origin of its component, which is its ball of lowest rank, so that terms of the volume
-// do not grow with the distance to other components.
+// The centre of ball i relative to the centre of its component's ball of lowest rank. With this origin terms of the
+// volume do not grow with the distance to other components.
 inline Vec3 offset_from_origin(const BallSet &balls, const Boundary &boundary, uint32_t i) {
   const uint32_t origin = boundary.component_origin(i);
   return {balls.x[i] - balls.x[origin], balls.y[i] - balls.y[origin], balls.z[i] - balls.z[origin]};
@@ -67,7 +67,8 @@ struct BallMeasure {
   double volume = 0.0;  // its term of the volume
 };
 
-// Ball i of the grid's order. Sums run in the order of its half-edges and circles, which does not depend on ids.
+// The measure of ball i, in grid order. Sums run in the order of its half-edges and circles, which does not depend on
+// ids.
 BallMeasure measure_ball(const BallSet &balls, const Boundary &boundary, uint32_t i);
 
 // The same for one face alone: its area, and its term of the volume about the same origin.

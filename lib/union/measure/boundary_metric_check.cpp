@@ -28,7 +28,7 @@ struct CheckCircle {
   }
 };
 
-// The result of the second way for one ball, and how far rounding may move it.
+// The result of the second way for one ball, and a bound of its rounding error.
 struct SecondMeasure {
   double steradians = 0.0;
   Vec3 vector_area{0.0, 0.0, 0.0};
@@ -94,9 +94,9 @@ class BoundaryMetricCheck {
     return error * error <= tolerance * tolerance * largest * largest;
   }
 
-  // Gauss-Bonnet with angles between radii of circles and between tangents, all from positions; the vector area as half
-  // the integral of x cross dx along the arcs: a triangle from the centre and the segment between chord and arc for
-  // each.
+  // Gauss-Bonnet, with angles between radii of circles and between tangents, all from positions. The vector area is
+  // half the integral of x cross dx along the arcs: for each arc a triangle from the centre, and the segment between
+  // the chord and the arc.
   SecondMeasure measure_again(uint32_t i) const {
     const double r = balls_.r[i];
     const uint32_t loops = boundary_.loops(i).size();
@@ -117,11 +117,11 @@ class BoundaryMetricCheck {
       const double sine = dot(out.axis, cross(to_p, to_q));
       double angle = arc_tangent(sine, dot(to_p, to_q));
       if (angle < 0.0) angle += 2 * pi;
-      // Where rounding cannot distinguish a full turn from none, the exact order does.
+      // If rounding cannot distinguish a full turn from none, the angle from exact integers does.
       constexpr double unclear = 0x1p-16;
       const double known = angle_of(balls_, boundary_, i, u);
       if (angle < unclear || angle > 2 * pi - unclear) angle = known;
-      // On the way in along circle `in`, out along circle `out`, clockwise about both axes.
+      // The loop arrives along circle `in` and leaves along circle `out`, clockwise about both axes.
       const Vec3 arriving = cross(q, in.axis);
       const Vec3 leaving = cross(q, out.axis);
       const double turn = arc_tangent(norm(cross(arriving, leaving)), dot(arriving, leaving));
@@ -141,8 +141,8 @@ class BoundaryMetricCheck {
     return sum;
   }
 
-  // The error bound of an angle: a position has an error of some units of r, which is a wider angle on a smaller
-  // circle. A bound beyond a full turn carries no information.
+  // The error bound of an angle: a position has an error of some units of r, and this is a wider angle on a smaller
+  // circle. A bound beyond some turns carries no information.
   static double error_bound_of(double r, double circle_radius) {
     const double error_bound = circle_radius > 0.0 ? 0x1p-44 * r / circle_radius : 8 * pi;
     return error_bound < 8 * pi ? error_bound : 8 * pi;

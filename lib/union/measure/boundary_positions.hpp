@@ -1,5 +1,5 @@
-// Where the vertices, arcs and circles of a boundary lie. Everything is computed from the ball of lowest rank
-// concerned, so that ids have no effect on any bit.
+// Positions of the vertices, arcs and circles of a boundary. Each is computed from the ball of lowest rank among its
+// own, so that ids have no effect on any bit.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -17,7 +17,7 @@ void to_coordinates(const BallSet &balls, const Position &position, double xyz[3
 
 Position position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
 
-// The angle of a half-edge's arc. Twins have the same one.
+// The angle of a half-edge's arc, in radians. Twins have the same bits.
 double angle_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge);
 
 // The circle in which two spheres meet, in lattice steps. The axis is a unit vector from ball a towards ball b.

@@ -4,10 +4,11 @@
 // As an example two balls of radius 5 whose centres are 8 apart, with a tension of 2 and a pressure of 3. The areas are
 // 90 pi each, and the volume is that of two balls less twice a cap of height 1, pi (15 - 1) / 3 each:
 //   S = 180 pi      V = 2 * 500 pi / 3 - 2 * 14 pi / 3 = 324 pi      value = 2 S + 3 V = 1332 pi
-// gradients.hpp has the derivatives of these balls: along u, from ball k to ball j,
-//   of S by c_k     5 pi (-u) + 5 pi (-u) = -10 pi u, of its own area and of the other one
-//   of V by c_k    -9 pi u               so that the energy has 2 * -10 pi - 3 * 9 pi = -47 pi
-//   by R_k          2 (34.25 pi - 6.25 pi) + 3 * 90 pi = 326 pi, as ball j loses 2 pi R^2 / d of its area
+// gradients.hpp has the derivatives of these balls. With u the unit vector from ball k to ball j:
+//   of S by c_k           5 pi (-u) + 5 pi (-u) = -10 pi u, from the areas of k and of j
+//   of V by c_k           -9 pi u
+//   of the value by c_k   (2 * -10 pi - 3 * 9 pi) u = -47 pi u
+//   of the value by R_k   2 (34.25 pi - 6.25 pi) + 3 * 90 pi = 326 pi, as j loses 2 pi R^2 / d = 6.25 pi of its area
 #pragma once
 
 #include "core/summation.hpp"
@@ -38,15 +39,15 @@ struct EnergyGradient {
   double centre[3];
   double radius;
   bool one_sided;
-  double area;  // of the ball, in lattice steps: few want it in the caller's unit
+  double area;  // of the ball, in lattice steps: few callers want it in their unit
 };
 
-// One ball's part. A step of the lattice may be any power of ten, so derivatives of an area and of a volume are
-// converted each on its own.
+// The derivatives of the energy by one ball, in the caller's unit. A step of the lattice may be any power of ten, so
+// derivatives of areas and of volumes are converted each on its own.
 inline EnergyGradient gradient_of_energy(const exact::Lattice &lattice, const EnergyTerms &terms,
                                          const BallGradient &ball) {
-  // Two numbers at a time, as there are many divisions. No two that are neighbours in memory: a register loaded from
-  // where two numbers have just been stored waits for them.
+  // Two numbers at a time, as there are many divisions. The two are not neighbours in memory: if two numbers have just
+  // been stored one by one, a load of both as one register has to wait.
   using Pair = Wide<double, 2>::Real;
   const auto combined = [&](const Pair &of_area, const Pair &of_volume) {
     return terms.tension * lattice.lengths(of_area) + terms.pressure * lattice.lengths(lattice.lengths(of_volume));
@@ -114,7 +115,7 @@ class EnergySum {
     volume_.add(share.volume);
     by_probe_.add(share.by_probe);
   }
-  // The same for so many shares that are zeros.
+  // The same for `times` equal shares, all of whose numbers are zeros.
   void add_zeros(const EnergyShare &share, uint32_t times) {
     area_.add_zeros(share.area, times);
     volume_.add_zeros(share.volume, times);
@@ -131,13 +132,13 @@ class EnergySum {
   TreeSum area_, volume_, by_probe_;
 };
 
-// Calls sink(i, gradient) for every ball i of a range of the input, or sink(run, gradient) for several that have the
-// same one, and adds the shares to the sum.
+// Calls sink(i, gradient) for every ball i of a range of the input, or sink(run, gradient) for a run of balls that have
+// the same gradient, and adds the shares to the sum.
 template <class Sink>
 void differentiate_balls(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, IdRange range,
                          EnergySum &sum, Sink sink) {
   const BallSet &balls = grid.balls();
-  const EnergyGradient of_none = gradient_of_energy(balls.lattice, terms, {});  // of balls without faces: with signs
+  const EnergyGradient of_none = gradient_of_energy(balls.lattice, terms, {});  // of balls without faces: zeros, signed
   const EnergyShare no_share{0.0, 0.0, of_none.radius};
   const auto differentiate = [&](uint32_t i, uint32_t ball) {
     if (!boundary.is_exposed(ball)) {
@@ -172,7 +173,7 @@ Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, cons
   return sum.total(balls.lattice, terms.tension, terms.pressure);
 }
 
-// The energy of balls whose shares visit(range, sum) adds, with lengths on this lattice. False if the executor fails.
+// The energy from shares: visit(range, sum) adds those of the balls of a range. False if the executor fails.
 template <class Visit>
 bool sum_energy(const Executor &executor, uint32_t balls, const exact::Lattice &lattice, const EnergyTerms &terms,
                 Visit visit, Energy &energy) {
@@ -182,7 +183,8 @@ bool sum_energy(const Executor &executor, uint32_t balls, const exact::Lattice &
   return each;
 }
 
-// The same with a sink as differentiate_balls() has it, from the tasks of the executor. False if that fails.
+// The same as the first differentiate_energy(), by the tasks of the executor; `sink` is as for differentiate_balls().
+// False if the executor fails.
 template <class Sink>
 bool differentiate_energy(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
                           const EnergyTerms &terms, Energy &energy, Sink sink) {

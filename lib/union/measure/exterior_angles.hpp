@@ -1,5 +1,5 @@
-// The sum of the angles by which loops turn at their vertices, each in [0, pi], with one arc tangent for all in a lane:
-// the product of their phases, and the number of whole turns.
+// The sum of the angles by which loops turn at their vertices, each in [0, pi], with one arc tangent for all angles in
+// a lane. It keeps the product of their directions as complex numbers, and the number of whole turns.
 #pragma once
 
 #include "lanes/angle.hpp"
@@ -14,18 +14,18 @@ class ExteriorAngleSum {
   using Real = typename L::Real;
   using Mask = typename L::Mask;
 
-  // The product must stay within the range of doubles.
+  // With more, the product might leave the range of doubles.
   static constexpr uint32_t most_directions = 8;
 
-  // Angles in [0, pi] by their directions, one for each lane: y >= +0, and a length in [2^-7, 2^124].
+  // Adds angles in [0, pi], one in each lane, given by directions (x, y) with y >= +0 and a length in [2^-7, 2^124].
   //
-  // Whole turns are counted by half-planes, given by the sign of Y: the product (X, Y) is in the upper one for angles
-  // in [0, pi], in the lower one for [pi, 2 pi], where pi is (-1, -0) and 2 pi is (1, -0), and a turn is complete when
-  // it leaves the lower one for the upper one. Rounding cannot make the count wrong. The new Y is X y + Y x. From the
-  // upper half-plane the new angle lies in [0, 2 pi]; it would be mistaken for one near the other end only if the sign
-  // of the new Y were wrong near 0, where X, x > 0 and both terms are >= +0, or near 2 pi, where X, x < 0 and both are
-  // <= -0. From the lower one it lies in [pi, 3 pi]: near pi X < 0 < x and both terms are <= -0, near 3 pi x < 0 < X
-  // and both are >= +0. Elsewhere the count and the angle change together.
+  // The sign of Y gives the half-plane of the product (X, Y): the upper one for sums in [0, pi], the lower one for sums
+  // in [pi, 2 pi], where pi is (-1, -0) and 2 pi is (1, -0). A turn is complete when the product goes from the lower to
+  // the upper half-plane. Rounding cannot make the count wrong: the new Y is X y + Y x. From the upper half-plane the
+  // new sum lies in [0, 2 pi]. It would be mistaken for one near the other end only if the sign of the new Y were wrong
+  // near 0, where X, x > 0 and both terms are >= +0, or near 2 pi, where X, x < 0 and both are <= -0. From the lower
+  // half-plane the new sum lies in [pi, 3 pi]: near pi X < 0 < x and both terms are <= -0, near 3 pi x < 0 < X and both
+  // are >= +0. Elsewhere the count and the angle change together.
   void add_directions(const Real &x, const Real &y) {
     const Real X = x_ * x - y_ * y;
     const Real Y = x_ * y + y_ * x;
@@ -34,8 +34,8 @@ class ExteriorAngleSum {
     y_ = Y;
   }
 
-  // The sums of the lanes are 2 pi turns() + angles(), with angles in [-pi, pi]. Those of the lower half-plane count a
-  // turn more than is complete.
+  // The sum in each lane is 2 pi turns() + angles(), with angles in [-pi, pi]. A sum in the lower half-plane has one
+  // turn more than are complete.
   Mask turns() const { return turns_ + L::sign_bits(L::bits(y_)); }
   Real angles() const { return signed_angle<L>(x_, y_); }
 

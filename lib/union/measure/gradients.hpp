@@ -1,5 +1,5 @@
-// Derivatives of areas and volume by centres and radii (Connolly 1983, Richmond 1984), gathered ball by ball: what
-// moves with ball k are the free arcs on its own sphere, and each of them bounds two areas.
+// Derivatives of areas and volume by centres and radii (Connolly 1983, Richmond 1984), gathered ball by ball. As ball k
+// moves or grows, the free arcs on its own sphere move, and each of them bounds the areas of two balls.
 //
 // With R, c radii and centres, for every free arc of angle phi on the circle of k and j, from p to q counter-clockwise
 // about the unit vector u from c_k to c_j, d the distance of the centres and h that of the circle's plane from c_k:
@@ -24,8 +24,8 @@ namespace hsp {
 
 enum class TouchingBalls : uint8_t { meet, apart };
 
-// Whether the derivatives count the free arcs of this circle. Spheres that touch meet in one of radius 0, which counts
-// as the caller wants it.
+// Whether the free arcs of a circle are counted in derivatives. The circle of touching spheres, of radius 0, is counted
+// if the caller wants it.
 constexpr bool counts(Touching touching, TouchingBalls touching_balls) {
   return touching == Touching::no || touching_balls == TouchingBalls::meet;
 }
@@ -34,7 +34,7 @@ constexpr bool counts(Touching touching, TouchingBalls touching_balls) {
 struct AreaWeights {
   const double *weight = nullptr;  // in the caller's order; null for all ones
   TouchingBalls touching_balls = TouchingBalls::meet;
-  const uint32_t *owner = nullptr;  // null, or whose weight each ball of the caller's order has
+  const uint32_t *owner = nullptr;  // null, or for each ball in the caller's order the index of its weight
 
   bool are_ones() const { return weight == nullptr; }
   double of(const BallSet &balls, uint32_t i) const {
@@ -44,7 +44,7 @@ struct AreaWeights {
   }
 };
 
-// Ball k's part, in lattice steps.
+// Measure of ball k and derivatives by it, in lattice steps.
 struct BallGradient {
   BallMeasure measure;
   Vec3 centre{0.0, 0.0, 0.0};       // dS/dc_k
@@ -60,13 +60,13 @@ class WeightedAreas {
   WeightedAreas(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k)
       : balls_(balls), boundary_(boundary), weights_(weights), R_(balls.r[k]), weight_(weights.of(balls, k)) {}
 
-  // To be called before the batch is evaluated.
+  // Called between ArcBatches::gather() and evaluate().
   void put_weights(ArcBatch &batch) const {
     batch.has_weights = !weights_.are_ones();
     if (batch.has_weights) put_given_weights(batch);
   }
-  // Adds an evaluated batch to these sums, and first to those of `surface`. Between the two it calls on_arcs(batch);
-  // then what does not count is taken out of the batch.
+  // Adds an evaluated batch to `surface`, calls on_arcs(batch), takes the arcs that are not counted out of the batch,
+  // and adds the rest to its own sums.
   template <class OnArcs>
   void add(ArcBatch &batch, FreeSurface &surface, OnArcs &on_arcs) {
     if (batch.any_touching) [[unlikely]] {
@@ -102,8 +102,8 @@ class WeightedAreas {
   double radius_ = 0.0;
 };
 
-// The same for a ball with faces, for callers that sum more over its arcs: calls on_arcs(batch) for every batch, before
-// what does not count is taken out of it. Returns the solid angle of the faces.
+// The same as gradient_of_ball() for a ball with faces, for callers that sum more over its arcs: calls on_arcs(batch)
+// for every batch, before arcs that are not counted are taken out of it. Returns the solid angle of the faces.
 template <class OnArcs>
 HSP_INLINE_UNLESS_SMALL inline double gather_gradient(const BallSet &balls, const Boundary &boundary,
                                                       const AreaWeights &weights, uint32_t k, BallGradient &result,
@@ -133,12 +133,14 @@ HSP_INLINE_UNLESS_SMALL inline double gather_gradient(const BallSet &balls, cons
 struct AreaDerivative {
   Vec3 centre{0.0, 0.0, 0.0};
   double radius = 0.0;
-  double angle = 0.0;  // of the free arcs that count
+  double angle = 0.0;  // of the free arcs that are counted
   bool one_sided = false;
 };
-// The length of ball i's row: itself, and the balls whose circles on it have a free piece; 0 if it has no face.
+// The length of ball i's row of derivatives of its area: entries for ball i itself and for the balls whose circles on
+// it have a free arc or are free; 0 if it has no face.
 uint32_t area_row_length(const Boundary &boundary, uint32_t i);
-// Where the rows begin in the caller's order: first [n + 1] from 0 to the number of all entries.
+// The first entry of each row, if rows follow each other in the caller's order: first [n + 1], from 0 to the number of
+// all entries.
 void find_area_row_starts(const CubeGrid &grid, const Boundary &boundary, uint32_t *first);
 
 // Calls on_part(j, derivative) for every free arc and circle on ball i, with its part of the derivatives by ball j, and
@@ -178,7 +180,7 @@ AreaDerivative visit_area_row(const BallSet &balls, const Boundary &boundary, ui
   return own;
 }
 
-// Calls sink(k, j) for the entries k = 0, 1, .. of ball i's row, in no order of the balls j.
+// Calls sink(k, j) for the entries k = 0, 1, .. of ball i's row; j is the ball of entry k, in no particular order.
 template <class Sink>
 void visit_balls_of_area_row(const Boundary &boundary, uint32_t i, Sink sink) {
   if (!boundary.is_exposed(i)) return;
@@ -193,9 +195,9 @@ void visit_balls_of_area_row(const Boundary &boundary, uint32_t i, Sink sink) {
   }
 }
 
-// Fills ball i's row, one entry for each ball, sorted by the caller's indices, with lengths in the caller's unit. Of
-// its area_row_length entries ball(k) is where the ball of entry k stands, clear(k) makes an entry 0, sort() sorts them
-// by ball, and add(k, derivative) adds to one.
+// Fills ball i's row, one entry for each ball, sorted by the caller's indices, with lengths in the caller's unit.
+// length: area_row_length(). row.ball(k) is a reference to the ball of entry k, row.clear(k) makes entry k 0,
+// row.sort() sorts the entries by ball, and row.add(k, derivative) adds to entry k.
 template <class Row>
 void gather_area_row(const BallSet &balls, const Boundary &boundary, uint32_t i, TouchingBalls touching_balls,
                      uint32_t length, Row row) {

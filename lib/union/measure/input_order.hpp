@@ -1,6 +1,6 @@
-// Visits the balls in the order of the input, in which totals are summed. Their records are stored in the order of the
-// cubes, so in a set larger than the processor's caches every visit would wait for memory. Prefetching what later
-// visits read avoids that; it affects nothing but time.
+// Visits the balls in the order of the input, in which totals are summed. The balls' records are stored in grid order,
+// so that in a set larger than the processor's caches every visit would wait for memory. Prefetching the records of
+// later visits avoids this; it affects nothing but time.
 #pragma once
 
 #include <type_traits>
@@ -11,11 +11,11 @@
 
 namespace hsp {
 
-// Balls that the boundary leaves out are visited as others are.
+// Stands for no `pass`: balls that the boundary leaves out are visited as others are.
 struct PassNone {};
 
-// Calls visit(i, ball) for every ball i of a range of the input, with its index in the grid's order; but pass(run), if
-// it is given and code is not small, for balls that the boundary leaves out, as many at once as follow each other.
+// Calls visit(i, ball) for every ball i of a range of the input; `ball` is its index in grid order. If `pass` is given
+// and code is not small, calls pass(run) instead for each run of consecutive balls that the boundary leaves out.
 template <class Visit, class Pass = PassNone>
 void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit, Pass pass = {}) {
   const BallSet &balls = grid.balls();

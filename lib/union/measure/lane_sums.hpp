@@ -1,4 +1,4 @@
-// The lanes of sums, added up in one order for registers of every width.
+// Adds up the lanes of sums, in one order for registers of every width.
 #pragma once
 
 #include "lanes/wide.hpp"
@@ -11,7 +11,7 @@ double sum_of_lanes(const double (&lanes)[sum_lanes]) {
   return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
-// Four sums, n of the lanes of each.
+// Four sums; of each, n of its lanes.
 template <uint32_t n>
 struct FourSums {
   using L = Wide<double, n>;
@@ -19,7 +19,7 @@ struct FourSums {
 
   Real a = L::all(0.0), b = L::all(0.0), c = L::all(0.0), d = L::all(0.0);
 };
-// All lanes of each sum, as by sum_of_lanes.
+// Adds up all lanes of each sum, with the bits of sum_of_lanes().
 template <uint32_t n>
 void store_sums(const FourSums<n> (&parts)[sum_lanes / n], double (&sums)[4]) {
   using L = Wide<double, n>;

@@ -1,5 +1,5 @@
-// Sums over all balls by the tasks of an executor, with the bits of one sum over them in the order of the input. Where
-// one returns false the reason is the executor's failure().
+// Sums over all balls by the tasks of an executor, with the bits of a single sum in the order of the input. If a
+// function returns false, the reason is the executor's failure().
 #pragma once
 
 #include "core/executor.hpp"
@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-// The sums of all ranges from those of each. A call of its own, as what it takes of the stack the tasks do not need.
+// The sums over all ranges from the sums of each range. A call of its own, so that its stack is not there in the tasks.
 template <class Sum>
 [[gnu::noinline]] typename Sum::Term sum_of_ranges(const TermRanges &ranges, const typename Sum::Term *of_range) {
   Sum all;
@@ -15,7 +15,7 @@ template <class Sum>
   return all.sums(of_range[ranges.complete()]);
 }
 
-// Calls visit(part) for a range, some balls at a time where the caller may stop it.
+// Calls visit(part) for the parts of a range: for all of it, or for some balls at a time if the caller may stop it.
 template <class Visit>
 void visit_patiently(const Executor &executor, IdRange range, Visit visit) {
   if (!executor.may_stop()) return visit(range);
@@ -26,9 +26,9 @@ void visit_patiently(const Executor &executor, IdRange range, Visit visit) {
   }
 }
 
-// Calls visit(range, sum) for ranges that are all balls together, side by side; it adds a term for each ball of the
-// range. Sum::sums(rest): of its terms with those behind them, of which rest are the sums. False if the executor
-// fails.
+// Calls visit(range, sum) for ranges that are all balls together, in several tasks; visit adds a term to `sum` for each
+// ball of the range. Sum::sums(rest) gives the sums of its terms and of the terms behind them, whose sums are `rest`.
+// False if the executor fails.
 template <class Sum, class Visit>
 bool sum_in_parts(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
   const TermRanges ranges(balls, executor.workers());
@@ -43,7 +43,7 @@ bool sum_in_parts(const Executor &executor, uint32_t balls, Visit visit, typenam
   return each;
 }
 
-// Calls visit(range) for ranges that are all balls together, side by side. False if the executor fails.
+// Calls visit(range) for ranges that are all balls together, in several tasks. False if the executor fails.
 template <class Visit>
 bool for_each_range(const Executor &executor, uint32_t balls, Visit visit) {
   if (!executor.is_parallel()) {
@@ -54,7 +54,7 @@ bool for_each_range(const Executor &executor, uint32_t balls, Visit visit) {
   return executor.for_each(ranges.count(), [&](uint32_t k) { visit_patiently(executor, ranges[k], visit); });
 }
 
-// The same by the caller's thread alone. A call of its own: what it takes of the stack is not its caller's.
+// The same as sum_in_parts() by the caller's thread alone. A call of its own, so that its stack is not the caller's.
 template <class Sum, class Visit>
 [[gnu::noinline]] void sum_alone(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
   Sum all;
@@ -62,7 +62,7 @@ template <class Sum, class Visit>
   sums = all.sums({});
 }
 
-// sum_in_parts, or alone if the executor has no more threads.
+// sum_in_parts(), or sum_alone() if the executor has one thread.
 template <class Sum, class Visit>
 bool sum_by(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
   if (executor.is_parallel()) return sum_in_parts<Sum>(executor, balls, visit, sums);

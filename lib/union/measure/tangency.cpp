@@ -5,7 +5,7 @@
 namespace hsp {
 namespace {
 
-// Whether no component of v is beyond s: keeps the squares within their bits.
+// Whether no component of v is larger than s in size. Then squares stay within their bits.
 bool within(const exact::Vector &v, int64_t s) {
   return v.x <= s && v.y <= s && v.z <= s && -v.x <= s && -v.y <= s && -v.z <= s;
 }
@@ -51,7 +51,7 @@ bool InnerTouch::no_third_covers(const exact::LatticeBall &container, const exac
     if (!within(w, third.radius + container.radius)) return true;
     const exact::Vector point{D * w.x + container.radius * v.x, D * w.y + container.radius * v.y,
                               D * w.z + container.radius * v.z};
-    // On the spheres of the two themselves it lies exactly, and so outside their interiors.
+    // The point lies exactly on the spheres of the two balls themselves, and so not in their interiors.
     return exact::power(point, D * third.radius).sign() >= 0;
   });
 }

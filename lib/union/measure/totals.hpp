@@ -22,7 +22,7 @@ class MeasureSum {
     area_.add(measure.area);
     volume_.add(measure.volume);
   }
-  // Those of n balls.
+  // Adds the measures of n balls.
   void add(const double *area, const double *volume, uint32_t n) {
     area_.add(area, n);
     volume_.add(volume, n);
@@ -34,7 +34,8 @@ class MeasureSum {
   TreeSum area_, volume_;
 };
 
-// Makes of all balls' measures, in lattice steps and the caller's order, those in the caller's unit; returns the sums.
+// Sums the measures of all balls, which are in lattice steps and in the caller's order, and converts them in place to
+// the caller's unit. Returns the sums in the caller's unit.
 inline BallMeasure sum_and_convert(const BallSet &balls, double *area, double *volume) {
   const exact::Lattice &lattice = balls.lattice;
   MeasureSum sum;
@@ -44,7 +45,7 @@ inline BallMeasure sum_and_convert(const BallSet &balls, double *area, double *v
     L::store(area + i, lattice.lengths(lattice.lengths(L::load(area + i))));
     L::store(volume + i, lattice.lengths(lattice.lengths(lattice.lengths(L::load(volume + i)))));
   };
-  // Most of it is divisions.
+  // Most of the work is divisions.
   constexpr uint32_t lanes = small_code ? 1 : 2;
   uint32_t i = 0;
   for (; i + lanes <= balls.n; i += lanes) convert(Wide<double, lanes>{}, i);
@@ -52,20 +53,20 @@ inline BallMeasure sum_and_convert(const BallSet &balls, double *area, double *v
   return in_caller_units(lattice, sum.total());
 }
 
-// Whether ball i of the input, with that index in the grid's order, has faces that count. selected may be null; the
-// faces of balls i with selected[i] == 0 count as 0.
+// Whether ball i of the input, which is `ball` in grid order, has faces that are counted. selected: null, or 0 for each
+// ball of the input whose faces are not counted.
 inline bool has_counted_faces(const Boundary &boundary, const uint8_t *selected, uint32_t i, uint32_t ball) {
   return (selected == nullptr || selected[i] != 0) && boundary.is_exposed(ball);
 }
 
-// Its measure in lattice steps; 0 if none of its faces counts.
+// The measure of such a ball in lattice steps; 0 if its faces are not counted.
 inline BallMeasure measure_counted(const BallSet &balls, const Boundary &boundary, const uint8_t *selected, uint32_t i,
                                    uint32_t ball) {
   return has_counted_faces(boundary, selected, i, ball) ? measure_ball(balls, boundary, ball) : BallMeasure{};
 }
 
-// Calls sink(i, measure) for every ball i of a range of the input, in the caller's unit, and adds to the sum. Nothing
-// is 0 in every unit: only balls that have faces need the divisions.
+// Calls sink(i, measure) for every ball i of a range of the input, with the measure in the caller's unit, and adds it
+// to the sum in lattice steps. Only balls with faces need the divisions, as 0 is 0 in every unit.
 template <class Sink>
 void measure_range(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, IdRange range,
                    MeasureSum &sum, Sink sink) {
@@ -89,8 +90,8 @@ BallMeasure measure_union(const CubeGrid &grid, const Boundary &boundary, const 
   return in_caller_units(grid.balls().lattice, sum.total());
 }
 
-// The same into arrays in the caller's order, which do not overlap; each may be null. With both of them balls are
-// measured in the grid's order, in which what belongs to them follows each other in memory, and summed in the caller's
+// The same into arrays in the caller's order, which do not overlap; each may be null. If both are given, balls are
+// measured in grid order, in which their records follow each other in memory, and summed in the caller's order
 // afterwards.
 inline BallMeasure measure_into(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, double *area,
                                 double *volume) {
