@@ -82,7 +82,7 @@ struct FaceRecord {
 };
 
 // The first half-edge, closed half-edge, loop and face of a ball. Those of the next ball follow. They are one record,
-// since whoever reads one of them reads most of them.
+// since callers that read one of them read most of them.
 struct FirstParts {
   uint32_t half_edge, closed_half_edge, loop, face;
 };

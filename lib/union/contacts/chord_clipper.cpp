@@ -1,9 +1,9 @@
-// Chords, clipped by one cap after the other.
+// Clips chords by one cap after the other.
 //
 // As an example the balls of radius 6 at 0, (6,0,0), (0,6,0) and (0,0,6), and at the first of them the chord of the
 // second and the third. It runs from p- = (3, 3, -4.24) to p+ = (3, 3, 4.24). The cap of the fourth ball is z >= 3: it
-// holds p+ and not p-, so that it clips that end, in (3, 3, 3). Left is the chord from (3, 3, -4.24) to (3, 3, 3), with
-// one free end.
+// holds p+ and not p-, so that it clips the end at p+, in (3, 3, 3). The chord from (3, 3, -4.24) to (3, 3, 3) is left,
+// with one free end.
 //   clipper      no_id, and the number of the fourth ball's cap
 #include "contacts/chord_clipper.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 using Two = Wide<double, 2>;
 
-// A chord on the unit sphere, for testing against pairs of caps.
+// A chord on the unit sphere, to be tested against two caps at a time.
 struct LaneChord {
   Two::Real mx, my, mz, wx, wy, wz;
 
@@ -47,15 +47,15 @@ struct LaneChord {
   }
 };
 
-// Where a cap clips: s = -f/g with |f| < |g|. With errors of f and g that are together at most E and |g| >= 2E the
-// quotient is off by at most E/(|g| - E) <= 2E/|g|; its own rounding is below E/|g|, as E >= 256e and |g| <= 1 + E.
+// The point where a cap clips: s = -f/g with |f| < |g|. Let the errors of f and g together be at most E, and |g| >= 2E.
+// The quotient is off by at most E/(|g| - E) <= 2E/|g|; its own rounding is below E/|g|, as E >= 256e and |g| <= 1 + E.
 struct Clip {
   double s, error;
   uint32_t cap;
 };
 
-// The exact stage. The order in which caps are asked does not matter: the answers agree with each other. Where many
-// spheres go through one point, the cap that held all of the last chord mostly holds this one, too: it comes first.
+// The exact stage. The order in which caps are asked about does not matter, as answers agree with each other. The cap
+// that held all of the last chord comes first: if many spheres go through one point, it mostly holds this chord, too.
 bool clip_exactly(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &ends, uint32_t &holder) {
   const exact::Predicates predicates = caps.predicates();
   const exact::Plane P = caps.plane(j);
@@ -82,7 +82,7 @@ bool clip_exactly(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &ends, uin
          predicates.near(P, Q, caps.plane(ends.clipper[0]), caps.plane(ends.clipper[1])).sign > 0;
 }
 
-// Whether cap l rather than the one that did so far clips the chord.
+// Whether the cap of `next` clips the chord by more than that of `now`. direction: 1 at the side of p+, -1 at p-.
 bool clips_more(const Caps &caps, uint32_t j, uint32_t k, const Clip &now, const Clip &next, double direction) {
   if (now.cap == no_id) return true;
   const double nearer = (now.s - next.s) * direction;
@@ -120,7 +120,7 @@ bool ChordClipper::clip(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &end
   return clip_exactly(caps, j, k, ends, holder_);
 }
 
-// Of the caps only the chord's own two may be nearer to its ends than doubles tell.
+// Certain only if doubles tell for all caps but the chord's own two on which side of their planes its ends are.
 ChordClipper::Answer ChordClipper::clip_in_doubles(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair,
                                                    ChordEnds &ends) {
   static_assert(CapTests::group == 2 * Two::lanes);

@@ -11,12 +11,12 @@ using exact::LatticeBall;
 using exact::Plane;
 using Line = exact::ChordLine<exact::FastLimb>;
 
-// t/(8 N). Planes through one circle have none.
+// t/(8 N); 0 for planes through one circle, with N = 0.
 double scale_of(double t, double N) {
   return N > 0.0 ? t / (8 * N) : 0.0;
 }
 
-// Of a plane's chord with another one: what an end at t = sqrt(D) adds to the contact of the first one.
+// The term that an end at t = sqrt(D) of the chord of planes P and Q adds to the contact of P.
 double free_end(const Plane &P, const Plane &Q, double root) {
   const exact::ChordFactors factors = Line(P, Q).factors();
   return factors.beta * scale_of(root, factors.N);
@@ -30,7 +30,7 @@ void measure_in_integers(const BallSet &balls, PowerVertexBatch &batch, uint32_t
   const Plane P = plane_of(ball[0], ball[1]), Q = plane_of(ball[0], ball[2]), R = plane_of(ball[0], ball[3]);
   const Plane of_second[3] = {plane_of(ball[1], ball[2]), plane_of(ball[1], ball[3]), plane_of(ball[1], ball[0])};
   const int side = exact::Exact::triple_product_sign(P.v, Q.v, R.v);
-  double part[4][3];  // by chord, of its first, second and third contact
+  double part[4][3];  // by chord: for its first, second and third contact
   const auto measure = [&](uint32_t chord, const Plane &first, const Plane &second, const Plane &third, int direction) {
     const Line line(first, second);
     const exact::ChordFactors factors = line.factors();

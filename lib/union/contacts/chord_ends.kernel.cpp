@@ -94,9 +94,10 @@ struct EndKernel {
     return ~served & ((1U << count) - 1U);
   }
 
-  // An arc begins at the vertex of its slot, on the circles of this and the previous one, and ends at that of the next.
+  // An arc begins at the vertex of its slot, on the circles of this slot and the previous one, and ends at the vertex
+  // of the next slot.
   static bool measure_arcs(const ArcBatch &batch, double radius, double (&parts)[ArcBatch::room], double &cosines) {
-    double before[ArcBatch::room];  // at a slot's vertex, for the circle of the previous slot
+    double before[ArcBatch::room];  // the term at a slot's vertex for the circle of the previous slot
     before[batch.count] = 0.0;
     const Real own = L::all(radius);
     const ArcProducts &products = *batch.products;

@@ -1,9 +1,8 @@
-// The chords of one ball with later caps, by pairs of these, while their ends are found. Two tables of one interface:
-//   set_end(j, k, side)   of the chord of caps j < k; whether it is new
-//   count()               how many there are, in the order in which they came
-//   known_ends(n)         how many ends are known of the n-th of these, 1 or 2
-//   next_open(end)        an end that is not known of a chord of which the other one is, each once; false if there is
-//                         none
+// The chords of one ball with two later caps each, while their ends are found. Two tables with one interface:
+//   set_end(j, k, side)   notes that this end of the chord of caps j < k is known; returns whether the chord is new
+//   count()               how many chords there are; they are numbered in the order in which they came
+//   known_ends(n)         how many ends of chord n are known, 1 or 2
+//   next_open(end)        gives the unknown end of a chord whose other end is known, each once; false if there is none
 #pragma once
 
 #include <cstring>
@@ -15,24 +14,24 @@ namespace hsp {
 
 struct FoundChord {
   uint32_t cap[2];    // ascending
-  uint8_t free_ends;  // that are vertices of the boundary
+  uint8_t free_ends;  // how many of its ends are vertices of the boundary
   uint8_t known;      // for ListedChords: a bit for each end that is known
-  uint32_t next;      // and the next chord of the same first cap, or no_id
+  uint32_t next;      // for ListedChords: the next chord with the same first cap, or no_id
 };
 
-// The end of a chord.
+// An end of the chord of caps j < k: p- if `side` is 0, p+ if it is 1.
 struct ChordEnd {
   uint32_t j, k, side;
 };
 
-// For few caps. Whether a chord is new, and which end of it is known, cannot be predicted, so there are no branches on
-// it: bits tell.
+// For few caps, with bits. A processor cannot predict whether a chord is new and which end is known, so there is no
+// branch on that.
 class MaskedChords {
  public:
   static constexpr bool for_many = false;
   static constexpr uint32_t most_caps = 64;
 
-  // Of caps from `first` on. There is room for one chord more than there are.
+  // caps: how many caps there are from `first` on. There must be room for one chord more than there will be.
   MaskedChords(Span<FoundChord> chords, uint32_t first, uint32_t caps) : chords_(chords.data()), first_(first) {
     for (uint64_t(&known)[most_caps] : known_) std::memset(known, 0, caps * sizeof known[0]);
   }
@@ -53,7 +52,7 @@ class MaskedChords {
   uint32_t count() const { return count_; }
   uint32_t known_ends(uint32_t n) const { return is_known(n, 0) + is_known(n, 1); }
 
-  // The one that has waited longest, so that a processor can look for its other end while others are being found.
+  // The chord that has waited longest: so a processor can work on several chords at a time.
   bool next_open(ChordEnd &end) {
     for (; seen_ < count_; ++seen_) {
       const uint32_t is_side = is_known(seen_, 0);
@@ -73,15 +72,15 @@ class MaskedChords {
 
   FoundChord *chords_;
   uint32_t first_, count_ = 0;
-  uint32_t seen_ = 0;             // chords of which no end is asked for any more, from the first on
-  uint64_t known_[2][most_caps];  // by side and first cap: a bit for each second one
+  uint32_t seen_ = 0;             // the first chord that next_open() has not passed yet
+  uint64_t known_[2][most_caps];  // by side and first cap: a bit for each second cap
 };
 
-// For any number: lists by first caps, ascending in the second ones.
+// For any number of caps: lists by the first cap, ascending in the second cap.
 class ListedChords {
  public:
   static constexpr bool for_many = true;
-  // `heads` is for as many as there are caps.
+  // heads [caps]
   ListedChords(Span<FoundChord> chords, Span<uint32_t> heads, uint32_t first, uint32_t caps)
       : chords_(chords), heads_(heads), first_(first) {
     for (uint32_t row = 0; row < caps; ++row) heads_[row] = no_id;
@@ -118,7 +117,7 @@ class ListedChords {
   Span<FoundChord> chords_;
   Span<uint32_t> heads_;
   uint32_t first_, count_ = 0;
-  uint32_t seen_ = 0;  // chords of which no end is asked for any more, from the first on
+  uint32_t seen_ = 0;  // the first chord that next_open() has not passed yet
 };
 
 }  // namespace hsp

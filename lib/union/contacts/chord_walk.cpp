@@ -1,11 +1,11 @@
 // The walk along chords from end to end.
 //
-// As an example the balls of radius 6 at 0, (6,0,0), (0,6,0) and (0,0,6), from 0 to 3. Planes of equal power to ball 0
-// are x = 3, y = 3 and z = 3. They meet in (3, 3, 3), which is in all balls, as 27 < 36: a power vertex.
-//   at ball 0     from the free end (3, 3, -4.24) the chord of 1 and 2 leads up to z = 3, where ball 3 cuts it
-//                 there begin the chords of 1 and 3 and of 2 and 3, which lead to free ends
-//                 and that of 1, 2 and 3, which ball 0 does not have: it is kept for ball 1
-//   at ball 1     it leads from (3, 3, 3) along x = y = z to the free end (4, 4, 4), as (4-6)^2 + 4^2 + 4^2 = 36
+// As an example balls 0 to 3 of radius 6 at 0, (6,0,0), (0,6,0) and (0,0,6). The planes of equal power to ball 0 are
+// x = 3, y = 3 and z = 3. They meet in (3, 3, 3), which is in all balls, as 27 < 36: a power vertex.
+//   at ball 0     from the free end (3, 3, -4.24) the chord of 0, 1 and 2 leads up to z = 3, where ball 3 cuts it
+//                 there the chords of 0, 1, 3 and of 0, 2, 3 begin, which lead to free ends
+//                 and the chord of 1, 2 and 3, which does not belong to ball 0: it is kept for ball 1
+//   at ball 1     this chord leads from (3, 3, 3) along x = y = z to the free end (4, 4, 4): (4-6)^2 + 4^2 + 4^2 = 36
 // So one search finds 4 chords, each with one free end, and 1 power vertex: 4 triangles and a tetrahedron.
 #include "contacts/chord_walk.hpp"
 
@@ -17,11 +17,11 @@
 namespace hsp {
 namespace {
 
-// A ball that is in contact with an earlier one, but no arrivals are left to it; beside no_id for one that is not.
+// In first_arrival_: the ball is known to be in contact with an earlier one, but has no arrivals. no_id: neither.
 constexpr uint32_t no_arrival = no_id - 1;
 
-// Bounds of where caps cut a chord on the way to one of its ends, in doubles: 0 is the point of the sphere that it
-// comes from, 1 the one that it goes to (exact/PROOFS.md, section 7, "First cuts").
+// Bounds, in doubles, of the place where a cap cuts a chord on the way to one of its ends: 0 is the point of the sphere
+// where the way begins, 1 the point where it ends (exact/PROOFS.md, section 7, "First cuts").
 class CutBounds {
  public:
   CutBounds(const Caps &caps, const ChordEnd &end) : caps_(caps), points_(caps, end.j, end.k), to_(end.side) {}
@@ -49,7 +49,7 @@ class CutBounds {
   const uint32_t to_;
 };
 
-// Of the cut that is first for certain, if there is one.
+// The least of the upper bounds: the first cut is not beyond it.
 template <class CapAt>
 double most_of_first(const CutBounds &bounds, uint32_t count, CapAt cap_at) {
   double first = CutBounds::never;
@@ -60,9 +60,10 @@ double most_of_first(const CutBounds &bounds, uint32_t count, CapAt cap_at) {
   return first;
 }
 
-// The exact stage: of caps cap_at(0) to cap_at(count - 1), in the direction in which they cut, the one whose power
-// vertex is nearer to its balls than to any other. Integers are asked about those that may be the first, as far as
-// doubles tell: of thousands whose planes nearly agree, as of balls on several lines, about one or two.
+// The exact stage: of the caps cap_at(0) to cap_at(count - 1) that cut the chord in this direction, the one that cuts
+// it first: its power vertex is nearer to its balls than to any other. Integers are asked only about caps that may be
+// the first, as far as doubles tell: if there are thousands whose planes nearly agree, as for balls on several lines,
+// about one or two.
 template <class CapAt>
 uint32_t cut_exactly(const Caps &caps, uint32_t count, CapAt cap_at, const ChordEnd &end) {
   const auto cut = [&](auto may_be_first) {
@@ -94,7 +95,7 @@ CapPointers<double> pointers_of(const Caps &caps) {
   return {caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data()};
 }
 
-// Empty caps after the last one, for callers that read whole registers.
+// Writes caps in which nothing lies after the last one, for kernels that read whole registers.
 template <class Caps>
 void pad(const Caps &caps) {
   for (uint32_t k = caps.count; k < caps.ux.size() && k < caps.count + 3; ++k) {
@@ -105,9 +106,9 @@ void pad(const Caps &caps) {
 
 }  // namespace
 
-// The cap that cuts a chord, where there are very many: a plane that meets the chord inside the ball meets the circles
-// of both of its caps there, so that it is that of a cap near to them. Uses an index of the caps in the second halves
-// of some arrays, and puts those near to the smaller one side by side in the first halves.
+// Finds the cap that cuts a chord first, of very many: a cap whose plane meets the chord inside the ball has points in
+// common with both caps of the chord, so that it is near them. The index of the caps is in the second halves of some
+// arrays; the caps near the smaller one of the two are put side by side in the first halves.
 class ChordWalk::NearCuts {
  public:
   NearCuts(const Caps &caps, CapTests &memory)
@@ -143,7 +144,7 @@ class ChordWalk::NearCuts {
   }
 
  private:
-  // Of the first that is not less.
+  // The index of the first number that is not less than `cap`.
   static uint32_t index_in(Span<const uint32_t> near, uint32_t cap) {
     return first_index(0, near.size(), [&](uint32_t n) { return near[n] >= cap; });
   }
@@ -280,7 +281,7 @@ void ChordWalk::start_from_ends(const Boundary &boundary, const Caps &caps, Chor
   spare_arrival_ = first;
 }
 
-// Of a power vertex three chords end at the ball at hand; it is found at that of the first two caps.
+// At a power vertex three chords of the ball at hand end; the vertex is found at the chord of its first two caps.
 void ChordWalk::try_all_pairs(const Caps &caps) {
   clipper_.start(caps);
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
@@ -295,7 +296,7 @@ void ChordWalk::try_all_pairs(const Caps &caps) {
   }
 }
 
-// One chord of all pairs, whose ends are at later balls. Mostly there is none.
+// Searches all pairs for one chord; its ends are power vertices with later balls. Mostly there is none.
 template <class Chords>
 void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
   constexpr uint32_t many_pairs = 256;
@@ -312,7 +313,7 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
   }
 }
 
-// Of a chord that survives and does not end in a vertex of the boundary at this side.
+// The cap that cuts a chord first. The chord survives, and does not end in a vertex of the boundary at this side.
 uint32_t ChordWalk::cut_in_doubles(Caps &caps, const ChordEnd &end, Target target) {
   if (lacks_doubles_) {
     lacks_doubles_ = false;
@@ -326,9 +327,10 @@ uint32_t ChordWalk::cut_in_doubles(Caps &caps, const ChordEnd &end, Target targe
       caps, caps.count - first, [first](uint32_t n) { return first + n; }, end);
 }
 
-// Of caps a < b < c the ends lie at the side of p+ for the pairs a b and b c, and of p- for a c, if their axes are a
-// right-handed system; and the other way round. Seen from ball a, whose chord with b and c ends at the ball at hand, it
-// is the other way round too. The chord that led here may be known, or become known with the others.
+// A power vertex of the ball at hand with caps a < b < c. If their axes are a right-handed system, it is the end at the
+// side of p+ for the chords a b and b c, and of p- for a c; else the other way round. For the chord of the balls of a,
+// b and c, seen from ball a, it is the opposite side of that of b c. is_known: the table need not be given this end of
+// the chord that led here; else it is given the ends of all three chords.
 template <bool is_known, class Chords>
 void ChordWalk::add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t clipper, Chords &chords) {
   const auto [j, k, side] = end;
@@ -354,8 +356,8 @@ void ChordWalk::add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t
   const uint32_t first = caps.ball[a];
   const uint32_t second = caps.ball[b];
   const uint32_t third = caps.ball[c];
-  if (first >= own_) return;  // as are b and c
-  // Where nothing has arrived yet, something has now.
+  if (first >= own_) return;  // then so are b and c
+  // These balls are in contact with an earlier one: no_id becomes no_arrival.
   static_assert((no_id & ~1U) == no_arrival);
   uint32_t *const arrived = first_arrival_.data();
   arrived[first] &= ~1U;

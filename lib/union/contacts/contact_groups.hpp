@@ -1,5 +1,5 @@
-// Contacts between groups of balls: residues, chains, molecules. Areas and free borders of all contacts between two
-// groups, summed in the order in which contacts were found, which does not depend on the order of the input.
+// Contacts between groups of balls: residues, chains, molecules. Areas and rims of all contacts between two groups are
+// summed in the order in which contacts were found, which does not depend on the order of the input.
 #pragma once
 
 #include "contacts/contacts.hpp"
@@ -9,15 +9,15 @@ namespace hsp {
 
 struct GroupContact {
   uint32_t group[2];      // ascending
-  uint32_t contacts = 0;  // of a ball of the one and a ball of the other
-  double area = 0.0;      // lattice steps
-  double rim = 0.0;
+  uint32_t contacts = 0;  // how many, each of a ball of the one group and a ball of the other
+  double area = 0.0;      // in lattice steps
+  double rim = 0.0;       // in lattice steps
 };
 
 // The group of each ball.
 struct BallGroups {
   const uint32_t *group;            // by the caller's index; no_id for balls of no group
-  const uint32_t *owner = nullptr;  // null, or whose group each ball of the caller's order has
+  const uint32_t *owner = nullptr;  // null, or for each ball in the caller's order the index of its group in `group`
 
   uint32_t of(const BallSet &balls, uint32_t i) const {
     const uint32_t caller = balls.caller[i];
@@ -28,7 +28,7 @@ struct BallGroups {
 // The contacts between balls of different groups.
 class ContactGroups {
  public:
-  // Of the first `number` contacts. scratch [contacts]
+  // Of the first `number` contacts alone. scratch [contacts]
   ContactGroups(const BallSet &balls, const Contacts &contacts, uint32_t number, const BallGroups &groups,
                 Span<uint32_t> scratch)
       : balls_(balls), contacts_(contacts), groups_(groups) {
@@ -45,7 +45,7 @@ class ContactGroups {
     });
   }
 
-  // Calls sink(contact) for every two groups that have one, ascending.
+  // Calls sink(contact) with the GroupContact of every two groups that have contacts, ascending.
   template <class Sink>
   void visit(Sink sink) const {
     for (uint32_t k = 0; k < order_.size();) {

@@ -1,12 +1,13 @@
-// The balls that touch, and how the union is shared out among its balls, by power distance.
+// The contacts between balls, and the share of the union that each ball has, by power distance.
 //
-// With pi_i(x) = |x - c_i|^2 - r_i^2 the share of ball i is the part of the union where pi_i is least: convex, inside
-// the ball. The contact of two balls is the plane piece where their shares meet: the disk of their circle, cut off by
-// the other balls. It is empty unless an arc or all of their circle is free, or a chord that they share with a third
-// ball survives (chord_clipper.hpp). A surviving chord is a triangle of the dual complex, its inner ends are tetrahedra
-// (Edelsbrunner 1995). Touching balls become contacts of area 0 by the symbolic perturbation.
+// With pi_i(x) = |x - c_i|^2 - r_i^2, the share of ball i is the part of the union where pi_i is least. It is convex
+// and lies in the ball. The contact of two balls is the plane piece where their shares meet: the disc of their circle,
+// clipped by the other balls. It is empty unless an arc or all of their circle is free, or a chord that they share with
+// a third ball survives (chord_clipper.hpp). A surviving chord is a triangle of the dual complex, and its ends that are
+// power vertices are tetrahedra (Edelsbrunner 1995). By the symbolic perturbation, touching balls have contacts of area
+// 0.
 //
-// Ids of balls are the grid's. Readers use the accessors of class Contacts.
+// All ids of balls are in grid order. Readers use the accessors of class Contacts.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -16,14 +17,14 @@ namespace hsp {
 
 struct ContactLimits {
   uint32_t balls = 0, neighbours = 0, contacts = 0;
-  uint32_t triangles = 0;   // 0: they are only counted
-  uint32_t tetrahedra = 0;  // the same
+  uint32_t triangles = 0;   // 0: triangles are only counted
+  uint32_t tetrahedra = 0;  // 0: tetrahedra are only counted
 };
 
 // In lattice steps.
 struct ContactRecord {
   uint32_t ball[2];  // ascending
-  uint32_t chords;   // that bound it
+  uint32_t chords;   // how many bound it
   uint32_t code;
   double area;
   double rim;  // length of the free part of the circle
@@ -38,14 +39,15 @@ struct ContactRecord {
   uint32_t other(uint32_t own) const { return ball[0] ^ ball[1] ^ own; }
 };
 
-// How much of a simplex is on the boundary of the union. A triangle with one free end is regular, with two singular; an
-// edge with arcs is regular, one with a whole circle singular; a ball without contacts is singular, without faces
-// interior.
+// How a simplex of the dual complex lies to the boundary of the union:
+//   triangle   singular if its chord has two free ends, regular with one, interior with none
+//   edge       singular if the whole circle of its contact is free, regular if some arcs are, interior else
+//   ball       interior without faces; with faces singular without contacts, else regular
 enum class SimplexKind : uint32_t { singular, regular, interior };
 
 struct TriangleRecord {
   uint32_t ball[3];    // ascending
-  uint32_t free_ends;  // of its chord
+  uint32_t free_ends;  // how many ends of its chord are free
 
   SimplexKind kind() const { return static_cast<SimplexKind>(2 - free_ends); }
 };
@@ -68,11 +70,11 @@ struct ContactArrays {
   FixedVector<ContactRecord> contacts;
   FixedVector<TriangleRecord> triangles;
   FixedVector<TetrahedronRecord> tetrahedra;
-  Span<uint32_t> links;         // [contacts] while they are found: the next one with the same first ball; then scratch
+  Span<uint32_t> links;         // [contacts] during the search: the next one with the same first ball; then scratch
   Span<uint32_t> row;           // [2 contacts] the contacts of each ball, by the caller's index of the other ball
   Span<uint32_t> first_in_row;  // [balls + 1]
   Span<double> share_volume;    // [balls]
-  Span<double> contact_area;    // [balls] of all contacts of a ball; those of boxes ask for none
+  Span<double> contact_area;    // [balls] of all contacts of a ball together; periodic boxes do not use it
   SimplexCounts simplices;
   uint32_t balls = 0;
 
@@ -92,7 +94,7 @@ class Contacts {
   double contact_area(uint32_t ball) const { return a_.contact_area[ball]; }
 
   const SimplexCounts &simplices() const { return a_.simplices; }
-  // Those that there was room for.
+  // The triangles and tetrahedra for which there was room.
   Span<const TriangleRecord> triangles() const { return a_.triangles.items(); }
   Span<const TetrahedronRecord> tetrahedra() const { return a_.tetrahedra.items(); }
 

@@ -1,12 +1,12 @@
-// Contacts, triangles and tetrahedra, ball after ball.
+// Finds contacts, triangles and tetrahedra, ball after ball.
 //
-// As an example the balls of radius 5 at (0,0,0), (6,0,0) and (0,6,0). They come in this order:
-//   ball 0    its later caps are those of 1 and 2. One chord, with two free ends: triangle 0 1 2, which is singular.
-//             Contacts of 0 with 1 and of 0 with 2
-//   ball 1    its later cap is that of 2, with the chord that is known: the contact of 1 and 2
-//   ball 2    nothing later is left
-// Then arcs add their parts, and shares are cones over faces and contacts: 3 balls, 3 contacts, 1 triangle, no
-// tetrahedron, and 3 - 3 + 1 = 1, Euler's number of a union that can be shrunk to a point.
+// As an example the balls of radius 5 at (0,0,0), (6,0,0) and (0,6,0), in this order:
+//   ball 0    its later caps are those of 1 and 2. It has one chord, with two free ends: triangle 0 1 2, singular
+//   ball 1    its later cap is that of 2. It has no further chord
+//   ball 2    it has no later caps
+// Then the arcs of ball 0 give the contacts of 0 with 1 and of 0 with 2, those of ball 1 the contact of 1 with 2.
+// Shares are cones over faces and contacts. With 3 balls, 3 contacts, 1 triangle and no tetrahedron Euler's number is 3
+// - 3 + 1 = 1, that of a union that can be shrunk to a point.
 #include "contacts/contacts_builder.hpp"
 
 #include <cstring>
@@ -30,7 +30,8 @@ CubeBlock part_from(const CubeBlock &block, uint32_t i) {
   return part;
 }
 
-// Of a contact in a tree, each increased by 1, or 0. They are where its rim will be, which is 0.
+// The two children of a contact in a tree: their ids, each increased by 1, or 0 for none. They are stored in place of
+// the contact's rim, which is still 0.
 struct Children {
   uint32_t of[2];
 
@@ -93,14 +94,15 @@ void ContactsBuilder::clear(uint32_t balls) {
   a.simplices = {};
   a.balls = balls;
   if (balls > limits_.balls) return;
-  // While contacts are found, the first one of each ball with later balls.
+  // While contacts are found, first_in_row is the head of each ball's list of contacts with later balls.
   for (uint32_t i = 0; i <= balls; ++i) a.first_in_row[i] = no_id;
   for (uint32_t i = 0; i < balls; ++i) a.share_volume[i] = a.contact_area[i] = 0.0;
 }
 
-// Of a ball with very many contacts most are in a tree, too, from the one on whose code says so: by the bits of the
-// other ball, the lowest first, so that no way down is longer than these are. Those that are new since then stand
-// before it in the list.
+// Of a ball with very many contacts most are in a tree, too. Its branches are the bits of the other ball, the lowest
+// first, so that no way down is longer than the number of bits. The root is the contact in the ball's list whose code
+// is
+// 1. New contacts, which stand before the root in the list, are moved behind it and into the tree.
 uint32_t ContactsBuilder::find_in_tree(uint32_t a, uint32_t b) {
   ContactArrays &arrays = contacts_.a_;
   uint32_t waiting = arrays.first_in_row[a], root = waiting;
@@ -159,13 +161,14 @@ uint32_t ContactsBuilder::add_contact(uint32_t a, uint32_t b, uint32_t counted) 
   return no_room;
 }
 
-// In a box power vertices of this ball also find contacts of it that are kept here and seen as those of two images.
+// The contact of a cap that has no contact yet. In a box it may be there already: a power vertex may have found it as a
+// contact of two images.
 uint32_t ContactsBuilder::first_contact_of_cap(uint32_t cap) {
   const uint32_t own = caps_.origin, other = caps_.ball[cap];
   return contact_of_cap_[cap] = own_balls_ == contacts_.a_.balls ? add_contact(own, other) : find_contact(own, other);
 }
 
-// Those of later balls, or all.
+// The caps of later balls, or all caps.
 void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,
                                   bool in_lanes) {
   if (walk_.asks_for_all_caps(boundary, i)) return caps_.gather(balls, block, i, nullptr);
@@ -194,7 +197,7 @@ void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary,
   if (caps_.count > 0) std::memset(contact_of_cap_.data(), 0xFF, caps_.count * sizeof(uint32_t));
 }
 
-// And the contacts of the ball at hand with later ones that chords at other balls have.
+// Finds the chords of the ball at hand, and its contacts with later balls that chords of earlier balls have found.
 void ContactsBuilder::find_chords(const Boundary &boundary) {
   walk_.find(boundary, caps_);
   const ContactArrays &a = contacts_.a_;
@@ -217,7 +220,7 @@ void ContactsBuilder::count_chords(bool some_elsewhere) {
   for (uint32_t ends = 0; ends < 3; ++ends) count_triangles(ends, with_free_ends[ends]);
 }
 
-// The lengths of the axes are the contacts' own: measure_contacts() divides by them.
+// Adds the parts of the vertices to contacts. measure_contacts() divides them by the distances of the balls.
 void ContactsBuilder::measure_vertices(const BallSet &balls, const Boundary &boundary) {
   const uint32_t count = vertices_.count;
   if (count == 0) return;
@@ -238,8 +241,8 @@ void ContactsBuilder::measure_vertices(const BallSet &balls, const Boundary &bou
   }
 }
 
-// Around a ball there are less than three times as many chords as contacts, and less than twice as many power vertices.
-// A contact with an image is there from both sides.
+// A ball has less than three times as many chords as contacts, and less than twice as many power vertices. A contact
+// with an image is there from both sides.
 Status ContactsBuilder::check_capacity() {
   const ContactArrays &a = contacts_.a_;
   const uint64_t contacts = a.contacts.required() + (own_balls_ < a.balls ? 2 : 1) * not_found_;
@@ -252,7 +255,7 @@ Status ContactsBuilder::check_capacity() {
   return fits ? Status::ok : Status::capacity;
 }
 
-// Areas, and shares as cones over their faces and contacts. The order of the sums is that in which contacts are found,
+// Finds areas and rims, and adds to shares the cones over contacts. Sums run in the order in which contacts were found,
 // which does not depend on the order of the input.
 bool ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] Target target, Patience &patience) {
   ContactArrays &a = contacts_.a_;
@@ -297,8 +300,8 @@ void ContactsBuilder::close_shares() {
   }
 }
 
-// Rows in the order in which contacts were found; then all balls in the caller's order, the last one first, each to the
-// ends of the rows of those that it is in contact with.
+// First puts contacts into rows in the order in which they were found. Then takes all balls in the caller's order, the
+// last one first, and puts each to the ends of the rows of the balls that it is in contact with.
 void ContactsBuilder::make_rows(const CubeGrid &grid, Patience &patience) {
   ContactArrays &a = contacts_.a_;
   candidates_.end();
@@ -320,7 +323,7 @@ void ContactsBuilder::make_rows(const CubeGrid &grid, Patience &patience) {
   }
 }
 
-// Triangles are counted as they are found.
+// Counts balls, contacts and tetrahedra; triangles have been counted as they were found.
 void ContactsBuilder::count_simplices(const Boundary &boundary) {
   ContactArrays &a = contacts_.a_;
   const auto count = [&a](uint32_t dimension, SimplexKind kind) {

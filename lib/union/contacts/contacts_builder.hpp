@@ -1,14 +1,14 @@
-// Fills contacts: two passes over all balls of a boundary. The first one finds power vertices, each at the first of its
-// four balls in the grid's order, the second one arcs and circles. Both add to the areas of contacts as chord_ends.hpp
-// says.
+// Fills contacts by two passes over all balls of a boundary. The first pass finds chords and power vertices, each at
+// the first of its balls in grid order; the second pass takes arcs and circles. Both add terms to the areas of
+// contacts, as chord_ends.hpp says.
 //
 // As an example the balls of radius 5 at (0,0,0), (6,0,0) and (0,6,0), with one chord, from (3, 3, -2.65) to (3, 3,
 // 2.65):
-//   contact of 0 and 1     in the plane x = 3: the disc of radius 4 around (3, 0, 0), as far as y <= 3
+//   contact of 0 and 1     in the plane x = 3: the part y <= 3 of the disc of radius 4 around (3, 0, 0)
 //   its border             the chord, 5.29 long and 3 from the centre; an arc of 2 pi - 2 acos(3/4) = 4.838
 //   its area               half the sum of distance times length: (3 * 5.29 + 4 * 4 * 4.838) / 2 = 46.64
 //   contact of 1 and 2     half of the disc of radius 2.65 in the plane x = y, x >= 3: 7 pi / 2 = 11.00
-// Both ends of the chord are free, so that each adds half of 3 * 5.29 / 2 to the first area, and nothing to the second.
+// Both ends of the chord are free. Each adds half of 3 * 5.29 / 2 to the first area, and nothing to the second.
 #pragma once
 
 #include "contacts/chord_ends.hpp"
@@ -21,20 +21,20 @@
 
 namespace hsp {
 
-// Limits that suffice for most molecules, for a boundary whose balls meet at most so many others. Status::range if one
-// would be larger than max_count.
+// Limits that suffice for most molecules. neighbours: no ball meets more others. Status::range if a limit would be
+// larger than max_count.
 constexpr Status default_limits(uint32_t balls, uint32_t neighbours, ContactLimits &limits) {
   if (balls > (max_count - 64) / 12) return Status::range;
   limits = {balls, neighbours, 12 * balls + 64, 0, 0};
   return Status::ok;
 }
 
-// Two balls in the grid's order; no_id for none.
+// Two balls, ids in grid order; no_id for none.
 struct ContactPair {
   uint32_t ball[2];
 };
 
-// For sets whose halo, if any, has no images of other balls.
+// For sets whose halo, if there is one, has no images of other balls.
 struct NoImages {
   static constexpr bool there = false;
   static constexpr bool comes_before_its_ball(uint32_t) { return false; }
@@ -47,26 +47,26 @@ class ContactsBuilder : public Limited<ContactLimits> {
  public:
   void carve(Workspace &workspace, const ContactLimits &limits);
 
-  // Of the contacts of all balls that are not in the grid's halo; the boundary says at least which balls of the halo
-  // are inside others. neighbours: what it needed of them. Status::capacity if a limit is too small; needed() then
-  // reports what suffices, once `neighbours` does; of triangles and tetrahedra if they have limits. Of contacts that
-  // may be more than there are, by no more than the triangles and arcs.
-  // Status::stopped if that is no longer allowed.
+  // Finds the contacts of all balls that are not in the grid's halo. Of the halo, the boundary need only say which
+  // balls lie inside others. neighbours: the number that the boundary needed. Status::capacity if a limit is too small;
+  // needed() then reports what suffices, if `neighbours` is within its limit, for triangles and tetrahedra if they have
+  // limits. For contacts this may be more than there are, but by no more than the triangles and arcs. Status::stopped
+  // if `patience` allows no more work.
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, Patience patience = Patience()) {
     return build(grid, boundary, neighbours, NoImages{}, patience);
   }
 
-  // For a halo that may have images of the other balls, in a box whose copies fill space. A chord that lies
-  // across its faces is found once in each copy that holds one of its balls. It is computed in the one where no image
-  // comes before its ball, an order that all copies share, and what it says of two images goes to their copies in the
-  // box. Every contact of a ball and an image is there from both sides, the same bit for bit. Status::check if an image
-  // is missing.
+  // For a halo that may have images of the other balls, in a box whose copies fill space. A chord across faces of the
+  // box is found once in each copy that holds one of its balls. It is computed only in the copy where none of its
+  // images comes before its ball, an order that all copies share. Its terms for a contact of two images go to the copy
+  // of this contact in the box. Every contact of a ball and an image is there from both sides, with the same bits.
+  // Status::check if an image is missing.
   template <class Images>
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, const Images &images,
                Patience patience = Patience()) {
     if (!start(grid, boundary, neighbours)) return Status::capacity;
     BlockSweep sweep(grid);
-    uint64_t before = 0;  // caps of the ball before: those of the next one are not known yet
+    uint64_t before = 0;  // number of caps of the ball before, an estimate for the next one
     for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
       const BallRange own = grid.balls_in(cube);
       const CubeBlock *block = nullptr;
@@ -126,11 +126,11 @@ class ContactsBuilder : public Limited<ContactLimits> {
   ContactArrays &arrays() { return contacts_.a_; }
 
  private:
-  // Instead of a contact: it was counted, but there was no room for it; and of the contact of a cap: it is kept where
-  // it is found in another copy of the box.
+  // In place of the id of a contact. no_room: it was counted, but there was no room for it. elsewhere, for the contact
+  // of a cap: it is kept in another copy of the box.
   static constexpr uint32_t no_room = no_id - 1;
   static constexpr uint32_t elsewhere = no_id - 2;
-  // So many contacts of one ball are looked at one by one.
+  // So many contacts of one ball are searched one by one; for more there is a tree.
   static constexpr uint32_t most_listed = 32;
 
   bool start(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
@@ -147,7 +147,8 @@ class ContactsBuilder : public Limited<ContactLimits> {
     return id == no_id ? first_contact_of_cap(cap) : id == elsewhere ? no_room : id;
   }
   uint32_t first_contact_of_cap(uint32_t cap);
-  // no_room if there is none and none may be added, which is counted if it is asked for.
+  // The contact of balls a and b, which is added if there is none. no_room if there is no room for it; the number of
+  // contacts then grows by `counted`.
   uint32_t find_contact(uint32_t a, uint32_t b, uint32_t counted = 1) {
     const ContactArrays &arrays = contacts_.a_;
     uint32_t id = arrays.first_in_row[a];
@@ -202,7 +203,9 @@ class ContactsBuilder : public Limited<ContactLimits> {
     }
     if (vertices_.count == PowerVertexBatch::capacity) measure_vertices(balls, boundary);
   }
-  // Of the vertex that is added next: a chord is kept elsewhere if a ball of it is.
+  // For the vertex that is added next: which of its chords are kept here, and how many ends each contact has. A chord
+  // is kept elsewhere if the contact of the ball at hand with one of its balls is. first_comes: the first of the three
+  // other balls is in the box.
   static void keep_chords(PowerVertexBatch &batch, bool first_elsewhere, bool second_elsewhere, bool third_elsewhere,
                           bool first_comes) {
     const uint32_t s = batch.count;
@@ -228,15 +231,15 @@ class ContactsBuilder : public Limited<ContactLimits> {
       if (contacts_.a_.triangles.capacity() > 0) contacts_.a_.triangles.push({{i, j, k}, 2});
     }
   }
-  // Simplices for which there is no limit are only counted.
+  // Counts triangles by kind; if no triangles are stored, also their total.
   void count_triangles(uint32_t free_ends, uint32_t number) {
     ContactArrays &a = contacts_.a_;
     a.simplices.of[2][static_cast<uint32_t>(TriangleRecord{{}, free_ends}.kind())] += number;
     if (a.triangles.capacity() == 0) a.triangles.set_count(a.triangles.required() + number);
   }
 
-  // Arcs and circles of ball i: its part of its share, and the free borders of its contacts with later balls, which
-  // contact_with has while they are added.
+  // Adds the arcs and circles of ball i: to its own share, and to its contacts with later balls, as their rims.
+  // contact_with [balls]: holds the ids of these contacts during the call.
   template <class Images>
   void add_free_edges(const BallSet &balls, const Boundary &boundary, uint32_t i, const Images &images,
                       Span<uint32_t> contact_with) {
@@ -260,7 +263,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
         if constexpr (Images::there) {
           if (other >= own_balls_ && images.comes_before_its_ball(other)) continue;
         }
-        // That of an earlier ball is none.
+        // An id that an earlier ball has left here does not count.
         uint32_t id = contact_with[other];
         if (id == no_id || a.contacts[id].ball[0] != i) {
           id = add_contact(i, other);
@@ -275,12 +278,12 @@ class ContactsBuilder : public Limited<ContactLimits> {
         contact.code |= batch.arc[s] != 0 ? ContactRecord::arc_bit : ContactRecord::circle_bit;
       }
     }
-    // r A, the part of three times the volume about the centre.
+    // r times the area: three times the volume of the cones over the faces, with their tips in the centre.
     const double steradians = surface.steradians(faces, boundary.loops(i).size());
     contacts_.a_.share_volume[i] = radius * radius * radius * steradians;
   }
 
-  // Where the contact of two balls is kept, of which no image comes before its ball.
+  // The two balls under which a contact is kept, if no image of them comes before its ball.
   template <class Images>
   ContactPair place_in_box(const ContactPair &pair, const Images &images) const {
     const auto [first, second] = pair.ball;
@@ -295,7 +298,8 @@ class ContactsBuilder : public Limited<ContactLimits> {
     return {{no_id, no_id}};
   }
 
-  // Contacts with images from the images' balls, and these balls' part of them. False if an image is missing.
+  // Adds contacts with images as seen from the images' balls, and to these balls their parts of the shares. False if an
+  // image is missing.
   template <class Images>
   bool add_other_sides(const Images &images) {
     if constexpr (!Images::there) return true;
@@ -319,17 +323,17 @@ class ContactsBuilder : public Limited<ContactLimits> {
     return true;
   }
 
-  uint32_t own_balls_ = 0;    // the first ones
-  bool some_inside_ = false;  // others
-  bool some_trees_ = false;
-  uint32_t lost_across_ = 0;  // contacts with others for which there was no room
-  uint64_t not_found_ = 0;    // at most, of balls whose chords were not looked for as there was no room
+  uint32_t own_balls_ = 0;    // the first so many balls are not in the halo
+  bool some_inside_ = false;  // whether balls lie inside others
+  bool some_trees_ = false;   // whether there are trees of contacts
+  uint32_t lost_across_ = 0;  // contacts with balls of the halo for which there was no room
+  uint64_t not_found_ = 0;    // a bound of the contacts of balls whose chords were not looked for
   Contacts contacts_;
   CubeCandidates candidates_;
   Caps caps_;
   ChordWalk walk_;
-  PowerVertexBatch vertices_;      // that have been found, but not yet measured
-  Span<uint32_t> contact_of_cap_;  // [neighbours] of the ball at hand, for later balls; no_id where there is none yet
+  PowerVertexBatch vertices_;      // found, but not yet measured
+  Span<uint32_t> contact_of_cap_;  // [neighbours] the contacts of the ball at hand with later balls; no_id: none yet
 };
 
 }  // namespace hsp

@@ -1,4 +1,4 @@
-// The invariants of contacts, one after the other.
+// Checks the invariants of contacts, one after the other.
 //
 // As an example the three balls of contacts_builder.hpp: rows have 2 + 2 + 2 entries, twice the number of contacts.
 // Their simplices have Euler's number 3 - 3 + 1 = 1, and twice that is 2, that of the boundary, which is one sphere.
@@ -33,8 +33,8 @@ class ContactsCheck {
   }
 
  private:
-  // A row has contacts of its ball, ascending in the other one, so each once. Rows that do, with two places for each
-  // contact, list it at both of its balls.
+  // A row has contacts of its ball, ascending by the other ball, so each once. If all rows are like this and have twice
+  // as many entries as there are contacts, each contact is listed at both of its balls.
   uint32_t misplaced_in_row(uint32_t i) const {
     uint32_t before = no_id;
     for (const uint32_t id : contacts_.row(i)) {

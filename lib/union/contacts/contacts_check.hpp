@@ -1,5 +1,5 @@
-// Invariants of contacts and shares, checked from their records and the boundary: two ways to compute that have little
-// in common. The tolerances are those of rounding.
+// Checks invariants of contacts and shares, from their records and from the boundary. The two are computed in ways that
+// have little in common. The tolerances are bounds of rounding.
 #pragma once
 
 #include "contacts/contacts.hpp"
@@ -10,13 +10,13 @@ namespace hsp {
 // Numbered as in hardsphere.h.
 enum class ContactInvariant : uint32_t {
   none = 0,
-  records = 1,  // each contact stands in the rows of its two balls, with numbers that it may have
+  records = 1,  // each contact is in the rows of its two balls, and its numbers are within their ranges
   euler = 2,    // the boundary's Euler characteristic is twice that of the dual complex
-  closure = 3,  // faces and contacts of a ball close its share: their vector areas sum to 0
+  closure = 3,  // the vector areas of a ball's faces and contacts, which bound its share, sum to 0
   volume = 4,   // the shares sum to the volume of the union
 };
 
-// Where: the id of a contact or ball.
+// The invariant, and the id of the contact or ball that violates it.
 using ContactViolation = Violation<ContactInvariant>;
 
 // O(size)

@@ -1,11 +1,11 @@
-// The program: the furthest point of the cell along a direction between the normals of three planes. At first it is
-// where these meet. While some plane leaves it out, that takes the place of one of the three (the dual simplex method;
-// exact/PROOFS.md, section 7, "An empty cell").
+// The linear program: it looks for the furthest point of the cell along a direction between the normals of three
+// planes. It begins with the corner where these meet. While some plane cuts the corner off, this plane takes the place
+// of one of the three (the dual simplex method; exact/PROOFS.md, section 7, "An empty cell").
 //
 // As an example the planes x = 1, y = 1 and z = 1, each of a ball beyond it, and the direction (1, 1, 1).
-//   (1, 1, 1)       is the furthest point
-//   x + y + z = 1   leaves it out, and may take the place of any of the three: the furthest points are on it
-//   x + y + z = -1  of a ball on the other side leaves out all where the first three hold: nothing is left
+//   (1, 1, 1)        is the furthest point
+//   x + y + z <= 1   cuts it off; its plane may take the place of any of the three, and the furthest points are on it
+//   x + y + z >= 4   cuts off all that the first three leave: the cell is empty
 #include "contacts/empty_cell.hpp"
 
 #include "core/small_code.hpp"
@@ -20,11 +20,11 @@ int orientation(const Plane &P, const Plane &Q, const Plane &R) {
   return exact::Exact::triple_product_sign(P.v, Q.v, R.v);
 }
 
-// Three planes that meet in one point, right-handed, by their caps.
+// The planes of three caps, in right-handed order, which meet in one point.
 class Corner {
  public:
-  // The first plane and others whose normals are about as far as can be from it, and from both. False if these three
-  // do not meet in a point.
+  // Takes the first plane, one whose normal is about as far as can be from the direction of the first normal, and one
+  // whose normal is about as far as can be from the plane of both. False if the three do not meet in a point.
   bool start(const Caps &caps) {
     const Vec3 u = caps.axis(0);
     const uint32_t q = largest(caps, [&u](const Vec3 &v) {
@@ -50,25 +50,26 @@ class Corner {
 
   const Plane (&planes() const)[3] { return plane_; }
   bool has(uint32_t cap) const { return cap == cap_[0] || cap == cap_[1] || cap == cap_[2]; }
-  // The same orientation with S instead of one of them.
+  // The orientation of the three with S in place of one of them.
   int with(const Plane &S, uint32_t place) const {
     return orientation(S, plane_[(place + 1) % 3], plane_[(place + 2) % 3]);
   }
 
-  // Whether they meet outside the ball: on the line of the first two, not between the points of the sphere.
+  // Whether the three meet outside the ball: on the line of the first two, and not between the two points of the sphere
+  // there.
   bool is_outside(const exact::Predicates &predicates) const {
     if (predicates.crossing(plane_[0], plane_[1]).sign < 0) return true;
     const exact::PointStatus status = predicates.point_status(plane_[0], plane_[1], plane_[2]);
     return (status.side[0] < 0) == (status.side[1] < 0);
   }
 
-  // About where they meet, on the unit sphere.
+  // Roughly the point where the three meet, in units of the ball's radius.
   Vec3 place(const Caps &caps) const {
     const Vec3 u = caps.axis(cap_[0]), v = caps.axis(cap_[1]), w = caps.axis(cap_[2]);
     const Vec3 sum = combine(caps.b[cap_[0]], cross(v, w), caps.b[cap_[1]], cross(w, u));
     return 1.0 / dot(u, cross(v, w)) * combine(1.0, sum, caps.b[cap_[2]], cross(u, v));
   }
-  // A direction between their normals, as a plane's.
+  // A direction between the three normals, as the normal of a plane.
   Plane direction(const Caps &caps) const {
     constexpr double weights[3] = {200000033.0, 260000041.0, 340000049.0};
     const Vec3 two = combine(weights[0], caps.axis(cap_[0]), weights[1], caps.axis(cap_[1]));
@@ -95,7 +96,8 @@ class Corner {
   uint32_t cap_[3] = {0, 0, 0};
 };
 
-// A cap that leaves the corner out: the deepest, as doubles have it, else any. no_id if there is none.
+// A cap that holds the corner, so that its plane cuts it off: the deepest one by doubles if integers agree, else any.
+// no_id if there is none.
 uint32_t find_violated(const Caps &caps, const Corner &corner) {
   const exact::PowerVertex vertex(caps.sphere, corner.planes());
   const Vec3 p = corner.place(caps);
@@ -135,7 +137,7 @@ bool has_empty_cell(const Caps &caps) {
         leaves = place;
         continue;
       }
-      // The one that stays is neither of these two.
+      // The plane that stays in any case is neither of these two.
       const bool next = place == leaves + 1;
       const int sign = orientation(along, S, corner.planes()[3 - place - leaves]);
       if (sign == 0) return false;

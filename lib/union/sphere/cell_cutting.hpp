@@ -23,7 +23,7 @@ struct CapState {
 
 class CellCutting : private CapState {
  public:
-  // What the caps must be kept for: the free part of the sphere, or the ball's power cell inside the ball.
+  // The part that kept caps must tell about: the free part of the sphere, or the power cell inside the ball.
   enum class Part : uint8_t { sphere, ball };
 
   // balls_alone: `caps` has no doubles, only balls; doubles are made of the caps that are looked at. state: memory,
