@@ -1,12 +1,13 @@
-// Cut arcs of one face after the other.
+// Finds the cut arcs of one face after the other.
 //
 // As an example the balls of radius 5 at (-8,0,0), (0,0,0) and (8,0,0). The face of the middle one is a band between
 // the planes x = -4 and x = 4, with two loops, which are free circles of radius 3. The great circle through the axis of
 // the first cap and the poles is in the plane y = 0, and its free pieces are
 //   from (-4, 0, 3) over the top, (0, 0, 5), to (4, 0, 3)           passes the north pole
 //   from (4, 0, -3) under the bottom, (0, 0, -5), to (-4, 0, -3)    passes the south pole
-// The first joins the two loops: both are cut arcs, and the second loop brings no more. Only one arc passes each pole,
-// so that no vertex is made there. The band falls into two simple faces, each with one loop of four edges.
+// The first piece joins the two loops. So both pieces are cut arcs, and no circle is tried for the second loop. Only
+// one arc passes each pole, so that no vertex is made there. The band falls into two simple faces, each with one loop
+// of four edges.
 #include "topology/cut_arcs.hpp"
 
 #include "model/block_sweep.hpp"
@@ -14,8 +15,8 @@
 namespace hsp {
 namespace {
 
-// Which poles a free interval of a meridian passes. The axis of the cap that the meridian is for is covered, and on the
-// way from there the south pole comes first: so it does on an interval that passes both.
+// Which poles a free interval of a meridian passes. The tip of the axis for which the meridian was made is covered, and
+// on the way from there the south pole comes first. So it does on an interval that passes both.
 uint32_t poles_on(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian,
                   const FreeInterval &interval) {
   const bool north = contains_pole(caps, predicates, meridian, interval, +1);
@@ -24,7 +25,7 @@ uint32_t poles_on(const Caps &caps, const exact::Predicates &predicates, const e
          (north && south ? CutArc::south_first : 0U);
 }
 
-// All cut arcs of one face; those that pass a pole meet there.
+// Makes vertices at poles. arcs: all cut arcs of one face; those that pass the same pole meet there.
 void make_pole_vertices(Span<CutArc> arcs) {
   uint32_t north = 0;
   uint32_t south = 0;
@@ -50,7 +51,7 @@ void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, Gathered
   scratch_ = scratch;
   uint32_t gathered_ball = no_id;
   BlockSweep sweep(grid);
-  uint64_t around = 0;  // the ball before
+  uint64_t around = 0;  // number of caps of the ball before, an estimate
   for (uint32_t face = 0; face < boundary.face_count(); ++face) {
     const uint64_t loops = boundary.loops_of_face(face).size();
     if (loops < 2) continue;
@@ -67,8 +68,8 @@ void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, Gathered
   }
 }
 
-// A circle that joins nothing but poles is kept in reserve: it is needed only if the others do not join the loops
-// without the poles.
+// A circle that only joins its loop to poles is kept in reserve: it is used if the others do not join all loops
+// directly.
 void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBall &gathered,
                             FixedVector<CutArc> &arcs) {
   reset_nodes(boundary, face);
@@ -95,8 +96,8 @@ void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBal
   make_pole_vertices(arcs.items().part(first_arc, arcs.size()));
 }
 
-// Where there are many loops, most circles would join nothing any more. Where there is no mark all loops that have caps
-// are joined with each other and with the poles that are in the face, as the first circle has found them.
+// If there are many loops, most circles would join nothing new. At a meridian without a mark all loops are joined to
+// each other already, and to the poles in the face, as circles before have found them.
 bool CutArcFinder::joins_nothing(const GatheredBall &gathered, uint32_t cap) const {
   const Caps &caps = gathered.caps;
   return has_marks_ && !gathered.intervals.is_marked(meridian_through(caps.direction(caps.cap_of(cap))));
@@ -169,7 +170,8 @@ void CutArcFinder::find_pieces(const Boundary &boundary, uint32_t face, uint32_t
   });
 }
 
-// First directly, then by the poles: what is joined must not depend on where the circle's pieces start.
+// First joins loops directly, then by the poles: the result must not depend on which of the circle's pieces is the
+// first.
 CutArcFinder::Joined CutArcFinder::join_pieces(const Boundary &boundary) {
   Joined joined{false, false};
   const auto node_at = [&boundary](const CutArc &arc, uint32_t end) {
@@ -187,7 +189,7 @@ CutArcFinder::Joined CutArcFinder::join_pieces(const Boundary &boundary) {
     for (uint32_t pole = 0; pole < 2; ++pole) {
       if ((pending_[k].poles & (pole == 0 ? CutArc::passes_north : CutArc::passes_south)) == 0) continue;
       if (!nodes_.join(node_at(pending_[k], 0), nodes_.size() - 2 + pole)) continue;
-      // The first circle through a pole joins no loops there.
+      // The first piece through a pole joins its loop to the pole, but no two loops.
       if (pole_joined_[pole]) --to_join_;
       pole_joined_[pole] = true;
       joined.poles = true;

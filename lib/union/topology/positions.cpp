@@ -18,7 +18,7 @@ Vec3 point_of_cut(const BallSet &balls, uint32_t frame, uint32_t other, uint32_t
   return crossing_point(circle, cut, sign, root_D);
 }
 
-// The balls of a host edge. Its geometry is computed on the one of lower rank, the frame.
+// The balls of a host edge. Its geometry is computed on the ball of lower rank, the frame.
 struct HostFrame {
   uint32_t a, b;
   uint32_t frame, other;
@@ -34,8 +34,8 @@ struct HostFrame {
   }
 };
 
-// turn_about for a turn of at most `largest`: an angle that rounding puts beyond becomes the nearer end, and a whole
-// turn between two points that coincide up to rounding becomes 0.
+// turn_about() for a turn from 0 to `largest`: if rounding puts the angle outside, it becomes the nearer end; so a
+// whole turn between two points that coincide up to rounding becomes 0.
 double turn_within(const Vec3 &axis, const Vec3 &from, const Vec3 &to, double largest) {
   constexpr double rounding = 0x1p-36;
   const double angle = turn_about(axis, from, to);
@@ -48,13 +48,14 @@ uint32_t count_subdivision_vertices(const Topology &topology, uint32_t host) {
   return edge_of(topology.chain_end(host)) - edge_of(topology.chain_start(host));
 }
 
-// Subdivision vertex number k of a host edge, in the direction of the loop of its ball a: there its edge k ends.
+// Subdivision vertex number k of a host edge, in the direction of the loop of its ball a. Edge k of the host ends
+// there.
 SubdivisionVertex subdivision_vertex_on(const Boundary &boundary, const Topology &topology, uint32_t host, uint32_t k) {
   const uint32_t q = topology.chain_start(host) + quarter_edge(k);
   return topology.subdivision_vertex(boundary, topology.quads.origin(sym(q)));
 }
 
-// An arc or half of a free circle: its circle, and the angle of one of the edges it is cut into.
+// The circle of an arc or of half of a free circle, and the angle of one of the edges into which it is cut.
 EdgeGeometry geometry_on_host(const BallSet &balls, const Boundary &boundary, const Topology &topology,
                               uint32_t host_id, uint32_t piece) {
   const HostFrame host(balls, balls_of_host(boundary, host_id));
@@ -76,8 +77,8 @@ EdgeGeometry geometry_on_host(const BallSet &balls, const Boundary &boundary, co
     return edge;
   }
 
-  // From point to point in the direction of the loop of the frame; the last piece is what is left, so that the pieces
-  // sum to the arc.
+  // From point to point in the direction of the loop of the frame. The last piece is the rest of the angle, so that the
+  // angles of the pieces sum to that of the arc.
   const Vec3 centre = circle.centre;
   const auto from_centre = [&](const Vec3 &p) { return p - centre; };
   const Vec3 axis = -circle.axis;

@@ -1,4 +1,4 @@
-// Where the vertices and edges of a topology lie. Everything is computed from the ball of lowest rank concerned, so
+// Positions of the vertices and edges of a topology. Each is computed from the ball of lowest rank among its own, so
 // that ids have no effect on any bit.
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace hsp {
 
-// A vertex of the topology.
+// The position of a vertex of the topology.
 Position position_of_point(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t vertex);
 
-// The circle of an edge and its part of it. Quarter-edge 4 e runs counter-clockwise about the axis.
+// The circle of an edge e, and the angle of the edge. Quarter-edge 4 e runs counter-clockwise about the axis.
 struct EdgeGeometry {
   Position centre;
   Vec3 axis;

@@ -1,8 +1,9 @@
 // The quad-edge structure of Guibas and Stolfi (ACM TOG 4, 1985): pure connectivity over arrays of ids.
 //
-// An edge has four directed forms, its quarter-edges 4 e + k: k = 0 the edge, k = 2 the edge the other way, k = 1 and 3
-// the dual edges from its right to its left face and back. One table, onext, holds the rings of quarter-edges about
-// their origins, vertices for even k and faces for odd k; every other step is a few rotations around it.
+// An edge e has four directed forms, its quarter-edges 4 e + k: k = 0 is the edge, k = 2 the edge in the other
+// direction, k = 1 and k = 3 are the dual edges from its right to its left face and back. One table, onext, holds the
+// rings of quarter-edges about their origins: vertices for even k and faces for odd k. Every other step is a lookup in
+// this table with a few rotations before and after it.
 //
 // As an example edge 1, from vertex s to vertex t with face L on its left and R on its right:
 //   4      from s to t, L on its left            sym(4) = 6, rot(4) = 5, inverse_rot(4) = 7
@@ -37,8 +38,8 @@ constexpr uint32_t dual_on_left(uint32_t q) {
   return q ^ 3U;
 }
 
-// One of the two numbers that every quarter-edge has. Both lie side by side, and those of an edge together: they are
-// read together, and a boundary has more edges than fit a cache.
+// One of the two numbers of every quarter-edge. The eight numbers of an edge lie side by side in memory: they are read
+// together, and a boundary has more edges than fit a cache.
 class QuarterEdgeNumbers {
  public:
   QuarterEdgeNumbers() = default;
@@ -57,7 +58,7 @@ struct QuadEdges {
   QuarterEdgeNumbers next;   // onext
   QuarterEdgeNumbers start;  // vertex or face
   uint32_t edges = 0;
-  Span<uint32_t> memory;  // of both
+  Span<uint32_t> memory;  // of both numbers
 
   static constexpr uint32_t numbers_per_edge = 8;
   void bind(Span<uint32_t> numbers) {
@@ -72,12 +73,12 @@ struct QuadEdges {
   uint32_t origin(uint32_t q) const { return start[q]; }
   uint32_t left(uint32_t q) const { return start[inverse_rot(q)]; }
 
-  // lnext and left of an even quarter-edge.
+  // lnext() and left() of an even quarter-edge.
   uint32_t next_on_face(uint32_t q) const { return dual_on_left(next[dual_on_left(q)]); }
   uint32_t face_on_left(uint32_t q) const { return start[dual_on_left(q)]; }
 
-  // Makes `after` the edge that follows `before` about the face on the left of both, even quarter-edges. The rings are
-  // complete once every even quarter-edge has been given its successor.
+  // Makes `after` follow `before` about the face on the left of both; both are even quarter-edges. The rings are
+  // complete once every even quarter-edge has a successor.
   void link_lnext(uint32_t before, uint32_t after) {
     next[after] = sym(before);                         // sym(onext(after)) = before
     next[dual_on_left(before)] = dual_on_left(after);  // lnext(before) = after

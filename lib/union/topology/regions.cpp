@@ -7,15 +7,16 @@
 namespace hsp {
 namespace {
 
-// Of two balls with equally high tops the one of lower rank counts as higher. If their tops are one point, this one is
-// the larger, which the other is inside, or they are equal and so is it.
+// Whether ball a reaches higher than ball b. Of two balls with equally high tops the one of lower rank counts as
+// higher. If their tops are one point, this ball is larger and contains the other one, or they are equal and it
+// contains the other one, too.
 bool reaches_higher(const exact::LatticeBall &a, const exact::LatticeBall &b) {
   const int64_t top_a = a.centre.z + a.radius;
   const int64_t top_b = b.centre.z + b.radius;
   return top_a != top_b ? top_a > top_b : exact::ranks_before(a, b);
 }
 
-// The simple face that holds the highest point of a ball, given the maximal face that does. Every great circle that
+// The simple face that holds the highest point of a ball. face: the maximal face that holds it. Every great circle that
 // cuts this face passes the highest point inside it.
 uint32_t simple_face_of_top(const Boundary &boundary, const Topology &topology, uint32_t ball, uint32_t face) {
   const FixedVector<CutArc> &arcs = topology.cut_arcs;
@@ -70,7 +71,7 @@ void visit_balls_of_region(const Boundary &boundary, const Topology &topology, u
   }
 }
 
-// Which shell the ray upwards from a point enters first; no_id if none.
+// The shell that the ray upwards from a point enters first; no_id if it enters none.
 uint32_t shell_above(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
                      const exact::Vector &point) {
   const uint32_t ball = first_ball_above(grid, point, topology.highest_centre);
@@ -78,8 +79,8 @@ uint32_t shell_above(const CubeGrid &grid, const Boundary &boundary, const Topol
   return boundary.face(face_of_entry(grid.balls(), boundary, ball, point.x, point.y)).shell;
 }
 
-// Finds the region that contains each component. One ray per component finds the shell above it; a chain of components,
-// each under the next, then ends in a void or outside.
+// Finds the region that contains each component. One ray for each component finds the shell above it. A chain of
+// components, each below the next one, ends in a void or in the outer region.
 bool nest_components(const CubeGrid &grid, const Boundary &boundary, Patience &patience, Topology &topology) {
   for (uint32_t c = 0; c < topology.component_count; ++c) topology.components[c].region = no_id;
   for (uint32_t c = 0; c < topology.component_count; ++c) {
@@ -157,7 +158,7 @@ bool gather_regions(const CubeGrid &grid, const Boundary &boundary, Patience &pa
     ++topology.components[shell.component].shells;
     if (shell.is_void) shell.region = topology.region_count++;
   }
-  // Without voids there is but one region.
+  // Without voids there is only one region.
   if (topology.region_count > 1 && !nest_components(grid, boundary, patience, topology)) return false;
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     topology.shells[topology.components[c].outer_shell].region = topology.components[c].region;

@@ -6,13 +6,15 @@
 
 namespace hsp {
 
-// Area of a shell, and its faces' terms of the volume: positive for an outer shell, the space it encloses; negative for
-// a void, whose faces look into it. Summed in the order of the shell's scan, which does not depend on ids.
+// Area of a shell, and the sum of its faces' terms of the volume. For an outer shell the sum is the volume of the space
+// that it encloses; for the shell of a void, minus that volume, as the faces point into the void. Sums run in the order
+// of the shell's traversal, which does not depend on ids.
 BallMeasure measure_shell(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t shell);
 
-// Fills for each region of the complement its area, its volume, its enclosing shell and the numbers of shells and
-// components that border on it and lie in it, in the caller's unit. Region 0 has no end: its volume is 0 and its
-// enclosing shell no_id. regions [region_count]. Region has area, volume, enclosing_shell, shells and components.
+// Fills for each region of the complement its area and volume in the caller's unit, its enclosing shell, the number of
+// shells that border on it and the number of components that lie in it. Region 0 is unbounded: its volume is set to 0
+// and its enclosing shell is no_id. regions [region_count]. Region has area, volume, enclosing_shell, shells and
+// components.
 template <class Region>
 void measure_regions(const BallSet &balls, const Boundary &boundary, const Topology &topology, Span<Region> regions) {
   for (Region &region : regions) {
@@ -24,7 +26,7 @@ void measure_regions(const BallSet &balls, const Boundary &boundary, const Topol
     Region &region = regions[shell.region];
     ++region.shells;
     if (shell.is_void) region.enclosing_shell = s;
-    // Outward from the union is into the region, for its enclosing shell and for what lies in it alike.
+    // Outward from the union is into the region, both on its enclosing shell and on shells that lie in it.
     const BallMeasure measure = measure_shell(balls, boundary, topology, s);
     region.area += measure.area;
     region.volume -= measure.volume;
@@ -37,7 +39,7 @@ void measure_regions(const BallSet &balls, const Boundary &boundary, const Topol
   }
 }
 
-// Invariant 8: the sign of each shell's volume, up to rounding.
+// Checks invariant 8: the sign of each shell's volume, up to rounding.
 TopologyViolation check_enclosed_volumes(const BallSet &balls, const Boundary &boundary, const Topology &topology);
 
 }  // namespace hsp

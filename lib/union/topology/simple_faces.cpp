@@ -1,4 +1,4 @@
-// Quad-edges of the boundary, linked around their faces.
+// Links the quad-edges of the boundary around their faces.
 //
 // As an example two balls that meet in one free circle, which two subdivision vertices halve:
 //        0 ---- e0 ---> 1         quarter-edge 0 is e0 with the face of the first ball on its left, sym(0) = 2 is the
@@ -105,10 +105,10 @@ class SimpleFaceBuilder {
   void set_ends(uint32_t q, uint32_t from, uint32_t to) {
     quads_.start[q] = from;
     quads_.start[sym(q)] = to;
-    topology_.vertex_edge[from] = q;  // every vertex starts an edge, as loops continue where they arrive
+    topology_.vertex_edge[from] = q;  // an edge starts at every vertex, as loops go on from where they arrive
   }
 
-  // Links `before` to `after` at a subdivision vertex, along the loop of ball a; that of b comes back.
+  // Links `before` to `after` at a subdivision vertex, along the loop of ball a, and back along the loop of ball b.
   void pass_subdivision_vertex(uint32_t before, uint32_t after) {
     quads_.link_lnext(before, after);
     quads_.link_lnext(sym(after), sym(before));
@@ -138,8 +138,8 @@ class SimpleFaceBuilder {
     }
   }
 
-  // A cut arc comes between the two edges that meet, on its side, where it ends. Its vertices still have the edge along
-  // the loop of ball a as theirs.
+  // At each of its ends a cut arc is linked between the two edges that meet there on its side. Here the vertex_edge of
+  // these vertices is still the edge along the loop of ball a.
   void branch_off(uint32_t cut_arc) {
     const CutArc &arc = topology_.cut_arcs[cut_arc];
     const uint32_t first = topology_.cut_first_edge[cut_arc];
@@ -153,9 +153,9 @@ class SimpleFaceBuilder {
     }
   }
 
-  // A piece of a cut arc that leaves a pole, by its direction in the plane z = 0: about the normal m of its plane the
-  // arc passes the highest point in the direction m x z. It passes the lowest one in the opposite direction, but that
-  // turns all rays there by half a turn, and they follow each other as before.
+  // A piece q of a cut arc that leaves a pole, and its direction seen from above. An arc whose plane has the normal m
+  // passes the highest point in the direction m x z. It passes the lowest point in the opposite direction; but this
+  // turns all rays of that pole by half a turn, and their cyclic order stays.
   struct Ray {
     int64_t x, y;
     uint32_t q;
@@ -171,7 +171,7 @@ class SimpleFaceBuilder {
     if (lies_below(a) != lies_below(b)) return lies_below(b);
     return a.x * b.y - a.y * b.x > 0;
   }
-  // The rays of a pole are a list, whose links are where faces will be numbered.
+  // The rays of a pole are a list. Its links are stored in place of the numbers of faces, which come later.
   uint32_t &next_ray(uint32_t q) { return quads_.start[rot(q)]; }
   // Sorts the list counter-clockwise, by merging runs of one, two, four rays (Knuth, TAOCP 3, section 5.2.4).
   uint32_t sorted_rays(uint32_t list) {
@@ -197,8 +197,8 @@ class SimpleFaceBuilder {
     return list;
   }
 
-  // The cut arcs of one ball, from number `first` on: their vertices, and the order of the pieces about the poles.
-  // Returns the number of the first arc of the next ball.
+  // Links the cut arcs of one ball, from number `first` on: sets the ends of their pieces and links these about the
+  // poles. Returns the number of the next ball's first cut arc.
   uint32_t link_cut_arcs(uint32_t first) {
     const FixedVector<CutArc> &arcs = topology_.cut_arcs;
     const uint32_t ball = arcs[first].ball;
@@ -226,8 +226,8 @@ class SimpleFaceBuilder {
     return last;
   }
 
-  // Each arrival is followed, about the face on its left, by the next ray clockwise as seen from outside the ball,
-  // which is clockwise in the plane z = 0 above and counter-clockwise below.
+  // A piece that arrives at a pole is followed, about the face on its left, by the next ray clockwise as seen from
+  // outside the ball. Seen from above, this is clockwise at the highest point and counter-clockwise at the lowest.
   void link_pole(Span<const CutArc> arcs, uint32_t first, uint32_t lowest) {
     const uint32_t at_vertex = lowest == 1 ? CutArc::vertex_at_south : CutArc::vertex_at_north;
     uint32_t list = no_id;
@@ -294,8 +294,8 @@ class SimpleFaceBuilder {
     });
   }
 
-  // The faces of a ball with cut arcs first .. last - 1. The chain of every half-edge is linked to that of the next
-  // one; then all rings on the ball are closed.
+  // Numbers the faces of a ball with cut arcs first .. last - 1. First links the chain of every half-edge to that of
+  // the next half-edge; then all rings on the ball are closed.
   void cut_faces(uint32_t ball, uint32_t first, uint32_t last) {
     for (const uint32_t u : boundary_.half_edges(ball)) {
       quads_.link_lnext(topology_.chain_end(u), topology_.chain_start(boundary_.half_edge(u).next));
@@ -314,7 +314,8 @@ class SimpleFaceBuilder {
     }
   }
 
-  // A loop that is the whole boundary of its face, on a ball without cut arcs. Its chains are linked on the way.
+  // Numbers the face of a loop on a ball without cut arcs, where the loop is the whole border of its face. Links its
+  // chains on the way.
   void face_of_loop(uint32_t loop) {
     const LoopElement start = boundary_.loop_start(loop);
     if (start.is_circle()) {
@@ -346,7 +347,8 @@ class SimpleFaceBuilder {
     topology_.faces[id] = {face.face, face.q, edges};
   }
 
-  // From the circle's first point on either side: ids must have no effect on where a ring starts.
+  // Numbers the faces at a free circle on one side, from the circle's first point on: ids must have no effect on where
+  // a ring starts.
   void number_circle(ClosedHalfEdge closed) {
     const uint32_t side = closed.side();
     const uint32_t face = boundary_.face_of_loop(boundary_.loop_of(closed));

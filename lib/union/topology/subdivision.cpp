@@ -1,10 +1,10 @@
-// Subdivision vertices, and their order along the arcs and circles that they lie on.
+// Finds subdivision vertices, and their order along the arcs and circles on which they lie.
 //
 // As an example two balls of radius 5 at 0 and (8,0,0), with a free circle of radius 3 around (4,0,0). The plane
 // through both centres that contains the direction z is y = 0. It halves the circle:
 //   subdivision vertices     (4,0,3) and (4,0,-3)
 //   host edges               the halves between them, y > 0 and y < 0
-// Cut arcs of both balls that go through the axis of the circle are in that plane as well, and end in these two points.
+// Cut arcs of both balls through the axis of the circle are in that plane, too, and end in these two points.
 #include "topology/subdivision.hpp"
 
 #include <initializer_list>
@@ -58,8 +58,8 @@ class HostPointTest {
   Plane circle_;
 };
 
-// A subdivision vertex, its plane oriented such that the start of the host edge, the exit of the reference plane, lies
-// outside.
+// A subdivision vertex. Its plane is oriented so that the start of the host edge, the exit of the reference plane, lies
+// outside it.
 struct BoundedPoint {
   Plane plane;
   int sign;
@@ -75,22 +75,23 @@ struct BoundedPoint {
   }
 };
 
-// Whether subdivision vertex X comes before Y, of another plane, counter-clockwise from the exit of the reference. Cut
-// open there, the circle is a line and what a plane covers is an interval [l, r] of it; X is l if its sign is negative.
+// Whether subdivision vertex X comes before subdivision vertex Y, of another plane, counter-clockwise from the exit of
+// the reference. If the circle is cut open there, it is a line, and the part that a plane covers is an interval [l, r];
+// X is l if its sign is negative, else r.
 bool comes_before(const HostCircle &host, const HostPointTest &test, const BoundedPoint &X, const BoundedPoint &Y) {
-  // The other end of X's interval lies in the reference: on the host it covers all after X.
+  // The other end of X's interval lies in the reference: on the host the interval covers all points after X.
   if (X.leaves_host) return test.inside(Y.plane, Y.sign, X.plane);
   if (Y.leaves_host) return !test.inside(X.plane, X.sign, Y.plane);
   if (test.inside(Y.plane, Y.sign, X.plane)) return X.sign < 0;
   if (test.inside(X.plane, X.sign, Y.plane)) return Y.sign > 0;
-  // Neither covers the other's point, so neither interval holds the other one: they and their mid-points are ordered as
-  // the points are. The reference's own mid-point lies outside the host.
+  // Neither plane covers the other's point, so neither interval contains the other one: the order of the points is that
+  // of the intervals, and that of their mid-points. The mid-point of the reference lies outside the host.
   return exact::counter_clockwise_before(host.circle.v, host.reference.v, X.plane.v, Y.plane.v);
 }
 
 }  // namespace
 
-// It goes through the centre of `ball`, so that with y = 2 (x - c_origin) it is m.y >= 2 m.(c_ball - c_origin).
+// The plane goes through the centre of `ball`: with y = 2 (x - c_origin) it is m.y >= 2 m.(c_ball - c_origin).
 Plane plane_of_cut(const BallSet &balls, uint32_t origin, uint32_t ball, uint32_t cap) {
   Plane plane = meridian_through(balls.exact_difference(ball, cap));
   if (ball != origin) plane.h = 2 * dot(plane.v, balls.exact_difference(origin, ball));
@@ -128,8 +129,8 @@ SubdivisionVertex Subdivision::point_of_circle(const Boundary &boundary, uint32_
 }
 
 CutArcEnd Subdivision::insert_end(const BallSet &balls, const Boundary &boundary, const CutArc &arc, uint32_t end) {
-  // The arc leaves the circle it starts on: as that circle sees it, in the entry into the arc's plane; it ends in an
-  // exit. The other ball sees the circle the other way round.
+  // The point where the arc starts is, on the host's circle, the entry into the arc's plane; the point where it ends is
+  // the exit. The other ball sees the circle the other way round.
   int sign = end == 0 ? -1 : +1;
   uint32_t side = 0;
   uint32_t host_id = 0;
@@ -152,7 +153,7 @@ CutArcEnd Subdivision::insert_end(const BallSet &balls, const Boundary &boundary
   const auto end_on_point_of_circle = [&](int point_sign) {
     return CutArcEnd(2 * circle + (point_sign > 0 ? 1U : 0U), side);
   };
-  // A cut arc through the circle's own axis; seen from b the plane of the halves is reversed.
+  // A cut arc through the circle's own axis. Seen from b the plane of the halves is reversed.
   if (on_circle && arc.cap == (side == 0 ? pair.b : pair.a)) return end_on_point_of_circle(side == 0 ? sign : -sign);
 
   uint32_t *link = &first_[host_id];
@@ -195,7 +196,7 @@ CutArcEnd Subdivision::insert_end(const BallSet &balls, const Boundary &boundary
       const HostPointTest test(host, plane, other);
       const BoundedPoint placed(test, host.reference, plane, sign);
       const BoundedPoint there(test, host.reference, other, point.sign);
-      // Of two ends of one interval the entry comes first.
+      // If both are ends of one interval, the entry comes first.
       if (one_plane ? there.sign < 0 : comes_before(host, test, there, placed)) break;
     }
   }

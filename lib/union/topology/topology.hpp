@@ -1,12 +1,11 @@
-// The boundary with simple faces, its shells, and the regions of the complement, as they are built. All ids of balls
-// are the grid's; the memory is carved once for given limits.
+// The boundary with simple faces, its shells, and the regions of the complement. All ids of balls are in grid order;
+// the memory is carved once for given limits. Vertices and edges are numbered by kind:
 //
 //   vertices   the boundary's | subdivision vertices | poles
-//   edges      arcs, in the order of the half-edges on their first ball | circles | cut arcs | whole
-//   spheres
+//   edges      arcs, in the order of the half-edges on their first ball | circles | cut arcs | whole spheres
 //
-// Quarter-edge 4 e of an arc or circle has the face of the first of its balls in grid order on its left. The maximal
-// face and the shell of a simple face are those of the boundary's structure.
+// Quarter-edge 4 e of an arc or circle has the face of the first of its balls in grid order on its left. Maximal faces
+// and shells are those of class Boundary.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -19,18 +18,20 @@ namespace hsp {
 
 struct TopologyLimits {
   uint32_t balls = 0, neighbours = 0, edges = 0, cut_arcs = 0;
-  uint32_t shells = 0;  // 0 is as many as the edges allow
+  uint32_t shells = 0;  // 0: as many as the edges allow
 
-  // A shell is no less than two edges.
+  // A shell has at least two edges.
   constexpr uint32_t most_shells() const { return shells == 0 || shells > edges / 2 ? edges / 2 : shells; }
-  // Two of every whole sphere, which is a shell. At any other at least two cut arcs meet, and each passes two at most.
+  // Two poles for every whole sphere, which is a shell. At any other pole at least two cut arcs meet, and a cut arc
+  // passes two poles at most.
   constexpr uint64_t most_poles() const {
     return no_more_than_edges(static_cast<uint64_t>(cut_arcs) + 2 * static_cast<uint64_t>(most_shells()));
   }
-  // Each has at least two edges, and an edge has two faces. If shells are few: vertices - edges + faces is at most two
-  // for each. Free circles, whole spheres and subdivision vertices bring as many vertices as edges, three arcs come
-  // with two vertices, and the pieces of a cut arc, three at most, perhaps with none. That leaves a face for every
-  // third of the edges, two for every cut arc and two for every shell.
+  // A face has at least two edges, and an edge has two faces: so there are no more faces than edges. If shells are few,
+  // there are fewer: vertices - edges + faces is at most two for each shell. Free circles, whole spheres and
+  // subdivision vertices add as many vertices as edges. Three arcs come with two vertices. The pieces of a cut arc,
+  // three at most, may come with none. That leaves one face for every three edges, two for every cut arc and two for
+  // every shell.
   constexpr uint64_t most_simple_faces() const {
     return no_more_than_edges(edges / 3 + 2 * static_cast<uint64_t>(cut_arcs) +
                               2 * static_cast<uint64_t>(most_shells()));
@@ -40,7 +41,7 @@ struct TopologyLimits {
   constexpr uint64_t no_more_than_edges(uint64_t wanted) const { return wanted < edges ? wanted : edges; }
 };
 
-// As for other limits, but that none of shells is none.
+// The limits that cover both. As 0 shells means no limit, it covers all others.
 constexpr TopologyLimits covering(const TopologyLimits &limits, const TopologyLimits &others) {
   TopologyLimits both = each_limit(limits, others, larger_count);
   if (limits.shells == 0) both.shells = 0;
@@ -74,8 +75,8 @@ struct ShellRecord {
   uint32_t region;
   bool is_void;
   uint32_t faces, simple_faces, edges, vertices;
-  uint32_t start_face;       // simple face
-  uint32_t first_traversed;  // its part of Topology::traversal starts here
+  uint32_t start_face;       // the simple face where its traversal starts
+  uint32_t first_traversed;  // where its part of Topology::traversal starts
 
   int32_t euler() const { return static_cast<int32_t>(vertices - edges + simple_faces); }
   uint32_t genus() const { return static_cast<uint32_t>(1 - euler() / 2); }
@@ -96,13 +97,13 @@ struct Topology {
 
   QuadEdges quads;
   uint32_t first_circle_edge = 0, first_cut_edge = 0, first_sphere_edge = 0;
-  // [2 edges] While the structure is built, the first subdivision vertices of host edges: an arc has two half-edges and
-  // is one edge or more, a free circle has two halves and at least two edges. Then what traversals and checks need.
+  // [2 edges] While the structure is built: the first subdivision vertices of host edges, which are half-edges and half
+  // circles, two or fewer for each edge. Afterwards: `traversal` and `marks`.
   Span<uint32_t> shared;
-  Span<uint32_t> chain;           // [2 edges] by half-edge or half circle: chain_start, and chain_is_cut in bit 0
-  Span<uint32_t> cut_first_edge;  // [cut arcs]
-  Span<uint32_t> edge_source;     // [edges] arc, half circle, cut arc, or ball of a whole sphere
-  Span<uint32_t> host_of_arc;     // [arcs]
+  Span<uint32_t> chain;           // [2 edges] by half-edge or half circle: chain_start(), and chain_is_cut() in bit 0
+  Span<uint32_t> cut_first_edge;  // [cut arcs] the first edge of each
+  Span<uint32_t> edge_source;     // [edges] number of the arc, half circle or cut arc, or ball of the whole sphere
+  Span<uint32_t> host_of_arc;     // [arcs] the half-edge on its first ball
 
   uint32_t first_pole = 0;  // vertex ids from here on are poles
   uint32_t vertex_count = 0;
@@ -113,14 +114,14 @@ struct Topology {
   uint32_t face_count = 0;
 
   Span<ShellRecord> shells;
-  Span<uint32_t> traversal;          // [simple faces] of `shared`: shell by shell, in the order of the traversal
-  Span<uint32_t> marks;              // [edges] of `shared`: scratch memory
+  Span<uint32_t> traversal;          // [simple faces] in `shared`: shell by shell, in the order of the traversal
+  Span<uint32_t> marks;              // [edges] in `shared`: scratch memory
   Span<ComponentRecord> components;  // each has an outer shell
   uint32_t shell_count = 0;
   uint32_t component_count = 0;
   uint32_t region_count = 0;
   int64_t highest_centre = 0;   // largest z of all balls
-  uint32_t start_face = no_id;  // the simple face that holds the highest point of all
+  uint32_t start_face = no_id;  // the simple face that holds the highest point of the union
 
   void carve(Workspace &workspace, const TopologyLimits &limits);
 
@@ -128,8 +129,8 @@ struct Topology {
   uint32_t host_of_edge(uint32_t edge) const {
     return edge < first_circle_edge ? host_of_arc[edge_source[edge]] : edge_source[edge];
   }
-  // The edges of a host have consecutive numbers and are its chain: for a half-edge in its own direction, for a half
-  // circle in that of the loop on the first ball.
+  // The edges of a host have consecutive numbers. They are its chain: for a half-edge in its own direction, for a half
+  // circle in the direction of the loop on the first ball.
   uint32_t chain_start(uint32_t host) const { return chain[host] & ~1U; }
   bool chain_is_cut(uint32_t host) const { return (chain[host] & 1U) != 0; }
   uint32_t chain_end(uint32_t host) const {
@@ -140,8 +141,8 @@ struct Topology {
     while (edge_of(q + step) < first_cut_edge && edge_source[edge_of(q + step)] == source) q += step;
     return q;
   }
-  // The first quarter-edge of a loop on its own ball. Its left face is the first of those that cut arcs to the loop
-  // make of the maximal face (SimpleFaceBuilder numbers them loop by loop).
+  // The first quarter-edge of a loop on its own ball. Its left face is the first of the simple faces at this loop
+  // (SimpleFaceBuilder numbers them loop by loop).
   uint32_t start_of_loop(const Boundary &boundary, uint32_t loop) const {
     const LoopElement start = boundary.loop_start(loop);
     if (!start.is_circle()) return chain_start(start.half_edge());

@@ -34,7 +34,7 @@ void Topology::carve(Workspace &workspace, const TopologyLimits &limits) {
   cut_first_edge = workspace.take<uint32_t>(limits.cut_arcs);
   edge_source = workspace.take<uint32_t>(edges);
   host_of_arc = workspace.take<uint32_t>(edges);
-  vertex_edge = workspace.take<uint32_t>(edges);  // every vertex starts at least two edges
+  vertex_edge = workspace.take<uint32_t>(edges);  // at least two edges meet at every vertex
   pole = workspace.take<Pole>(limits.most_poles());
   faces = workspace.take<SimpleFace>(limits.most_simple_faces());
   const uint32_t most_shells = limits.most_shells();
@@ -56,7 +56,8 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
                     (limits_.shells == 0 || needed_.shells <= limits_.shells);
   if (!fits || needed_.edges > limits_.edges) return Status::capacity;
 
-  // Quad-edges come later. Of the two loops or more of a face each has an edge at least, and an edge eight numbers.
+  // The memory of quad-edges is scratch memory until they come. It suffices: each loop of a face has at least one edge,
+  // an edge has eight numbers, and such a face has at least two loops.
   finder_.find(grid, boundary, gathered_, structure_.quads.memory, patience, structure_.cut_arcs);
   if (!patience.allows(0)) return Status::stopped;
   needed_.cut_arcs = clamped_count(structure_.cut_arcs.required());

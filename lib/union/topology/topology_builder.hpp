@@ -6,16 +6,17 @@
 
 namespace hsp {
 
-// Limits for one boundary, by the numbers of its loops: they suffice unless great circles cross faces unusually often.
-// neighbours as in TopologyBuilder::build.
+// Limits for one boundary, from the numbers of its loops. They suffice unless great circles cross faces unusually
+// often. neighbours: as for TopologyBuilder::build.
 TopologyLimits limits_for(const BallSet &balls, const Boundary &boundary, uint32_t neighbours);
 
 class TopologyBuilder : public Limited<TopologyLimits> {
  public:
   void carve(Workspace &workspace, const TopologyLimits &limits);
 
-  // neighbours: the most balls that meet one ball of the boundary. Status::capacity if a limit is too small; needed()
-  // then tells what suffices, with 0 for what is not known yet. Status::stopped if more is not allowed.
+  // neighbours: the largest number of balls that meet one ball of the boundary. Status::capacity if a limit is too
+  // small; needed() then reports what suffices, with 0 for numbers that are not known yet. Status::stopped if
+  // `patience` allows no more work.
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, Patience patience = Patience());
 
   const Topology &structure() const { return structure_; }

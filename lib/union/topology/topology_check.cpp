@@ -16,7 +16,8 @@ class TopologyCheck : FirstViolation<TopologyInvariant> {
   }
 
  private:
-  // onext is a permutation that keeps origins, and goes round dual faces the other way: e Rot Onext Rot Onext = e.
+  // onext is a permutation that keeps origins, and turns about dual faces in the other direction: e Rot Onext Rot Onext
+  // = e.
   bool algebra() {
     for (uint32_t q = 0; q < 4 * quads_.edges; ++q) {
       const uint32_t next = quads_.onext(q);
@@ -27,7 +28,7 @@ class TopologyCheck : FirstViolation<TopologyInvariant> {
     return true;
   }
 
-  // Even quarter-edges start at vertices, and those of one vertex are one ring.
+  // Even quarter-edges start at vertices, and those that start at one vertex are one ring.
   bool vertices() {
     for (uint32_t v = 0; v < topology_.vertex_count; ++v) marks_[v] = 0;
     for (uint32_t e = 0; e < quads_.edges; ++e) {
@@ -89,8 +90,8 @@ class TopologyCheck : FirstViolation<TopologyInvariant> {
     return true;
   }
 
-  // With simple faces V - E + F is the Euler characteristic; with maximal faces it is V - E + sum of (2 - loops) over
-  // vertices and arcs alone, of which a half-edge counts a third and a half.
+  // With simple faces the Euler characteristic is V - E + F. With maximal faces it is V - E + sum of (2 - loops), where
+  // V and E are the boundary's own vertices and arcs: a half-edge counts as a third of a vertex and half of an arc.
   bool euler() {
     const uint32_t half_edges = boundary_.half_edge_count();
     for (uint32_t s = 0; s < topology_.shell_count; ++s) marks_[s] = 0;
@@ -124,8 +125,8 @@ class TopologyCheck : FirstViolation<TopologyInvariant> {
     return true;
   }
 
-  // Every component has one outer shell, all its other shells are voids with regions of their own; and going outward
-  // from any component, to the one around its region, ends in region 0.
+  // Every component has one outer shell, and all its other shells are voids with regions of their own. From any
+  // component the way outward, each time to the component around its region, ends in region 0.
   bool regions() {
     uint32_t voids = 0;
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {

@@ -1,4 +1,4 @@
-// The invariants of a topology, checked from its tables alone. A correct build violates none of them for any input.
+// Checks the invariants of a topology from its tables alone. A correct build violates none of them for any input.
 #pragma once
 
 #include "core/violation.hpp"
@@ -19,10 +19,10 @@ enum class TopologyInvariant : uint32_t {
   volumes = 8,
 };
 
-// Where: the id of a quarter-edge, vertex, simple face, shell or component.
+// The invariant, and the id of the quarter-edge, vertex, simple face, shell or component that violates it.
 using TopologyViolation = Violation<TopologyInvariant>;
 
-// Invariants 1 to 7, in order. marks [edges] is scratch memory. O(size).
+// Checks invariants 1 to 7, in order. marks [edges]: scratch memory. O(size).
 TopologyViolation check_topology(const Boundary &boundary, const Topology &topology, Span<uint32_t> marks);
 
 }  // namespace hsp

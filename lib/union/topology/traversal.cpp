@@ -1,9 +1,9 @@
-// All faces of each shell, depth first, without a stack.
+// Visits all faces of each shell, depth first, without a stack.
 //
-// As an example a tetrahedron with faces A to D, each next to the three others, traversed from A. From A across its
-// first edge to B; from B across the edge behind the one that leads back to A, to C; from C to D. All neighbours of D
-// have been entered, so that the walk goes around it and back by its entry to C, and so on to B and A. The order is A B
-// C D.
+// As an example a tetrahedron with faces A to D, each next to the three others, traversed from A. The walk goes from A
+// across its first edge to B, from B across the edge after the one that leads back to A, to C, and from C to D. All
+// neighbours of D have been entered, so that the walk goes around D and back across its entry to C, and so on to B and
+// A. The order is A B C D.
 #include "topology/traversal.hpp"
 
 namespace hsp {
@@ -29,7 +29,7 @@ void tally_shells(const Boundary &boundary, Patience &patience, Topology &topolo
   });
 }
 
-// Depth first, each face counter-clockwise from the edge by which it was entered; that edge is all that has to be
+// Depth first: walks around each face counter-clockwise, from the edge by which it was entered. Only that edge must be
 // remembered of a face to come back from it, so that no stack is needed. Returns the number of faces visited.
 uint32_t traverse_shell(const Topology &topology, uint32_t start, Span<uint32_t> order, Span<uint32_t> entered,
                         Patience &patience) {
@@ -38,7 +38,7 @@ uint32_t traverse_shell(const Topology &topology, uint32_t start, Span<uint32_t>
   uint32_t entry = topology.faces[start].q;
   uint32_t at = entry;
   uint32_t visited = 0;
-  // After so many faces it is asked whether to go on.
+  // After so many faces `patience` is asked whether to go on.
   constexpr uint32_t of_a_part = 8192;
   const auto at_most_all = [&order](uint32_t faces) { return faces < order.size() ? faces : order.size(); };
   uint32_t pause = at_most_all(of_a_part);

@@ -6,9 +6,9 @@
 
 namespace hsp {
 
-// Counts faces, edges and vertices of every shell, traverses each from its start_face, and stores the order of the
-// visits. entered [simple faces] is scratch memory. Returns false if a traversal does not visit exactly its shell,
-// which no correct structure allows.
+// Counts faces, edges and vertices of every shell, traverses each shell from its start_face, and stores the order of
+// the visits in Topology::traversal. entered [simple faces]: scratch memory. Returns false if `patience` allows no more
+// work, or if a traversal does not visit exactly the simple faces of its shell, which no correct structure allows.
 bool traverse_shells(const Boundary &boundary, Topology &topology, Span<uint32_t> entered,
                      Patience patience = Patience());
 
