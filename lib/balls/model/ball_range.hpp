@@ -1,4 +1,4 @@
-// A run of balls that follow each other in the grid's order.
+// A run of consecutive balls in grid order.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,8 @@
 namespace hsp {
 namespace {
 
-// The first coordinate that does not fit the lattice decides; the radius is finite.
+// The status of a ball that does not fit the lattice. The first coordinate that does not fit decides; the radius is
+// finite.
 Status why_off_lattice(const exact::Lattice &lattice, const double *xyz) {
   for (uint32_t axis = 0; axis < 3; ++axis) {
     if (!is_finite(xyz[axis])) return Status::not_finite;
@@ -38,7 +39,7 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
     if (option < 0.0) return Status::negative;
   }
 
-  // The lattice first, unless it depends on the balls.
+  // First the lattice, unless it depends on the balls.
   const bool expected = input.largest_radius != 0.0;
   if (input.step != 0.0) {
     lattice_ = exact::Lattice::with_step(input.step);
@@ -65,7 +66,7 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
     const bool are_points = largest == 0.0 && input.probe == 0.0;
     if (are_points && !exact::Lattice::for_points(largest_coordinate(), lattice_)) return Status::range;
     if (!are_points && !exact::Lattice::for_largest_radius(largest, input.probe, lattice_)) {
-      // The ball is reported only if it is too large even without the probe.
+      // The largest ball is reported only if it is too large even without the probe.
       if (!(lattice_.steps(largest) + 0.5 < exact::radius_limit)) {
         for (first_bad = 0; input.radius[first_bad] < largest;) ++first_bad;
       }
@@ -77,7 +78,7 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   if (!(radius + probe < exact::radius_limit)) return Status::range;
   probe_steps_ = nearest(probe);
   expected_radius_ = nearest(radius) + probe_steps_;
-  // A step too small for every radius is at fault itself, not the first ball.
+  // If the step is too small for every radius, the step is at fault and no ball is reported.
   if (input.step != 0.0 && !radius_fits(largest_)) {
     uint32_t refused = 0;
     while (refused < input.n && !radius_fits(input.radius[refused])) ++refused;
@@ -86,14 +87,14 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   return Status::ok;
 }
 
-// As reports of the largest radius are rounded to the lattice, so is what is compared with it.
+// The largest radius may come from a report that was rounded to the lattice. So both are compared on the lattice.
 bool BallRounding::is_expected(double radius) const {
   const double most = lattice_.steps(input_.largest_radius);
   return radius >= 0.0 && most < exact::radius_limit && lattice_.steps(radius) < exact::radius_limit &&
          nearest(lattice_.steps(radius)) <= nearest(most);
 }
 
-// Of numbers; find_box() says what is none.
+// Leaves out what is not finite; find_box() reports that.
 double BallRounding::largest_coordinate() const {
   double largest = input_.extent;
   for (uint64_t k = 0; k < 3 * uint64_t{input_.n}; ++k) {
@@ -109,9 +110,9 @@ bool BallRounding::radius_fits(double radius) const {
 }
 
 Status BallRounding::find_box(LatticeBox &box, uint32_t &first_bad) const {
-  // Rounding keeps the order of numbers, so the least and the largest of all tell whether all are on the lattice. The
-  // sum is NaN if a coordinate is, and else only if two are infinite, which the least or the largest tells too. A NaN
-  // ends in the sum, whatever becomes of it else.
+  // Rounding keeps the order of numbers, so the least and the largest coordinate tell whether all are on the lattice.
+  // Comparisons may lose a NaN, but the sum keeps it. The sum is NaN if a coordinate is; else only if coordinates are
+  // infinite, which the least or the largest one tells, too.
   constexpr double infinity = std::numeric_limits<double>::infinity();
   // Two balls at a time are three registers: x y, z x, y z.
   using L = Wide<double, 2>;
@@ -137,7 +138,7 @@ Status BallRounding::find_box(LatticeBox &box, uint32_t &first_bad) const {
   double low[3], high[3];
   bool comparable = true;
   for (int axis = 0; axis < 3; ++axis) {
-    // That of the first ball, and of the second.
+    // The register and lane of this axis for the first ball of a pair, and for the second.
     const int k = axis / 2, first = axis % 2, l = (axis + 3) / 2, second = (axis + 3) % 2;
     low[axis] = least[k][first] < least[l][second] ? least[k][first] : least[l][second];
     high[axis] = most[k][first] > most[l][second] ? most[k][first] : most[l][second];

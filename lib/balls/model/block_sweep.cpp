@@ -1,10 +1,10 @@
 // Blocks of neighbouring cubes, from one cube to the next.
 //
-// As an example a row with cubes at x = 0, 1, 2, 5 and 6, and what belongs to it in blocks of cubes in the same row:
+// As an example a row with cubes at x = 0, 1, 2, 5 and 6, and the cubes of this row in the blocks around them:
 //   block of the cube at 1     0, 1 and 2
 //   block of the cube at 2     1 and 2: 0 has dropped out, and no cube is at 3
 //   block of the cube at 5     5 and 6
-// Both ends only move up, so that along a whole row they take as many steps as it has cubes.
+// Both ends of this part of the row only move up, so that along the whole row each takes as many steps as it has cubes.
 #include "model/block_sweep.hpp"
 
 #include "core/first_index.hpp"
@@ -34,8 +34,8 @@ const CubeBlock &BlockSweep::block_around(uint32_t cube) {
   const CubeCoordinates &last = cubes_->coordinates(first_call ? cube : at_);
   const bool same_row = !first_call && in_row(last, at.y, at.z);
   if (!same_row) begin_row(at);
-  // From one cube to the next, a row loses and gains one cube at most: no branch is needed, and none could be
-  // predicted.
+  // From one cube to the next one in its row, each row loses and gains one cube at most. This is done without a branch,
+  // which could not be predicted.
   const bool next = same_row && at.x == last.x + 1;
   at_ = cube;
   block_.ranges = 0;
@@ -63,13 +63,13 @@ const CubeBlock &BlockSweep::block_around_ball(uint32_t ball) {
   return block_around(of_ball_);
 }
 
-// 1 if the cube is one of the row and its x is smaller, else 0.
+// 1 if the cube is before `end`, the end of its row, and its x is smaller than the given one; else 0.
 uint32_t BlockSweep::comes_before(uint32_t cube, uint32_t end, int64_t x) const {
   const bool is_there = cube < end;
   return static_cast<uint32_t>(is_there) & static_cast<uint32_t>(cubes_->coordinates(is_there ? cube : 0).x < x);
 }
 
-// As if the sweep had been just before the first cube that it is asked for.
+// Puts the rows to where they would be if the sweep had just been before this cube, the first that it is asked for.
 void BlockSweep::skip_to_rows(const CubeCoordinates &at) {
   Row *row = row_;
   for (int64_t z = at.z - 1; z <= at.z + 1; ++z) {

@@ -1,7 +1,7 @@
-// The blocks around the cubes of a grid, one after the other in the order of their numbers. Where the grid has a
-// directory of rows, it is asked. Elsewhere, as this is the order of z, y and x, each of the nine rows of a block only
-// ever moves forward: so a sweep over all cubes walks over them a fixed number of times and asks the hash table
-// nothing; one over the last cubes does not walk over the first ones.
+// Finds the blocks around the cubes of a grid, one after the other in the order of the cubes' numbers. If the grid has
+// a directory of rows, that is used. Else no hash table is needed: numbers are in the order of z, y and x, so that each
+// of the nine rows of a block only moves forward. A sweep over all cubes passes each cube a fixed number of times, and
+// a sweep over the last cubes does not pass the first ones.
 #pragma once
 
 #include "model/cube_grid.hpp"
@@ -11,14 +11,14 @@ namespace hsp {
 class BlockSweep {
  public:
   explicit BlockSweep(const CubeGrid &grid) : grid_(&grid), cubes_(&grid.cube_list()) { block_.levels = grid.levels(); }
-  // No grid: one block is around all balls.
+  // Without a grid: the same block is around all balls.
   explicit BlockSweep(const CubeBlock &everything) : block_(everything) {}
 
-  // The same as grid.block_around() of the cube's coordinates. Cubes must not descend from call to call, and may be
-  // left out.
+  // The same as grid.block_around() with the cube's coordinates. From call to call the number of the cube must not
+  // fall; cubes may be left out.
   const CubeBlock &block_around(uint32_t cube);
 
-  // The block around the cube of a ball. Balls must not descend from call to call.
+  // The block around the cube of a ball. From call to call the number of the ball must not fall.
   const CubeBlock &block_around_ball(uint32_t ball);
 
  private:
@@ -35,8 +35,8 @@ class BlockSweep {
   const CubeList *cubes_ = nullptr;
   Row row_[9];
   CubeBlock block_;
-  uint32_t at_ = no_id;  // the cube that it is around
-  uint32_t of_ball_ = no_id;
+  uint32_t at_ = no_id;       // the cube that block_ is around
+  uint32_t of_ball_ = no_id;  // the cube of the last ball
 };
 
 }  // namespace hsp

@@ -3,11 +3,11 @@
 namespace hsp {
 namespace {
 
-// The balls from the middle of the box, unless that is too far from some of them.
+// Rounds the balls to floats relative to the middle of the box, unless some are too far from it.
 void round_balls(const BallSet &balls, Span<float> rounded, QueryGrid &grid) {
   double extent = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
-    // The first wall of a cube in the middle; as there is a directory there are few cubes.
+    // The middle is the lower wall of the middle cube. With a directory there are few cubes, so that this is exact.
     const double before = static_cast<double>(static_cast<int64_t>(grid.size[axis]) / 2);
     grid.middle[axis] = (grid.low[axis] + before) * grid.side;
     const double behind = (grid.size[axis] - before) * grid.side;
@@ -43,7 +43,7 @@ Span<uint32_t> CubeIndex::end() const {
 }
 
 void CubeIndex::build(const OrderedBalls &order, bool rounds) {
-  end();  // so is what others had there
+  end();  // also ends other uses of the memory
   slots_.insert_all(order.cubes(), order.cube_list().cube_of(), cells_);
   build_rows(order, rounds);
 }

@@ -1,6 +1,6 @@
-// Cubes of a grid by their coordinates: a hash table, whose size depends on the number of cubes that hold balls alone,
-// not on the extent of the set; for sets that fill the box around them a directory of rows, too, and what whole queries
-// in lanes ask.
+// Finds cubes of a grid by their coordinates, in a hash table. Its size depends only on the number of cubes that hold
+// balls, not on the extent of the set. Sets that fill the box around them also have a directory of rows, and the data
+// for whole queries in lanes.
 #pragma once
 
 #include "model/ordered_balls.hpp"
@@ -10,7 +10,7 @@
 
 namespace hsp {
 
-// No memory where there are no lanes.
+// A T where there are lanes, else nothing.
 template <class T, bool lanes = has_lanes>
 class InLanes {
  public:
@@ -30,29 +30,29 @@ class CubeIndex {
  public:
   // For at most n balls.
   void carve(Workspace &workspace, uint32_t n);
-  // The index is over. Until it is built again others may have memory of it: for two numbers of each ball, or for four.
+  // Ends the index. Until it is built again the caller may use the returned memory: two numbers for each ball, or four.
   Span<uint32_t> end() const;
 
-  // rounds: whether queries are in lanes.
+  // rounds: whether balls are rounded to floats, for queries in lanes.
   void build(const OrderedBalls &order, bool rounds);
-  // All but the table is over until build_rows().
+  // Ends all but the hash table, until build_rows(). Returns the memory that this sets free.
   IndexMemory end_rows() {
     rows_.clear();
     if (QueryGrid *const grid = queries_.get()) *grid = {};
     return {cells_, rounded_};
   }
-  // All but the table, whose memory the others do not share.
+  // Builds all but the hash table, with which the rest shares no memory.
   void build_rows(const OrderedBalls &order, bool rounds);
 
-  // The number of a cube, of which the linear form is given; no_id if there is none.
+  // The number of a cube; no_id if it holds no balls. linear: linear_hash(cube).
   uint32_t find(const OrderedBalls &order, const CubeCoordinates &cube, uint64_t linear) const {
     return slots_.find(cube, linear, order.cube_list().cube_of());
   }
   const Span<uint32_t> &cells() const { return cells_; }
   const CubeSlots &slots() const { return slots_; }
-  // The directory of rows, if this set has one.
+  // The directory of rows, which is_there() if this set has one.
   const RowDirectory &rows() const { return rows_; }
-  // For whole queries in lanes; null without lanes.
+  // The data for whole queries in lanes; null without lanes.
   const QueryGrid *queries() const { return queries_.get(); }
 
  private:
@@ -60,8 +60,8 @@ class CubeIndex {
 
   CubeSlots slots_;
   RowDirectory rows_;
-  Span<uint32_t> cells_;  // [at least 2 n] of the directory
-  Span<float> rounded_;   // [4 n and behind]
+  Span<uint32_t> cells_;  // [at least 2 n] for the directory of rows
+  Span<float> rounded_;   // [4 (n + read_behind)]
   InLanes<QueryGrid> queries_;
 };
 

@@ -1,4 +1,4 @@
-// Cubes by their numbers, in the order in which they come.
+// The coordinates of cubes, which are numbered in the order in which they come.
 #pragma once
 
 #include "core/span.hpp"
@@ -8,7 +8,7 @@ namespace hsp {
 
 class CubeList {
  public:
-  // Memory for so many of them.
+  // Memory for as many cubes as the array has entries.
   void take(Span<CubeCoordinates> cubes) { cubes_ = cubes; }
   void clear() { count_ = 0; }
   void push(const CubeCoordinates &cube) {
@@ -20,7 +20,7 @@ class CubeList {
   }
   uint32_t count() const { return count_; }
   const CubeCoordinates &coordinates(uint32_t number) const { return cubes_[number]; }
-  // The same for a table of them (cube_slots.hpp).
+  // coordinates() as a function, for CubeSlots.
   auto cube_of() const {
     return [cubes = cubes_](uint32_t number) -> const CubeCoordinates & { return cubes[number]; };
   }
@@ -28,7 +28,7 @@ class CubeList {
   const CubeCoordinates &low() const { return low_; }
   const CubeCoordinates &high() const { return high_; }
 
-  // The least interval that holds the value, too.
+  // Widens the interval so that it holds the value.
   static void widen(int64_t value, int64_t &low, int64_t &high) {
     low = value < low ? value : low;
     high = value > high ? value : high;

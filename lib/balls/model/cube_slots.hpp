@@ -1,19 +1,20 @@
-// Numbers by their cubes, in an open-addressing table with double hashing (Section 3). The cubes themselves are kept
-// elsewhere: cube_of(number) is the cube of a number that was inserted.
+// Finds numbers by their cubes, in an open-addressing hash table with double hashing (Section 3). The cubes themselves
+// are kept elsewhere: cube_of(number) is the cube of a number that was inserted.
 //
-// The number of slots is a power of two at least twice that of the cubes, and the second hash is odd: every probe
-// sequence visits all slots. With load at most 1/2 and independent hashes a search that fails looks at no more than
-// 1/(1 - load) <= 2 slots on average and one that succeeds at 1.39 (Knuth, TAOCP 3, section 6.4, double hashing).
+// The number of slots is a power of two at least twice the number of cubes, and the second hash, the stride, is odd: so
+// every probe sequence visits all slots. With load at most 1/2 and independent hashes, a search that fails looks at no
+// more than 1/(1 - load) <= 2 slots on average, and one that succeeds at 1.39 (Knuth, TAOCP 3, section 6.4).
 //
-// The hash has no key, so that cubes can be chosen whose probe sequences are the same. Where one would be longer than
-// most_probes, which independent hashes hardly ever reach, the slots become the links of a digital search tree (Knuth,
-// TAOCP 3, section 6.3, algorithm D): a node has a cube, and what lies below it shares with that cube a bit for each
-// node above. So a search looks at a slot and at 193 nodes at most, as three coordinates have 192 bits.
+// The hash has no key, so that cubes can be chosen whose probe sequences are the same. If a probe sequence would be
+// longer than most_probes, which hardly ever happens with independent hashes, the slots become the links of a digital
+// search tree (Knuth, TAOCP 3, section 6.3, algorithm D): each node has a cube, and all cubes below a node share with
+// its cube one bit for each node above it. A search looks at one slot and at 193 nodes at most, as three coordinates
+// have 192 bits.
 //
-// As an example eight slots, and a cube whose hash says slot 5 and stride 3. It may be in slots
-//   5 0 3 6 1 4 7 2                modulo 8; as the stride is odd, all of them come, each once
-// If 5 and 0 have other cubes it goes into 3. A search for it looks at 5, 0 and 3; a search for a cube that is not
-// there and has the same hash goes on to 6, and ends if that is empty.
+// As an example eight slots, and a cube whose hash is slot 5 and stride 3. It may be in slots
+//   5 0 3 6 1 4 7 2                modulo 8; as the stride is odd, each slot comes once
+// If slots 5 and 0 have other cubes, it goes into slot 3. A search for it looks at 5, 0 and 3. A search for a cube with
+// the same hash that is not there goes on to 6, and ends if that slot is empty.
 #pragma once
 
 #include "core/ahead.hpp"
@@ -35,15 +36,15 @@ constexpr bool comes_before(const CubeCoordinates &a, const CubeCoordinates &b) 
   return a.x < b.x;
 }
 
-// The hash is a linear form in the coordinates, so that the form of a neighbour differs by a constant; then a finalizer
-// mixes its high bits down.
+// The hash begins with this linear form in the coordinates, so that the forms of neighbouring cubes differ by
+// constants. CubeProbe then mixes its high bits into the low ones.
 constexpr uint64_t linear_hash(const CubeCoordinates &cube) {
   return static_cast<uint64_t>(cube.x) * UINT64_C(0x9E3779B97F4A7C15) +
          static_cast<uint64_t>(cube.y) * UINT64_C(0xC2B2AE3D27D4EB4F) +
          static_cast<uint64_t>(cube.z) * UINT64_C(0x165667B19E3779F9);
 }
 
-// The sequence of slots where a cube may be.
+// The probe sequence: the slots where a cube may be, in the order in which they are tried.
 struct CubeProbe {
   CubeProbe(uint64_t linear, uint32_t slots) : mask(slots - 1) {
     uint64_t h = (linear ^ (linear >> 32)) * UINT64_C(0xD6E8FEB86659FD93);
@@ -55,14 +56,15 @@ struct CubeProbe {
   uint32_t mask, slot, stride;
 };
 
-// The way of a cube down a tree: bits of its coordinates in turn, from the lowest on. Cubes that differ part.
+// The way of a cube down the tree: the bits of its three coordinates in turn, from the lowest on. The ways of different
+// cubes part at some node.
 class CubePath {
  public:
   static constexpr uint32_t most_bits = 192;
 
   explicit CubePath(const CubeCoordinates &cube)
       : x_(static_cast<uint64_t>(cube.x)), y_(static_cast<uint64_t>(cube.y)), z_(static_cast<uint64_t>(cube.z)) {}
-  // Which of its two links leaves this node.
+  // The link on the way of the cube out of this node, one of the node's two.
   uint32_t link_of(uint32_t node) {
     const uint32_t link = 2 * node + static_cast<uint32_t>(x_ & 1U);
     const uint64_t rest = x_ >> 1;
@@ -78,9 +80,9 @@ class CubePath {
 
 class CubeSlots {
  public:
-  // Small code makes no trees: where cubes are chosen to collide its probes are as long as there are such cubes.
+  // Small code makes no trees: if cubes are chosen to collide, its probe sequences are as long as there are such cubes.
   static constexpr uint32_t most_probes = small_code ? no_id : 64;
-  // Slots for numbers below `numbers`.
+  // How many slots numbers below `numbers` need.
   static constexpr uint64_t slots_for(uint32_t numbers) {
     uint64_t slots = 4;
     while (slots < 2 * static_cast<uint64_t>(numbers)) slots *= 2;
@@ -97,8 +99,8 @@ class CubeSlots {
     fill(no_id);
   }
 
-  // The number of a cube, of which the linear form is given; no_id if there is none. In a tree no slot is empty, and
-  // what is found in the first one is the number by chance at most.
+  // The number of a cube; no_id if it is not there. linear: linear_hash(cube). If there is a tree, no slot is empty,
+  // and the number in the first slot that is looked at is the right one only by chance.
   template <class CubeOf>
   uint32_t find(const CubeCoordinates &cube, uint64_t linear, const CubeOf &cube_of) const {
     CubeProbe probe(linear, used_);
@@ -110,20 +112,20 @@ class CubeSlots {
     }
   }
 
-  // Inserts a number whose cube is not there. Numbers are inserted in ascending order from 0 on; those left out are of
-  // cubes that are there.
+  // Inserts a number whose cube is not there yet. Numbers are inserted in ascending order from 0 on; a number may be
+  // left out if its cube is there already.
   template <class CubeOf>
   void insert(uint32_t number, const CubeOf &cube_of) {
     if (is_tree() || !insert_in_table(number, cube_of)) [[unlikely]]
       insert_in_tree(number, cube_of);
   }
-  // Removes all, and inserts those below `count`, of different cubes, among as many slots as they need. Scratch memory:
-  // a bit for each of these.
+  // Removes all numbers, and inserts those below `count`, whose cubes are different, into as many slots as they need.
+  // scratch: a bit for each of these slots.
   template <class CubeOf>
   void insert_all(uint32_t count, const CubeOf &cube_of, Span<uint32_t> scratch) {
     clear(count);
     if (!small_code && used_ > most_near_slots) return insert_far(count, cube_of, scratch);
-    CubeSlots slots = *this;  // in registers: slots are numbers like its members
+    CubeSlots slots = *this;  // in registers: to the compiler, a store to a slot might change a member
     for (uint32_t number = 0; number < count; ++number) {
       if (!small_code && number + ahead::slots < count) {
         slots.prefetch(CubeProbe(linear_hash(cube_of(number + ahead::slots)), slots.used_).slot);
@@ -139,19 +141,19 @@ class CubeSlots {
   uint32_t longest_search() const { return is_tree() ? longest_way_ : longest_probe_; }
 
  private:
-  // More than these do not stay in a near memory, but a bit for each does.
+  // More slots than these do not stay in the nearest cache, but a bit for each does.
   static constexpr uint32_t most_near_slots = 1U << 16;
-  static constexpr uint32_t root = 0;  // which no link leads to: so a link to it is one to nothing
+  static constexpr uint32_t root = 0;  // no link leads to the root, so this number stands for an empty link
 
   void fill(uint32_t value) {
-    const uint32_t used = used_;  // in a register: slots are numbers like it
+    const uint32_t used = used_;  // in a register: to the compiler, a store to a slot might change the member
     for (uint32_t k = 0; k < used; ++k) slots_[k] = value;
   }
   void prefetch(uint32_t slot) const { __builtin_prefetch(&slots_[slot], 1); }
   void note(uint32_t length) {
     if (length > longest_probe_) longest_probe_ = length;
   }
-  // In a table, if no probe is too long; else nothing is changed.
+  // Inserts into the table. If the probe sequence is too long, changes nothing and returns false.
   template <class CubeOf>
   bool insert_in_table(uint32_t number, const CubeOf &cube_of) {
     CubeProbe probe(linear_hash(cube_of(number)), used_);
@@ -164,7 +166,7 @@ class CubeSlots {
     note(length);
     return true;
   }
-  // Leaves the table, for a tree of the first numbers.
+  // Replaces the table by a tree of the numbers below `numbers`.
   template <class CubeOf>
   void make_tree(uint32_t numbers, const CubeOf &cube_of) {
     fill(root);
@@ -172,8 +174,8 @@ class CubeSlots {
     longest_way_ = 2;  // the first slot and the root
     for (uint32_t number = 1; number < numbers; ++number) plant(number, cube_of);
   }
-  // All into an empty table, each into the same slot as by insert(). Bits tell which slots are taken, so that slots are
-  // never read, and are on their way while later cubes look for theirs.
+  // Inserts all into an empty table, each into the same slot as by insert(). Bits say which slots are taken, so that
+  // slots are never read; they are written some cubes later, when the processor has fetched them.
   template <class CubeOf>
   void insert_far(uint32_t count, const CubeOf &cube_of, Span<uint32_t> taken) {
     for (uint32_t &word : taken.part(0, used_ / 32)) word = 0;
@@ -191,11 +193,11 @@ class CubeSlots {
       if (number >= ahead::slots) slots_[slot] = number - ahead::slots;
       slot = probe.slot;
     }
-    // There are more cubes than that, as there are so many slots.
+    // There are more cubes than ahead::slots, as there are more than most_near_slots slots.
     for (uint32_t number = count - ahead::slots; number < count; ++number)
       slots_[found[number % ahead::slots]] = number;
   }
-  // The rare path gets numbers, so that the common one keeps its cubes in registers.
+  // This rare path gets the coordinates one by one, so that the common path keeps its cube in registers.
   template <class CubeOf>
   [[gnu::noinline, gnu::cold]] uint32_t find_in_tree(int64_t x, int64_t y, int64_t z, CubeOf cube_of) const {
     const CubeCoordinates cube{x, y, z};
@@ -227,10 +229,10 @@ class CubeSlots {
     }
   }
 
-  Span<uint32_t> slots_;  // numbers, no_id = empty; of a tree the two links of each number
-  uint32_t used_ = 0;
-  uint32_t longest_probe_ = 0;  // 1 of a tree
-  uint32_t longest_way_ = 0;    // in a tree, if it is one
+  Span<uint32_t> slots_;        // numbers, no_id if empty; of a tree: the two links of each number
+  uint32_t used_ = 0;           // how many of slots_ are used
+  uint32_t longest_probe_ = 0;  // 1 for a tree
+  uint32_t longest_way_ = 0;    // of a tree; 0 for a table
 };
 
 }  // namespace hsp

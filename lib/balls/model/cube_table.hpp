@@ -1,5 +1,5 @@
-// Cubes that are numbered as they come, by their coordinates. The size of the table depends on the number of cubes
-// alone, not on their extent.
+// A hash table of cubes that are numbered as they come. Its size depends only on the number of cubes, not on their
+// extent.
 #pragma once
 
 #include "model/cube_list.hpp"

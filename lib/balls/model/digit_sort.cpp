@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t more_than_near = UINT32_C(1) << 18;  // entries
 
-// From the number of entries for each digit to the slot of the first of them.
+// Turns the number of entries with each digit into the slot of the first of these entries.
 void add_up(const Span<uint32_t> &counts) {
   uint32_t slot = 0;
   for (uint32_t &count : counts) {
@@ -19,7 +19,7 @@ void add_up(const Span<uint32_t> &counts) {
   }
 }
 
-// One pass over n entries, by the digit at `shift`.
+// One pass: moves n entries to their slots by the digit at `shift`.
 void move_entries(const uint32_t *from, uint32_t n, uint32_t shift, uint32_t mask, uint32_t *slots, uint32_t *to) {
   for (uint32_t k = 0; k < n; ++k, from += 2) {
     uint64_t entry;
@@ -44,8 +44,9 @@ DigitSort::Passes DigitSort::passes_for(uint32_t bits) const {
 void DigitSort::begin(uint32_t bits, uint32_t others) {
   lowest_ = others;
   passes_ = passes_for(bits);
-  // Each value of the highest digit costs the counters of the others: more than what it saves unless it has twice as
-  // many entries. And of two passes over what stays in a near memory none is worth saving.
+  // For each value of the highest digit the counters of the other digits are made 0 and summed. This costs more than it
+  // saves, unless there are twice as many entries for each value. For two passes it pays only if the entries do not
+  // stay in a near cache.
   const uint64_t entries = entries_.size() / 2, counters_of_others = uint64_t{passes_.count - 1} << passes_.bits;
   highest_first_ = !small_code && (passes_.count == 3 || (passes_.count == 2 && entries >= more_than_near)) &&
                    uint64_t{passes_.count} << passes_.bits <= counters_.size() &&
@@ -81,7 +82,7 @@ void DigitSort::sort_highest_first(Patience &patience) {
   if (passes_.count == 2) exchange();
 }
 
-// Entries first .. last - 1, to the same slots of the other array.
+// Sorts entries first .. last - 1 into the same slots of the other array.
 void DigitSort::sort_by_lowest_digit(uint32_t first, uint32_t last) {
   const Span<uint32_t> slots = counters_.part(mask() + 1, 2 * (mask() + 1));
   for (uint32_t &count : slots) count = 0;
@@ -91,7 +92,8 @@ void DigitSort::sort_by_lowest_digit(uint32_t first, uint32_t last) {
   move_entries(entries, last - first, lowest_, mask(), slots.data(), other_entries_.part(2 * first, 2 * last).data());
 }
 
-// Entries first .. last - 1, to the front of the other array and back: always the same memory, which stays near.
+// Sorts entries first .. last - 1, by the front of the other array: always the same memory, which stays in a near
+// cache.
 void DigitSort::sort_by_two_digits(uint32_t first, uint32_t last) {
   const uint32_t low_shift = lowest_, high_shift = lowest_ + passes_.bits, mask = this->mask(), values = mask + 1;
   const Span<uint32_t> low = counters_.part(values, 2 * values), high = counters_.part(2 * values, 3 * values);
@@ -118,7 +120,7 @@ void DigitSort::sort_lowest_first(Patience &patience) {
     add_up(slots);
     for (uint32_t &count : next) count = 0;
     const uint32_t shift = lowest_ + p * passes_.bits;
-    // Those of the last pass are counted in vain: one more way through here would cost more.
+    // The last pass counts in vain: a loop of its own without counting would cost more.
     const uint32_t next_shift = p + 1 < passes_.count ? shift + passes_.bits : shift;
     const uint32_t *from = entries_.data();
     uint32_t *const to = other_entries_.data();

@@ -1,18 +1,18 @@
-// The order of the balls in the grid: by the z, the y and then the x of their cubes, and in one cube by rank. So the
-// cubes of one row, with equal y and z, follow each other, and so do the balls of neighbouring cubes of a row: one
-// search in the hash table finds all of them. The order depends on the balls alone, not on that of the input (but for
-// balls that are equal), so that neither does anything that runs in the order of ids.
+// Grid order: the balls by the z, the y and then the x of their cubes, and in one cube by rank. So the cubes of one
+// row, with equal y and z, follow each other, and so do the balls of neighbouring cubes of a row: one search in the
+// hash table finds all of them. The order depends on the balls alone and not on the order of the input, except for
+// balls that are equal. So nothing that runs in the order of ids depends on the order of the input.
 //
 // Balls come from a source, which may compute them when they are asked for: source.centre(i) and source.ball(i) are
 // ball i on the lattice.
 //
-// In a plane, six balls by letters in cubes of side 10, of which those of one cube are in the order of their ranks:
+// As an example a plane with six balls, A to F, in cubes of side 10; A has a lower rank than B, and D than E:
 //       y |
 //     10  |   D   E |       |   F
 //      0  |   A   B |   C   |             order:  A B | C | D E | F      cubes (0,0) (1,0) (0,1) (2,1)
 //         +---------------------- x
 //             0        10      20
-// The neighbours of C are in the cubes from (0,-1) to (2,1): of the row y = 0 they are A to C, of the row y = 10 D to
+// The neighbours of C are in the cubes from (0,-1) to (2,1): in the row y = 0 these have A to C, in the row y = 10 D to
 // F.
 #pragma once
 
@@ -27,7 +27,7 @@
 
 namespace hsp {
 
-// The cubes of side `side`, along one axis.
+// Finds in which cube of side `side` a coordinate lies, or a point.
 class CubeAxis {
  public:
   explicit CubeAxis(int64_t side) : side_(side), reciprocal_(1.0 / static_cast<double>(side)) {}
@@ -50,19 +50,19 @@ class CubeAxis {
   double reciprocal_;
 };
 
-// Scratch memory: two numbers per ball in each of the first two, and counters as a DigitSort needs. The order will be
-// in the first.
+// Scratch memory: two numbers for each ball in each of the first two arrays, and counters as DigitSort needs. The order
+// will be in `entries`.
 struct GridOrderScratch {
   Span<uint32_t> entries, other_entries, counters;
 };
 
-// Balls in grid order, by their numbers in the source. Where keys tell cubes, balls of one slice may not be in order
-// yet: few are not, and they are looked at when balls are read anyway.
+// Balls in grid order, by their numbers in the source. A cube is cut into slices along x. If keys tell cubes, balls of
+// one slice may not be in order yet: few are not, and sort_slice() sorts these when balls are read anyway.
 struct GridOrder {
   Span<uint32_t> entries;  // [2 n] a key and a ball each
-  bool keys_tell_cubes;    // whether balls are in one cube if and only if their keys are, but for the lowest bits
-  uint32_t slice_bits;     // how many
-  uint32_t bits_in_slice;  // of these, in which keys of one slice differ
+  bool keys_tell_cubes;    // whether two balls are in one cube iff their keys agree above the lowest slice_bits bits
+  uint32_t slice_bits;
+  uint32_t bits_in_slice;  // the lowest bits of keys, in which keys of one slice may differ
 
   uint32_t size() const { return entries.size() / 2; }
   uint32_t ball(uint32_t k) const { return entries[2 * k + 1]; }
@@ -71,8 +71,8 @@ struct GridOrder {
   bool same_slice(uint32_t k, uint32_t l) const { return (key(k) ^ key(l)) >> bits_in_slice == 0; }
 };
 
-// Numbers of the cubes of a box, in the order of the grid, each cut into slices of equal width along x; and of the
-// cubes along each axis, from 0 on.
+// Numbers the cubes of a box in grid order, or their slices, into which each is cut along x, all of one width. Also
+// numbers the cubes along each axis, from 0 on.
 class CubeNumbers {
  public:
   CubeNumbers(const LatticeBox &box, const CubeAxis &axis) : axis_(axis), first_(axis.cube_at(box.low)) {
@@ -87,18 +87,18 @@ class CubeNumbers {
     slices_per_step_ = static_cast<double>(UINT64_C(1) << bits) / static_cast<double>(axis_.side());
   }
 
-  // Of cubes: at least that many.
+  // The number of cubes of the box, rounded.
   double cubes() const {
     return static_cast<double>(count_x_) * static_cast<double>(count_y_) * static_cast<double>(count_z_);
   }
-  // Of all numbers, if there are no more than 2^64 of them; and of those along each axis.
+  // The number of bits of slice numbers, if there are no more than 2^64 slices; and of the numbers along each axis.
   uint32_t bits() const { return bits_below((count_x_ * count_y_ * count_z_) << slice_bits_); }
   uint32_t bits_x() const { return bits_below(count_x_); }
   uint32_t bits_y() const { return bits_below(count_y_); }
   uint32_t bits_z() const { return bits_below(count_z_); }
 
-  // That of a centre, and its slice: the quotient is below the number of slices by at least 1 / side, so that rounding
-  // does not reach it.
+  // The number of the slice in which a centre lies. In units of slices, `inside` is below the number of slices of a
+  // cube by at least 1 / side of that number, so that rounding does not reach it.
   uint64_t operator()(const exact::Vector &centre) const {
     const int64_t x = axis_.cube_at(centre.x);
     const double inside = static_cast<double>(centre.x - x * axis_.side());
@@ -129,7 +129,7 @@ class CubeNumbers {
 
 namespace grid_order_parts {
 
-// Passes of sort_by().
+// The number of passes that sort_by() makes.
 [[gnu::noinline]] inline uint32_t passes_for(const DigitSort &sort, uint32_t bits) {
   uint32_t passes = 0;
   for (uint32_t shift = 0; shift < bits || shift == 0; shift += 32) {
@@ -138,8 +138,8 @@ namespace grid_order_parts {
   return passes;
 }
 
-// Entries first .. last - 1, and how often each value of their first digit is there. A call, so that this loop has its
-// registers. The first time the balls are in the order of their numbers.
+// Fills entries first .. last - 1, and counts each value of their first digit. first_time: the balls are in the order
+// of their numbers. A call of its own, so that this loop has the registers.
 template <class Source, class Key>
 HSP_APART_UNLESS_SMALL void fill_entries(const DigitSort &sort, const Source source, bool first_time, uint32_t shift,
                                          const Key key, uint32_t first, uint32_t last) {
@@ -172,10 +172,10 @@ void sort_by(DigitSort &sort, const Source &source, bool first_time, uint32_t bi
   }
 }
 
-// So many slices of a cube leave few balls whose order is left to compare.
+// With so many bits for slices few balls are left whose order must be found by comparing.
 inline constexpr uint32_t enough_slice_bits = 4;
-// Entries of one slice that are not in the order of their keys, each by exchanges with those before it. That is so many
-// of them at most: a slice of a cube with very many balls is left to sort_slice().
+// Sorts entries of one slice that are not in the order of their keys, each by exchanges with entries before it. There
+// are at most most_exchanges for one entry: a slice with very many balls is left to sort_slice().
 inline constexpr uint32_t most_exchanges = 8;
 inline void sort_in_slices(Span<uint32_t> entries) {
   uint32_t *const entry = entries.data();
@@ -194,7 +194,8 @@ inline void sort_in_slices(Span<uint32_t> entries) {
   }
 }
 
-// Entries of one slice: by rank. All get the key of the first. Few balls get here: cold, it takes a fifth of the code.
+// Sorts the entries of one slice by rank. All get the key of the first. Few balls get here: as cold code it takes a
+// fifth of the code size.
 template <class Source>
 [[gnu::cold, gnu::noinline]] void sort_by_rank(const Source &source, Span<uint32_t> entries) {
   const uint32_t n = entries.size() / 2;
@@ -208,7 +209,7 @@ template <class Source>
   }
 }
 
-// The entries around number k that are `alike`, which are one behind the other.
+// The run of consecutive entries around number k for which alike(entry, neighbouring entry) holds.
 template <class Alike>
 BallRange run_around(uint32_t k, uint32_t n, const Alike &alike) {
   BallRange run{k, k + 1};
@@ -217,7 +218,7 @@ BallRange run_around(uint32_t k, uint32_t n, const Alike &alike) {
   return run;
 }
 
-// Where cubes have no numbers of 40 bits: by the cubes along each axis, the last one first.
+// For boxes of 2^40 cubes or more: sorts by the numbers along each axis, first by x, then by y, then by z.
 template <class Source>
 [[gnu::cold, gnu::noinline]] void sort_by_axes(DigitSort &sort, const Source &source, const CubeNumbers &numbers,
                                                Patience &patience) {
@@ -230,7 +231,7 @@ template <class Source>
   }
 }
 
-// Where keys do not tell cubes: balls of one cube that are not in order.
+// If keys do not tell cubes: sorts the balls of those cubes in which they are not in order.
 template <class Source>
 [[gnu::cold, gnu::noinline]] void sort_cubes_by_rank(const Source &source, const CubeNumbers &numbers,
                                                      const GridOrder &order) {
@@ -247,7 +248,7 @@ template <class Source>
 
 }  // namespace grid_order_parts
 
-// Brings the entries in the slice of number k into the order of rank; returns which these are.
+// Sorts the entries in the slice of entry k by rank. Returns which entries these are.
 template <class Source>
 BallRange sort_slice(const Source &source, const GridOrder &order, uint32_t k) {
   const auto same_slice = [&](uint32_t i, uint32_t j) { return order.same_slice(i, j); };
@@ -256,8 +257,9 @@ BallRange sort_slice(const Source &source, const GridOrder &order, uint32_t k) {
   return run;
 }
 
-// The order of the balls of the source in the box around them, as many as there is scratch memory for. O(n) if no more
-// than a bounded number of balls lie in one cube. No order if that is no longer allowed.
+// The grid order of the balls of a source. box: the box around their centres. The number of balls is that for which
+// scratch.entries has room. O(n) if no more than a bounded number of balls lie in one cube. If `patience` allows no
+// more work, the result is no order.
 template <class Source>
 GridOrder grid_order(const Source &source, const LatticeBox &box, const CubeAxis &axis, const GridOrderScratch &scratch,
                      Patience &patience) {
@@ -285,7 +287,7 @@ GridOrder grid_order(const Source &source, const LatticeBox &box, const CubeAxis
   return order;
 }
 
-// The same in less code, without keys: O(n log n). entries [2 n].
+// The same by comparing balls, without keys, in less code: O(n log n). entries [2 n].
 GridOrder grid_order_by_comparing(const BallSet &balls, const CubeAxis &axis, Span<uint32_t> entries);
 
 }  // namespace hsp

@@ -9,7 +9,8 @@ void Halo::begin(const CubeList &own, int64_t z_low) {
   inner_high_ = own.high();
 }
 
-// From the box around all own cubes each other cube cuts off the fewest layers that hold it.
+// Begins with the box around all own cubes. Each cube of images in the box cuts off layers up to its own, at the side
+// where these are fewest.
 void Halo::end(const CubeList &all, uint32_t first) {
   for (uint32_t cube = first; cube < all.count(); ++cube) {
     CubeCoordinates at = all.coordinates(cube);

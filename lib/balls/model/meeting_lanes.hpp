@@ -1,5 +1,5 @@
-// Balls in floats, as many as there are lanes, against one: for the kernels that ask which of them meet it
-// (meeting.hpp). Like everything in kernels it has internal linkage.
+// For kernels: one ball in floats against as many others as there are lanes, for whether they meet (meeting.hpp). Like
+// everything in kernels it has internal linkage.
 #pragma once
 
 #include "lanes/words.hpp"
@@ -12,20 +12,20 @@ namespace {
 struct FloatBall {
   Floats x, y, z, r;
 
-  // d^2 - t^2 of each of the others.
+  // d^2 - t^2 for each of the others.
   Floats excess(Floats other_x, Floats other_y, Floats other_z, Floats other_r) const {
     const Floats dx = distance(x, other_x), dy = distance(y, other_y), dz = distance(z, other_z), sum = r + other_r;
     return fused(dz, dz, fused(dy, dy, fused_minus(dx, dx, sum * sum)));
   }
 };
 
-// Some doubles from p on, less an origin.
+// The doubles from p on, as many as there are lanes of floats, less an origin, as floats.
 inline Floats relative(const double *p, double origin) {
   const Doubles from = Doubles::all(origin);
   return to_floats(Doubles::load(p) - from, Doubles::load(p + Doubles::lanes) - from);
 }
 
-// Balls that meet nothing, as many as there are lanes, for the end of such arrays.
+// Writes balls that meet nothing, as many as there are lanes, behind the last ball of arrays.
 inline void store_far_balls(float *x, float *y, float *z, float *r) {
   const Floats zero = Floats::all(0.0F);
   Floats::all(0x1p60F).store(x);
@@ -34,7 +34,7 @@ inline void store_far_balls(float *x, float *y, float *z, float *r) {
   zero.store(r);
 }
 
-// The lanes of `meet`, but of the doubtful ones those for which meets(lane).
+// The lanes of `meet`, where meets(lane) decides about doubtful lanes.
 template <class Meets>
 inline LaneBits decided(LaneBits doubtful, LaneBits meet, Meets meets) {
   for (; doubtful != 0; doubtful &= doubtful - 1) {

@@ -1,11 +1,11 @@
-// All neighbours of all balls: counted, or listed in rows.
+// Counts all neighbours of all balls, or lists them in rows.
 //
-// As an example balls 0, 1 and 2, of which 0 meets 2 and 1 meets 2. `first` has where rows begin and, at its end, where
-// the last one ends:
+// As an example balls 0, 1 and 2, of which 0 meets 2 and 1 meets 2. `first` has the beginnings of the rows and, at its
+// end, the end of the last one:
 //   rows of the smaller index     first   0 1 2 2       ids   2 | 2 |
 //   rows of both                  first   0 1 2 4       ids   2 | 2 | 0 1
-// The first walk over all pairs counts, and sums of the counts are ends of rows. The second one fills each row from its
-// end on, so that what was an end has become the beginning.
+// The first walk over all pairs counts; sums of the counts are the ends of rows. The second walk fills each row from
+// its end on, and counts `first` down, so that each end becomes the beginning of its row.
 #include "model/neighbour_lists.hpp"
 
 #include "core/ahead.hpp"
@@ -18,19 +18,20 @@
 namespace hsp {
 namespace {
 
-// The balls of up to three cubes of one row, and where that row lies beside the cube in the middle: -1, 0 or 1.
+// The balls of up to three cubes of one row, and the offset of this row from the cube in the middle along y and z: -1,
+// 0 or 1.
 struct NearbyRow {
   BallRange range;
   int y, z;
 };
 
-// From a coordinate to the cubes below its own, to its own, which is 0, and to those above, in steps.
+// The distances, in steps, from a coordinate to the cubes below its own, to its own, which is 0, and to those above.
 struct Gaps {
   Gaps(double value, double low_wall, double side) : gap{value - low_wall, 0.0, low_wall + side - value} {}
   double gap[3];
 };
 
-// Calls visit(cube) for all cubes; false if it is not allowed to go on.
+// Calls visit(cube) for all cubes. False if `patience` allows no more work.
 template <class Visit>
 bool for_each_cube(const CubeGrid &grid, Patience &patience, Visit visit) {
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
@@ -41,9 +42,9 @@ bool for_each_cube(const CubeGrid &grid, Patience &patience, Visit visit) {
   return patience.allows(0);
 }
 
-// Goes once over all pairs of balls that meet. Without ids it counts them in first, for both balls or for the one of
-// the smaller index. With ids, which are all 0 before, it stores the larger index in the row of the smaller one, from
-// the row's end on, which first tells.
+// Goes once over all pairs of balls that meet. If `ids` is empty, it counts them in `first`, for both balls or for the
+// smaller index alone. Else, with all ids 0 before, it stores the larger index in the row of the smaller one, from the
+// row's end on, which `first` has.
 class PairWalk {
  public:
   PairWalk(const CubeGrid &grid, PairRows rows, Span<uint32_t> first, Span<uint32_t> ids)
@@ -55,7 +56,7 @@ class PairWalk {
         side_(static_cast<double>(grid.side())),
         largest_(static_cast<double>(grid.balls().largest_radius)) {}
 
-  // False if it is not allowed to go on.
+  // False if `patience` allows no more work.
   bool run(Patience &patience) {
     if (const RadiusLevels *const levels = grid_.levels())
       return for_each_cube(grid_, patience, [&](uint32_t cube) { walk_cube_by_levels(cube, *levels); });
@@ -66,8 +67,8 @@ class PairWalk {
   }
 
  private:
-  // All balls of a cube have the same rows of cubes around them. The second ball of a pair is the one that comes later
-  // in the grid's order.
+  // All balls of a cube have the same rows of cubes around them. A pair is found at the ball that is earlier in grid
+  // order.
   void walk_cube(uint32_t cube) {
     const CubeCoordinates &at = grid_.cube_list().coordinates(cube);
     const BallRange own = grid_.balls_in(cube);
@@ -84,7 +85,7 @@ class PairWalk {
     for (uint32_t i = own.first; i < own.last; ++i) {
       const Gaps y(balls_.y[i], low_y, side_);
       const Gaps z(balls_.z[i], low_z, side_);
-      // Squares and sum are rounded by less than this leaves out.
+      // The margin is larger than the rounding of the squares and of their sum.
       const double reach = balls_.r[i] + largest_;
       const double too_far = reach * reach * certainly_above;
       for (uint32_t k = 0; k < count; ++k) {
@@ -97,7 +98,7 @@ class PairWalk {
     }
   }
 
-  // The same, with the balls of the cube and all later ones around it side by side, in as many blocks as that takes.
+  // The same with copies of the cube's balls and all later balls around it, in as many blocks as needed.
   void walk_cube_in_blocks(uint32_t cube) {
     const CubeCoordinates &at = grid_.cube_list().coordinates(cube);
     const BallRange own = grid_.balls_in(cube);
@@ -109,7 +110,7 @@ class PairWalk {
     block.centre[0] = (static_cast<double>(at.x) + 0.5) * side_;
     block.centre[1] = (static_cast<double>(at.y) + 0.5) * side_;
     block.centre[2] = (static_cast<double>(at.z) + 0.5) * side_;
-    // The ranges ascend: the first one that is not over before the cube is that of its row.
+    // The ranges ascend: the first one that does not end before the cube is the range of the cube's own row.
     uint32_t in_earlier_blocks = 0;
     for (uint32_t k = 0; k < around.ranges; ++k) {
       BallRange range = around.range[k];
@@ -125,7 +126,8 @@ class PairWalk {
     look_into(block, balls, own, in_earlier_blocks);
   }
 
-  // The same, where all balls around the cube are asked by those that meet very many alone.
+  // The same with the index of levels. Only a ball with more neighbours than there is room for is tested against all
+  // balls around its cube.
   void walk_cube_by_levels(uint32_t cube, const RadiusLevels &levels) {
     const BallRange own = grid_.balls_in(cube);
     for (uint32_t i = own.first; i < own.last; ++i) {
@@ -150,7 +152,7 @@ class PairWalk {
     }
   }
 
-  // Of the balls side by side the cube's own are the first.
+  // Finds the pairs of the cube's balls with those of a block. The cube's own balls are the first in the blocks.
   void look_into(const PairBlock &block, const QueryArrays &balls, const BallRange &own, uint32_t in_earlier_blocks) {
     uint32_t met[PairBlock::room + PairBlock::lanes];
     for (uint32_t i = own.first; i < own.last; ++i) {
@@ -180,7 +182,7 @@ class PairWalk {
     }
   }
 
-  // Ball i and each of the others.
+  // Counts or stores the pairs of ball i with each of the others, which are the caller's indices.
   void visit(uint32_t i, const uint32_t *others, uint32_t count) {
     const uint32_t own = balls_.caller[i];
     const bool counting = ids_.empty();
@@ -207,9 +209,8 @@ class PairWalk {
   uint32_t hits_ = 0;
 };
 
-// Each ball against all balls around it, so that its row is its own: twice as many tests as PairWalk, and no slots to
-// find for them. That is faster where cubes hold few balls, and where rows do not stay in the processor's caches, as
-// each is written once.
+// Tests each ball against all balls around it, and writes its row at once: twice as many tests as PairWalk, but no
+// writes to other rows. That is faster if cubes hold few balls, or if rows do not fit the processor's caches.
 class RowWalk {
  public:
   static bool suits_counting(const CubeGrid &grid) {
@@ -248,8 +249,8 @@ class RowWalk {
   }
 
  private:
-  // use(i, around): all balls around ball i, or null if a block has no room for them. Not inlined, so that blocks of
-  // two kinds do not lie on the stack together.
+  // Calls use(i, around) for each ball i. around: all balls around it, or null if a block has no room for them. Not
+  // inlined, so that blocks of two kinds do not lie on the stack together.
   template <class Use>
   [[gnu::noinline]] void for_each_ball(Patience &patience, Use use) const {
     RoundedBlock block;
@@ -265,7 +266,7 @@ class RowWalk {
     }
   }
 
-  // A hint to the processor: this row will be written soon, at least its front.
+  // A hint to the processor that the front of this row will be written soon.
   static void prefetch_row(Span<const uint32_t> first, Span<uint32_t> ids, uint32_t own) {
     constexpr uint32_t ids_of_line = 16;
     const uint32_t length = first[own + 1] - first[own];
@@ -288,23 +289,23 @@ class RowWalk {
   const QueryArrays balls_;
 };
 
-// Marks the last entry of a row while rows are filled. No ball has an index as large.
+// Marks the last entry of a row while rows are filled. All indices of balls are smaller.
 constexpr uint32_t last_of_row = UINT32_C(1) << 31;
 static_assert(max_count < last_of_row);
 
-// Instead of an index of ids, for a row without entries.
+// In `first`, for a row without entries.
 constexpr uint32_t no_entry = no_id;
 
-// From where rows begin to where they end.
+// Turns the beginnings of rows into their ends.
 void begins_to_ends(Span<uint32_t> first, uint32_t n) {
   for (uint32_t i = 0; i < n; ++i) first[i] = first[i + 1] > first[i] ? first[i + 1] : no_entry;
 }
 
-// Both rows of each pair, in ascending order without sorting. First the larger neighbours of each ball, in any order,
-// fill its row from the end on; the rest of the row is free for as many smaller ones. Then each ball, in ascending
-// order, writes itself into the rows of its neighbours from their beginnings on. It reads its own row for that: what
-// has been written there are its smaller neighbours, all of them and no others by now; behind them the larger ones
-// still stand as they were, and once they have been read they may be overwritten.
+// Lists each pair in both rows, in ascending order without sorting. First the larger neighbours of each ball, in any
+// order, fill its row from the end on; the rest of the row is free for its smaller neighbours. Then each ball, in
+// ascending order, writes itself into the rows of its neighbours, from their beginnings on. To do so it reads its own
+// row: at the beginning are all its smaller neighbours, which have been written by now, and behind them are still the
+// larger ones. Once these have been read they may be overwritten.
 void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t> ids, Patience &patience) {
   const uint32_t n = grid.balls().n;
   begins_to_ends(first, n);

@@ -1,12 +1,12 @@
-// Balls from the caller's order into that of the grid.
+// Brings balls from the caller's order into grid order.
 //
 // As an example centres on the x axis, in cubes of side 5:
 //   the caller's ball     0   1   2   3
 //   x                     7   1  12   3
 //   cube                  1   0   2   0
 // Ball by ball of the grid: cube 0 has the caller's balls 1 and 3, cube 1 has 0, cube 2 has 2. So
-//   caller       1 3 0 2       of each ball of the grid its number for the caller
-//   grid_index   2 0 3 1       of each ball of the caller its number in the grid
+//   caller       1 3 0 2       for each ball in grid order, its index in the caller's order
+//   grid_index   2 0 3 1       for each ball in the caller's order, its index in grid order
 #include "model/ordered_balls.hpp"
 
 #include "core/ahead.hpp"
@@ -16,7 +16,7 @@
 namespace hsp {
 namespace {
 
-// So many balls are still near when their cubes are looked at.
+// So many balls are still in a near cache when their cubes are looked at.
 constexpr uint32_t balls_in_block = 512;
 
 // Balls of an input that all fit the lattice, in the caller's order.
@@ -49,7 +49,7 @@ struct PlacedBalls {
   exact::Vector centre(uint32_t i) const { return ball(i).centre; }
 };
 
-// Those from number `first` on.
+// The balls of a source from number `first` on.
 template <class Source>
 struct BallsFrom {
   Source source;
@@ -103,7 +103,8 @@ void OrderedBalls::clear() {
   first_ball_[0] = 0;
 }
 
-// In small code by the balls that are given, else by the source's in the box.
+// The grid order of a part of the balls. Small code compares the given balls; else the source's balls are sorted by
+// keys.
 template <class Source>
 GridOrder OrderedBalls::order_of(const Source &source, const BallSet &given, const LatticeBox &box,
                                  const CubeAxis &axis, BallRange part, Span<uint32_t> idle, Patience &patience) {
@@ -119,15 +120,15 @@ GridOrder OrderedBalls::order_of(const Source &source, const BallSet &given, con
     some.n = part.last - part.first;
     return grid_order_by_comparing(some, axis, entries);
   }
-  // Of the other arrays less is touched, if the set has few cubes.
+  // If idle memory has room for both arrays of entries, it is used: a set with few cubes then touches less memory.
   const bool has_both = idle.size() / 4 >= capacity_;
   const Span<uint32_t> other_entries =
       of_part(has_both ? idle.part(2 * capacity_, 4 * capacity_) : Span(grid_index_.data(), 2 * grid_index_.size()));
   return grid_order(BallsFrom<Source>{source, part.first}, box, axis, {entries, other_entries, first_ball_}, patience);
 }
 
-// A part of the balls, in its order, to the same slots, as new cubes. Where a cube begins is not foreseen by the
-// processor: first balls are written to where the next first ball belongs, and stay there if a cube begins.
+// Puts a part of the balls, in its order, to the same slots, and appends its cubes. The processor cannot predict where
+// a cube begins. So each ball is written as the first ball of the next cube, and is kept there if a cube begins.
 template <class Source>
 void OrderedBalls::put(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order, int64_t lift,
                        Patience &patience) {
@@ -140,7 +141,8 @@ void OrderedBalls::put(const Source &source, const CubeAxis &axis, BallRange par
   }
 }
 
-// Some of these, behind those before. A call of its own, so that this loop has its registers.
+// Puts some of these balls, behind those that have been put before. A call of its own, so that this loop has the
+// registers.
 template <class Source>
 HSP_APART_UNLESS_SMALL void OrderedBalls::put_some(const Source &given, const CubeAxis &axis, BallRange part,
                                                    const GridOrder &order, int64_t lift, BallRange some) {
@@ -201,7 +203,7 @@ HSP_APART_UNLESS_SMALL void OrderedBalls::put_some(const Source &given, const Cu
   }
 }
 
-// For small code: all balls as they are given.
+// For small code: stores all balls in the caller's order.
 Status OrderedBalls::store_all(const BallRounding &rounding, uint32_t n, uint32_t &first_bad, int64_t &largest) {
   exact::LatticeBall ball;
   for (uint32_t i = 0; i < n; ++i) {
@@ -270,8 +272,8 @@ void OrderedBalls::sort(const BallSet &balls, Span<const uint32_t> slot, int64_t
   sort(placed, balls_, box_around(placed, {0, n}), n, idle, patience);
 }
 
-// The box is that around the own balls. `given`: the balls as they are given; with small code input and output may be
-// the same array, as `source` has them once more.
+// box: around the own balls. given: the balls as they are given. In small code `given` may be the output array, as
+// `source` has the balls, too.
 template <class Source>
 void OrderedBalls::sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own,
                         Span<uint32_t> idle, Patience &patience) {

@@ -41,8 +41,9 @@ bool overlap(const BallSet &balls, uint32_t i, uint32_t j) {
   return squared < static_cast<uint64_t>(sum * sum);
 }
 
-// Offers every pair whose centres lie in the same cube or in neighbouring cubes of the given side: all pairs up to that
-// distance, each at least once. The number of a cube is its first ball, from which a chain leads to the others.
+// Offers every pair whose centres lie in the same cube or in neighbouring cubes of the given side. These are all pairs
+// up to that distance, and perhaps others. The number of a cube is its first ball, from which a list leads to the
+// others.
 void offer_neighbouring_cubes(CubeGrid &grid, Span<uint32_t> slots, int64_t side, ClosestPair &closest) {
   const BallSet &balls = grid.balls();
   const Span<uint32_t> next = grid.scratch_links();
@@ -85,7 +86,7 @@ struct Overlaps {
   }
 };
 
-// Of all balls around each one's cube, with the closest pair among these.
+// Counts overlaps among all balls around each ball's cube, and finds the closest pair among these.
 Overlaps count_in_cubes(const CubeGrid &grid, ClosestPair &closest) {
   const BallSet &balls = grid.balls();
   Overlaps overlaps;
@@ -108,14 +109,15 @@ Overlaps count_in_cubes(const CubeGrid &grid, ClosestPair &closest) {
   return overlaps;
 }
 
-// The same by levels of radii, with the closest pair of all. A pair whose ratio is at most 1 overlaps. For larger ones
-// balls that do not meet are looked at, too, as far away as the ratio allows. False if there is no pair that close.
+// The same by levels of radii, with the closest pair of the set. A pair whose ratio is at most 1 overlaps. To find
+// larger ratios, balls that do not meet are looked at, too, as far away as the ratio says. False if no pair has a ratio
+// up to largest_ratio.
 bool count_in_levels(CubeGrid &grid, const RadiusLevels &levels, Overlaps &overlaps, ClosestPair &closest) {
   constexpr double largest_ratio = 64.0;
   const BallSet &balls = grid.balls();
   const Span<uint32_t> near = grid.scratch_links();
-  // All balls to which the distance is at most `reach` and their radius, and perhaps others: all, where numbers would
-  // be larger than those of balls are.
+  // Visits all balls whose distance is at most `reach` plus their own radius, and perhaps others: all balls if `reach`
+  // is larger than radii can be.
   const auto visit_near = [&](uint32_t i, double reach, auto visit) {
     const double steps = static_cast<double>(static_cast<int64_t>(reach) + 2);
     const QueryBall query{balls.x[i], balls.y[i], balls.z[i], steps, i};

@@ -13,11 +13,11 @@ struct PackingStatistics {
   double rho = 0.0;            // min over pairs of |c_i c_j| / max(r_i, r_j), 0 if there is none
   double mean_overlaps = 0.0;  // over the balls, of the number of others with |c_i c_j| < r_i + r_j
   uint32_t max_overlaps = 0;
-  bool zero_radius = false;  // k has no value
-  bool coincident = false;   // rho is 0
-  bool no_pair = false;      // rho has no value
+  bool zero_radius = false;  // a radius is 0, and k has no value
+  bool coincident = false;   // two centres are equal, and rho is 0
+  bool no_pair = false;      // there is no pair with a ratio, and rho has no value
 
-  // Theorem 2.1: the most balls that can meet one ball, 216 (k/rho)^3; 0 if a figure has no value.
+  // Theorem 2.1: no more than 216 (k/rho)^3 balls can meet one ball; 0 if k or rho has no value or rho is 0.
   double neighbour_bound() const {
     if (zero_radius || coincident || no_pair) return 0.0;
     const double ratio = k / rho;

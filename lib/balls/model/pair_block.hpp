@@ -1,6 +1,6 @@
-// The balls that may meet those of one cube, side by side as floats relative to the cube's centre, for lists of all
-// pairs, which tests as many at a time as a register holds. Doubtful pairs are left to integers, so that the
-// pairs are exact.
+// The balls that may meet the balls of one cube, copied side by side as floats relative to the cube's centre. For lists
+// of all pairs: as many are tested at a time as a register holds. Integers decide doubtful pairs, so that the pairs are
+// exact.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +20,12 @@ struct PairBlock {
   double centre[3];
 };
 
-// Appends balls of the range, no more than there is room for. Returns the first one that has not been appended.
+// Appends balls of the range, as many as there is room for. Returns the first ball that has not been appended.
 HSP_KERNEL(uint32_t, add_to_block, (PairBlock & block, const QueryArrays &balls, const BallRange &range),
            (block, balls, range))
 
-// The caller's indices of those of the block, from number `from` on, that meet ball i of its cube. Returns how many.
-// Room for all of the block and eight more.
+// Writes the caller's indices of the balls of the block, from number `from` on, that meet ball i of the cube. Returns
+// how many. `met` has room for all balls of the block and eight more.
 HSP_KERNEL(uint32_t, met_in_block,
            (const PairBlock &block, const QueryArrays &balls, uint32_t i, uint32_t from, uint32_t *met),
            (block, balls, i, from, met))

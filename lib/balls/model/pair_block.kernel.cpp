@@ -5,7 +5,7 @@
 namespace hsp::HSP_TARGET {
 namespace {
 
-// For what floats leave open, lane by lane. Apart, as it is rare.
+// Decides what floats leave open, lane by lane. Out of line, as it is rare.
 [[gnu::noinline, gnu::cold]] LaneBits decided_by_integers(const PairBlock &block, const QueryArrays &balls, uint32_t i,
                                                           uint32_t from, LaneBits doubtful, LaneBits meet) {
   return decided(doubtful, meet, [&](uint32_t lane) {

@@ -1,11 +1,12 @@
-// Balls at a point and at a ball, found in the cubes that can hold them.
+// Finds the balls at a point, or at a ball, in the cubes that can hold them.
 //
 // As an example cubes of side 10 and a largest radius of 5, along one axis. A ball that contains a point has its centre
 // at most 5 away:
 //   point   its cube   in it at      centres from    cubes
 //     13        1          3         8 to 18         0 and 1      3 < 10 - 5: the lower neighbour
 //     17        1          7         12 to 22        1 and 2      7 >= 5: the upper one
-// So a point has two cubes along each axis, eight in all, in four rows that the hash table is asked for.
+// So a point has two cubes along each axis, eight in all. They are in four rows, for each of which the hash table is
+// asked.
 #include "model/queries.hpp"
 
 #include "core/extremes.hpp"
@@ -41,7 +42,7 @@ CubeBox cubes_at_ball(const CubeGrid &grid, const LatticeQuery &query) {
   return {grid.cube_at({c.x - reach, c.y - reach, c.z - reach}), grid.cube_at({c.x + reach, c.y + reach, c.z + reach})};
 }
 
-// No box of a query up to the size of the largest ball has more rows.
+// The box of a query up to the size of the largest ball has no more rows.
 constexpr uint32_t few_rows = 9;
 
 bool has_few_rows(const CubeBox &box) {
@@ -49,8 +50,8 @@ bool has_few_rows(const CubeBox &box) {
   return y < 3 && z < 3;
 }
 
-// Calls visit(range) for all balls of the box, until it returns false. The hash table is asked for each row, unless
-// there are more cubes than in the table.
+// Calls visit(range) for all balls of the box, until it returns false. The hash table is asked for each row. If the box
+// has more cubes than the grid, all balls are one range.
 template <class Visit>
 void visit_rows(const CubeGrid &grid, const CubeBox &box, Visit visit) {
   const CubeCoordinates &low = box.low, &high = box.high;
@@ -78,7 +79,7 @@ bool visit_parts(const BallRange &range, Visit visit) {
   return true;
 }
 
-// Of a box the cubes that are in the box around all balls.
+// The cubes of a box that are also in the box around all cubes of the grid.
 CubeBox common_cubes(const CubeGrid &grid, const CubeBox &box) {
   if (grid.cubes() == 0) return {{0, 0, 0}, {-1, -1, -1}};
   const CubeCoordinates &low = grid.cube_list().low(), &high = grid.cube_list().high();
@@ -91,7 +92,7 @@ QueryBall as_doubles(const LatticeQuery &query, uint32_t excluded) {
           static_cast<double>(query.radius), excluded};
 }
 
-// If none of the hits are missing, and all fit.
+// Writes the hits to the result; they are complete, and there is room for them.
 void write_ascending(const CubeGrid &grid, const QueryHits &hits, QueryResult &result) {
   if constexpr (has_lanes) {
     if (grid.in_lanes()) return write_ascending_in_lanes(grid.target(), hits, result.ids, result.capacity);
@@ -127,7 +128,7 @@ class HitFinder {
     }
   }
   const QueryHits &hits() const { return hits_; }
-  // The hits of a range, whatever has been found before.
+  // The hits of this range alone.
   const QueryHits &hits_among(const BallRange &range) {
     hits_.count = 0;
     find(&range, 1);
@@ -148,7 +149,8 @@ class HitFinder {
   QueryHits hits_;
 };
 
-// By the levels of radii, if these tell all hits. Apart, as most sets have none.
+// Finds the hits by the index of levels. False if there are more hits than QueryHits has room for. Out of line, as most
+// sets have no such index.
 [[gnu::noinline, gnu::cold]] bool collect_by_levels(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
                                                     QueryResult &result) {
   QueryHits hits;
@@ -174,8 +176,8 @@ class HitFinder {
   sort_ascending(Span<uint32_t>(result.ids, result.hits));
 }
 
-// Nothing is written to the caller's array before it is known that all hits fit. Not inlined, so that hits of two ways
-// do not lie on the stack together.
+// Writes nothing to the caller's array before it is known that all hits fit. Not inlined, so that the hits of both ways
+// to search do not lie on the stack together.
 [[gnu::noinline]] void collect_by_cubes(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
                                         const CubeBox &box, QueryResult &result) {
   HitFinder finder(grid, query, excluded);
@@ -192,12 +194,12 @@ void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
   collect_by_cubes(grid, query, excluded, box, result);
 }
 
-// Their number, which may be no_id.
+// 0 if no ball meets the query; no_id if the index does not tell; else some number above 0.
 [[gnu::noinline, gnu::cold]] uint32_t hits_by_levels(const CubeGrid &grid, const LatticeQuery &query) {
   return grid.levels()->find(as_doubles(query, no_id), nullptr, 0);
 }
 
-// Why a query is refused: what is no number first, then what is too large.
+// Why a query is refused: not finite comes before negative, and negative before too large.
 Status why_refused(const double *xyz, double radius) {
   if (!is_finite(radius)) return Status::not_finite;
   for (int axis = 0; axis < 3; ++axis) {

@@ -23,7 +23,7 @@ struct QueryResult {
   uint32_t hits;
 };
 
-// Rounds a position and radius to the lattice of the balls.
+// Rounds a position and a radius, in the caller's unit, to the lattice of the balls.
 Status round_query(const BallSet &balls, const double *xyz, double radius, LatticeQuery &query);
 
 // The balls that contain the point. Looks at 8 cubes at most.
@@ -39,9 +39,9 @@ Status find_balls(const CubeGrid &grid, const double *xyz, double radius, QueryR
 // Whether any ball meets the query ball.
 bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query);
 
-// The balls other than itself that meet ball `rank` of the grid's order.
+// The other balls that meet the ball with index `rank` in grid order.
 void find_neighbours(const CubeGrid &grid, uint32_t rank, QueryResult &result);
-// The same without levels of radii.
+// The same without the index of levels.
 void find_neighbours_by_cubes(const CubeGrid &grid, uint32_t rank, QueryResult &result);
 
 }  // namespace hsp

@@ -38,7 +38,7 @@ uint32_t near_query(const RoundedQueryBall &query, const float *rounded, const u
 void write_ascending(const QueryHits &hits, uint32_t *ids) {
   constexpr uint32_t few = small_code ? 0 : 24;
   if (hits.count <= few) {
-    // The rank of a hit is the number of smaller ones: a loop without branches on the values.
+    // The place of a hit is the number of smaller hits: a loop without branches on the values.
     for (uint32_t k = 0; k < hits.count; ++k) {
       uint32_t smaller = 0;
       for (uint32_t other = 0; other < hits.count; ++other) smaller += hits.ids[other] < hits.ids[k] ? 1U : 0U;

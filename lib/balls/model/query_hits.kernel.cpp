@@ -1,6 +1,6 @@
-// As many balls at a time as a register holds floats, and their indices in order without branches on them.
+// Tests as many balls at a time as a register holds floats, and sorts their indices without branches on them.
 //
-// A query of radius 2 at 0 and four balls of radius 1 with centres on the x axis:
+// As an example a query of radius 2 at 0 and balls j to j + 3 of radius 1 with centres on the x axis:
 //   x                  2    3    4    5
 //   within             9    9    9    9      the square of 2 + 1
 //   excess            -5    0    7   16      x^2 less that: below 0 the ball meets the query, above 0 it does not
@@ -20,7 +20,7 @@ struct WideQuery {
   Doubles x, y, z, r;
 };
 
-// Some balls: their distances from the query, and the sums of the radii, squared.
+// For some balls: within = t^2 and excess = d^2 - t^2, with the d and t of meeting.hpp.
 struct Squares {
   Doubles excess, within;
 
@@ -34,8 +34,8 @@ struct Squares {
   }
 };
 
-// Of the balls from j on. Apart, and with the query in registers, so that loops around it need no room for what
-// this leaves untouched.
+// Decides about doubtful lanes, for the balls from j on. Out of line, with the query in registers, so that the loops
+// around the call keep their own registers.
 [[gnu::noinline, gnu::cold]] LaneBits decided_by_integers(const QueryArrays &balls, Doubles x, Doubles y, Doubles z,
                                                           Doubles r, uint32_t j, LaneBits doubtful, LaneBits meet) {
   return decided(doubtful, meet, [&](uint32_t lane) {
@@ -44,9 +44,9 @@ struct Squares {
   });
 }
 
-// Of the balls from j on, those before ball `last` that meet the query. Upper halves of doubles tell their signs,
-// and their sizes, of which the larger one is the larger number; meeting_doubt is a power of two. A square of 0 has no
-// doubt but that of an excess of 0; others are not below 1.
+// The balls from j on, before ball `last`, that meet the query. The upper halves of doubles are compared as integers:
+// they have the sign, and are in the order of sizes. As meeting_doubt is a power of two, it is subtracted from the
+// exponent. If t^2 is 0, only an excess of 0 is in doubt; other squares are not below 1.
 inline LaneBits meeting(const QueryArrays &balls, const WideQuery &query, uint32_t j, uint32_t last) {
   static_assert(meeting_doubt == 0x1p-50);
   const Squares low(balls, query, j), high(balls, query, size_t{j} + Doubles::lanes);
@@ -72,7 +72,7 @@ inline void add_hits_by(const QueryArrays &balls, const BallRange *ranges, uint3
   for (const BallRange *range = ranges; range < ranges + count; ++range) {
     uint32_t j = range->first;
     const uint32_t last = range->last;
-    // Nearly always once: that is easier to predict than smaller steps.
+    // Nearly always this runs once, which is easier to predict than smaller steps.
     do {
       const Integers ids = Integers::load(balls.caller + j);
       const LaneBits meet = meeting_of(ids, j, last);
@@ -84,12 +84,12 @@ inline void add_hits_by(const QueryArrays &balls, const BallRange *ranges, uint3
   hits.count = found;
 }
 
-// The first `count` ids; larger than all others in the lanes beyond.
+// The first `count` ids; lanes beyond hold a number larger than all ids.
 inline Integers load_ids(const uint32_t *ids, uint32_t count) {
   return (Integers::load(ids) | Integers::all_set_from(count)) & Integers::all(INT32_MAX);
 }
-// To where there is room for `room` ids; what stands behind those stored stays. A store of some lanes alone is slow on
-// many processors.
+// Stores `count` ids to an array of `room` entries; other entries keep their values. A store of some lanes alone is
+// slow on many processors, so that whole registers are written if there is room.
 inline void store_ids(uint32_t *ids, Integers a, uint32_t count, uint32_t room) {
   if (room >= Integers::lanes) [[likely]] {
     chosen(Integers::first_set(count), a, Integers::load(ids)).store(ids);
@@ -98,13 +98,13 @@ inline void store_ids(uint32_t *ids, Integers a, uint32_t count, uint32_t room) 
   }
 }
 
-// No more hits than there are lanes, in ascending order.
+// Writes the hits in ascending order; these are no more than there are lanes.
 inline void write_few_ascending(const QueryHits &hits, uint32_t *ids, uint32_t room) {
   store_ids(ids, sorted(load_ids(hits.ids, hits.count)), hits.count, room);
 }
 
-// By a bit for each number of a range of 2^11 that begins at a multiple of it. False if there is none that has all
-// hits, which are not fewer than lanes.
+// Writes the hits in ascending order by bits, one for each number of a range of 2^11 numbers that begins at a multiple
+// of 2^11. False if no such range has all hits. There are at least as many hits as lanes.
 inline bool write_as_bits(const QueryHits &hits, uint32_t *ids) {
   constexpr uint32_t word_bits = 64, most_words = 32;
   const uint32_t count = hits.count, any = hits.ids[0], last_word = count - Integers::lanes;
@@ -132,14 +132,15 @@ inline bool write_as_bits(const QueryHits &hits, uint32_t *ids) {
   return true;
 }
 
-// Two sorted halves of `half` words each, a power of two, to one: Batcher's bitonic merge (Knuth, TAOCP 3, section
+// Merges two sorted halves of `half` words each, a power of two: Batcher's bitonic merge (Knuth, TAOCP 3, section
 // 5.3.4).
 inline void merge(Integers *words, uint32_t half) {
   const auto exchange_whole = [](Integers &a, Integers &b, Integers partner) {
     b = larger_signed(a, partner);
     a = smaller_signed(a, partner);
   };
-  // Smallest against largest, after which each half is bitonic. The upper half comes out in reversed order.
+  // The smallest is compared with the largest, and so on; after that each half is bitonic. The upper half comes out in
+  // reversed order.
   Integers *const upper = words + half;
   for (uint32_t k = 0; k < half; ++k) exchange_whole(words[k], upper[half - 1 - k], reversed(upper[half - 1 - k]));
   for (uint32_t stride = half / 2; stride > 0; stride /= 2) {
@@ -158,7 +159,8 @@ void add_hits_in_lanes(const QueryArrays &balls, const QueryBall &query, const B
                        QueryHits &hits) {
   const Integers excluded = Integers::all(query.excluded);
   const WideQuery wide{Doubles::all(query.x), Doubles::all(query.y), Doubles::all(query.z), Doubles::all(query.r)};
-  // In registers: of one copy the compiler makes vectors, which have to wait for what has just been stored.
+  // Copied pointer by pointer, to registers: a copy of the whole struct becomes vectors, which have to wait for
+  // pointers that have just been stored.
   const QueryArrays arrays{balls.x, balls.y, balls.z, balls.r, balls.caller};
   add_hits_by(arrays, ranges, count, hits, [&](Integers ids, uint32_t j, uint32_t last) {
     return meeting(arrays, wide, j, last) & ~equal(ids, excluded);
@@ -191,7 +193,7 @@ void write_ascending_in_lanes(const QueryHits &hits, uint32_t *ids, uint32_t roo
   if (count <= n) return write_few_ascending(hits, ids, room);
   // In registers of four lanes more hits take longer to sort.
   if (n == 4 && count > 4 * n && write_as_bits(hits, ids)) return;
-  // A power of two of words, sorted each, then merged two by two.
+  // Sorts each word, fills up to a power of two of words, then merges two by two.
   Integers words[QueryHits::room / n];
   uint32_t used = 0;
   for (; n * used < count; ++used) words[used] = sorted(load_ids(hits.ids + n * used, count - n * used));
@@ -232,7 +234,7 @@ class RoundedQuery {
     doubt_ = Floats::all(static_cast<float>(doubt_within(grid.extent, reach)));
   }
 
-  // Of the balls from j on, those before ball `last` that meet the query.
+  // The balls from j on, before ball `last`, that meet the query.
   LaneBits meeting(uint32_t j, uint32_t last) const {
     const FourOfEach other = FourOfEach::load(rounded_ + 4 * size_t{j});
     const Floats excess = float_ball_.excess(other.a, other.b, other.c, other.d);
@@ -243,7 +245,7 @@ class RoundedQuery {
   }
 
  private:
-  // Apart, as decided_by_integers().
+  // Out of line, as decided_by_integers().
   [[gnu::noinline, gnu::cold]] static LaneBits by_doubles(const QueryArrays &balls, const double *ball, uint32_t j,
                                                           uint32_t last) {
     const WideQuery query{Doubles::all_of(ball), Doubles::all_of(ball + 1), Doubles::all_of(ball + 2),
@@ -258,14 +260,14 @@ class RoundedQuery {
   Floats doubt_;
 };
 
-// Parts of rows of cubes. Whether a row has more balls than are looked at once cannot be predicted, so that what is
-// behind them is a range of its own.
+// Ranges of balls from rows of cubes. A branch on whether a row has more balls than are tested at once could not be
+// predicted. So the balls behind these are a range of their own.
 struct Rows {
   static constexpr uint32_t most = 9, at_once = Floats::lanes;
   BallRange range[2 * most + 1];
   uint32_t count = 0;
 
-  // Those of the cubes from `low` to `high` in which there are balls. False if there are too many rows.
+  // Finds the ranges of the cubes from `low` to `high`. False if there are too many rows.
   bool find(const QueryGrid &grid, const FourDoubles &low, const FourDoubles &high) {
     const FourDoubles origin = Four::load(grid.low), size = Four::load(grid.size);
     const auto store_clipped = [&](uint32_t *cubes, const FourDoubles &cube) {
@@ -290,8 +292,8 @@ struct Rows {
   }
 };
 
-// The rest of a query for a ball on the lattice. Inlined: where a function with a wide argument is called last, GCC 12
-// leaves the upper halves of registers in use, which makes all code behind it slow.
+// The rest of a query, for a ball on the lattice. Inlined: GCC 12, where a function with a wide argument is called
+// last, leaves the upper halves of registers in use, which makes all code behind it slow.
 template <class Excluded>
 [[gnu::always_inline]] inline bool find_around(const QueryGrid &grid, const QueryArrays &balls, const FourDoubles &at,
                                                Excluded excluded, uint32_t *ids, uint32_t capacity, uint32_t &hits) {

@@ -1,4 +1,4 @@
-// An example: 20,000 balls of 1.6, thirty of 3 and one of 20.
+// As an example 20,000 balls of radius 1.6, thirty of radius 3 and one of radius 20:
 //
 //   level          balls             side of its cubes    looked at by a ball of 1.6
 //   -              one of 20         none                 always
@@ -16,14 +16,14 @@
 namespace hsp {
 namespace {
 
-// So many of the largest balls are looked at by everybody.
+// Up to so many of the largest balls are in no cube, and every query looks at them.
 constexpr uint32_t most_large = 16;
-// Balls of a cube, on average over balls, from which on its block is worth an index.
+// An index is worth while if the cube of a ball has so many balls, on average over all balls.
 constexpr double many_pairs_a_ball = 32;
-// Whose level that is.
+// The level of the largest balls.
 constexpr uint8_t large_ball = 255;
 
-// The sum of the squares of their balls: what all balls of a cube look at in it.
+// The sum, over all cubes, of the squares of their numbers of balls: how often balls look at balls of their own cubes.
 double pairs_in(Span<const uint32_t> first, uint32_t cubes) {
   double pairs = 0.0;
   for (uint32_t cube = 0; cube < cubes; ++cube) {
@@ -35,7 +35,7 @@ double pairs_in(Span<const uint32_t> first, uint32_t cubes) {
 
 }  // namespace
 
-// The hits in some buckets, among as many balls at a time as there is room for hits of.
+// Finds the hits in buckets. It tests balls in batches, no more at a time than QueryHits has room for.
 class RadiusLevels::Found {
  public:
   Found(const RadiusLevels &levels, const QueryBall &query, uint32_t *ids, uint32_t room)
@@ -47,8 +47,9 @@ class RadiusLevels::Found {
     hits_.count = 0;
   }
 
-  // Some buckets as visit_buckets() has them. How many balls are there cannot be predicted, so that what is behind
-  // those that are looked at at once is a range of its own, and no branch depends on it.
+  // Adds the balls of some buckets, as visit_buckets() gives them. A branch on the number of balls could not be
+  // predicted. So every eight balls, which are tested at once, are a range of their own, as are all balls behind the
+  // first 16.
   void add(uint32_t first, uint32_t last) {
     uint64_t &seen = seen_[first / 64 % seen_words];
     const uint64_t bits = ((uint64_t{1} << (last - first)) - 1) << first % 64;
@@ -106,7 +107,7 @@ class RadiusLevels::Found {
     }
     return near_query(from_middle_, rounded, ids, range_, ranges_, hits_.ids);
   }
-  // Those that may meet in floats are asked once more in doubles.
+  // Balls that may meet by floats are tested again in doubles.
   [[gnu::noinline]] void look() {
     const uint32_t near = look_in_floats();
     uint32_t met = 0;
@@ -140,11 +141,11 @@ class RadiusLevels::Found {
   const QueryBall query_;
   uint32_t *const ids_;
   const uint32_t room_;
-  uint32_t found_ = 0;              // and stored, as far as there is room
-  uint64_t seen_[seen_words] = {};  // a bit for each bucket, and for others
-  uint64_t repeated_ = 0;           // not 0 if a bucket may have been asked twice
-  BallRange range_[most_ranges];
-  uint32_t ranges_ = 0, asked_ = 0;  // with so many balls
+  uint32_t found_ = 0;               // number of hits of earlier batches; they are stored as far as there is room
+  uint64_t seen_[seen_words] = {};   // a bit for each bucket that was visited; several buckets share a bit
+  uint64_t repeated_ = 0;            // not 0 if a bucket may have been visited twice
+  BallRange range_[most_ranges];     // of this batch
+  uint32_t ranges_ = 0, asked_ = 0;  // number of these ranges, and of their balls
   RoundedQueryBall from_middle_;
   QueryHits hits_;
 };
@@ -155,7 +156,7 @@ uint32_t RadiusLevels::class_of(double radius) {
   return static_cast<uint32_t>((std::bit_cast<uint64_t>(radius) >> 50) - one) + 1;
 }
 
-// If many balls seem to be small for their cubes, without a look at them.
+// Whether many balls seem to be small for their cubes. This does not look at the balls.
 bool RadiusLevels::may_save_work(const OrderedBalls &order) {
   const BallSet &balls = order.balls();
   const bool some_are_small = balls.smallest_radius >= 0 && 8 * balls.smallest_radius <= order.side();
@@ -179,8 +180,8 @@ void RadiusLevels::build(OrderedBalls &order, const IndexMemory &memory) {
   ball_ = memory.words.part(behind, behind + n + BallSet::read_behind);
   rounded_ = memory.roundings;
   put(order, level_of);
-  // 8 cubes of a level instead of 27; other levels, and that balls are found one by one, is as much again. More hits
-  // than QueryHits has room for are sorted, which takes five times as long as all that.
+  // A query looks at 8 cubes of a level instead of 27. Other levels, and hits that come one by one, cost as much again.
+  // If there are more hits than QueryHits has room for, they are sorted, which takes five times as long as all that.
   const double pairs = pairs_in(first_, buckets_), looked_at = pairs > double{QueryHits::room} * n ? 96.0 : 16.0;
   if (looked_at * pairs > 27.0 * pairs_in(order.first_ball(), order.cubes())) buckets_ = 0;
 }
@@ -199,7 +200,8 @@ void RadiusLevels::find_middle(const OrderedBalls &order) {
   }
 }
 
-// From the largest radii on. Whether at least half of the balls get cubes no wider than those of the grid.
+// Makes levels, from the largest radii on. Returns whether at least half of the balls get cubes no wider than those of
+// the grid.
 bool RadiusLevels::make_levels(const OrderedBalls &order, uint8_t (&level_of)[classes]) {
   const BallSet &balls = order.balls();
   uint32_t count[classes] = {};
@@ -229,7 +231,7 @@ bool RadiusLevels::make_levels(const OrderedBalls &order, uint8_t (&level_of)[cl
   return small >= balls.n / 2;
 }
 
-// A counting sort by buckets.
+// Puts the balls into their buckets by a counting sort.
 void RadiusLevels::put(OrderedBalls &order, const uint8_t (&level_of)[classes]) {
   const BallSet &balls = order.balls();
   const Span<uint32_t> bucket = order.scratch_links();
@@ -254,7 +256,7 @@ void RadiusLevels::put(OrderedBalls &order, const uint8_t (&level_of)[classes]) 
 }
 
 uint32_t RadiusLevels::find(const QueryBall &query, uint32_t *ids, uint32_t room) const {
-  // Farther centres meet nothing, and roundings would not do.
+  // A query farther away meets nothing, and the error bounds of floats would not hold for it.
   const double farthest = extent_ + query.r + static_cast<double>(balls_->largest_radius);
   const double centre[3] = {query.x, query.y, query.z};
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,10 +1,11 @@
-// A second index, for sets whose cubes a few large balls make so wide that most balls around one are too far away.
-// Balls are put in levels by their radii, the largest of one less than twice its smallest, and those of each level in
-// cubes of four times its largest radius: a ball no larger looks at eight of them. The few largest balls are in no cube
-// but looked at always. Ids and the order of results stay those of the grid, so that nobody sees which index answered.
+// A second index, for sets with a few large balls. These make the grid's cubes so wide that most balls around a small
+// ball are too far away. Balls are put into levels by their radii; the largest radius of a level is less than twice its
+// smallest. The balls of each level are in cubes of side four times the level's largest radius, so that a query ball no
+// larger than that looks at eight of these cubes. The few largest balls are in no cube and are always looked at. Ids
+// and the order of results are those of the grid: results do not show which index was used.
 //
-// Cubes are buckets of a hash without keys: balls of several may share one, and of two that are asked for both may have
-// the same. So there are no probes, and a set whose cubes are chosen to share is left to the wide cubes.
+// The cubes are buckets of a hash table without keys: several cubes may share a bucket, also two cubes that one query
+// looks at. So there are no probe sequences. A set whose cubes are chosen to share buckets is left to the wide cubes.
 #pragma once
 
 #include "core/small_code.hpp"
@@ -14,7 +15,7 @@
 
 namespace hsp {
 
-// Numbers of an index that is given up, for another one.
+// Memory of an index that is given up, for another one.
 struct IndexMemory {
   Span<uint32_t> words;   // [at least 2 n]
   Span<float> roundings;  // [4 n and behind]
@@ -26,35 +27,36 @@ class RadiusLevels {
     clear();
     use(Target::baseline, false);
   }
-  // In smaller sets all balls are looked at in no more time.
+  // In smaller sets it takes no more time to look at all balls.
   static constexpr uint32_t fewest_balls = 1024;
 
-  // Whether an index may save work, as far as cubes tell.
+  // Whether an index may save work, judged by the numbers of balls in the grid's cubes.
   static bool may_save_work(const OrderedBalls &order);
-  // There is an index afterwards if one does. It is in that memory; links are used meanwhile.
+  // Builds the index in the given memory if it saves work; is_there() tells. Uses order.scratch_links() meanwhile.
   void build(OrderedBalls &order, const IndexMemory &memory);
   void clear() {
     if (!small_code) buckets_ = 0;
   }
   bool is_there() const { return !small_code && buckets_ != 0; }
-  // Of the kernels, and whether queries are in lanes.
+  // The target of the kernels, and whether queries use them.
   void use(Target target, bool lanes) {
     if (small_code) return;
     target_ = target;
     lanes_ = lanes;
   }
 
-  // The balls that meet a query, in the grid's order, which `excluded` is of, too; ascending. Returns their number, or
-  // one above `room` if they may be more, or if the query reaches so far that others are asked sooner.
+  // Writes the balls that meet a query, ascending. Ids are in grid order, also query.excluded. Returns how many these
+  // are. Returns a number above `room` if they may be more than `room`, or if the query reaches so far that another
+  // search takes less time.
   uint32_t find(const QueryBall &query, uint32_t *ids, uint32_t room) const;
-  // Those other than itself that meet ball i.
+  // The same for the other balls that meet ball i.
   uint32_t find_neighbours(const BallSet &balls, uint32_t i, uint32_t *ids, uint32_t room) const {
     return find({balls.x[i], balls.y[i], balls.z[i], balls.r[i], i}, ids, room);
   }
 
-  // Calls visit(first, last) for all buckets with balls that may meet a query: for up to eight that follow each other
-  // and none of which but the first is a multiple of eight; some may be the same. False, after no call or some, if they
-  // would be very many.
+  // Calls visit(first, last) for buckets first .. last - 1, until all buckets have been visited that may hold balls
+  // that meet the query. In one call these are up to eight, and none but the first is a multiple of eight. A bucket may
+  // be visited twice. False, perhaps after some calls, if there would be very many.
   template <class Visit>
   bool visit_buckets(const QueryBall &query, Visit visit) const {
     visit(buckets_, buckets_ + 1);
@@ -83,24 +85,24 @@ class RadiusLevels {
     }
     return true;
   }
-  // Of buckets first .. last - 1.
+  // The balls of buckets first .. last - 1, as positions in ball_.
   BallRange balls_in(uint32_t first, uint32_t last) const { return {first_[first], first_[last]}; }
 
  private:
   struct Level {
     CubeAxis axis{1};
-    double largest = 0.0;  // radius
+    double largest = 0.0;  // the largest radius
   };
   class Found;
 
-  // Radii are below 2^30, and four classes of them make a factor of two.
+  // Radii are below 2^30. They are divided into classes, four for each factor of two.
   static constexpr uint32_t most_levels = 32, classes = 124;
-  static constexpr int64_t in_a_row = 8;  // buckets
+  static constexpr int64_t in_a_row = 8;  // so many cubes along x have consecutive buckets
   static uint32_t class_of(double radius);
   bool make_levels(const OrderedBalls &order, uint8_t (&level_of)[classes]);
   void put(OrderedBalls &order, const uint8_t (&level_of)[classes]);
   [[gnu::cold]] void find_middle(const OrderedBalls &order);
-  // Of cubes in a row most are buckets in a row, so that their balls follow each other in memory.
+  // Most neighbouring cubes along x have consecutive buckets, so that their balls follow each other in memory.
   uint32_t bucket_of(uint32_t level, const CubeCoordinates &cube) const {
     const int64_t in_row = cube.x & (in_a_row - 1);
     const uint64_t linear = level * UINT64_C(0xD1B54A32D192ED03) + linear_hash({cube.x - in_row, cube.y, cube.z});
@@ -110,11 +112,11 @@ class RadiusLevels {
   uint32_t buckets_;  // 0: there is no index, and nothing else is set
   const BallSet *balls_;
   Level *levels_;         // [most_levels]
-  Span<uint32_t> first_;  // [buckets + 2] the last bucket is of the largest balls
-  Span<uint32_t> ball_;   // [n and behind] by buckets, in the grid's order
-  Span<float> rounded_;   // [4 n and behind] the same from the middle of the box, x, y, z, r of each side by side
-  double middle_[3];      // integers
-  double extent_;         // from the middle along any axis no centre is further
+  Span<uint32_t> first_;  // [buckets + 2] where each bucket begins in ball_; the last one is that of the largest balls
+  Span<uint32_t> ball_;   // [n + read_behind] by bucket, and in each in grid order
+  Span<float> rounded_;   // [4 (n + read_behind)] these balls relative to middle_: x, y, z, r of each side by side
+  double middle_[3];      // of the box, integers
+  double extent_;         // no centre is farther from the middle along any axis
   uint32_t level_count_;
   Target target_;
   bool lanes_;

@@ -1,13 +1,14 @@
-// The first ball on a ray: which it is, and where the ray enters it.
+// Finds the first ball on a ray, and the point where the ray enters it.
 //
 // As an example the ray from 0 along x, and balls of radius 5:
 //   centre          along   beside^2   half chord     enters at
 //   (13, 3, 0)        13        9      sqrt(25 - 9)      9
-//   (14, 0, 0)        14        0            5           9      a tie, which the lower number of the caller's wins
+//   (14, 0, 0)        14        0            5           9      a tie: the ball with the lower caller's index wins
 //   (12, 5, 0)        12       25            0          12      the ray touches it
 //   (11, 6, 0)        11       36            -           -      passes beside it
-// With its interval of errors `low` to `high` a ball is the first one for certain if it ends before the best one
-// begins. The tie above is left to integers, which compare both entries as roots of quadratic equations.
+// A ball has an interval from `low` to `high` that certainly contains its entry. It certainly comes before the first
+// ball so far if its interval ends before that ball's begins. The tie above is left to integers, which compare both
+// entries as roots of quadratic equations.
 #include "model/ray_query.hpp"
 
 #include <bit>
@@ -22,7 +23,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The largest component has 53 bits then. False if all are 0.
+// Rounds a direction so that its largest component has 53 bits. False if all components are 0.
 bool round_direction(const double *given, exact::Vector &direction) {
   double component[3] = {given[0], given[1], given[2]};
   double largest = larger_of(std::fabs(given[0]), larger_of(std::fabs(given[1]), std::fabs(given[2])));
@@ -37,9 +38,9 @@ bool round_direction(const double *given, exact::Vector &direction) {
   return true;
 }
 
-// The first of the balls that have been looked at. Doubles decide what they can decide for certain: the unit
-// vector has a relative error below 5 units of 2^-53 in each component, so that the distance of a centre from the line,
-// and how far along the line it lies, have absolute errors below 13 units of the distance from the origin.
+// The first of the balls that have been looked at. Doubles decide if they are certain: the unit vector has a relative
+// error below 5 units of 2^-53 in each component, so that the distance of a centre from the line, and its position
+// along the line, have absolute errors below 13 units times its distance from the origin.
 class FirstHit {
  public:
   FirstHit(const BallSet &balls, const exact::LatticeRay &ray)
@@ -113,12 +114,12 @@ class FirstHit {
   Vec3 origin_;
   Vec3 unit_;
   uint32_t ball_ = no_id;
-  double low_ = infinity, high_ = infinity;  // between these the ray enters it
-  bool inside_ = false;                      // the origin lies in it
+  double low_ = infinity, high_ = infinity;  // the ray enters the ball between these distances
+  bool inside_ = false;                      // whether the origin lies in the ball
 };
 
-// The cubes that hold what a ray may meet. Its progress is measured along its longest axis, in steps, so that along the
-// other axes it moves by no more than that.
+// The cubes that hold balls that a ray may meet. The ray's progress is measured along its longest axis, in steps, so
+// that along the other axes it moves by no more than its progress.
 class CubesAlongRay {
  public:
   CubesAlongRay(const CubeGrid &grid, const exact::LatticeRay &ray)
@@ -162,7 +163,7 @@ class CubesAlongRay {
 
  private:
   struct Part {
-    double from, to;  // of the ray, by its progress
+    double from, to;  // a part of the ray, by its progress
   };
   struct Coordinates {
     int64_t at[3];
@@ -176,7 +177,7 @@ class CubesAlongRay {
     return smaller_of(larger_of(grid_.cube_at({at, at, at}).x, low_.at[longest_]), high_.at[longest_]);
   }
 
-  // Leaves what is within reach of the box around all cubes; false if that is nothing.
+  // Clips a part to where it is within reach of the box around all cubes; false if nothing is left.
   bool clip(Part &part) const {
     for (int axis = 0; axis < 3; ++axis) {
       const double low = wall(low_.at[axis]) - reach_ - origin_[axis];
@@ -223,10 +224,10 @@ class CubesAlongRay {
   Coordinates low_, high_;  // of the box around all cubes
   double side_;
   double origin_[3];
-  double slope_[3];  // the step along each axis for one along the longest
+  double slope_[3];  // movement along each axis for each step of progress
   int longest_ = 0;
   double margin_;  // more than all roundings of positions
-  double reach_;   // of the largest ball, with the margin
+  double reach_;   // the largest radius plus the margin
 };
 
 }  // namespace

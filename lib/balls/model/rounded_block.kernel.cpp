@@ -5,7 +5,7 @@
 namespace hsp::HSP_TARGET {
 namespace {
 
-// For what floats leave open, lane by lane. Apart, as it is rare.
+// Decides what floats leave open, lane by lane. Out of line, as it is rare.
 [[gnu::noinline, gnu::cold]] LaneBits decided_by_integers(const RoundedBlock &block, const QueryArrays &balls,
                                                           uint32_t i, uint32_t from, LaneBits doubtful, LaneBits meet) {
   return decided(doubtful, meet, [&](uint32_t lane) {
@@ -18,7 +18,7 @@ namespace {
   });
 }
 
-// One ball against those of the block.
+// Tests one ball against the balls of the block.
 class BlockQuery {
  public:
   BlockQuery(const RoundedBlock &block, const QueryArrays &balls, uint32_t i)
@@ -27,7 +27,7 @@ class BlockQuery {
     ball_ = {Floats::all(own[0]), Floats::all(own[1]), Floats::all(own[2]), Floats::all(own[3])};
   }
 
-  // Those of the block from number c on, one for each lane, that meet the ball.
+  // The balls of the block from number c on, one in each lane, that meet the ball.
   LaneBits meeting(uint32_t c) const {
     const Floats excess = ball_.excess(Floats::load(block_.x + c), Floats::load(block_.y + c),
                                        Floats::load(block_.z + c), Floats::load(block_.r + c));
@@ -55,7 +55,7 @@ bool fill_block(RoundedBlock &block, const QueryGrid &grid, const QueryArrays &b
     const uint32_t first = ranges[k].first, last = ranges[k].last;
     if (last - first > RoundedBlock::room - count) return false;
     uint32_t to = count;
-    // Nearly always once or twice.
+    // Nearly always this runs once or twice.
     for (uint32_t j = first; j < last; j += Floats::lanes, to += Floats::lanes) {
       const FourOfEach four = FourOfEach::load(rounded + 4 * size_t{j});
       four.a.store(block.x + to);

@@ -6,7 +6,7 @@ void RowDirectory::build(const CubeList &cubes, Span<const uint32_t> first_ball,
   clear();
   if (cubes.count() == 0) return;
   const CubeCoordinates &low = cubes.low(), &high = cubes.high();
-  // In doubles, which do not overflow. No factor is above 2^52.
+  // Computed in doubles, which do not overflow. No factor is above 2^52.
   const double wanted = static_cast<double>(high.x - low.x + 2) * static_cast<double>(high.y - low.y + 1) *
                         static_cast<double>(high.z - low.z + 1);
   if (wanted > static_cast<double>(cells.size())) return;

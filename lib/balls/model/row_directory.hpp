@@ -1,6 +1,7 @@
-// Where the balls of each cube begin, for all cubes of the box around a set, row by row: a part of a row of cubes is
-// two look-ups, whether its cubes hold balls or not. Only for sets that fill their box well enough; others are left to
-// the hash table, whose size depends on the number of balls alone. Small code does without.
+// A table with the first ball of each cube, for all cubes of the box around a set, row by row. The balls of a part of a
+// row of cubes are found by two look-ups, whether its cubes hold balls or not. It is only for sets that fill their box
+// well enough; others are left to the hash table, whose size depends only on the number of balls. Small code does
+// without.
 #pragma once
 
 #include "core/small_code.hpp"
@@ -14,16 +15,16 @@ inline constexpr bool has_row_directories = !small_code;
 
 class RowDirectory {
  public:
-  // From cubes that are numbered by rows, each row in the order of x. There is no directory if the box has more cubes
-  // than `cells` has room for.
+  // Builds the directory in `cells`. The cubes are numbered by rows, and in each row in the order of x. There is no
+  // directory if the box has more cubes than `cells` has room for.
   void build(const CubeList &cubes, Span<const uint32_t> first_ball, Span<uint32_t> cells);
   void clear() { width_ = 0; }
 
   bool is_there() const { return has_row_directories && width_ != 0; }
-  // Where it is and how large, for code for wide registers.
+  // Writes the place and the size of the directory, for kernels.
   void describe(QueryGrid &grid) const;
-  // The balls of the cubes from `low` to `high`: a range for each row that has any, in ascending order. Returns their
-  // number; there must be room for all rows.
+  // Writes the balls of the cubes from `low` to `high`: a range for each row that has balls, in ascending order.
+  // Returns how many ranges; `rows` must have room for all rows.
   uint32_t find(const CubeCoordinates &low, const CubeCoordinates &high, Span<BallRange> rows) const {
     const uint32_t *const cells = cells_.data();
     const int64_t from = clipped(low.x - low_.x, width_);
@@ -48,7 +49,7 @@ class RowDirectory {
     return not_before > end ? end : not_before;
   }
 
-  Span<uint32_t> cells_;  // [rows_z][rows_y][width + 1]: the first ball of a cube or beyond; last, the end of the row
+  Span<uint32_t> cells_;  // [rows_z][rows_y][width + 1]: the first ball in a cube or behind it; last, the row's end
   CubeCoordinates low_{};
   int64_t width_ = 0;  // cubes in a row
   int64_t rows_y_ = 0, rows_z_ = 0;

@@ -4,8 +4,8 @@
 
 namespace hsp {
 
-// The constants are odd digits of pi. A factor that is 0 would hide the other; those of the first product are not, by
-// what a and b are.
+// The constants are odd digits of pi. A factor of 0 would hide the other factor. The factors of the first product are
+// not 0, as a and b are no such numbers.
 uint64_t mixed(uint64_t a, uint64_t b, uint64_t c, uint64_t d) {
   const uint64_t first = folded_product(a ^ UINT64_C(0x243F6A8885A308D3), b ^ UINT64_C(0x452821E638D01377));
   return folded_product(first ^ c, d ^ UINT64_C(0xC0AC29B7C97C50DD));

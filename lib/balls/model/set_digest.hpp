@@ -1,11 +1,11 @@
-// A number that stands for what a grid holds: balls, the caller's order, lattice, probe and the side of cubes. The
-// grid's own order follows from these, and so does all that is computed from it. Nothing else counts: not memory,
-// capacity or how often anything was computed.
+// A digest of a grid's content: balls, the caller's order, lattice, probe and the side of cubes. Grid order follows
+// from these, and so does all that is computed from the grid. Nothing else has an effect on the digest: not memory,
+// capacity or the number of computations.
 //
-// It is a sum over the balls, of 64 bits that two products mix from all that is known of each. Two different sets have
-// the same sum only by accident, with a probability of the order of 2^-64: of a million pairs of sets that are compared
-// each second, one such pair is met in hundreds of thousands of years. Sets that were made to collide can be found, as
-// this is no cryptographic hash.
+// It is a sum over the balls, modulo 2^64. The 64 bits of a ball are mixed by two products from its coordinates, its
+// radius and its index. Two different sets have the same sum only by accident, with a probability of the order of
+// 2^-64: if a million pairs of sets are compared each second, one such pair is met in hundreds of thousands of years.
+// Sets that collide can be made, as this is no cryptographic hash.
 #pragma once
 
 #include "exact/wide_integer.hpp"
@@ -13,7 +13,7 @@
 
 namespace hsp {
 
-// Both halves of the product of two numbers, as one.
+// The exclusive or of both halves of the product of two numbers.
 constexpr uint64_t folded_product(uint64_t a, uint64_t b) {
 #if defined(__SIZEOF_INT128__) && !defined(HSP_PORTABLE_LIMBS)
   const exact::uint128 product = static_cast<exact::uint128>(a) * b;
@@ -29,7 +29,7 @@ constexpr uint64_t folded_product(uint64_t a, uint64_t b) {
 
 uint64_t digest_of(const CubeGrid &grid);
 
-// Of four numbers, the first two of which are small integers or such as doubles.
+// Mixes four numbers. a and b are small integers, or the bits of doubles that are small integers.
 uint64_t mixed(uint64_t a, uint64_t b, uint64_t c, uint64_t d);
 
 }  // namespace hsp

@@ -6,8 +6,9 @@
 namespace hsp {
 namespace {
 
-// Of two balls that a ray enters in one point: whether the point where it enters the second lies in the first. It is p+
-// of two vertical planes, one through the ball's centre. Seldom asked, and in terms that leave a search its registers.
+// For two balls that a ray enters in one point: whether the point where it enters the second lies in the first. This
+// point is p+ of two vertical planes, one of them through the second ball's centre. It is seldom asked; out of line, so
+// that a search keeps its registers.
 [[gnu::noinline]] bool is_entered_earlier(const BallSet &balls, int64_t ray_x, int64_t ray_y, uint32_t first,
                                           uint32_t second) {
   const exact::LatticeBall a = balls.ball(first), b = balls.ball(second);
