@@ -1,4 +1,4 @@
-// Arrays in memory that held others.
+// Arrays in memory that held other arrays.
 #pragma once
 
 #include <new>
@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-// As many T as there is room for, whose lives begin; those of the others end.
+// Ends the lifetime of the old array and begins that of as many T as there is room for.
 template <class T, class Other>
 Span<T> begin_array(Span<Other> memory) {
   static_assert(alignof(T) <= alignof(Other));

@@ -13,9 +13,9 @@ constexpr double power_of_ten[largest_power_of_ten + 1] = {1e0,  1e1,  1e2,  1e3
                                                            1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                            1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-// Nearest integer, halves away from zero, for |x| < 2^62. The double before one half is added: with it the one before
-// a half stays below 1, and a half becomes 1, as the sum lies halfway between 1 and the double before it. All
-// integers and what lies between them are far enough apart for that to hold everywhere.
+// Nearest integer, halves away from zero, for |x| < 2^62. The double just below one half is added. With it the double
+// just below one half stays below 1, and one half becomes 1, as the sum lies halfway between 1 and the double before
+// it. The same holds between any two integers.
 inline int64_t nearest(double x) {
   return static_cast<int64_t>(x + __builtin_copysign(0x1.fffffffffffffp-2, x));  // no call at -O0
 }

@@ -1,11 +1,11 @@
-// Disjoint sets of numbers over caller memory, with path halving. The smallest number represents a set, and no number
-// has a larger parent.
+// Disjoint sets of numbers (union-find) over caller memory, with path halving. The smallest number represents a set,
+// and no number has a parent larger than itself.
 //
 // As an example five numbers:
 //   at first      parents 0 1 2 3 4
 //   join(3, 4)            0 1 2 3 3
 //   join(0, 4)            0 1 2 0 3      the root of 4 is 3, which gets the smaller root 0 as its parent
-//   find(4) = 0           0 1 2 0 0      on its way the path of 4 is halved
+//   find(4) = 0           0 1 2 0 0      the path of 4 is halved on the way
 #pragma once
 
 #include "core/span.hpp"
@@ -28,22 +28,22 @@ class DisjointSets {
     }
     return k;
   }
-  // Whether the root is k's parent: then they are in one set.
+  // Whether `root` is k's parent: then both are in one set.
   bool has_parent(uint32_t k, uint32_t root) const { return parent_[k] == root; }
-  // Of numbers k[first .. last - 1] the index of the first one whose parent is not the root; last if there is none.
+  // The first index in first .. last - 1 for which the parent of k[index] is not `root`; `last` if there is none.
   uint32_t first_elsewhere(const uint32_t *k, uint32_t first, uint32_t last, uint32_t root) const {
     const uint32_t *const parent = parent_.data();
     while (first < last && parent[k[first]] == root) ++first;
     return first;
   }
-  // The root without path halving, for shared reading.
+  // The root, without path halving: several threads may read at once.
   uint32_t root(uint32_t k) const {
     while (parent_[k] != k) k = parent_[k];
     return k;
   }
   // Joins two sets. Returns false if they were one set already.
   bool join(uint32_t a, uint32_t b) {
-    if (parent_[a] == parent_[b]) return false;  // most are when there is much to join
+    if (parent_[a] == parent_[b]) return false;  // mostly so if there are many joins
     a = find(a);
     b = find(b);
     if (a == b) return false;

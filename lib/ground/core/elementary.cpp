@@ -10,7 +10,7 @@ double arc_tangent(double y, double x) {
   const double size = std::fabs(x) > std::fabs(y) ? std::fabs(x) : std::fabs(y);
   if (size == 0.0) return 0.0;
   y += 0.0;                                 // -0 becomes 0
-  if (size > 0x1p900 || size < 0x1p-900) {  // sums would overflow, halves of subnormals be rounded
+  if (size > 0x1p900 || size < 0x1p-900) {  // sums would overflow, and halves of subnormals would be rounded
     const double scale = size > 1.0 ? 0x1p-64 : 0x1p64;
     y *= scale;
     x *= scale;
@@ -18,10 +18,11 @@ double arc_tangent(double y, double x) {
   return signed_angle<OneDouble>(x, y);
 }
 
-// The angle is brought to r in [-pi/4, pi/4] by multiples k of pi/2 = first + second, first having 33 bits: k < 2^20
-// makes k first exact, and the difference from the angle is exact too (Sterbenz, or both have few bits); k second and
-// the last difference put an error of 1.5 units of 2^-53 into r at most, for k second < 2^-14. The Taylor series lack
-// r^19/19! < 2^-63 and r^18/18! < 2^-58; evaluating them costs less than 0.8 and 1.2 units, as tests/proofs shows.
+// The angle is reduced to r in [-pi/4, pi/4] by a multiple k of pi/2 = first + second, where first has 33 bits. As k <
+// 2^20, k first is exact, and its difference from the angle is exact, too (Sterbenz, or both have few bits). As k
+// second < 2^-14, k second and the last difference put an error of at most 1.5 units of 2^-53 into r. The Taylor series
+// leave out r^19/19! < 2^-63 and r^18/18! < 2^-58; evaluating them costs less than 0.8 and 1.2 units, as tests/proofs
+// shows.
 SinCos sin_cos(double angle) {
   constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
   constexpr double first = 0x1.921fb544p+0;

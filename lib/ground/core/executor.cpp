@@ -12,12 +12,12 @@ struct MarkedTasks {
   Executor::Task *task;
   void *data;
   uint32_t tasks;
-  uint8_t refused;  // not 0: a task was called again, or one that there is not
+  uint8_t refused;  // not 0 if a task was called again, or one that there is not
   uint8_t mark[max_tasks];
 };
 
-// Whether the task was waiting. Compilers that would call a run-time library for the exchange are those for single
-// cores.
+// Marks a task as begun, and returns whether it was waiting. A compiler without an atomic instruction for the exchange
+// is for a single core.
 bool begin(uint8_t &mark) {
 #if defined(__GCC_ATOMIC_CHAR_LOCK_FREE) && __GCC_ATOMIC_CHAR_LOCK_FREE == 2
   return __atomic_exchange_n(&mark, uint8_t{begun}, __ATOMIC_RELAXED) == waiting;

@@ -1,8 +1,8 @@
-// A loop of the caller's, which does the tasks of a piece of work, side by side if it likes; and the caller's word on
-// whether to go on. Nothing here starts a thread.
+// The caller's loop, which runs the tasks of a piece of work, in several threads if the caller likes; and the caller's
+// function that says whether to go on. Nothing here starts a thread.
 //
-// As an example ten tasks and a loop of two threads: run() calls task(data, 0) to task(data, 9), the even ones on one
-// thread and the odd ones on the other, say, and returns when both are done.
+// As an example ten tasks and a loop of two threads: run() calls task(data, 0) to task(data, 9), say the even ones on
+// one thread and the odd ones on the other, and returns when both are done.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace hsp {
 
-// The most tasks of one loop, and the most workers that a loop is shared out among.
+// The largest number of tasks of one loop, and of workers among which a loop is divided.
 inline constexpr uint32_t max_tasks = 1024;
 
 class Executor {
@@ -21,11 +21,11 @@ class Executor {
   using Run = bool(void *context, uint32_t tasks, Task *task, void *data);
   using Proceed = bool(void *context);
 
-  // The caller's own thread.
+  // All work is done in the caller's own thread.
   Executor() = default;
   // run(context, tasks, task, data) calls task(data, k) once for each k below `tasks`, in any order and on any threads,
-  // and returns when all are done; false if it could not. One worker takes no run, and 0 is 1. proceed(context) says
-  // whether to go on, in any thread; null does always.
+  // and returns when all are done; false if it could not. With one worker `run` is not used; 0 workers mean 1.
+  // proceed(context) says whether to go on, and may be called in any thread; null means always.
   Executor(uint32_t workers, Run *run, void *context, Proceed *proceed = nullptr)
       : workers_(workers < 1           ? 1
                  : workers < max_tasks ? workers
@@ -35,20 +35,20 @@ class Executor {
         context_(context) {}
 
   uint32_t workers() const { return workers_; }
-  // Whether work that could be done by one is worth code for several.
+  // Whether there are several workers, and code for several is worth its size.
   bool is_parallel() const { return !small_code && workers_ > 1; }
 
-  // Whether the caller may stop the work, which takes code for asking.
+  // Whether the caller may stop the work. Small code never asks.
   bool may_stop() const { return !small_code && proceed_ != nullptr; }
-  // Whether to go on. Asks until the answer is no.
+  // Whether to go on. Asks the caller, until the answer is no once.
   bool goes_on() const { return !may_stop() || ask(); }
   bool is_stopped() const { return may_stop() && __atomic_load_n(&stopped_, __ATOMIC_RELAXED) != 0; }
-  // Of what was left off.
+  // The status of work that was left off: stopped, or else the loop failed.
   Status failure() const { return is_stopped() ? Status::stopped : Status::executor; }
 
-  // Does work(0) .. work(tasks - 1), side by side; false unless each was done once, or if the caller has stopped it:
-  // each then asks itself whether to go on. A task that is called a second time, or is none of them, is not done.
-  // tasks <= max_tasks.
+  // Does work(0) .. work(tasks - 1) by the caller's loop. False unless each was done once, and false if the caller has
+  // stopped the work; each task asks by itself whether to go on. If the loop calls a task a second time, or one that
+  // there is not, this call does nothing. tasks <= max_tasks.
   template <class Work>
   bool for_each(uint32_t tasks, const Work &work) const {
     if (workers_ > 1 && tasks > 1) {

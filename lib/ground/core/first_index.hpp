@@ -1,4 +1,4 @@
-// Binary search: where a predicate begins to hold.
+// Binary search for the first index at which a predicate holds.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@ namespace hsp {
 // first <= last and last - first < 2^32 - 1.
 template <class Holds>
 constexpr uint32_t first_index(uint32_t first, uint32_t last, Holds holds) {
-  // It does not hold at `before`, which wraps around below 0, and holds at `last`. So close to how processors choose
-  // that compilers make no branch of it, which could not be predicted.
+  // The predicate does not hold at `before`, which wraps around below 0, and holds at `last`. Compilers make
+  // conditional moves of this form of the loop, and no branch, which could not be predicted.
   uint32_t before = first - 1;
   while (last - before > 1) {
     const uint32_t middle = before + (last - before) / 2;

@@ -10,7 +10,7 @@
 
 namespace hsp {
 
-// A number of records as a limit; no_id if it is too large for one.
+// A number of records as a limit; no_id if the number is too large for a limit.
 constexpr uint32_t clamped_count(uint64_t count) {
   return count < no_id ? static_cast<uint32_t>(count) : no_id;
 }
@@ -31,13 +31,13 @@ class FixedVector {
     if (required_ < storage_.size()) storage_[static_cast<uint32_t>(required_)] = value;
     ++required_;
   }
-  // As if so many had been pushed; they are written afterwards, each into its slot.
+  // The same as if `count` records had been pushed; the caller writes them into their slots.
   constexpr void set_count(uint64_t count) { required_ = count; }
   // Records pushed since clear(), stored or not.
   constexpr uint64_t required() const { return required_; }
   constexpr bool overflowed() const { return required_ > storage_.size(); }
   constexpr uint32_t capacity() const { return storage_.size(); }
-  // Slots for records, whether or not there are some in them.
+  // All slots, whether or not they hold records.
   constexpr Span<T> room() { return storage_; }
   // The stored records.
   constexpr uint32_t size() const { return overflowed() ? storage_.size() : static_cast<uint32_t>(required_); }

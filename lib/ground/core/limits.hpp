@@ -1,7 +1,7 @@
-// Limits of structures: records of numbers that say how much there is room for.
+// Limits of structures: records of numbers that say for how many items of each kind there is room.
 //
-// As an example limits of 100 vertices and 3 circles suffice for one set, and 80 and 5 for another one: 100 and 5
-// suffice for either.
+// As an example limits of 100 vertices and 3 circles suffice for one set, and 80 and 5 for another one. Then 100 and 5
+// suffice for either set.
 #pragma once
 
 #include <bit>
@@ -10,7 +10,7 @@
 
 namespace hsp {
 
-// The limits choose(x, y) of each number x of some limits and y of others.
+// The limits with the number choose(x, y) for each number x of `limits` and the same number y of `others`.
 template <class Limits, class Choose>
 constexpr Limits each_limit(const Limits &limits, const Limits &others, Choose choose) {
   struct Numbers {
@@ -22,19 +22,19 @@ constexpr Limits each_limit(const Limits &limits, const Limits &others, Choose c
   return std::bit_cast<Limits>(x);
 }
 
-// The larger one of each two: the smallest limits that suffice where either do.
+// The smallest limits that suffice where `limits` or `others` do: the larger of each two numbers.
 template <class Limits>
 constexpr Limits covering(const Limits &limits, const Limits &others) {
   return each_limit(limits, others, larger_count);
 }
 
-// Limits as a builder knows them.
+// A base of builders: the limits for which memory was carved, and those that are needed.
 template <class Limits>
 class Limited {
  public:
-  // The limits that suffice, as far as its last build has found out.
+  // The limits that suffice, as far as the last build has found out.
   const Limits &needed() const { return needed_; }
-  // Those to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   Limits retry_limits() const { return covering(limits_, needed_); }
 
  protected:

@@ -1,4 +1,4 @@
-// How long to work without asking the caller whether to go on.
+// Decides how long to work without asking the caller whether to go on.
 #pragma once
 
 #include "core/executor.hpp"
@@ -7,28 +7,28 @@ namespace hsp {
 
 class Patience {
  public:
-  // Null, or one that may stop: the work of one thread.
+  // executor: null, or the executor whose caller may stop the work. A Patience is for the work of one thread.
   explicit Patience(const Executor *executor = nullptr)
       : executor_(executor != nullptr && executor->may_stop() ? executor : nullptr) {}
 
   // Whether the caller is asked at all.
   bool may_end() const { return !small_code && executor_ != nullptr; }
-  // Whether to go on after work of about so many instructions. Once not, never again.
+  // Whether to go on with work of about so many instructions. Once the answer is no, it stays no.
   bool allows(uint64_t instructions) { return small_code || executor_ == nullptr || still_allows(instructions); }
 
  private:
-  // Far less than the interface promises, as estimates may be far off.
+  // In instructions: far less than the interface promises, as estimates may be far off.
   static constexpr uint64_t without_asking = 300000;
 
-  // Out of line, as it is asked for in many places.
+  // Out of line, as it is called in many places.
   bool still_allows(uint64_t instructions);
 
   const Executor *executor_;
   uint64_t spent_ = 0;
 };
 
-// Calls visit(range) for all of a range of records, or for parts of it, one behind the other, where it may end between
-// them: without a caller to ask loops are as they would be without this. instructions: about, for each record.
+// Calls visit(range) for all of a range of records. If the caller may stop the work, calls it for parts of the range,
+// one after the other, and may end between them. instructions: an estimate for each record.
 template <class Range, class Visit>
 void in_parts(Patience &patience, Range range, uint32_t instructions, Visit visit) {
   constexpr uint32_t of_a_part = 3000000;

@@ -1,6 +1,6 @@
-// Bytes that no code may touch, for the address sanitizer, and arrays whose content is over. Only tests and fuzz
-// harnesses (HSP_CHECK_INDEX) poison them: the poison outlives whatever carved the memory, and a caller may use the
-// memory for something else.
+// Poisons bytes that no code may touch, for the address sanitizer, and overwrites arrays whose content is over. Only
+// tests and fuzz harnesses (HSP_CHECK_INDEX) do this: the poison stays after the handle that carved the memory, and a
+// caller may use the memory for something else.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +37,8 @@ inline void unpoison(const void *, size_t) {}
 
 namespace hsp {
 
-// The content of an array is over: others may have its memory from here on. Where bytes are poisoned it is overwritten,
-// so that tests see whether any code still relies on it.
+// Says that the content of an array is over, and that its memory may be used for something else. Where bytes are
+// poisoned, the array is overwritten, so that tests see whether any code still relies on it.
 template <class Array>
 void forget(const Array &array) {
   if (poisons && array.size() > 0) std::memset(array.data(), 0xA5, array.size() * sizeof(array[0]));

@@ -1,5 +1,5 @@
-// A set of numbers below a limit, as bits, that knows how many of its members come before any number, and which is the
-// k-th: so that the members of a sparse kind have consecutive ids without a table in either direction.
+// A set of numbers below a limit, as bits. It finds how many members are smaller than a number, and the k-th member. So
+// the members have consecutive ids, without a table from numbers to ids or back.
 #pragma once
 
 #include "core/first_index.hpp"
@@ -20,7 +20,7 @@ class RankedBits {
     for (uint32_t w = 0; w < used_; ++w) words_[w] = 0;
   }
   void set(uint32_t k) { words_[k / 64] |= uint64_t{1} << k % 64; }
-  // Sets k, unless it is not to be: without a branch, where that cannot be predicted.
+  // Sets k if it is a member, without a branch, which could not be predicted.
   void set_if(uint32_t k, bool is_member) { words_[k / 64] |= uint64_t{is_member} << k % 64; }
   // To be called once all members are set.
   void count() {
@@ -45,7 +45,7 @@ class RankedBits {
   }
 
  private:
-  // Of 64 bits; without a processor's instruction for it, which the archive may not assume.
+  // The number of set bits, without an instruction for it, which the library may not assume.
   static constexpr uint32_t ones(uint64_t w) {
     w -= w >> 1 & UINT64_C(0x5555555555555555);
     w = (w & UINT64_C(0x3333333333333333)) + (w >> 2 & UINT64_C(0x3333333333333333));

@@ -1,5 +1,5 @@
-// Items in rows of one array, by a counting sort: row k has items first[k] to first[k + 1] - 1, in the order in which
-// they are given.
+// Sorts items into rows of one array, by a counting sort: row k is at positions first[k] to first[k + 1] - 1, and its
+// items are in the order in which they are given.
 //
 // As an example three items of rows 1, 0 and 1:
 //   counted                     first  1 2
@@ -11,16 +11,17 @@
 
 namespace hsp {
 
-// From how many items each row has, in first[0 .. rows - 1], to where it ends; returns their sum, which becomes
-// first[rows]. Each item, the last one first, is to be put at --first[its row] then: that leaves where each row begins.
+// On entry first[0 .. rows - 1] holds the number of items of each row; it becomes the end of each row. Returns the sum,
+// which becomes first[rows]. Then the caller puts each item, the last one first, at position --first[its row]. This
+// leaves the beginning of each row in `first`.
 constexpr uint32_t end_rows(Span<uint32_t> first, uint32_t rows) {
   uint32_t end = 0;
   for (uint32_t k = 0; k < rows; ++k) first[k] = end += first[k];
   return first[rows] = end;
 }
 
-// All of that for items 0 to `items` - 1: row_of(item) is the row of each, or `rows` if it is in none. Calls
-// put(position, item), always after row_of(item), and returns how many were put. first: [rows + 1].
+// Does all of this for items 0 to `items` - 1: row_of(item) is the row of an item, or `rows` if it is in none. Calls
+// put(position, item), always after row_of(item), and returns how many items were put. first [rows + 1].
 template <class RowOf, class Put>
 uint32_t sort_to_rows(Span<uint32_t> first, uint32_t rows, uint32_t items, RowOf row_of, Put put) {
   for (uint32_t k = 0; k <= rows; ++k) first[k] = 0;

@@ -1,10 +1,10 @@
 // Disjoint sets that several threads may join at once, over caller memory. For every order of joins, the smallest
-// number represents a set and no number has a larger parent, as in DisjointSets, which reads them once all joins are
-// done.
+// number represents a set and no number has a larger parent, as in DisjointSets, which reads the sets when all joins
+// are done.
 //
-// A number has a parent other than itself for ever once it has one, and only numbers that have none are given one, by
-// compare and exchange. So nothing is lost: a thread that comes too late looks for the representative again. Halving a
-// path may store a parent that has a smaller one by now, which still is one of its ancestors.
+// Once a number has a parent other than itself, this stays so. Only a number that is its own parent is given another
+// one, by compare and exchange. So nothing is lost: a thread that comes too late looks for the representative again.
+// Halving a path may store a parent that is no longer the smallest ancestor, but it is an ancestor.
 #pragma once
 
 #include "core/span.hpp"
@@ -13,7 +13,7 @@ namespace hsp {
 
 class SharedDisjointSets {
  public:
-  // Elsewhere the operations would be calls of a run-time library.
+  // Without lock-free operations they would be calls of a run-time library.
 #if defined(__GCC_ATOMIC_INT_LOCK_FREE) && __GCC_ATOMIC_INT_LOCK_FREE == 2
   static constexpr bool available = true;
 #else
@@ -24,7 +24,7 @@ class SharedDisjointSets {
 
   void join(uint32_t a, uint32_t b) {
     if constexpr (available) {
-      if (parent_of(a) == parent_of(b)) return;  // most are in one set when there is much to join
+      if (parent_of(a) == parent_of(b)) return;  // mostly so if there are many joins
       for (;;) {
         a = find(a);
         b = find(b);

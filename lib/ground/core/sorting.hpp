@@ -1,6 +1,6 @@
 // Sorting in place without recursion and without heap memory (std::sort recurses, std::stable_sort allocates).
 //
-// As an example a heap, in which no item is less than those below it, 2 k + 1 and 2 k + 2 of item k:
+// As an example a heap. Below item k are items 2 k + 1 and 2 k + 2, and no item is less than those below it:
 //          9
 //        7   5          as an array   9 7 5 3 6
 //       3 6
@@ -11,8 +11,8 @@
 
 namespace hsp {
 
-// Moves an item of a heap down, or up, to where no item is less than one below it. placed(item, slot) hears where each
-// that moves is then.
+// Moves the item at `hole` down a heap, or up, until no item is less than one below it. Calls placed(item, slot) for
+// each item that moves, with its new slot.
 template <class T, class Less, class Placed>
 void sift_down(Span<T> heap, uint32_t hole, Less less, Placed placed) {
   const T item = heap[hole];
@@ -58,7 +58,8 @@ void sort_in_place(Span<T> items, Less less) {
     }
     return;
   }
-  // The heap first; then its largest item behind the rest, again and again. In one loop: moving down is code once.
+  // First makes the heap; then puts its largest item behind the rest, again and again. Both are one loop, so that the
+  // code of sift_down() is there once.
   for (uint32_t size = n, hole = n / 2; size > 1;) {
     if (hole > 0) {
       --hole;
@@ -71,9 +72,9 @@ void sort_in_place(Span<T> items, Less less) {
   }
 }
 
-// The same for items of which slot_of(item) < slots says about where in order an item is: O(n) where slots hold few
-// items each; else, or where slot_of is mistaken at all, as above. scratch: 2 slots + 1. Where goes_on() says no it
-// ends, with items lost.
+// The same by slots. slot_of(item) < slots estimates where in order an item is. O(n) if each slot holds few items and
+// slot_of() never contradicts the order; else as sort_in_place(). scratch [2 slots + 1]. goes_on() is asked for each
+// item; once it says no the sort ends, and items may be lost.
 template <class T, class SlotOf, class Less, class GoesOn>
 void sort_by_slot(Span<T> items, Span<uint32_t> scratch, uint32_t slots, SlotOf slot_of, Less less, GoesOn goes_on) {
   const Span<uint32_t> first = scratch.part(0, slots + 1);
@@ -108,7 +109,7 @@ void sort_by_slot(Span<T> items, Span<uint32_t> scratch, uint32_t slots, SlotOf 
   if (!in_order) sort_in_place(items, less);
 }
 
-// The same for items that are spread evenly over their range: slot_of(item, slots) < slots. scratch: as many as items.
+// The same for items that are spread evenly over their range, with slot_of(item, slots) < slots. scratch [items].
 template <class T, class SlotOf, class Less>
 void sort_by_slot(Span<T> items, Span<uint32_t> scratch, SlotOf slot_of, Less less) {
   if (items.size() < 24) return sort_in_place(items, less);

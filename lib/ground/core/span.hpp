@@ -21,7 +21,7 @@ class Span {
  public:
   constexpr Span() = default;
   constexpr Span(T *data, uint32_t size) : data_(data), size_(size) {}
-  // For readers.
+  // A span for readers.
   constexpr operator Span<const T>() const requires(!std::is_const_v<T>) { return {data_, size_}; }
 
   constexpr T &operator[](uint32_t k) const {

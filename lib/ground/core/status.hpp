@@ -26,7 +26,7 @@ enum class Status : int32_t {
 // The id that no ball, vertex, loop or face has.
 inline constexpr uint32_t no_id = UINT32_C(0xFFFFFFFF);
 
-// The most balls of a model, and the largest limit of any kind.
+// The largest number of balls of a model, and the largest limit of any kind.
 inline constexpr uint32_t max_count = UINT32_C(0x0FFFFFFF);
 
 constexpr uint32_t larger_count(uint32_t a, uint32_t b) {

@@ -1,5 +1,6 @@
-// Sums whose order is fixed by the number of terms alone: a binary tree over the terms in the order they are added. The
-// error grows with log2(n) instead of n (Higham, Accuracy and Stability of Numerical Algorithms, section 4.2).
+// Sums whose order depends only on the number of terms: pairwise summation, a binary tree over the terms in the order
+// in which they are added. The error grows with log2(n) instead of n (Higham, Accuracy and Stability of Numerical
+// Algorithms, section 4.2).
 //
 // As an example five terms a to e: ((a + b) + (c + d)) + e. With `rest`, the sum of further terms that another task has
 // added: ((a + b) + (c + d)) + (e + rest).
@@ -17,20 +18,21 @@ class TreeSum {
     waiting_[count_ % block] = term;
     if (++count_ % block == 0) add_block(sum_of(waiting_, block));
   }
-  // The same of n terms one by one.
+  // The same as adding n terms one by one.
   [[gnu::noinline]] void add(const double *terms, uint32_t n) {
     add_many(
         n, [terms](uint32_t k) { return terms[k]; }, [terms](uint32_t k) { return sum_of(terms + k, block); });
   }
-  // The same as add(zero) so many times, for a zero of either sign: sums of such are the zero itself.
+  // The same as add(zero) so many times, for a zero of either sign: a sum of equal zeros is the zero itself.
   void add_zeros(double zero, uint32_t times) {
     const auto always = [zero](uint32_t) { return zero; };
     add_many(times, always, always);
   }
-  // `rest`: what is added before the last of these terms, the sum of fewer terms than each of them stands for.
+  // The sum. If each term is itself the sum of a range of terms, `rest` is the sum of the last range, which has fewer
+  // terms than the others; it is added to the last of the terms first.
   [[gnu::noinline]] double total(double rest = 0.0) const {
     double sum = rest;
-    uint32_t left = count_ % block;  // terms that wait, the complete subtrees of which come last
+    uint32_t left = count_ % block;  // terms that wait; their complete subtrees come last
     for (uint32_t size = 1; size < block; size *= 2) {
       if ((count_ & size) == 0) continue;
       left -= size;
@@ -46,7 +48,7 @@ class TreeSum {
   static constexpr int block_level = 4;
   static constexpr uint32_t block = 1U << block_level;
 
-  // n terms, number k of them term(k), and block_at(k) the sum of a block of them that begins there.
+  // Adds n terms. term(k) is term k, and block_at(k) the sum of the block of terms from k on.
   template <class Term, class BlockAt>
   void add_many(uint32_t n, Term term, BlockAt block_at) {
     for (uint32_t k = 0; k < n;) {
@@ -59,7 +61,7 @@ class TreeSum {
       }
     }
   }
-  // A complete subtree of `size` terms. A call: once for a block.
+  // The sum of a complete subtree of `size` terms. Out of line, as it is called once for each block.
   [[gnu::noinline]] static double sum_of(const double *terms, uint32_t size) {
     double sum[block];
     for (uint32_t k = 0; k < size; ++k) sum[k] = terms[k];
@@ -68,7 +70,7 @@ class TreeSum {
     }
     return sum[0];
   }
-  // `term`: the sum of the block that is complete now.
+  // Adds a complete block; `term` is its sum.
   [[gnu::noinline]] void add_block(double term) {
     // Level k holds the sum of a complete subtree of 2^k blocks whenever bit k of their number is set.
     int level = 0;

@@ -1,12 +1,12 @@
-// Answers of the checks of structures: the first invariant that is violated, and where.
+// Answers of the checks of structures: the first invariant that is violated, and the record that violates it.
 #pragma once
 
 #include "core/status.hpp"
 
 namespace hsp {
 
-// Invariant: an enumeration as in hardsphere.h, in which `none` is 0. id: that of the record where it fails; no_id
-// where none does.
+// Invariant: an enumeration as in hardsphere.h, in which `none` is 0. id: of the record that violates the invariant;
+// no_id if none does.
 template <class Invariant>
 struct Violation {
   Invariant invariant = Invariant::none;

@@ -3,8 +3,8 @@
 //   memory              first multiple of 64
 //   |  slack (0..63)    |  array 0  | pad |  array 1  | pad |  ...  |
 //
-// The same layout function runs twice: over a null base it only measures, over the caller's block it carves. So the
-// size that is reported and the memory that is used cannot disagree.
+// The same layout function runs twice: with a null base it only measures, with the caller's block it carves. So the
+// reported size and the memory that is used cannot disagree.
 //
 // In tests and fuzz harnesses under the address sanitizer the pads are poisoned, so that an access past an array ends
 // the program although it stays inside the caller's block. Every array but an empty one then has a pad, of 1 to 64
@@ -32,8 +32,8 @@ class Workspace {
     target_ = best_target();
   }
 
-  // Which kernels serve what is carved here. The processor is asked once for a handle and never for a
-  // size: in a virtual machine that traps to the host and takes tens of microseconds.
+  // The target of the kernels for structures that are carved here. The processor is asked once for a handle, and never
+  // for a size: in a virtual machine that traps to the host and takes tens of microseconds.
   Target target() const { return has_further_targets ? target_ : Target::baseline; }
 
   // An array of `count` default-initialised T, or an empty span while measuring.
@@ -46,7 +46,7 @@ class Workspace {
     return {first, static_cast<uint32_t>(count)};
   }
 
-  // Such an array for each of some, one after the other.
+  // The same for several arrays, one after the other.
   template <class... T>
   void take_each(uint64_t count, Span<T> &...arrays) {
     ((arrays = take<T>(count)), ...);
@@ -56,8 +56,8 @@ class Workspace {
   size_t bytes() const { return overflow_ || used_ > SIZE_MAX - alignment ? 0 : used_ + alignment; }
 
  private:
-  // The bytes of an array, and of the pad behind it; null while measuring, or where the block ends before they do. Not
-  // inlined: handles are carved of dozens of arrays.
+  // Reserves the bytes of an array and of the pad behind it. Null while measuring, and if the array does not fit the
+  // block. Not inlined: handles are carved into dozens of arrays.
   [[gnu::noinline]] void *reserve(uint64_t count, size_t size) {
     if (used_ > SIZE_MAX / 2 || count > (SIZE_MAX / 2 - used_) / size) {  // padding can exceed half of SIZE_MAX
       overflow_ = true;

@@ -1,15 +1,16 @@
-// The order of directions around an axis, exactly. Used for the mid-points of the covered arcs of a circle: ball Q
-// covers an arc whose mid-point lies in the direction of v_Q, whatever the arc's size. For the planes with a free end
-// point this is the order of the free intervals, and no two of them tie: so no square root and no symbolic perturbation
-// is needed (PROOFS.md, section 4).
+// The order of directions around an axis, exactly. It is used for the mid-points of the covered arcs of a circle: the
+// arc that ball Q covers has its mid-point in the direction of v_Q, whatever the arc's size. For planes with a free end
+// point this is the order of the free intervals, and no two mid-points tie: so neither square roots nor the symbolic
+// perturbation are needed (PROOFS.md, section 4).
 #pragma once
 
 #include "exact/filter.hpp"
 
 namespace hsp::exact {
 
-// Sign of (u x v).z, with n = u x v. The cross product is exact, so the sum of three products of doubles has an error
-// of at most 5e times the sum of their sizes: e each for the two conversions and the product, two additions.
+// Sign of (u x v).z, with n = u x v, which is exact before it is converted to doubles. So the sum of three products of
+// doubles has an error of at most 5e times the sum of their sizes: e for each of two conversions, the product and two
+// additions.
 inline int orientation(const Vector &u, const Vector &v, const Vec3 &n, const Vector &z) {
   const double x = n.x * static_cast<double>(z.x);
   const double y = n.y * static_cast<double>(z.y);
@@ -21,8 +22,8 @@ inline int orientation(const Vector &u, const Vector &v, const Vector &z) {
   return orientation(u, v, to_double(cross(u, v)), z);
 }
 
-// Directions in the order in which they come when turning counter-clockwise about an axis, from a reference on.
-// Directions are taken modulo the axis.
+// The order in which a counter-clockwise turn about an axis passes directions, from a reference on. Directions count by
+// their components across the axis.
 class TurningOrder {
  public:
   TurningOrder(const Vector &axis, const Vector &reference)
@@ -54,8 +55,8 @@ inline bool counter_clockwise_before(const Vector &axis, const Vector &reference
   return TurningOrder(axis, reference).before(v, w);
 }
 
-// Whether x lies inside the counter-clockwise turn that leads from `from` to `to`, ends excluded. Equal ends are a
-// whole turn, which contains every x.
+// Whether x lies inside the counter-clockwise turn from `from` to `to`, ends excluded. Equal ends mean a whole turn,
+// which contains every x.
 inline bool strictly_between(const Vector &axis, const Vector &from, const Vector &x, const Vector &to) {
   if (orientation(axis, from, to) == 0 && Exact::cross_dot_cross_sign(axis, from, to) > 0) return true;
   return counter_clockwise_before(axis, from, x, to);

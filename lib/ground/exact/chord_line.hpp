@@ -1,5 +1,5 @@
-// The line in which two planes meet, (q x n + t n)/N: a chord of the sphere, or what is left of one, in exact numbers
-// that are rounded once. n = u x v, N = n.n and q = h_P v - h_Q u as in plane.hpp.
+// The line in which two planes meet, (q x n + t n)/N: the line of a chord, in exact numbers that are rounded once. n =
+// u x v, N = n.n and q = h_P v - h_Q u as in plane.hpp.
 //
 // q x n = alpha u + beta v with alpha = h_P v.v - h_Q u.v and beta = h_Q u.u - h_P u.v, so that a third plane meets the
 // line where t = -A/B, with A = (q x n).z - h_R N = alpha u.z + beta v.z - h_R N. Bits: alpha, beta, N <= 2 L^4, so A
@@ -14,7 +14,7 @@
 
 namespace hsp::exact {
 
-// The terms of a chord in its contacts (lib/union/contacts), each rounded once.
+// Factors of a chord's terms in the areas of its contacts (lib/union/contacts), each rounded once.
 struct ChordFactors {
   double alpha, beta, third, N;  // third = 2 N - alpha - beta
 };
@@ -32,7 +32,7 @@ class ChordLine {
   ChordFactors factors() const {
     return {alpha_.to_double(), beta_.to_double(), (N_ + N_ - alpha_ - beta_).to_double(), N_.to_double()};
   }
-  // Where a third plane meets the line, for B not 0: t = -A/B, both rounded once.
+  // The parameter t = -A/B at which a third plane meets the line; A and B are rounded once each. B is not 0.
   double parameter(const Plane &R) const {
     const auto minus_A = product<192>(N_, I64::from(R.h)) - product<192>(alpha_, I64::from(dot(u_, R.v))) -
                          product<192>(beta_, I64::from(dot(v_, R.v)));
@@ -51,7 +51,7 @@ class ChordLine {
 
 #if defined(__SIZEOF_INT128__) && !defined(HSP_PORTABLE_LIMBS)
 
-// The same by the compiler's product of 128 bits.
+// The same with the compiler's products of 128 bits.
 template <>
 class ChordLine<uint64_t> {
  public:
@@ -82,8 +82,8 @@ class ChordLine<uint64_t> {
   }
   static int64_t low(int128 x) { return static_cast<int64_t>(x) & ((INT64_C(1) << 62) - 1); }
   static int64_t high(int128 x) { return static_cast<int64_t>(x >> 62); }
-  // The sign and the leading 63 bits, of which the last one stands for all that follow: so the conversion rounds as the
-  // whole number would.
+  // Converts the sign and the leading 63 bits; the last of these is set if any bit behind it is: so the conversion
+  // rounds as the whole number would. more_follows: further bits behind x are not all 0.
   static double rounded(int128 x, bool more_follows = false) {
     const int64_t top = static_cast<int64_t>(x >> 64);
     const int64_t bottom = static_cast<int64_t>(x);

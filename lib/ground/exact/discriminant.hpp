@@ -1,6 +1,6 @@
-// D = W n.n - q.q of plane.hpp, and Delta = W u.u - h^2, rounded once; 0 if they are negative. The same values as those
-// of ExactPredicates, which are for any width of limbs; these are for 64 bits and the compiler's product of 128 bits,
-// and are asked for every vertex and every contact.
+// D = W n.n - q.q of plane.hpp, and Delta = W u.u - h^2, rounded once; 0 if they are negative. The values are those of
+// ExactPredicates, which is for limbs of any width. The functions here use the compiler's products of 128 bits, if
+// there are such; they are called for every vertex and every contact.
 #pragma once
 
 #include "exact/exact_predicates.hpp"
@@ -24,7 +24,8 @@ inline double rounded_or_zero(int128 high, uint64_t low) {
   if (first == 0) return static_cast<double>(low);
   const int spare = std::countl_zero(first);
   const uint128 shifted = leading << spare;
-  // 63 bits, of which the last stands for all that follow: so the conversion rounds as the whole number would.
+  // The leading 63 bits; the last of these is set if any bit behind it is: so the conversion rounds as the whole number
+  // would.
   const uint64_t bits = static_cast<uint64_t>(shifted >> 65);
   const bool inexact = ((static_cast<uint64_t>(shifted >> 64) & 1) | static_cast<uint64_t>(shifted) | below) != 0;
   const double rounded = static_cast<double>(static_cast<int64_t>(bits | static_cast<uint64_t>(inexact)));
@@ -40,8 +41,8 @@ inline double discriminant(const Sphere &sphere, const Plane &P, const Plane &Q)
   const uint128 lower = static_cast<uint128>(static_cast<uint64_t>(nn)) * W;
   const uint128 upper = static_cast<uint128>(static_cast<uint64_t>(nn >> 64)) * W;
 
-  // A component of q has at most 2^94: it is b 2^48 + a with |b| <= 2^46 and 0 <= a < 2^48, and no product of two such
-  // parts, nor a sum of six, needs more than 128 bits.
+  // A component of q is at most 2^94 in size: it is b 2^48 + a with |b| <= 2^46 and 0 <= a < 2^48. No product of two
+  // such parts, nor a sum of six products, needs more than 128 bits.
   int128 aa = 0, ab = 0, bb = 0;
   const auto add_square = [&](int64_t u, int64_t v) {
     const int128 q = product(P.h, v) - product(Q.h, u);

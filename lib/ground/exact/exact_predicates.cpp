@@ -30,7 +30,7 @@ struct Evaluation {
 
   static I128 times(int64_t a, int64_t b) { return product<128>(I64::from(a), I64::from(b)); }
   static I128 dot128(const Vector &a, const Vector &b) { return exact::dot128<Limb>(a, b); }
-  // Out of line, as Growth::sign(): most calls are for ties.
+  // Out of line, as Growth::sign() is: most calls are for ties.
   [[gnu::noinline]] static I192 dot192(const LongVector &a, const Vector &b) {
     return product<192>(a.x, I64::from(b.x)) + product<192>(a.y, I64::from(b.y)) + product<192>(a.z, I64::from(b.z));
   }
@@ -46,7 +46,7 @@ struct Evaluation {
   static I192 D_of(const Sphere &sphere, const Vector &n, const LongVector &q) {
     return product<192>(dot128(n, n), I64::from(sphere.W)) - square<192>(q);
   }
-  // Out of line, too: questions of a vertex have it, and are asked where doubles are not sure.
+  // Out of line, too: it is needed only where doubles are not certain about a vertex.
   [[gnu::noinline]] static LongVector H_of(const Plane &P, const Plane &Q, const Plane &R, const Vector &n) {
     const LongVector q = q_of(P, Q);
     const Vector &z = R.v;
@@ -61,17 +61,17 @@ struct Evaluation {
   }
 };
 
-// How a predicate changes as the balls in it grow, up to one positive factor.
+// The changes of a predicate as the balls in it grow, up to one positive factor.
 template <class Limb>
 class Growth {
  public:
   using I128 = WideInteger<Limb, 128>;
   using I192 = WideInteger<Limb, 192>;
 
-  // `alike`: if all of them grow by the same amount.
+  // alike: the change if all balls grow by the same amount.
   Growth(const Sphere &sphere, const I192 &alike)
       : origin_(origin_plane(sphere)), weight_(sphere.W / 4), ball_{&origin_}, change_{alike} {}
-  // If the ball behind a plane grows alone. That of a virtual plane does not. Out of line, as sign() is.
+  // change: if the ball of this plane grows alone. A virtual plane does not grow. Out of line, as sign() is.
   [[gnu::noinline]] void add(const Plane &plane, const I192 &change) {
     if (plane.perturbed == 0) {
       balls_alone_ = false;
@@ -82,13 +82,14 @@ class Growth {
     change_[0] = change_[0] - change;
   }
 
-  // If they grow by the amounts of a level. Out of line: all predicates have it, in several places.
+  // The sign of the change if balls grow by the amounts of a level. Out of line: all predicates call it, in several
+  // places.
   [[gnu::noinline]] int sign(int level) const {
     return level == levels - 1 ? sign_of_sum([](const Plane &ball) { return last_amount<Limb>(ball.v); })
                                : sign_of_sum([&](const Plane &ball) { return amount(level, ball); });
   }
-  // At the first level where they change it, which decides what is linear in the weights. For balls alone the sums
-  // with 1, x, y and z are 0.
+  // The sign of the change at the first level where it is not 0: this decides predicates that are linear in the
+  // weights. Without virtual planes the sums with 1, x, y and z are 0.
   int sign() const {
     for (int level = 0; level < levels; level += level == 0 && balls_alone_ ? levels - 1 : 1) {
       if (const int of_level = sign(level); of_level != 0) return of_level;
@@ -110,8 +111,8 @@ class Growth {
     return sum.sign();
   }
 
-  // The weight; 1; the centre's coordinates; a quadratic form of the centre. Seen from the origin ball: where the sums
-  // of the levels before are 0, those of other origins are the same.
+  // The amounts of the levels: the weight; 1; the centre's coordinates; a quadratic form of the centre. Coordinates are
+  // relative to the origin ball: if the sums of the levels before are 0, other origins give the same sums.
   WideInteger<Limb, 64> amount(int level, const Plane &ball) const {
     const int64_t amounts[] = {weight_ + dot(ball.v, ball.v) - ball.h, 1, ball.v.x, ball.v.y, ball.v.z};
     return WideInteger<Limb, 64>::from(amounts[level]);
@@ -129,7 +130,7 @@ template <class Limb>
 WideInteger<Limb, 192> to_192_bits(const WideInteger<Limb, 128> &value) {
   return product<192>(value, WideInteger<Limb, 64>::from(1));
 }
-// How fast something changes as a ball grows, of ties alone.
+// The change as a ball grows; it is needed for ties alone.
 template <class Limb>
 [[gnu::noinline]] WideInteger<Limb, 192> rate(const Vector &a, const Vector &b) {
   return to_192_bits(Evaluation<Limb>::dot128(a, b));
@@ -180,13 +181,13 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
   const Vector rp = cross(R.v, P.v);
 
   const int value_A = -E::dot192(H, n).sign();
-  // Of four coplanar centres both points are on the same side of R.
+  // If the four centres are coplanar, B is 0 and both points are on the same side of R.
   bool tied[2] = {value_A == 0, value_A == 0};
   if (sign_B != 0) {
     int sign_F = E::F_of(sphere, H, B).sign();
     tied[0] = tied[1] = false;
     if (sign_F == 0) {
-      // A^2 = B^2 D: the point with A + s B sqrt(D) = 0 lies on R, both do if they coincide.
+      // A^2 = B^2 D: the point with A + s B sqrt(D) = 0 lies on R; if the points coincide, both do.
       const int on = -value_A * sign_B;
       tied[0] = on <= 0;
       tied[1] = on >= 0;
@@ -211,7 +212,7 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
   return {{side, side}, {tied[0], tied[1]}};
 }
 
-// Cold, so that it is small: it is asked of contacts, and of dense sets whose vertices tie.
+// Cold, so that it is small: it is asked for contacts, and for dense sets whose vertices tie.
 template <class Limb>
 [[gnu::cold]] Sign ExactPredicates<Limb>::near(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R,
                                                const Plane &S) {
@@ -275,7 +276,7 @@ int ExactPredicates<Limb>::cross_dot_cross_sign(const Vector &u, const Vector &v
   return Evaluation<Limb>::dot128(cross(u, v), cross(u, z)).sign();
 }
 
-// Cold: of vertices and arcs that doubles do not give.
+// Cold: for vertices and arcs that doubles do not serve.
 template <class Limb>
 [[gnu::cold]] void ExactPredicates<Limb>::radical_vector(const Plane &P, const Plane &Q, double q[3]) {
   const auto exact_q = Evaluation<Limb>::q_of(P, Q);

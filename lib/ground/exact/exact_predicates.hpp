@@ -1,9 +1,9 @@
 // The exact stage of the predicates, with the symbolic perturbation. Source: Simulation of Simplicity (Edelsbrunner and
-// Muecke, ACM TOG 9, 1990) applied to the weights alone: each ball grows in proportion, and infinitely less by other
-// amounts. Every predicate is a polynomial of degree at most 2 in the weights. Its sign is that of the value; if this
-// is 0, that of its change as balls grow in proportion; if this is 0 too, that of the second derivative, which is
-// negative, or, of linear predicates, that of the changes with the other amounts. The proofs are in PROOFS.md, sections
-// 1 to 3.
+// Muecke, ACM TOG 9, 1990), applied to the weights alone: each ball grows in proportion, and infinitely less by other
+// amounts. Every predicate is a polynomial of degree at most 2 in the weights. Its sign is that of the value. If the
+// value is 0, its sign is that of the change as balls grow in proportion. If this change is 0, too, the sign of a
+// quadratic predicate is that of the second derivative, which is negative; the sign of a linear predicate is that of
+// the changes with the other amounts. The proofs are in PROOFS.md, sections 1 to 3.
 #pragma once
 
 #include "exact/plane.hpp"
@@ -19,14 +19,15 @@ struct Sign {
 };
 
 // Whether the two common points p+ and p- of the circles of P and Q lie inside (+1) or outside (-1) a third ball R. A
-// point is tied if it lies exactly on the third sphere (or plane) before the perturbation. Index 0: p-, index 1: p+.
+// point is tied if it lies exactly on the third sphere (or virtual plane) before the perturbation. Index 0 is p-, index
+// 1 is p+.
 struct PointStatus {
   int side[2];
   bool tied[2];
 };
 
-// p+ and p- are (q x n + s sqrt(D) n)/N for s = +1 and -1, n = u x v. Seen from outside along u, circle P runs
-// counter-clockwise and its part inside Q goes from p- to p+.
+// p+ and p- are (q x n + s sqrt(D) n)/N for s = +1 and s = -1, with n = u x v. Let circle P run counter-clockwise about
+// u: then its part inside Q goes from p- to p+.
 template <class Limb>
 struct ExactPredicates {
   // +1: the circles of P and Q on the sphere cross (in two points); -1: they do not.

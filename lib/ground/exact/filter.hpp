@@ -1,8 +1,8 @@
-// The floating-point stage of the predicates: the polynomials of plane.hpp in double, with static error bounds for one
-// sphere. The answer is +1 or -1 when it is certain, and 0 when the exact stage has to decide.
+// The filter stage of the predicates: the polynomials of plane.hpp in doubles, with static error bounds for one sphere.
+// An answer is +1 or -1 if it is certain, and 0 if the exact stage has to decide.
 //
-// With L^2 = max(W, |v|^2) over the planes in use and e = 2^-53, n, h and W exact integers converted with one rounding
-// each:
+// Errors, with L^2 = max(W, |v|^2) over the planes in use and e = 2^-53. n, h and W are exact integers that are
+// converted with one rounding each.
 //   q: 6e L^3      D: W N relative 7e, q.q 36e L^6, last subtraction 5e L^6     |D error| <= 48e L^6, used 64
 //   H: 18.5e L^4   A: 18.5 + 3 + 9                                              |A error| <= 30.5e L^6, used 64
 //   B: 4e L^3, used 8         F: W B B 11, H.H 2*3*18.5 + 27 = 138, last 10       |F error| <= 159e L^8, used 256
@@ -33,7 +33,7 @@ inline int certain_sign(double value, double bound) {
   return value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
-// The circles of P and Q; n is exact but for its rounding.
+// The crossing of the circles of P and Q. n is exact before it is rounded.
 inline CircleCrossing<Vec3, double> circle_crossing(const Plane &P, const Plane &Q) {
   return {to_double(cross(P.v, Q.v)),
           static_cast<double>(P.h) * to_double(Q.v) - static_cast<double>(Q.h) * to_double(P.v)};

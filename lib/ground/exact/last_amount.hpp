@@ -1,5 +1,5 @@
-// The quadratic form of centres by which balls grow at the last level of the symbolic perturbation (PROOFS.md, section
-// 3), and products of vectors that it takes.
+// The quadratic form M of centres by which balls grow at the last level of the symbolic perturbation but the ranks
+// (PROOFS.md, section 3), and the products of vectors for it.
 #pragma once
 
 #include "exact/plane.hpp"
@@ -15,7 +15,7 @@ WideInteger<Limb, 128> dot128(const Vector &a, const Vector &b) {
   return times(a.x, b.x) + times(a.y, b.y) + times(a.z, b.z);
 }
 
-// Seen from the origin ball.
+// M of a centre relative to the origin ball.
 template <class Limb>
 WideInteger<Limb, 128> last_amount(const Vector &v) {
   const auto &[x, y, z] = v;

@@ -1,6 +1,6 @@
-// The decimal lattice: lengths are rounded to integers once, on input. A step that is a power of ten represents text
-// input exactly. Multiplying or dividing by a power of ten that is a double is one IEEE operation, so rounding is the
-// same everywhere.
+// The decimal lattice: lengths are rounded to integers once, on input. If the step is a power of ten, decimal numbers
+// of input texts are represented exactly. Multiplying or dividing by a power of ten that is a double is one IEEE
+// operation, so rounding is the same everywhere.
 //
 // As an example a step of 0.1: 1.25 is 12.5 steps, which become 13, and -1.25 becomes -13.
 #pragma once
@@ -15,14 +15,14 @@ namespace hsp::exact {
 inline constexpr double coordinate_limit = 0x1p50;    // steps, inclusive
 inline constexpr double radius_limit = 0x1p30;        // steps, exclusive
 inline constexpr double query_radius_limit = 0x1p51;  // steps, inclusive
-inline constexpr double fewest_steps = 0x1p20;        // of the largest length that a lattice is chosen for
+inline constexpr double fewest_steps = 0x1p20;        // the length for which a lattice is chosen has at least so many
 
 class Lattice {
  public:
   // Step 1.
   Lattice() = default;
 
-  // A given step, finite and > 0. A step that is the double nearest to a power of ten counts as that power.
+  // A given step, finite and > 0. A step that is the double nearest to a power of ten is taken for that power.
   static Lattice with_step(double step) {
     for (int k = 0; k <= largest_power_of_ten; ++k) {
       if (step == 1.0 / power_of_ten[k]) return Lattice(k);
@@ -32,9 +32,9 @@ class Lattice {
     lattice.divisor_ = step;
     return lattice;
   }
-  // The smallest power of ten that keeps the largest radius plus the probe, rounded separately, below the limit; 1e-8
-  // if both are 0. Returns false if there is none, or all lengths are too small for the finest. Out of line: called
-  // from several places, once a set.
+  // Chooses as step the smallest power of ten for which the largest radius plus the probe, each rounded by itself, is
+  // below radius_limit; 1e-8 if both are 0. Returns false if there is none, or if the lengths are too small even for
+  // the finest. Out of line: called from several places, once for a set.
   [[gnu::noinline]] static bool for_largest_radius(double radius, double probe, Lattice &lattice) {
     if (radius == 0.0 && probe == 0.0) {
       lattice = Lattice(8);
@@ -50,8 +50,9 @@ class Lattice {
     }
     return false;
   }
-  // The same for points, of which no coordinate is larger: 1e-8 at most, as long as they are on that lattice. Returns
-  // false if they are all too small for the finest; of some that are too large round() tells.
+  // The same for points. largest: no coordinate is larger in size. The step is at most 1e-8, unless the points do not
+  // fit such a lattice. Returns false if all coordinates are too small even for the finest lattice. If some are too
+  // large, round() says so.
   static bool for_points(double largest, Lattice &lattice) {
     const bool found = for_largest_radius(largest, 0.0, lattice);
     if (lattice.step() < 1e-8) return found;
@@ -63,12 +64,12 @@ class Lattice {
   }
 
   double step() const { return length(1.0); }
-  // A length in steps, not yet an integer: one rounding.
+  // A length in steps, before it is rounded to an integer. It has one rounding.
   double steps(double length) const { return divisor_ == 1.0 ? length * factor_ : length / divisor_; }
-  // The factor of lengths, bit for bit; 0 if they are divided.
+  // steps(length) is length * factor(), bit for bit; 0 if lengths are divided instead.
   double factor() const { return divisor_ == 1.0 ? factor_ : 0.0; }
-  // The lattice point nearest to a position. False if there is none: a coordinate is not finite, or too large. One
-  // branch for all of them; which it is may be asked then.
+  // Finds the lattice point nearest to a position. False if there is none, as a coordinate is not finite or too large.
+  // There is one branch for all coordinates; which one is at fault can be found afterwards.
   HSP_INLINE_UNLESS_SMALL bool round(const double *xyz, Vector &point) const {
     double rounded[3];
     bool on_lattice = true;
@@ -89,7 +90,7 @@ class Lattice {
   double volume(double cubic_steps) const { return length(length(length(cubic_steps))); }
 
  private:
-  // 10^-digits; one of factor and divisor is 1, so multiplying by one and dividing by the other rounds once.
+  // The step 10^-digits. One of factor and divisor is 1, so that steps() rounds once.
   explicit Lattice(int digits)
       : factor_(digits > 0 ? power_of_ten[digits] : 1.0), divisor_(digits < 0 ? power_of_ten[-digits] : 1.0) {}
 

@@ -3,7 +3,7 @@
 //
 // As an example balls of radius 5 and 3, whose sum is 8 and whose difference is 2, by the distance d of their centres:
 //   d = 9      disjoint
-//   d = 8      they touch: a circle for the perturbation, which inflates both
+//   d = 8      they touch: a circle by the perturbation, which inflates both
 //   d = 4      circle
 //   d = 1      second_in_first
 #pragma once
@@ -25,7 +25,7 @@ constexpr bool ranks_before(const LatticeBall &a, const LatticeBall &b) {
 
 enum class PairRelation { disjoint, circle, first_in_second, second_in_first };
 
-// 64-bit arithmetic alone: radii below 2^30, coordinates at most 2^50.
+// By 64-bit arithmetic alone: radii are below 2^30, coordinates at most 2^50 in size.
 constexpr PairRelation pair_relation(const LatticeBall &a, const LatticeBall &b) {
   const int64_t sum = a.radius + b.radius;
   const int64_t difference = a.radius - b.radius;
@@ -37,8 +37,8 @@ constexpr PairRelation pair_relation(const LatticeBall &a, const LatticeBall &b)
   const uint64_t difference_squared = static_cast<uint64_t>(difference * difference);
   if (U > sum_squared) return PairRelation::disjoint;
   if (U > difference_squared) return PairRelation::circle;
-  // One is inside the other. Where they touch, too: each grows in proportion, the larger one by more. So points on a
-  // sphere are inside, though their distance is also the sum of the radii.
+  // One is inside the other, also if they touch from inside, as the larger one grows by more. So a point on a sphere is
+  // inside its ball, though the distance is also the sum of the radii.
   if (difference != 0) return difference < 0 ? PairRelation::first_in_second : PairRelation::second_in_first;
   return ranks_before(a, b) ? PairRelation::second_in_first : PairRelation::first_in_second;
 }
@@ -46,7 +46,7 @@ constexpr PairRelation pair_relation(const LatticeBall &a, const LatticeBall &b)
 // Ball b as a plane seen from ball a, for two balls that meet in a circle.
 constexpr Plane plane_of(const LatticeBall &a, const LatticeBall &b) {
   const Vector v = b.centre - a.centre;
-  // Factored, so that no term exceeds 2^62.
+  // As a product of sum and difference, so that no term exceeds 2^62.
   return {v, dot(v, v) + (a.radius - b.radius) * (a.radius + b.radius), 1, b.index};
 }
 

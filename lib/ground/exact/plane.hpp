@@ -1,12 +1,12 @@
-// One ball of the set as the origin, its neighbours as half-spaces: the form in which all predicates of the boundary
-// are evaluated.
+// One ball of the set is the origin, and its neighbours are half-spaces: the form in which all predicates of the
+// boundary are evaluated.
 //
 // With c the centre and w = r^2 the weight of the origin ball, put y = 2 (x - c). Its sphere is |y|^2 = W = 4 w, and
 // ball j with v = c_j - c and h = |v|^2 + w - w_j is the half-space v.y >= h: a point of the sphere lies in ball j iff
 // it lies in the half-space.
 //
-// Contract (lengths in lattice steps): radii below 2^30, |v| < 2^31, and planes only of spheres that meet in a proper
-// circle or touch, so that |h| <= 2 r |v| < 2^62. Then, with L = 2^31, by Cauchy-Schwarz:
+// Contract, in lattice steps: radii are below 2^30, |v| < 2^31, and planes are made only of spheres that meet in a
+// proper circle or touch, so that |h| <= 2 r |v| < 2^62. Then, with L = 2^31, by Cauchy-Schwarz:
 //   h, v.v, u.v, n = u x v, W  <= L^2          64 bits        B = n.z                <= L^3       128 bits
 //   q = h_P v - h_Q u          <= 2 L^3       128 bits        H = q x z + h_R n      <= 3 L^4     128 bits
 //   D = W n.n - q.q            <= 4 L^6       192 bits        A = -H.n               <= 3 L^6     192 bits
@@ -63,15 +63,16 @@ constexpr Plane virtual_plane(const Vector &v, int64_t h) {
   return {v, h, 0, 0};
 }
 
-// The rank of the balls behind two planes (rank.hpp). For one origin the order of the centres is that of the v, and of
-// two balls with one centre the smaller has the larger h. Virtual planes come after all balls.
+// Whether the ball of plane a has a lower rank than that of plane b (rank.hpp). For one origin the order of the centres
+// is that of the vectors v, and of two balls with one centre the smaller has the larger h. Virtual planes come after
+// all balls.
 constexpr bool ranks_before(const Plane &a, const Plane &b) {
   if (a.perturbed != b.perturbed) return a.perturbed > b.perturbed;
   return ranks_before(RankKey<int64_t>{a.v.x, a.v.y, a.v.z, -a.h, a.index},
                       RankKey<int64_t>{b.v.x, b.v.y, b.v.z, -b.h, b.index});
 }
 
-// The origin ball itself, in the same form, for comparing ranks.
+// The origin ball itself in the form of a plane, for comparing ranks.
 constexpr Plane origin_plane(const Sphere &sphere) {
   return {{0, 0, 0}, 0, 1, sphere.index};
 }

@@ -1,8 +1,9 @@
-// Questions of one power vertex.
+// Answers questions about one power vertex.
 //
-// As an example balls of one size around points of a circle. For one of them the planes of all others go through one
-// line, the circle's axis. A side of the cube of sphere/outer_cell and two of the planes have a vertex on it. G is 0
-// there for all others, and stays 0 as all balls grow in proportion; by the quadratic form they part.
+// As an example balls of one size whose centres are on a circle. For one of them the planes of all others go through
+// one line, the circle's axis. A side of the cube of sphere/outer_cell and two of the planes have a vertex on this
+// line. G is 0 there for all other planes, and stays 0 as balls grow in proportion; it is not 0 as they grow by the
+// quadratic form.
 #include "exact/power_vertex.hpp"
 
 #include "exact/last_amount.hpp"
@@ -53,7 +54,7 @@ WideInteger<Limb, 128> PowerVertexOf<Limb>::change_of(int level, const Plane &pl
   return -last_amount<Limb>(plane.v);
 }
 
-// Doubles know it unless it is so small that its last 128 bits have it all (PROOFS.md, section 3).
+// Doubles give the sign, unless the value is so small that its last 128 bits are all of it (PROOFS.md, section 3).
 template <class Limb>
 int PowerVertexOf<Limb>::sign_of_G(int k, const Plane &S) const {
   using I64 = WideInteger<Limb, 64>;
@@ -81,7 +82,8 @@ template <class Limb>
 Sign PowerVertexOf<Limb>::near(const Plane &S) const {
   for (int level = 0; level < levels; ++level) {
     if (const int sign = sign_of_G(level, S); sign != 0) return {sign * sign_B_, level > 0};
-    // For balls alone the centres decide nothing, nor if the virtual plane's change is 0.
+    // Without virtual planes the levels of the centre's coordinates decide nothing, nor do they if the change with the
+    // virtual plane is 0. Else these levels come next: the general function decides.
     if (level == 1 && virtual_planes_ > 0 && !moves_along(S)) break;
   }
   return ExactPredicates<Limb>::near(sphere_, plane_[0], plane_[1], plane_[2], S);

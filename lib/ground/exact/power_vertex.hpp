@@ -1,9 +1,11 @@
-// A power vertex of which much is asked: whether it is nearer to its balls than to one ball after another. All that
-// does not depend on the other ball is computed once. The answers are those of ExactPredicates::near; by (3) of
-// PROOFS.md each is the sign of something linear in the other ball's plane, at each level of section 3.
+// A power vertex about which many questions are asked: whether it is nearer to its balls than to one other ball after
+// another. Everything that does not depend on the other ball is computed once. The answers are those of
+// ExactPredicates::near. By (3) of PROOFS.md an answer is the sign of a linear function of the other ball's plane, at
+// each level of section 3.
 //
-// As an example three balls with v = (6,0,0), (0,6,0) and (0,0,6) and h = 36: B = 216, H = 36 * 36 * (1,1,1), a vertex
-// at H / B = (6,6,6). Of a ball with s = (2,2,2) and h_S = 36 G = 36 B - s.H = 7776 - 7776 = 0: balls that grow decide.
+// As an example three balls with v = (6,0,0), (0,6,0) and (0,0,6) and h = 36: B = 216, H = 36 * 36 * (1,1,1), and the
+// vertex is at H / B = (6,6,6). A ball with s = (2,2,2) and h_S = 36 has G = 36 B - s.H = 7776 - 7776 = 0: this is a
+// tie, and the growth of the balls decides.
 #pragma once
 
 #include "exact/exact_predicates.hpp"
@@ -13,24 +15,26 @@ namespace hsp::exact {
 template <class Limb>
 class PowerVertexOf {
  public:
-  // Of planes of which no two are the same, and which outlive it. B is not 0.
+  // The vertex of three planes, which must outlive this object. No two of them are the same, and B is not 0.
   PowerVertexOf(const Sphere &sphere, const Plane (&planes)[3]);
 
-  // +1 if it is nearer to them than to ball S, in power distance, else -1.
+  // +1 if the vertex is nearer to its balls than to ball S, in power distance, else -1.
   Sign near(const Plane &S) const;
-  // Whether one of its planes is virtual, and it stays on its side of S, however that moves.
+  // Whether exactly one of the planes is virtual and the line of the two others is parallel to S: then the vertex stays
+  // on its side of S if the virtual plane moves.
   bool moves_along(const Plane &S) const;
 
  private:
   using I128 = WideInteger<Limb, 128>;
 
-  // Of section 3: nothing grows; all do in proportion; all do by the quadratic form. That decides nearly all.
+  // The levels that decide nearly all questions (section 3). 0: nothing grows; 1: balls grow in proportion; 2: balls
+  // grow by the quadratic form.
   static constexpr int levels = 3;
-  // By what h changes at a level.
+  // h itself at level 0; the change of h at the other levels.
   static I128 change_of(int level, const Plane &plane);
   int sign_of_G(int level, const Plane &S) const;
 
-  // H at a level: its last 128 bits, about it in doubles, and the sums of its terms' sizes.
+  // H at a level: its last 128 bits, its rounded value, and the sums of the sizes of its terms.
   struct Level {
     I128 H[3];
     double about[3], size[3];
@@ -43,7 +47,7 @@ class PowerVertexOf {
   double about_B_;
   int sign_B_;
   Level level_[levels];
-  Vector of_virtual_{0, 0, 0};  // the cross product that is H's factor of a virtual plane, if there is but one
+  Vector of_virtual_{0, 0, 0};  // if there is one virtual plane: the cross product of the other two normals
   int virtual_planes_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace hsp::exact {
 
 class Predicates {
  public:
-  // length_squared >= max(W, |v|^2) over all planes that will be used.
+  // length_squared: at least max(W, |v|^2) over all planes that will be used.
   Predicates(const Sphere &sphere, double length_squared)
       : sphere_(sphere), bounds_(FilterBounds::for_length_squared(length_squared)) {}
 

@@ -1,6 +1,6 @@
-// The rank of a ball: lexicographic (x, y, z, R, index). It is the last level of the symbolic perturbation (PROOFS.md,
-// section 3), where the ball of lower rank is inflated infinitely more, and the order of all that must not depend on
-// ids.
+// The rank of a ball: its place in the lexicographic order of (x, y, z, R, index). It is the last level of the symbolic
+// perturbation (PROOFS.md, section 3), where the ball of lower rank is inflated infinitely more. It is also the order
+// of everything that must not depend on ids.
 //
 // As an example balls (x, y, z, R, index), in the order of their ranks: (0,0,0,1,7), (0,0,0,2,3), (0,0,0,2,5),
 // (0,1,-9,1,0). The first two have one centre and differ in their radii, the second and the third are equal but

@@ -17,7 +17,7 @@
 
 namespace hsp::exact {
 
-// From a lattice point along an integer vector whose components are below 2^53, and not all 0.
+// A ray from a lattice point along an integer vector, whose components are below 2^53 in size and not all 0.
 struct LatticeRay {
   Vector origin, direction;
 };
@@ -45,25 +45,26 @@ struct RayCut {
     discriminant = product<256>(along, along) - product<256>(wide_dot(ray.direction, ray.direction), power);
   }
 
-  // Of a ray whose origin lies outside the closed ball.
+  // Whether the ray meets the closed ball, if its origin lies outside.
   bool meets() const { return along.sign() > 0 && discriminant.sign() >= 0; }
-  // t where such a ray enters the ball that it meets, with a relative error below 2^-50: nothing cancels.
+  // The t at which such a ray enters the ball, if it meets it. The relative error is below 2^-50: nothing cancels.
   double entry() const { return power.to_double() / (along.to_double() + std::sqrt(discriminant.to_double())); }
 };
 
-// Sign of E + sqrt(b) - sqrt(a) for 0 <= E < 2^107 and 0 <= a, b < 2^168. Where F is negative, E^2 < a, so that no term
-// of the last line exceeds 2^339.
+// Sign of E + sqrt(b) - sqrt(a) for 0 <= E < 2^107 and 0 <= a, b < 2^168. If F is negative, E^2 < a, so that no term of
+// the last line exceeds 2^339.
 inline int sign_with_two_roots(const Integer128 &E, const Integer256 &b, const Integer256 &a) {
   const Integer256 squared = product<256>(E, E);
   const Integer256 F = squared + b - a;
-  const bool mixed = squared.sign() > 0 && b.sign() > 0;  // whether 2 E sqrt(b), which is to be added, is not 0
+  const bool mixed = squared.sign() > 0 && b.sign() > 0;  // whether 2 E sqrt(b), which F lacks, is not 0
   if (!F.negative()) return F.sign() > 0 || mixed ? 1 : 0;
   const auto once = product<384>(squared, b);
   const auto twice = once + once;
   return (twice + twice - product<384>(F, F)).sign();
 }
 
-// Whether a ray enters the ball of the first cut before (-1), with (0) or behind (1) that of the second. It meets both.
+// Whether a ray enters the ball of the first cut before (-1), together with (0) or after (1) that of the second. The
+// ray meets both.
 inline int compare_entries(const RayCut &first, const RayCut &second) {
   const Integer128 E = first.along - second.along;
   if (E.negative()) return -sign_with_two_roots(-E, first.discriminant, second.discriminant);

@@ -1,5 +1,5 @@
-// How often each stage of each predicate answered. Compiled only with HSP_COUNT_STAGES, as the copy of the library that
-// tests link is; the shipped library has no globals.
+// Counts how often each stage of each predicate answered. Compiled only with HSP_COUNT_STAGES, as in the copy of the
+// library that tests link; the shipped library has no globals.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 namespace hsp::exact {
 
 enum class Question : uint32_t { crossing, side, point_status, vertex_pair, near };
-// lanes: the code for wide registers (sphere/lane_search.hpp), before the filter is asked.
+// lanes: the search in lanes (sphere/lane_search.hpp), which answers before the filter is asked.
 enum class Stage : uint32_t { filter, exact, perturbation, lanes };
 
 #if defined(HSP_COUNT_STAGES)

@@ -22,7 +22,7 @@ inline int compare_entries(int64_t z, int64_t a, int64_t b) {
   constexpr int64_t beyond_roots = INT64_C(1) << 30;
   if (z >= beyond_roots) return 1;
   if (z <= -beyond_roots) return -1;
-  // z + sqrt(b) against sqrt(a).
+  // Compares z + sqrt(b) with sqrt(a).
   const int side = sign_with_root(z, 1, b);
   if (side < 0) return -1;
   if (side == 0) return a > 0 ? -1 : 0;

@@ -1,6 +1,6 @@
-// Signed integers of a fixed number of bits, two's complement, little-endian limbs. No heap, no exceptions; the caller
-// guarantees that values fit (the bit bounds are in plane.hpp). 32-bit limbs run everywhere; 64-bit limbs need the
-// compiler's 128-bit product.
+// Signed integers of a fixed number of bits, in two's complement with little-endian limbs. They use no heap and no
+// exceptions; the caller guarantees that values fit (the bit bounds are in plane.hpp). 32-bit limbs work everywhere;
+// 64-bit limbs need the compiler's 128-bit product.
 //
 // As an example numbers of 64 bits in limbs of 32, the lowest first:
 //   2^40      0x00000000 0x00000100
@@ -79,8 +79,8 @@ struct WideInteger {
   }
   constexpr WideInteger operator-() const { return WideInteger{} - *this; }
 
-  // The nearest double: the leading 64 significant bits are kept, the rest only as a sticky bit, then one rounding.
-  // Independent of the limb width.
+  // The nearest double: the leading 64 significant bits are kept, the rest as a sticky bit alone, then one rounding.
+  // The result does not depend on the limb width.
   double to_double() const {
     const bool is_negative = negative();
     const WideInteger absolute = is_negative ? -*this : *this;
@@ -94,7 +94,7 @@ struct WideInteger {
     Limb lost = 0;
     if constexpr (limb_bits == 64) {
       const Limb next = top > 0 ? absolute.limb[top - 1] : 0;
-      // With one limb nothing is shifted out: it is the leading part as it stands.
+      // With one limb nothing is shifted out: this limb is the leading part.
       leading = spare == 0 || top == 0 ? absolute.limb[top] : absolute.limb[top] << spare | next >> (64 - spare);
       lost = next << spare;
       for (int k = 0; k < top - 1; ++k) lost |= absolute.limb[k];
@@ -133,9 +133,9 @@ constexpr uint128 sign_extended(const WideInteger<uint64_t, bits> &a) {
 }
 #endif
 
-// The product, truncated to `out` bits: schoolbook over unsigned limbs, then one conditional subtraction for each
-// negative factor, since the pattern of a negative number is its value plus 2^width. Of two negative ones 2^(both
-// widths) is left, which has to be beyond `out`.
+// The product, truncated to `out` bits: schoolbook multiplication of unsigned limbs, then one conditional subtraction
+// for each negative factor, since the bit pattern of a negative number is its value plus 2^width. If both factors are
+// negative, 2^(sum of both widths) is left over, which lies beyond `out` bits.
 template <int out, class Limb, int a_bits, int b_bits>
 constexpr WideInteger<Limb, out> product(const WideInteger<Limb, a_bits> &a, const WideInteger<Limb, b_bits> &b) {
   using Result = WideInteger<Limb, out>;
@@ -147,8 +147,8 @@ constexpr WideInteger<Limb, out> product(const WideInteger<Limb, a_bits> &a, con
   static_assert(n <= na + nb);
   Result result{};
 #if defined(__SIZEOF_INT128__)
-  // Up to the width of the result, products in two's complement do not depend on signs, so the compiler's unsigned type
-  // suffices.
+  // Up to the width of the result, a product in two's complement does not depend on whether its factors are signed, so
+  // the compiler's unsigned type suffices.
   if constexpr (sizeof(Limb) == 8 && n == 2 && na <= 2 && nb <= 2) {
     const uint128 whole = sign_extended(a) * sign_extended(b);
     result.limb[0] = static_cast<Limb>(whole);

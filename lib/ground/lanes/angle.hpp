@@ -1,5 +1,5 @@
-// The library's arc tangent, without tables and in lanes without branches: the octants of arcs cannot be predicted. A
-// word may hold several directions, or one.
+// The library's arc tangent, without tables, and in lanes without branches, as the octants of arcs cannot be predicted.
+// A word holds several directions, or one.
 #pragma once
 
 #include "lanes/wide.hpp"
@@ -7,7 +7,7 @@
 namespace hsp {
 namespace {
 
-// A word of one double, for core/elementary.hpp: compilers have better code for it than for a vector of one.
+// A word of one double, for core/elementary.hpp: compilers make better code for it than for a vector of one number.
 struct OneDouble {
   using Real = double;
   using Mask = bool;
@@ -21,13 +21,13 @@ struct OneDouble {
   static double smaller(double a, double b) { return a < b ? a : b; }
 };
 
-// atan(1/2) is the sum of both. The first is a multiple of 2^-50; the second lacks what sum() adds in proportion to the
-// first.
+// atan(1/2) is the sum of both numbers and of what AngleParts::sum() adds in proportion to the first. The first is a
+// multiple of 2^-50.
 constexpr double half_tangent = 0x1.dac670561bb5p-2;
 constexpr double half_tangent_low = -0x1.d55788e1b59b2p-55;
 
-// An angle as the multiple of pi/2 next to its octant, with atan(1/2) added or subtracted, and the rest. The first is
-// exact: pi has so many zeros at the end that its quarters are multiples of 2^-50, too.
+// An angle as two parts. `corner` is the multiple of pi/2 next to its octant, perhaps with atan(1/2) added or
+// subtracted. It is exact: pi has so many zero bits at its end that its quarters are multiples of 2^-50, too.
 template <class L>
 struct AngleParts {
   typename L::Real corner, rest;
@@ -38,20 +38,20 @@ struct AngleParts {
 // The angle of (x, |y|), counter-clockwise from (1, 0), in [0, pi]; (x, y) must not be (0, 0), and neither component
 // may be near the ends of the range.
 //
-// In an octant let r = small/large. The angle is atan(t), t = r, where r is at most 21/64, else atan(1/2) + atan(t),
-// t = (small - large/2)/(large + small/2), in [-0.148, 1/3]. With z = t^2, atan(t) is t + t z P(z), P of degree 8: the
-// polynomial of least largest error of t z P relative to t for z <= 1/9, by Remez's algorithm, an error below 0.15 e
-// where e = 2^-53.
+// In an octant let r = small/large. If r is at most 21/64, the angle is atan(t) with t = r. Else it is atan(1/2) +
+// atan(t) with t = (small - large/2)/(large + small/2), in [-0.148, 1/3]. With z = t^2, atan(t) is t + t z P(z), where
+// P has degree 8: the minimax polynomial for the error of t z P relative to t for z <= 1/9, by Remez's algorithm, an
+// error below 0.15 e where e = 2^-53.
 //
-// The quotient is wrong by e |t|; with atan(1/2) the sum moves t as much, but the difference is exact (Sterbenz) and so
-// are the halves. The correction is below 0.037 |t| and has a relative error of at most 7 e besides that of P, and the
-// sum with t is rounded to half a unit in the last place. So
-// - where t = r and below pi/4 an angle has an error of at most 2.4 e of itself, less than 2 units in the last place:
-//   0.4 from correction and P, and 1 from both roundings. Where t is in a range of larger units than the angle, that is
-//   1.5, but t is below 0.256 and the first are below 0.3;
-// - the rest of another one has an error of at most 1.12 e, 0.5 e where t < 0; what pi lacks adds 0.25 e, at most half
-//   of that where the angle is below 1/2, and the sum of the parts half a unit in the last place. An angle is then
-//   above 0.31, a unit e/2 up to 1/2, where t < 0.04, e up to 1, 2 e up to 2, 4 e up to 4: below 2 units up to pi.
+// The quotient has an error of e |t|. With atan(1/2), the rounded sum large + small/2 moves t as much, but the
+// difference is exact (Sterbenz) and so are the halves. The correction is below 0.037 |t| and has a relative error of
+// at most 7 e besides that of P, and its sum with t is rounded by half a unit in the last place. So
+// - if t = r, an angle below pi/4 has an error of at most 2.4 e of itself, less than 2 units in the last place: 0.4
+//   from the correction and P, and 1 from both roundings. If t is in a binade with larger units than the angle, the
+//   roundings are 1.5, but then t is below 0.256 and the errors of the correction and P are below 0.3;
+// - for other angles `rest` has an error of at most 1.12 e, or 0.5 e if t < 0; pi_low adds 0.25 e, or at most half of
+//   that for angles below 1/2; the sum of the parts adds half a unit in the last place. These angles are above 0.31. A
+//   unit is e/2 up to 1/2, where t < 0.04; e up to 1; 2 e up to 2; 4 e up to 4. The error is below 2 units up to pi.
 // Together at most 5.4 e, 3.4 e up to pi, and 2.7 e of the angle.
 // L: Wide, WidePairs or OneDouble.
 template <class L>
@@ -84,7 +84,7 @@ half_turn_angle(const typename L::Real &x, const typename L::Real &y) {
   return {half, L::negate_if(steep ^ left, t + correction)};
 }
 
-// The angle of (x, y) in [-pi, pi], with the sign of y, also where y is a zero.
+// The angle of (x, y) in [-pi, pi], with the sign of y, also if y is a zero.
 template <class L>
 typename L::Real signed_angle(const typename L::Real &x, const typename L::Real &y) {
   return L::with_sign(half_turn_angle<L>(x, y).sum(), y);

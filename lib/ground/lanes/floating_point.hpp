@@ -1,10 +1,10 @@
-// The floating-point environment every result relies on: IEEE doubles, every operation rounded once. Every file that
-// computes with doubles includes this header, so that a build that would break the promise of equal bits does not
+// The floating-point environment on which every result relies: IEEE doubles, every operation rounded once. Every file
+// that computes with doubles includes this header, so that a build that would break the promise of equal bits does not
 // compile.
 //
-// A NaN says that nothing is certain of a lane, and lanes behind the last thing of a vector may hold anything: both
-// raise exceptions. Entry points mask them and put back the caller's flags (capi/shims/core/library_arithmetic.hpp);
-// nothing here reads flags.
+// A NaN in a lane says that nothing is certain there, and lanes behind the last item of a vector may hold anything:
+// both raise floating-point exceptions. Entry points mask these and restore the caller's flags
+// (capi/shims/core/library_arithmetic.hpp); nothing here reads flags.
 #pragma once
 
 #include <cfloat>
@@ -17,7 +17,8 @@
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 #error "hardsphere needs doubles without excess precision (on i686: -msse2 -mfpmath=sse)"
 #endif
-// g++ fuses where it can, and no macro says that options forbid it: library.cmake and the core as one file see to that.
+// g++ fuses operations where it can, and no macro shows options that forbid it. So library.cmake, and the core as one
+// file, define HSP_NO_CONTRACTION with these options.
 #if !defined(HSP_NO_CONTRACTION) && (defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(__FP_FAST_FMA))
 #error "hardsphere needs -ffp-contract=off, and with g++ -fno-tree-vectorize: say so by -DHSP_NO_CONTRACTION"
 #endif
@@ -29,7 +30,7 @@ namespace hsp {
 inline constexpr double unit_roundoff = 0x1p-53;
 
 inline constexpr double pi = 0x1.921fb54442d18p+1;
-inline constexpr double pi_low = 0x1.1a62633145c07p-53;  // what the double lacks
+inline constexpr double pi_low = 0x1.1a62633145c07p-53;  // the rest of pi
 
 // True for everything but NaN and infinities; plain comparison, so that no library call is needed.
 inline bool is_finite(double x) {

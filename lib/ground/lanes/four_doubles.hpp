@@ -1,5 +1,5 @@
-// Four doubles on every target, in one register or in two: what is of three axes and a radius, or of four balls. And
-// 64-bit integers that come from such. Everything has internal linkage.
+// Four doubles on every target, in one register or in two: for three axes and a radius, or for four balls. And four
+// 64-bit integers, converted from four doubles. Everything has internal linkage.
 #pragma once
 
 #include <type_traits>
@@ -18,7 +18,7 @@ inline LaneBits lanes_where(const decltype(FourDoubles{} > FourDoubles{}) & mask
 }
 
 #if defined(__AVX2__)
-// Four integers that come from doubles below 2^31 in size, and what is made of them.
+// Four integers, converted from doubles below 2^31 in size, and sums and products of such.
 struct LongIntegers {
   __m256i v;
 
@@ -26,14 +26,14 @@ struct LongIntegers {
   friend LongIntegers operator+(LongIntegers a, LongIntegers b) { return {_mm256_add_epi64(a.v, b.v)}; }
   friend LongIntegers operator-(LongIntegers a, LongIntegers b) { return {_mm256_sub_epi64(a.v, b.v)}; }
 };
-// Of factors below 2^31 in size.
+// The factors are below 2^31 in size.
 inline LongIntegers product(LongIntegers a, LongIntegers b) {
   return {_mm256_mul_epi32(a.v, b.v)};
 }
-// Rounded to nearest, for integers below 2^62 in size: the upper half plus 2^84 + 2^63 and the lower plus 2^52, whose
-// bits can be put together, are exact doubles; so is the first difference, and the last sum is rounded once. The part
-// left out by that is exact too: either the difference has no smaller exponent than the lower half plus 2^52, or the
-// sum is exact.
+// Rounds to nearest, for integers below 2^62 in size. The doubles 2^84 + 2^63 plus the upper half, and 2^52 plus the
+// lower half, are exact; their bits are put together from those of the integer. The first difference is exact, too, and
+// the last sum is rounded once. left_out is exact: either the difference has no smaller exponent than 2^52 plus the
+// lower half, or the sum is exact.
 inline FourDoubles to_doubles(LongIntegers a, FourDoubles &left_out) {
   const __m256i low = _mm256_blend_epi32(_mm256_set1_epi64x(0x4330000000000000), a.v, 0x55);
   const __m256i high = _mm256_xor_si256(_mm256_srli_epi64(a.v, 32), _mm256_set1_epi64x(0x4530000080000000));
@@ -44,7 +44,7 @@ inline FourDoubles to_doubles(LongIntegers a, FourDoubles &left_out) {
   return sum;
 }
 #else
-// Without products of 64-bit integers in lanes they are faster one by one.
+// Without an instruction for products of 64 bits in lanes, plain integers are faster.
 struct LongIntegers {
   int64_t v[4];
 

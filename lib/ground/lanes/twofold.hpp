@@ -1,10 +1,11 @@
-// Numbers that are the sum of two doubles, four at a time: for polynomials in integers that are to be rounded once,
-// with 106 bits where the integers of wide_integer.hpp have all. Everything has internal linkage.
+// Numbers that are the sum of two doubles (double-double arithmetic), four at a time: for polynomials in integers that
+// are to be rounded once. They have 106 bits, while the integers of wide_integer.hpp have all bits. Everything has
+// internal linkage.
 //
-// They need exact products, and are faster than integers of 128 bits in registers of four only.
+// They need fused products, and only in registers of four doubles they are faster than integers of 128 bits.
 //
-// Sums are split exactly and products by a fused operation; the second parts are rounded. Where a bound of what that
-// leaves out is known, rounded_within() tells whether the exact number would be rounded to the same double.
+// Sums are split exactly, and products by a fused operation; the second parts are rounded. If a bound of the error is
+// known, rounded_within() tells whether the exact number would be rounded to the same double.
 #pragma once
 
 #include "lanes/four_doubles.hpp"
@@ -22,14 +23,14 @@ struct Twofold {
   FourDoubles high, low;
 };
 
-// Exactly, for integers below 2^63 in size; the second part has at most 2^-53 times the size of both.
+// Exact, for integers below 2^63 in size; the second part has at most 2^-53 times the size of the number.
 inline Twofold from(LongIntegers a) {
   Twofold result{};
   result.high = to_doubles(a, result.low);
   return result;
 }
 
-// a + b, exact in any order of size.
+// a + b, exact whichever is larger.
 inline Twofold exact_sum(FourDoubles a, FourDoubles b) {
   const FourDoubles sum = a + b;
   const FourDoubles of_b = sum - a;
@@ -40,7 +41,7 @@ inline Twofold exact_square(FourDoubles a) {
   return {high, Four::fused(a, a, -high)};
 }
 
-// Without the square of the second part.
+// The square of the second part is left out.
 inline Twofold square(const Twofold &a) {
   const Twofold of_high = exact_square(a.high);
   return {of_high.high, Four::fused(a.high + a.high, a.low, of_high.low)};
@@ -49,7 +50,7 @@ inline Twofold product(const Twofold &a, FourDoubles b) {
   const FourDoubles high = a.high * b;
   return {high, Four::fused(a.low, b, Four::fused(a.high, b, -high))};
 }
-// Without the product of the second parts.
+// The product of the second parts is left out.
 inline Twofold product(const Twofold &a, const Twofold &b) {
   const FourDoubles high = a.high * b.high;
   return {high, Four::fused(a.low, b.high, Four::fused(a.high, b.low, Four::fused(a.high, b.high, -high)))};
@@ -71,8 +72,8 @@ inline Twofold difference_of_products(const Twofold &a, FourDoubles b, const Two
   return difference(product(a, b), product(c, d));
 }
 
-// The lanes in which every number as near to a as the error is rounded to the same double; `rounded` is a, and its
-// first part the double nearest to it.
+// The lanes in which all numbers from a - error to a + error are rounded to the same double. `rounded` becomes a, with
+// the double nearest to a as its first part.
 inline LaneBits rounded_within(const Twofold &a, FourDoubles error, Twofold &rounded) {
   rounded = exact_sum(a.high, a.low);
   const FourDoubles above = rounded.high + (rounded.low + error);

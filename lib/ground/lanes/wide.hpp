@@ -1,20 +1,20 @@
-// Several numbers at once, for kernels that are compiled for registers of several widths and give the same bits in
-// each: every lane is computed by the IEEE operations of a scalar, in the order in which they are written. Words are
-// the vector types of GCC and clang, with their operators; what these lack is here, by instructions of the target
-// where the compiler's own code is worse. Everything here has internal linkage, so that kernels have their own copy
-// for each target (target.hpp).
+// Several numbers at once (SIMD), for kernels that are compiled for registers of several widths and give the same bits
+// with each: every lane is computed by the IEEE operations of a scalar, in the order in which they are written. Words
+// are the vector types of GCC and clang, with their operators. Further operations are in this file, by instructions of
+// the target where the compiler's own code is worse. Everything here has internal linkage, so that kernels have their
+// own copy for each target (target.hpp).
 //
-// Two doubles at a time, p[0] = 3 and p[1] = 4:
+// As an example two doubles at a time, p[0] = 3 and p[1] = 4:
 //   using L = Wide<double, 2>;
 //   const L::Real a = L::load(p);                 3  4
 //   const L::Real b = a * a + L::all(1.0);       10 17     two roundings in each lane, as of one number
 //   const L::Mask large = b > L::all(12.0);       0 -1     all bits where it is true
 //   L::any(large)                                true
 //   L::store(q, b);                              q[0] = 10, q[1] = 17
-// With n = 1 the same lines are the plain loop, which is what targets without registers of several numbers have.
+// With n = 1 the same lines are the plain loop, for targets without registers of several numbers.
 #pragma once
 
-// The header of all instructions takes most of a second to read: where those of SSE2 do, theirs.
+// Compilers take most of a second to read the header of all instructions, so that of SSE2 is used where it suffices.
 #if defined(__AVX2__)
 #include <immintrin.h>
 #elif defined(__SSE2__)
@@ -29,7 +29,7 @@
 namespace hsp {
 namespace {
 
-// How many doubles a register of the target holds that is compiled for; of floats it holds twice as many, or one.
+// The numbers of doubles and of floats in a register of the target that is being compiled for.
 #if defined(__AVX2__)
 constexpr uint32_t register_lanes = 4;
 #elif defined(__SSE2__) || defined(__aarch64__) || defined(__ALTIVEC__) || defined(__wasm_simd128__)
@@ -39,7 +39,7 @@ constexpr uint32_t register_lanes = 1;
 #endif
 constexpr uint32_t register_floats = register_lanes == 1 ? 1 : 2 * register_lanes;
 
-// The integers that are as wide as a number.
+// The integer types that are as wide as a number.
 template <class T>
 struct IntegersOf;
 template <>
@@ -96,12 +96,12 @@ struct Wide {
   static Mask bits(const Real &a) { return reinterpret_cast<Mask>(a); }
   static Real number(const Mask &a) { return reinterpret_cast<Real>(a); }
 
-  // a where the mask is set, else 0. The second for masks: on targets without a blend instruction GCC splits a plain &
-  // of two comparisons into single lanes.
+  // a where the mask is set, else 0. both() is the same for masks: on targets without a blend instruction GCC splits a
+  // plain & of two comparisons into single lanes.
   static Real kept(const Mask &mask, const Real &a) { return number(mask & bits(a)); }
   static Mask both(const Mask &a, const Mask &b) { return bits(kept(a, number(b))); }
   static Real select(const Mask &mask, const Real &a, const Real &b) { return mask ? a : b; }
-  // Not a number where the mask is not set, else a.
+  // a where the mask is set, else NaN.
   static Real valid(const Mask &mask, const Real &a) { return number(~mask | bits(a)); }
   // -a where the mask is set, else a.
   static Real negate_if(const Mask &mask, const Real &a) { return number(bits(a) ^ (mask & bits(all(-0.0)))); }
@@ -130,7 +130,7 @@ struct Wide {
     return static_cast<uint32_t>(-sum(mask));
   }
 
-  // Of eight floats GCC 12 makes copies of halves without these instructions.
+  // For eight floats GCC 12 copies halves unless these instructions are used.
   static Real load(const T *p) {
 #if defined(__AVX2__)
     if constexpr (n == 8) return Real(_mm256_loadu_ps(p));
@@ -139,7 +139,7 @@ struct Wide {
     std::memcpy(&a, p, sizeof a);
     return a;
   }
-  // The first `count` numbers and zeros, for the end of an array.
+  // The first `count` numbers, and zeros behind them, for the end of an array.
   static Real load_first(const T *p, uint32_t count) {
 #if defined(__AVX2__)
     if constexpr (n == 4 && sizeof(T) == 8) {
@@ -172,7 +172,7 @@ struct Wide {
     for (uint32_t k = 0; k < n; ++k) root[k] = std::sqrt(a[k]);
     return root;
   }
-  // The larger and the smaller of two, b if they are equal or not numbers, as the instructions of SSE2 have it.
+  // The larger and the smaller of two numbers; b if they are equal or one is NaN, as by the instructions of SSE2.
   static Real larger(const Real &a, const Real &b) {
 #if defined(__AVX2__)
     if constexpr (n == 8) return Real(_mm256_max_ps(__m256(a), __m256(b)));
@@ -207,7 +207,7 @@ struct Wide {
     return least;
   }
 
-  // Without what is behind the point, for numbers below 2^63 in size.
+  // Truncated towards 0, for numbers below 2^63 in size.
   static Real truncated(const Real &a) {
 #if defined(__AVX2__)
     if constexpr (n == 4 && sizeof(T) == 8) {
@@ -232,7 +232,7 @@ struct Wide {
     Wide<float, n>::store(p, __builtin_convertvector(a, typename Wide<float, n>::Real));
   }
 
-  // Of each of four words the sum of its four lanes, (0 + 1) + (2 + 3).
+  // For each of four words, stores the sum of its four lanes, (0 + 1) + (2 + 3).
   static void store_sums_of_four(double *p, const Real &a, const Real &b, const Real &c, const Real &d) {
     static_assert(n == 4 && sizeof(T) == 8);
 #if defined(__AVX2__)
@@ -248,7 +248,7 @@ struct Wide {
 #endif
   }
 
-  // Integers below 2^32.
+  // Stores integers below 2^32.
   static void store_integers(uint32_t *p, const Mask &a) {
 #if defined(__AVX2__)
     if constexpr (n == 4 && sizeof(T) == 8) {
@@ -289,8 +289,8 @@ struct Wide {
     return found != 0;
   }
 
-  // a b + c, rounded once where the target has an instruction for that, else twice: for what is decided or discarded
-  // within error bounds, never for results.
+  // a b + c, rounded once if the target has an instruction for that, else twice: for decisions with error bounds, never
+  // for results.
   static Real fused(const Real &a, const Real &b, const Real &c) {
 #if defined(__FMA__)
     if constexpr (n == 8) return Real(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
@@ -300,8 +300,9 @@ struct Wide {
   }
 };
 
-// The same structure, of which the compiler does not know that it is the same. For loops over many arrays of one: their
-// addresses follow from a single register then, instead of one for each, most of which would have to wait in memory.
+// Returns its argument, but hides from the compiler that it does. For loops over many arrays of one structure: their
+// addresses are then computed from a single register. Else each array has an address of its own, most of them in
+// memory.
 template <class Arrays>
 [[gnu::always_inline]] inline Arrays &by_one_register(Arrays &arrays) {
   Arrays *at = &arrays;

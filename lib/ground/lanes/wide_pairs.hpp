@@ -1,6 +1,6 @@
-// Two words side by side, with the operations of Wide that kernels need: for two independent long chains of dependent
-// operations, of which a processor does one while the other waits, and for twice as many lanes as a register has.
-// Operations are written in turn, so that compilers and processors see them next to each other.
+// Two words of Wide side by side, with the operations that kernels need: for two independent long chains of dependent
+// operations, of which a processor works on one while the other waits, and for twice as many lanes as a register has.
+// Operations alternate between the two words, so that compilers and processors see them next to each other.
 #pragma once
 
 #include "lanes/wide.hpp"

@@ -1,10 +1,10 @@
 // Words for kernels that are written once and compiled for registers of several widths: Floats, Doubles, Integers and
-// Fractions, as many of each as a register of the target holds, and their signs and comparisons as bits. By
-// words_32.hpp for 32 bytes, by words_16.hpp for 16; a target without registers of several lanes has none. Everything
-// has internal linkage, so that kernels have their own copy for each target (target.hpp).
+// Fractions, as many of each as a register of the target holds, and their signs and comparisons as bits. They are in
+// words_32.hpp for registers of 32 bytes and in words_16.hpp for 16 bytes; a target without registers of several lanes
+// has none. Everything has internal linkage, so that kernels have their own copy for each target (target.hpp).
 //
-// fused() and its sisters are rounded once or twice, as the target has it: for what is decided or discarded within
-// error bounds that allow both, never for results.
+// fused(), fused_minus() and minus_fused() round once or twice, as the target has it. They are for decisions with error
+// bounds that allow both, never for results.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ inline uint32_t lowest(LaneBits bits) {
   return static_cast<uint32_t>(__builtin_ctz(bits));
 }
 
-// How often a comparison has held in each lane.
+// Counts in each lane how often a comparison holds.
 template <class Lanes>
 struct LaneCounts;
 
@@ -35,7 +35,7 @@ struct LaneCounts;
 namespace hsp {
 namespace {
 
-// How many lanes of one Floats are chosen.
+// The number of set bits, for the lanes of one Floats.
 #if defined(__POPCNT__) || defined(__wasm_simd128__)
 inline uint32_t ones(LaneBits bits) {
   return static_cast<uint32_t>(__builtin_popcount(bits));
@@ -47,7 +47,7 @@ inline uint32_t ones(LaneBits bits) {
   return ones_of_four[bits];
 }
 #endif
-// The lowest `count` lanes of one Floats; all from that on.
+// The bits of the lowest `count` lanes of one Floats; of all lanes if `count` is larger.
 inline LaneBits first_lanes(uint32_t count) {
   const uint32_t chosen = count < Floats::lanes ? count : Floats::lanes;  // in one expression GCC makes branches of it
   return (1U << chosen) - 1U;

@@ -1,16 +1,16 @@
-// The words of words.hpp for registers of 16 bytes: four floats, two doubles, eight fractions. By instructions of SSE2,
-// of its followers up to x86-64-v2, of NEON and of WebAssembly where the compiler's own code is worse; without any of
-// them it is right as well.
+// The words of words.hpp for registers of 16 bytes: four floats, two doubles, eight fractions. Where the compiler's own
+// code is worse, instructions of SSE2 and its followers up to x86-64-v2, of NEON and of WebAssembly are used; without
+// any of these the results are the same.
 //
-// Four floats, lanes 0 to 3, and what some of the words make of them:
+// As an example four floats, lanes 0 to 3, and the results of some operations:
 //   a                           5   1   7   3
 //   b                           4   4   4   4
 //   greater(a, b)               1   0   1   0     as LaneBits 5, lane 0 being the lowest bit; ones(5) = 2
 //   larger(a, b)                5   4   7   4
 //   fused_minus(a, b, b)       16   0  24   8     a b - b
 //   store_front(p, a, FrontOrder::of(5))          p[0] = 5, p[1] = 7, and anything in p[2] and p[3]
-// So the numbers above a limit are picked from an array without a branch on them: four are loaded, stored in this way,
-// and p moves on by ones().
+// So the numbers above a limit are picked from an array without a branch on them: four are loaded and stored in this
+// way, and p moves on by ones().
 #pragma once
 
 #if defined(__SSE4_1__)
@@ -57,7 +57,7 @@ struct Doubles {
   Word::Real v;
 
   static Doubles load(const double *p) { return {Word::load(p)}; }
-  // The first `count` of two numbers and zeros, for the end of an array.
+  // The first `count` of two numbers, and zeros behind them, for the end of an array.
   static Doubles load_first(const double *p, uint32_t count) {
     if (count >= lanes) return load(p);
     return {Word::Real{count > 0 ? *p : 0.0, 0.0}};
@@ -74,7 +74,7 @@ inline double first(Doubles a) {
   return a.v[0];
 }
 
-// Four numbers a, b, c, d of four things, of each side by side in memory.
+// Four numbers a, b, c, d of four things; in memory the numbers of each thing are side by side.
 struct FourOfEach {
   Floats a, b, c, d;
 
@@ -87,7 +87,7 @@ struct FourOfEach {
     return of(Floats::load(p).v, Floats::load(p + 4).v, Floats::load(p + 8).v, Floats::load(p + 12).v);
 #endif
   }
-  // Of one thing after the other.
+  // From the four numbers of each thing.
   static FourOfEach of(Floats::Word::Real first, Floats::Word::Real second, Floats::Word::Real third,
                        Floats::Word::Real fourth) {
     const auto ab01 = __builtin_shufflevector(first, second, 0, 4, 1, 5);
@@ -117,9 +117,9 @@ struct Integers {
   void store(uint32_t *p) const { std::memcpy(p, &v, sizeof v); }
   Signed with_sign() const { return reinterpret_cast<Signed>(v); }
 
-  // All bits of the lowest `count` lanes.
+  // All bits set in the lowest `count` lanes, none in the others.
   static Integers first_set(uint32_t count) { return of(all(count).with_sign() > ascending().with_sign()); }
-  // And of those behind them.
+  // All bits set in the lanes from `count` on, none in the others.
   static Integers all_set_from(uint32_t count) { return of(ascending().with_sign() > all(count - 1).with_sign()); }
   static Integers of(const Signed &a) { return {reinterpret_cast<Bits>(a)}; }
 
@@ -129,7 +129,7 @@ struct Integers {
   friend Integers operator|(Integers a, Integers b) { return {a.v | b.v}; }
   friend Integers operator^(Integers a, Integers b) { return {a.v ^ b.v}; }
 };
-// Four integers of each of four things, as FourOfEach: of the things with these numbers.
+// The same as FourOfEach with integers, for the things with these numbers.
 struct FourIntegersOfEach {
   Integers a, b, c, d;
 
@@ -196,7 +196,7 @@ inline Doubles fused(Doubles a, Doubles b, Doubles c) {
 inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
   return fused(a, b, {-c.v});
 }
-// With either sign: that for which a may stay in a register.
+// The difference with either sign: the one for which a may stay in a register.
 inline Floats distance(Floats a, Floats b) {
   return b - a;
 }
@@ -211,7 +211,7 @@ inline Floats square_root(Floats a) {
   return {Floats::Word::square_root(a.v)};
 #endif
 }
-// Either of two that are not both numbers.
+// The larger and the smaller number; either of the two if one is NaN.
 inline Floats larger(Floats a, Floats b) {
 #if defined(__SSE2__)
   return {Floats::Word::Real(_mm_max_ps(__m128(a.v), __m128(b.v)))};
@@ -270,7 +270,7 @@ inline LaneBits equal(Integers a, Integers b) {
   return lane_bits(a.v == b.v);
 }
 
-// Of integers with a sign.
+// The larger and the smaller of integers with a sign.
 inline Integers larger_signed(Integers a, Integers b) {
   return Integers::of(a.with_sign() > b.with_sign() ? a.with_sign() : b.with_sign());
 }
@@ -287,7 +287,7 @@ inline LaneBits sign_bits(Integers a) {
 inline LaneBits greater_signed(Integers a, Integers b) {
   return lane_bits(a.with_sign() > b.with_sign());
 }
-// Whether a > b in all lanes that are set.
+// Whether a > b in all lanes that are set in `set`.
 inline bool all_greater(Integers a, Integers b, Integers set) {
   return lane_bits(set.with_sign() & ~(a.with_sign() > b.with_sign())) == 0;
 }
@@ -299,7 +299,7 @@ inline Floats magnitude(Floats a) {
   return {Floats::Word::absolute(a.v)};
 }
 
-// The smaller one of each lane and that of `partners`; in the lanes of `takes_larger`, -1 there, the larger one.
+// In each lane the smaller of a and `partners`; the larger one in lanes where takes_larger is -1.
 inline Integers exchange(Integers a, Integers partners, const Integers::Signed &takes_larger) {
   return chosen(Integers::of((a.with_sign() > partners.with_sign()) ^ takes_larger), partners, a);
 }
@@ -320,7 +320,7 @@ inline Integers sorted(Integers a) {
   return exchange(a, with_next(a), Integers::Signed{0, -1, 0, -1});
 }
 
-// The first `count` lanes alone.
+// Stores the first `count` lanes alone.
 inline void store_first(uint32_t *p, Integers a, uint32_t count) {
   for (uint32_t k = 0; k < count && k < Integers::lanes; ++k) p[k] = a.v[k];
 }
@@ -393,7 +393,7 @@ struct Fractions {
 #if defined(__SSSE3__)
     return {Word(_mm_mulhrs_epi16(__m128i(a.v), __m128i(b.v)))};
 #elif defined(__SSE2__)
-    // Twice the upper half, and the two bits below that rounded to one.
+    // Twice the upper half of the product, and the two bits below it rounded to one.
     const __m128i high = _mm_mulhi_epi16(__m128i(a.v), __m128i(b.v));
     const __m128i below = _mm_srli_epi16(_mm_mullo_epi16(__m128i(a.v), __m128i(b.v)), 14);
     return {Word(_mm_add_epi16(_mm_add_epi16(high, high), _mm_avg_epu16(below, _mm_setzero_si128())))};
@@ -418,7 +418,7 @@ struct Fractions {
 #elif defined(__wasm_simd128__)
     return Signed(wasm_i32x4_trunc_sat_f32x4(wasm_f32x4_nearest(v128_t(scaled.v))));
 #else
-    // The sum has no bits behind the point, and no number here that matters is larger than 2^20.
+    // The sum has no bits behind the binary point, and no number here that matters is larger than 2^20.
     const Floats near = (scaled + Floats::all(0x1.8p23F)) - Floats::all(0x1.8p23F);
     return __builtin_convertvector(near.v, Signed);
 #endif
@@ -462,7 +462,7 @@ inline Fractions smaller(Fractions a, Fractions b) {
   return {a.v < b.v ? a.v : b.v};
 #endif
 }
-// -1 remains.
+// The size of fractions; -1 stays -1.
 inline Fractions magnitude(Fractions a) {
 #if defined(__SSSE3__)
   return {Fractions::Word(_mm_abs_epi16(__m128i(a.v)))};
@@ -474,7 +474,7 @@ inline Fractions magnitude(Fractions a) {
 #endif
 }
 
-// The signs of two times eight fractions.
+// The signs of eight fractions a and eight fractions b.
 struct FractionSigns {
   typedef int8_t Word __attribute__((vector_size(16)));
   Word v;
@@ -502,7 +502,7 @@ struct FractionSigns {
   friend FractionSigns both_negative(FractionSigns a, FractionSigns b) {
     return {static_cast<Word>(a.v & b.v)};
   }
-  // Which of the first four floats, and of the last, became a negative fraction in a or in b.
+  // The lanes, of the four low floats and of the four high ones, whose fraction is negative in a or in b.
   void negative(LaneBits &low, LaneBits &high) const {
 #if defined(__SSE2__)
     const LaneBits bits = static_cast<LaneBits>(_mm_movemask_epi8(__m128i(v))), either = bits | bits >> 8;
@@ -521,7 +521,7 @@ struct FractionSigns {
   }
 };
 
-// Where the chosen of four lanes go so that they are first. It may serve several stores.
+// An order of four lanes that brings the chosen ones to the front. It may serve several stores.
 #if defined(__SSSE3__) || defined(__aarch64__) || defined(__wasm_simd128__)
 struct FrontOrders {
   alignas(64) uint8_t bytes[16][16];
@@ -542,7 +542,7 @@ struct FrontOrder {
 
   static FrontOrder of(LaneBits chosen) { return {front_orders.bytes[chosen]}; }
 };
-// Writes the chosen lanes first; there must be room for all lanes.
+// Stores the chosen lanes at the front; there must be room for all lanes.
 inline void store_front(float *p, Floats a, FrontOrder order) {
 #if defined(__SSSE3__)
   const __m128i bytes = _mm_load_si128(reinterpret_cast<const __m128i *>(order.bytes));
@@ -559,7 +559,7 @@ inline void store_front(uint32_t *p, Integers a, FrontOrder order) {
   std::memcpy(p, in_order, sizeof in_order);
 }
 #else
-// Where each lane goes; lane 0 is always stored first.
+// The place to which each lane goes; lane 0 is always stored at place 0, and before the others.
 struct FrontOrders {
   alignas(64) uint8_t to[16][4];
 
@@ -595,7 +595,7 @@ FrontOrder front_order(LaneBits chosen) {
   return FrontOrder::of(chosen);
 }
 
-// Up to eight numbers, of which any four are wanted.
+// Up to eight numbers, from which any four can be taken.
 struct EightFloats {
   const float *p;
 

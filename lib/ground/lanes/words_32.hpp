@@ -1,18 +1,18 @@
 // The words of words.hpp for registers of 32 bytes: eight floats, four doubles, eight integers, sixteen fractions.
 //
-// As an example the order that brings lanes 1 and 3 of four doubles to the front. Permutations are of words of 32 bits,
-// so that a double is a pair of them: pairs 1 and 3 are words 2, 3 and 6, 7.
+// As an example the order that brings lanes 1 and 3 of four doubles to the front. The processor permutes words of 32
+// bits, so that a double is a pair of these: pairs 1 and 3 are words 2, 3 and 6, 7.
 //   front_orders.of_four[0b1010]           2  3  6  7  0  0  0  0
 //   doubles                               10    11    12    13
 //   in that order                         11    13    and anything in the other two lanes
-// Of eight floats lanes 1 and 3 are words 1 and 3: front_orders.of_eight[0b1010] is 1 3 0 0 0 0 0 0.
+// Lanes 1 and 3 of eight floats are words 1 and 3: front_orders.of_eight[0b1010] is 1 3 0 0 0 0 0 0.
 #pragma once
 
 #include <immintrin.h>
 
 namespace hsp {
-// Orders of lanes that bring the chosen ones to the front, for the processor's permutations: eight bytes each, widened
-// when they are loaded. One table for all files.
+// Orders of lanes that bring the chosen ones to the front, for the processor's permutations. An order is eight bytes,
+// which are widened when they are loaded. There is one table for all files.
 struct FrontOrders {
   alignas(64) uint8_t of_eight[256][8];
   alignas(64) uint8_t of_four[16][8];  // of pairs of 32 bits
@@ -62,7 +62,7 @@ struct Doubles {
   __m256d v;
 
   static Doubles load(const double *p) { return {_mm256_loadu_pd(p)}; }
-  // The first `count` of four numbers and zeros, for the end of an array.
+  // The first `count` of four numbers, and zeros behind them, for the end of an array.
   static Doubles load_first(const double *p, uint32_t count) {
     const __m256i chosen = _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_setr_epi64x(0, 1, 2, 3));
     return {_mm256_maskload_pd(p, chosen)};
@@ -84,7 +84,7 @@ struct Doubles {
   friend Doubles operator-(Doubles a) { return {_mm256_xor_pd(a.v, _mm256_set1_pd(-0.0))}; }
 };
 
-// Four numbers a, b, c, d of eight things, of each side by side in memory.
+// Four numbers a, b, c, d of eight things; in memory the numbers of each thing are side by side.
 struct FourOfEach {
   Floats a, b, c, d;
 
@@ -92,7 +92,7 @@ struct FourOfEach {
     return of([p](int k) { return _mm_loadu_ps(p + 4 * k); });
   }
 
-  // Thing number k is the four numbers of_thing(k).
+  // of_thing(k): the four numbers of thing k.
   template <class OfThing>
   static FourOfEach of(OfThing of_thing) {
     const auto things = [of_thing](int k) {  // k in the lower half, k + 4 in the upper one
@@ -117,9 +117,9 @@ struct Integers {
   static Integers ascending() { return {_mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)}; }
   void store(uint32_t *p) const { _mm256_storeu_si256(reinterpret_cast<__m256i *>(p), v); }
 
-  // All bits of the lowest `count` lanes.
+  // All bits set in the lowest `count` lanes, none in the others.
   static Integers first_set(uint32_t count) { return {_mm256_cmpgt_epi32(all(count).v, ascending().v)}; }
-  // And of those behind them.
+  // All bits set in the lanes from `count` on, none in the others.
   static Integers all_set_from(uint32_t count) { return {_mm256_cmpgt_epi32(ascending().v, all(count - 1).v)}; }
 
   friend Integers operator+(Integers a, Integers b) { return {_mm256_add_epi32(a.v, b.v)}; }
@@ -129,7 +129,7 @@ struct Integers {
   friend Integers operator^(Integers a, Integers b) { return {_mm256_xor_si256(a.v, b.v)}; }
 };
 
-// Four integers of each of eight things, as FourOfEach: of the things with these numbers.
+// The same as FourOfEach with integers, for the things with these numbers.
 struct FourIntegersOfEach {
   Integers a, b, c, d;
 
@@ -170,7 +170,7 @@ inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
 inline Doubles minus_fused(Doubles a, Doubles b, Doubles c) {
   return {_mm256_fnmadd_pd(a.v, b.v, c.v)};
 }
-// With either sign: that for which b may be read from memory.
+// The difference with either sign: the one for which b may be read from memory.
 inline Floats distance(Floats a, Floats b) {
   return a - b;
 }
@@ -227,7 +227,7 @@ inline LaneBits equal(Integers a, Integers b) {
   return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v))));
 }
 
-// Of integers with a sign.
+// The larger and the smaller of integers with a sign.
 inline Integers larger_signed(Integers a, Integers b) {
   return {_mm256_max_epi32(a.v, b.v)};
 }
@@ -240,11 +240,11 @@ inline LaneBits sign_bits(Integers a) {
 inline LaneBits greater_signed(Integers a, Integers b) {
   return sign_bits({_mm256_cmpgt_epi32(a.v, b.v)});
 }
-// Whether a > b in all lanes that are set.
+// Whether a > b in all lanes that are set in `set`.
 inline bool all_greater(Integers a, Integers b, Integers set) {
   return _mm256_testc_si256(_mm256_cmpgt_epi32(a.v, b.v), set.v) != 0;
 }
-// The smaller one of each lane and that of `partners`; in the lanes of `takes_larger` the larger one.
+// In each lane the smaller of a and `partners`; the larger one in the lanes whose bits takes_larger has.
 template <int takes_larger>
 Integers exchange(Integers a, Integers partners) {
   return {_mm256_blend_epi32(smaller_signed(a, partners).v, larger_signed(a, partners).v, takes_larger)};
@@ -280,7 +280,7 @@ inline Integers sorted(Integers a) {
   return sorted_halves(exchange<0xF0>(a, reversed(a)));
 }
 
-// The first `count` lanes alone.
+// Stores the first `count` lanes alone.
 inline void store_first(uint32_t *p, Integers a, uint32_t count) {
   _mm256_maskstore_epi32(reinterpret_cast<int *>(p), Integers::first_set(count).v, a.v);
 }
@@ -297,7 +297,7 @@ inline LaneBits negative(Doubles a) {
 inline LaneBits negative(Floats a) {
   return static_cast<LaneBits>(_mm256_movemask_ps(a.v));
 }
-// Their sign bits: set where a or b is negative, and where both are.
+// The sign bit is set where a or b is negative, or where both are.
 inline Floats either_negative(Floats a, Floats b) {
   return {_mm256_or_ps(a.v, b.v)};
 }
@@ -341,25 +341,25 @@ struct LaneCounts<Doubles> {
   }
 };
 
-// Sixteen fractions from -1 to below 1, as multiples of 2^-15. Floats and sums beyond that stop at its ends; products
-// are rounded to the nearest. That of -1 and -1 is wrong.
+// Sixteen fractions from -1 to below 1, as multiples of 2^-15. Floats and sums outside this range become its ends;
+// products are rounded to the nearest. The product of -1 and -1 is wrong.
 struct Fractions {
   static constexpr uint32_t lanes = 16;
   __m256i v;
 
   static Fractions all(float x) { return {_mm256_set1_epi16(static_cast<int16_t>(x * 0x1p15F))}; }
-  // Sixteen floats times a factor. Which lane is whose only the functions below know.
+  // Sixteen floats times a factor. The order of the lanes is known to the functions below alone.
   static Fractions of(Floats low, Floats high, float factor) {
     return {_mm256_packs_epi32(integers(low, factor), integers(high, factor))};
   }
-  // Eight floats times a factor as fractions that each stand there twice, so that all_of finds them.
+  // Eight floats times a factor as fractions, each of them twice, for all_of().
   static Floats twice(Floats a, float factor) {
     const __m256i eight = integers(a, factor), fractions = _mm256_packs_epi32(eight, eight);
     return {_mm256_castsi256_ps(_mm256_unpacklo_epi16(fractions, fractions))};
   }
   static Fractions all_of(const float *twice) { return {_mm256_castps_si256(_mm256_broadcast_ss(twice))}; }
 
-  // Those of the first eight floats and of the last, by their signs.
+  // The fractions of the eight low floats, and of the eight high ones, as floats with the same signs.
   Floats signs_of_low() const { return {_mm256_castsi256_ps(_mm256_unpacklo_epi16(v, v))}; }
   Floats signs_of_high() const { return {_mm256_castsi256_ps(_mm256_unpackhi_epi16(v, v))}; }
 
@@ -376,12 +376,12 @@ inline Fractions larger(Fractions a, Fractions b) {
 inline Fractions smaller(Fractions a, Fractions b) {
   return {_mm256_min_epi16(a.v, b.v)};
 }
-// -1 remains.
+// The size of fractions; -1 stays -1.
 inline Fractions magnitude(Fractions a) {
   return {_mm256_abs_epi16(a.v)};
 }
 
-// The signs of two times sixteen fractions.
+// The signs of sixteen fractions a and sixteen fractions b.
 struct FractionSigns {
   __m256i v;
 
@@ -389,16 +389,17 @@ struct FractionSigns {
   static FractionSigns of(Fractions a, Fractions b) { return {_mm256_packs_epi16(a.v, b.v)}; }
   friend FractionSigns either_negative(FractionSigns a, FractionSigns b) { return {_mm256_or_si256(a.v, b.v)}; }
   friend FractionSigns both_negative(FractionSigns a, FractionSigns b) { return {_mm256_and_si256(a.v, b.v)}; }
-  // Which of the first eight floats, and of the last, became a negative fraction in a or in b.
+  // The lanes, of the eight low floats and of the eight high ones, whose fraction is negative in a or in b.
   void negative(LaneBits &low, LaneBits &high) const {
-    // In each half of the register: four of the first, four of the last, of a; then those of b.
+    // In each half of the register are four low and four high fractions of a, then those of b.
     const LaneBits bits = static_cast<LaneBits>(_mm256_movemask_epi8(v)), either = bits | bits >> 8;
     low = (either & 15U) | (either >> 12 & 0xF0U);
     high = (either >> 4 & 15U) | (either >> 16 & 0xF0U);
   }
 };
 
-// The order for the chosen lanes of eight floats or integers, and of four doubles. It may serve several stores.
+// An order that brings the chosen lanes to the front, of eight floats or integers or of four doubles. It may serve
+// several stores.
 struct FrontOrder {
   __m256i v;
 
@@ -409,8 +410,7 @@ struct FrontOrder {
     return {_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i *>(order)))};
   }
 };
-// Writes the chosen lanes first; there must be room for all lanes.
-// For either kind of lanes.
+// The order for lanes of this kind.
 template <class Lanes>
 FrontOrder front_order(LaneBits chosen) {
   if constexpr (Lanes::lanes == 8) {
@@ -422,13 +422,14 @@ FrontOrder front_order(LaneBits chosen) {
 inline Floats lanes_in_order(Floats a, FrontOrder order) {
   return {_mm256_permutevar8x32_ps(a.v, order.v)};
 }
-// Up to eight numbers, of which any eight are wanted.
+// Up to eight numbers, from which any eight can be taken, in any order.
 struct EightFloats {
   Floats numbers;
 
   static EightFloats load(const float *p) { return {Floats::load(p)}; }
   Floats in_order(const uint8_t *order) const { return lanes_in_order(numbers, FrontOrder::widened(order)); }
 };
+// Stores the chosen lanes at the front; there must be room for all lanes.
 inline void store_front(float *p, Floats a, FrontOrder order) {
   lanes_in_order(a, order).store(p);
 }
