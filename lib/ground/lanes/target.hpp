@@ -3,7 +3,7 @@
 // targets, with their compiler options; HSP_AVX2 says that avx2 is one of them, HSP_LANES that the registers of the
 // baseline hold several numbers.
 //
-// Kernels are sources with a second ending, .kernel.cpp. They are compiled once for each target, into namespace
+// Kernels are sources whose names have a second ending, kernel. They are compiled once for each target, into namespace
 // hsp::HSP_TARGET. They must not emit any function that other files emit as well: the linker keeps one copy of an
 // inline function, and a copy from a kernel would run on processors without its instructions. So kernels take raw
 // pointers, and include only headers of plain structs, of constants and of code with internal linkage.

@@ -3,7 +3,7 @@
 //     +-------+---+---+   The cube around the unit sphere is halved along each axis, and its eight parts again, until
 //     |       |   |+-+|   few caps may touch the free part of the sphere in a box. The box lists these caps. If nothing
 //     |       +---++-+|   is free in a box, it lists caps that cover the sphere there. The boxes that the plane of a
-//     +-------+---+---+   circle meets list all caps that matter to the circle's free parts (exact/PROOFS.md, 7).
+//     +-------+---+---+   circle meets list all that matters to its free parts (exact/PROOFS.md, section 7).
 //
 // As an example balls close together on a line, and a large ball beside the line. All caps of the large ball meet each
 // other, and each circle has a short free arc between the next two circles: a box around a part of that arc lists few.
