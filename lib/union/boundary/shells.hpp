@@ -11,7 +11,8 @@
 
 namespace hsp {
 
-// Joins the faces that meet at some vertices or share some circles. The sets may be shared. Not all if it is stopped.
+// Joins the faces that meet at some vertices or share some circles. Other workers may join in the same sets meanwhile.
+// If the patience ends, only some of them are joined.
 template <class Sets>
 void join_faces(const Boundary &boundary, IdRange vertices, IdRange circles, Patience &patience, Sets &shells) {
   // The three faces at a vertex share arcs, and every arc has a vertex.

@@ -21,7 +21,7 @@ struct ContactLimits {
   uint32_t tetrahedra = 0;  // 0: tetrahedra are only counted
 };
 
-// In lattice steps.
+// A contact of two balls, in lattice steps.
 struct ContactRecord {
   uint32_t ball[2];  // ascending
   uint32_t chords;   // how many bound it

@@ -26,7 +26,7 @@ struct EnergyTerms {
   double pressure = 0.0;
 };
 
-// In the caller's unit.
+// The energy, in the caller's unit.
 struct Energy {
   double area = 0.0;    // S
   double volume = 0.0;  // V

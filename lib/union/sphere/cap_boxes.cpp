@@ -30,7 +30,7 @@ struct CapBoxes::Box {
 
   static constexpr uint32_t words = 6;  // with its end and the number of caps that it lists
 
-  // One of the eight that it is halved to.
+  // One of the eight parts that halving its three sides gives.
   Box part(uint32_t number) const {
     const uint32_t quarter = half / 2;
     const auto moved = [&](uint32_t centre, uint32_t bit) {

@@ -121,7 +121,7 @@ struct LanePairs {
         bk(others.b) {}
 
   auto certainly_cross() const { return greater(q, Lanes::all(Bounds::crossing)); }
-  auto certainly_cross_in_points() const { return greater(q, Lanes::all(Bounds::points)); }  // where is certain, too
+  auto certainly_cross_in_points() const { return greater(q, Lanes::all(Bounds::points)); }  // points certain, too
   auto certainly_apart() const { return greater(Lanes::all(-Bounds::crossing), q); }
   auto may_cross() const { return not_greater(Lanes::all(-Bounds::crossing), q); }
   // For circles that do not cross: circle j lies inside cap k, or circle k inside cap j, or neither.

@@ -20,7 +20,7 @@ using CapBits = uint32_t;
 // How the circle of one cap lies to the circles of all others, as far as that is certain.
 struct Relations {
   CapBits cross = 0;      // they cross
-  CapBits at_points = 0;  // and it is certain where
+  CapBits at_points = 0;  // they cross, and their crossing points are certain
   CapBits separate = 0;   // neither lies in the other's cap
   CapBits inside = 0;     // it lies inside the other cap
   CapBits contains = 0;   // the other one lies inside its cap

@@ -64,7 +64,8 @@ uint32_t caps_of_circles(const BallArrays &balls, uint32_t i, const uint32_t *ne
     const LongIntegers U = product(x, x) + product(y, y) + product(z, z);
     const LongIntegers h = U - product(LongIntegers::from(difference), LongIntegers::from(d.sum));
     const FourDoubles length_2 = to_doubles(U);
-    // Behind the last is the ball itself: of integers that are not 0 none is below 1.
+    // The lanes behind the last ball hold the ball itself, at distance 0: 1 keeps them finite. Every other length is at
+    // least 1, as it is the root of a positive integer.
     const FourDoubles one = Four::all(1.0), inverse = one / Four::square_root(Four::larger(length_2, one));
     longest = Four::larger(longest, length_2);
     Four::store(caps.ux + k, d.dx * inverse);

@@ -148,7 +148,7 @@ struct Topology {
     if (!start.is_circle()) return chain_start(start.half_edge());
     const uint32_t circle = start.closed_half_edge().circle();
     if (start.closed_half_edge().side() == 0) return chain_start(Subdivision::half_circle(boundary, circle, 0));
-    // Backwards from the end of the circle's edges; those of the next one follow.
+    // Backwards from the end of the circle's edges, where the edges of the next circle begin.
     const uint32_t end = circle + 1 < boundary.circle_count()
                              ? edge_of(chain_start(Subdivision::half_circle(boundary, circle + 1, 0)))
                              : first_cut_edge;
