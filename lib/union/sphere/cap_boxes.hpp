@@ -16,7 +16,7 @@ namespace hsp {
 
 class CapBoxes {
  public:
-  // Fewer caps are compared each with each, which is as quick. Of so many, ExposedCaps has found that all matter.
+  // Fewer caps are compared each with each, which is as quick. If there are so many, ExposedCaps has kept them all.
   static constexpr uint32_t fewest = ExposedCaps::fewest;
   static bool are_many(const Caps &caps) { return !small_code && caps.count >= fewest; }
 

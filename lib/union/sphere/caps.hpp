@@ -76,7 +76,7 @@ struct Caps {
   void gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components);
 
   // Finds the caps of ball i by n other balls alone, which the caller has put into `ball`, in any order; none of them
-  // is certainly disjoint from ball i. first_later means nothing then, unless all of them are later: it is 0.
+  // is certainly disjoint from ball i. If all n are later balls, first_later is 0; else it means nothing.
   void gather_given(const BallSet &balls, uint32_t i, uint32_t n);
 
   // The same as gather(), but without ux, uy, uz and b. The caller has put the n balls into `ball`, of which n_earlier

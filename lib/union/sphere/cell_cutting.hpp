@@ -1,5 +1,5 @@
-// The polyhedron around what the caps of one ball leave (outer_cell.hpp), cut by some caps at a time, and the state of
-// each cap.
+// The polyhedron that contains the power cell of one ball (outer_cell.hpp). The planes of the ball's caps cut it, some
+// caps at a time, and each cap has a state.
 #pragma once
 
 #include "sphere/caps.hpp"
@@ -33,8 +33,8 @@ class CellCutting : private CapState {
     cell_.start(box);
   }
 
-  // Cuts by those of the caps whose planes go at least least_depth deep into the polyhedron; the others wait. False if
-  // nothing is left. Functions with a CapBatch are out of line, so that it is off the stack when integers are asked.
+  // Cuts by the caps whose planes go at least least_depth deep into the polyhedron; the other caps wait. False if
+  // nothing is left. Functions with a CapBatch are out of line, so the batch is off the stack while integers decide.
   [[gnu::noinline]] bool cut_by(Span<const uint32_t> numbers, double least_depth);
   // Starts again from the cube, and cuts by the deepest of all caps each time: for caps that found no room. Gives up
   // soon if few caps drop out, as where all caps are small and matter.
@@ -80,8 +80,8 @@ class CellCutting : private CapState {
     VertexSides sides[most];
     VertexBits on_plane[most];
   };
-  // The sides of the vertices for the first of the caps, for as many as there is room. Returns for how many caps; 0 if
-  // the first one is not certain to be a proper circle. find_certain_sides: by doubles alone.
+  // Finds on which side of the planes of the first caps the vertices lie, for as many caps as there is room. Returns
+  // how many; 0 if the first one is not certain to be a proper circle. find_certain_sides: by doubles alone.
   uint32_t find_sides(Span<const uint32_t> numbers, const CellTies &ties, Sides &found);
   [[gnu::noinline]] uint32_t find_certain_sides(Span<const uint32_t> numbers, Sides &found) const;
 

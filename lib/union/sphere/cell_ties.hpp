@@ -1,5 +1,5 @@
-// Decides by integers on which side of a cap's plane a vertex of the polyhedron is, where doubles are not certain. They
-// are not where many planes go through one point, as the planes of spheres through one point do. All balls are inflated
+// Decides by integers on which side of a cap's plane a vertex of the polyhedron is, where doubles are not certain. This
+// is so where many planes go through one point, as the planes of spheres through one point do. All balls are inflated
 // as in exact/PROOFS.md, section 3, so that there is always an answer; the polyhedron is that of the inflated balls
 // (section 7).
 #pragma once

@@ -26,7 +26,7 @@ struct MeridianCap {
   double along, up;  // components of the cap's axis
   double b;
   uint32_t cap;
-  uint32_t free_ends;  // the two bits below; during the search the others may hold the place of its entry
+  uint32_t free_ends;  // the two bits below; during the search the other bits may hold the place of its entry
 
   static constexpr uint32_t free_entry = 1;
   static constexpr uint32_t free_exit = 2;
@@ -56,10 +56,10 @@ class FreeIntervals {
       if (indexed_) make_index(caps);
     }
   }
-  // If there is an index: room for one number for each cap. A meridian may need the memory of this and of the index;
-  // from then on of_caps() is empty and there is no index.
+  // If there is an index: an array with room for one number for each cap. A meridian may need the memory of this array
+  // and of the index; from then on there is no index. Without an index the array is empty.
   Span<uint32_t> of_caps() const { return !small_code && indexed_ ? of_caps_ : Span<uint32_t>(); }
-  // The index, if of_caps() is not empty, and whether it has a mark at a meridian.
+  // If of_caps() is not empty: the index, and whether it has a mark at a meridian.
   const MeridianSectors &sectors() const { return sectors_; }
   bool is_marked(const exact::Plane &meridian) const;
   // Finds the free intervals of a meridian. There are none if it is free as a whole or covered as a whole.
@@ -67,7 +67,7 @@ class FreeIntervals {
 
   bool empty() const { return bounding_caps_ == 0; }
 
-  // Calls visit(interval) for each of them.
+  // Calls visit(interval) for each free interval.
   template <class Visit>
   void visit(Visit visit) const {
     for (uint32_t a = 0; a < bounding_caps_; ++a) {
@@ -87,12 +87,12 @@ class FreeIntervals {
     return {reinterpret_cast<uint32_t *>(caps_.data()) + size_t{capacity} * first, capacity * (last - first)};
   }
 
-  Span<MeridianCap> caps_;      // those that the meridian crosses; after find() those with a free end point come first
+  Span<MeridianCap> caps_;      // caps that the meridian crosses; after find() those with a free end point come first
   uint32_t bounding_caps_ = 0;  // the number of caps with a free end point
   bool indexed_;                // whether the memory behind the first `room_` entries of caps_ holds the index
   uint32_t room_;
   MeridianSectors sectors_;
-  Span<uint32_t> of_caps_;  // if indexed
+  Span<uint32_t> of_caps_;  // if indexed_: see of_caps()
 };
 
 // Circle P has several free intervals, each from the exit of a plane to the entry of another one. Returns which of them

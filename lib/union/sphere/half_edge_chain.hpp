@@ -77,7 +77,7 @@ class HalfEdgeChain {
     }
     for (const Item &half_edge : half_edges) leaving_[half_edge.circle] = 0;
   }
-  // Instead of linking.
+  // Instead of linking: sets the words of marked half-edges to 0 again.
   template <class Item>
   void unmark(Span<Item> half_edges, uint32_t Item::*previous) const {
     for (const Item &half_edge : half_edges) arriving_[half_edge.*previous] = leaving_[half_edge.circle] = 0;

@@ -55,7 +55,7 @@ class SearchInLanes {
  private:
   bool keep_exposed(Caps &caps, ExposedCaps exposed);
   bool find_few(Caps &caps, FewCaps &found);
-  // When a search gives up: `late` is if many pairs take long; `soon` is then, and if many circles are left at first.
+  // When a search gives up. late: if many pairs take long. soon: also if many circles are left at first.
   enum class GivesUp : uint8_t { never, late, soon };
   // False if it gave up; nothing has been added then.
   bool find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, GivesUp gives_up,

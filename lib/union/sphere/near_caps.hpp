@@ -15,8 +15,8 @@ namespace hsp {
 
 class NearCaps {
  public:
-  // Fewer caps are compared each with each, which is as quick; so are large ones, as each meets most of the others. b:
-  // of the caps, as in Caps or FloatCaps.
+  // Fewer caps are compared each with each, which is as quick. So are large caps, as each of them meets most others. b:
+  // the array of the caps' b, in Caps or FloatCaps.
   static constexpr uint32_t fewest = 128;
   template <class Real>
   static bool are_many(const Caps &caps, const Real *b) {

@@ -33,7 +33,7 @@ struct PairSweep {
   uint32_t crossing = 0;  // number of pairs so far whose circles may cross
 };
 
-// caps, count and first_later are set, and the other arrays point to memory.
+// The caller has set caps, count and first_later, and has let the other arrays point to memory.
 HSP_KERNEL(void, start_sweep, (PairSweep & sweep), (sweep))
 // Writes the next open pairs, in the order of j and k, at most PairSweep::batch. Returns how many; 0 after the last.
 HSP_KERNEL(uint32_t, next_open_pairs, (PairSweep & sweep, OpenPair *pairs), (sweep, pairs))

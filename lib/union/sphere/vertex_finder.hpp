@@ -28,7 +28,7 @@ struct CapTests {
 
   void carve(Workspace &workspace, uint32_t capacity);
   void fill(const Caps &caps);
-  // The caps with these numbers alone.
+  // Copies the caps with these numbers alone.
   void fill(const Caps &caps, Span<const uint32_t> numbers);
 
  private:
@@ -60,7 +60,7 @@ class VertexFinder {
   // One search of cull_and_find(). False if it gave up, because many pairs take long; nothing has been added then.
   bool search(const BallSet &balls, const Caps &caps, bool may_give_up, FixedVector<VertexRecord> &vertices,
               FixedVector<CircleRecord> &circles);
-  // The same on the circle of the last cap alone.
+  // Finds the vertices on the circle of the last cap alone, and that circle if it is free as a whole.
   void find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                     FixedVector<CircleRecord> &circles);
 
@@ -87,7 +87,7 @@ class VertexFinder {
   static constexpr uint8_t crossed = 1;  // its circle crosses another one, so it is not a free circle
   static constexpr uint8_t covered = 2;  // its circle lies inside another cap, so it has no free point at all
 
-  static constexpr uint32_t effort_of_integers = 32;  // of a pair; that of the better formula is 1
+  static constexpr uint32_t effort_of_integers = 32;  // for a pair; the better formula takes 1
 
   CapTests tests_;
   Span<uint8_t> state_;
