@@ -43,8 +43,8 @@ class ChordWalk {
   // Whether it can be seen at once that all chords of the next ball have two free ends. Then find() must not be called
   // for it; `ends` are the vertices of these chords, two consecutive ones for each chord.
   bool has_whole_chords(const Boundary &boundary, uint32_t ball, IdRange &ends);
-  // Of many caps keeps those whose planes may touch the ball's power cell: the same is found with these. If a chord is
-  // searched for among all pairs, "many" is fewer.
+  // If there are many caps, keeps those whose planes may touch the ball's power cell: find() finds the same with these.
+  // If chords are searched for among all pairs of caps, fewer caps count as many.
   void keep_exposed(const Boundary &boundary, Caps &caps) const {
     constexpr uint32_t many_of_pairs = 32;
     const uint32_t many = asks_for_all_caps(boundary, caps.origin) ? many_of_pairs : ExposedCaps::fewest;

@@ -28,7 +28,7 @@ struct BallGroups {
 // The contacts between balls of different groups.
 class ContactGroups {
  public:
-  // Of the first `number` contacts alone. scratch [contacts]
+  // Looks at the first `number` contacts alone. scratch [contacts]
   ContactGroups(const BallSet &balls, const Contacts &contacts, uint32_t number, const BallGroups &groups,
                 Span<uint32_t> scratch)
       : balls_(balls), contacts_(contacts), groups_(groups) {

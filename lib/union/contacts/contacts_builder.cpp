@@ -99,10 +99,9 @@ void ContactsBuilder::clear(uint32_t balls) {
   for (uint32_t i = 0; i < balls; ++i) a.share_volume[i] = a.contact_area[i] = 0.0;
 }
 
-// Of a ball with very many contacts most are in a tree, too. Its branches are the bits of the other ball, the lowest
-// first, so that no way down is longer than the number of bits. The root is the contact in the ball's list whose code
-// is
-// 1. New contacts, which stand before the root in the list, are moved behind it and into the tree.
+// If a ball has very many contacts, most of them are in a tree, too. Its branches are the bits of the other ball, the
+// lowest first, so that no way down is longer than the number of bits. The root is the contact with code 1 in the
+// ball's list. New contacts, which stand before the root in the list, are moved behind it and into the tree.
 uint32_t ContactsBuilder::find_in_tree(uint32_t a, uint32_t b) {
   ContactArrays &arrays = contacts_.a_;
   uint32_t waiting = arrays.first_in_row[a], root = waiting;

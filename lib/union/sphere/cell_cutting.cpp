@@ -10,7 +10,7 @@
 namespace hsp {
 namespace {
 
-// Of the caps with these bits the one whose plane cuts deepest. If it comes first, few planes cut.
+// Among the caps with these bits, the one whose plane cuts deepest. If it comes first, few planes cut.
 uint32_t deepest_of(const CapBatch &batch, uint32_t bits) {
   uint32_t deepest = static_cast<uint32_t>(__builtin_ctz(bits));
   for (bits &= bits - 1; bits != 0; bits &= bits - 1) {

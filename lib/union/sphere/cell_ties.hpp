@@ -30,7 +30,7 @@ class CellTies {
                             VertexBits *on_plane) const;
 
  private:
-  // Of a face: the plane of its cap, or a side of the cube.
+  // The plane of a face: that of its cap, or a side of the cube.
   exact::Plane plane_of(const OuterCell &cell, uint32_t face) const;
 
   const Caps &caps_;

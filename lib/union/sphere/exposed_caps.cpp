@@ -5,7 +5,7 @@
 //   B   x >= 0.9                     26 degrees around x: inside A, hence discarded
 //   C   0.6 x + 0.8 y >= 0.95        18 degrees around a direction 53 degrees from x: it reaches to 71 degrees from x,
 //                                    out of A, so that it stays
-// Of copies of A one stays. Most discarded caps are inside a much larger one, so large caps are tried first.
+// One of several copies of A stays. Most discarded caps are inside a much larger one, so large caps are tried first.
 #include "sphere/exposed_caps.hpp"
 
 #include <cstring>
@@ -72,8 +72,8 @@ Span<uint32_t> ExposedCaps::in_states(uint32_t count, uint8_t first, uint8_t las
   return order_.part(0, found);
 }
 
-// Of the caps whose planes go through one set of vertices one stays, so that ties are seen. Its ball does not lie
-// inside the ball of another cap that stays: such a ball may not count as a tie.
+// For each set of vertices keeps at most one cap whose plane goes through all of them, so that ties are seen. The ball
+// of this cap does not lie inside the ball of a cap that stays anyway: such a ball may not count as a tie.
 void ExposedCaps::keep_planes_of_ties(const Caps &caps, TiedSets &sets) {
   const Span<const uint32_t> others = in_states(caps.count, has_cut, near_vertex);
   for (uint32_t k = 0; k < caps.count; ++k) {

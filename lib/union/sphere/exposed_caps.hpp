@@ -27,7 +27,7 @@ class ExposedCaps : private CapState {
   // After find: the numbers of the caps that stay, ascending.
   Span<const uint32_t> kept() const { return order_.part(0, kept_); }
   // If there are `many` caps or more: keeps only those that find() keeps; false if nothing of the part is left. Of
-  // fewer caps it may drop copies, so that of equal balls one stays.
+  // fewer caps it may drop copies, so that one of several equal balls stays.
   bool keep(Part part, Caps &caps, uint32_t many = fewest);
 
   // For tests: integers are asked if doubles leave so many caps or more in doubt because they are near vertices.

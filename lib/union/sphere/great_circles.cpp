@@ -78,7 +78,7 @@ struct CoveredEnds {
 
 constexpr uint32_t both_ends = MeridianCap::free_entry | MeridianCap::free_exit;  // bit of lane 0, bit of lane 1
 
-// Of the ends of a cap on a meridian that are free so far (bits free_ends): those that lie in none of `others`.
+// Returns the bits of free_ends, ends of a cap on a meridian that are free so far, that lie in none of `others`.
 uint32_t free_ends_of(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
                       Span<const MeridianCap> others, const MeridianCap &own, uint32_t free_ends) {
   using Lanes = CoveredEnds::Lanes;

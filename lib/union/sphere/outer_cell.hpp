@@ -81,8 +81,8 @@ struct CapBatch {
   uint32_t all() const { return count < most ? (1U << count) - 1U : ~0U; }
 };
 
-// Of the caps of a batch with bits in `asked`: the bits of those that are not certain to miss the polyhedron. Sets the
-// depths of all asked caps.
+// Returns the bits of the caps in `asked` that do not certainly miss the polyhedron. asked: bits of caps of the batch.
+// Sets the depths of all these caps.
 HSP_KERNEL(uint32_t, caps_that_may_cut, (const OuterCell &cell, CapBatch &caps, uint32_t asked), (cell, caps, asked))
 
 // The same for the first `count` caps in floats: returns how many are not certain to miss the polyhedron, and writes

@@ -165,8 +165,7 @@ struct alignas(32) OpenPoints {
   }
 };
 
-// Of the points of pairs p, p + 1, .., adds those that are in no cap of the first class. Returns how many points there
-// are then.
+// Adds the points of pairs p, p + 1, .. that are in no cap of the first class. Returns how many points there are then.
 [[gnu::always_inline]] inline uint32_t add_points(const CapPointers<float> &by_size, uint32_t first_class,
                                                   LaneCrossings<Floats> crossings, Floats q, uint32_t p, LaneBits valid,
                                                   OpenPoints &open, uint32_t count) {
