@@ -24,13 +24,13 @@ struct ContactLimits {
 // A contact of two balls, in lattice steps.
 struct ContactRecord {
   uint32_t ball[2];  // ascending
-  uint32_t chords;   // how many bound it
+  uint32_t chords;   // how many chords bound the contact
   uint32_t code;
   double area;
   double rim;  // length of the free part of the circle
 
   static constexpr uint32_t arc_bit = 1;       // a part of the circle is free
-  static constexpr uint32_t circle_bit = 2;    // all of it
+  static constexpr uint32_t circle_bit = 2;    // all of the circle is free
   static constexpr uint32_t touching_bit = 4;  // the spheres only touch
 
   bool has_arc() const { return (code & arc_bit) != 0; }
