@@ -223,8 +223,8 @@ Balls studded(int around, int64_t radius) {
   return balls;
 }
 
-// More than 64 vertices: what is found as bits takes several words then. Where the balls are larger, only corners of the
-// cell are outside the ball.
+// More than 64 vertices: what is found as bits takes several words then. Where the balls are larger, only corners of
+// the cell are outside the ball.
 TEST(PowerCell, HasManyVertices) {
   Seen seen;
   for (const int64_t radius : {100, 320}) ASSERT_NO_FATAL_FAILURE(check(studded(38, radius), seen, 1000));
