@@ -45,7 +45,8 @@ struct AngleParts {
 //
 // The quotient has an error of e |t|. With atan(1/2), the rounded sum large + small/2 moves t as much, but the
 // difference is exact (Sterbenz) and so are the halves. The correction is below 0.037 |t|. It has
-// a relative error of at most 7 e besides that of P, and its sum with t is rounded by half a unit in the last place. So
+// a relative error of at most 7 e besides that of P (tests/proofs/angle_bounds.gappa reads this line), and its sum with
+// t is rounded by half a unit in the last place. So
 // - if t = r, an angle below pi/4 has an error of at most 2.4 e of itself, less than 2 units in the last place: 0.4
 //   from the correction and P, and 1 from both roundings. If t is in a binade with larger units than the angle, the
 //   roundings are 1.5, but then t is below 0.256 and the errors of the correction and P are below 0.3;

@@ -9,8 +9,8 @@
 //   h = |v|^2 - p s    5 |v|^2 + 3 |p s| + |h|, 2 |p s| where it is fused
 //   b = h / (2 r |v|)  with t = |v| / (2 r) <= 2 and |b| <= 1, so that |p s| / (2 r |v|) <= t + 1:
 //             5 t + 3 (t + 1) + 1, and 4.5 + 1 by 1/|v|, 2 by 1/(2 r), 1                     8 t + 12.5 <= 28.5
-// used: u 6.5, b 29. Whether two balls meet in a proper circle is decided with a relative margin of 32; |v|^2 has a
-// relative error of 5, s^2 and p^2 of 4.
+// used: u 6.5, b 29. tests/proofs/float_caps_bounds.gappa reads this line. Whether two balls meet in a proper circle is
+// decided with a relative margin of 32; |v|^2 has a relative error of 5, s^2 and p^2 of 4.
 #pragma once
 
 #include "lanes/target.hpp"
