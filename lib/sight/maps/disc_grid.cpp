@@ -13,19 +13,40 @@ int64_t floor_of(double x) {
 
 }  // namespace
 
-CubeCoordinates DiscGrid::square_at(double x, double y) const {
-  return {floor_of(x * per_length_), floor_of(y * per_length_), 0};
+uint32_t DiscGrid::level_of(double r) const {
+  uint32_t level = 0;
+  for (double most = largest_ / 4; r <= most && level + 1 < most_levels; most /= 4) ++level;
+  return level;
 }
 
-// Calls visit(range of items) for the squares that hold centres at most `reach` away in either coordinate.
-template <class Visit>
-void DiscGrid::visit_squares(double x, double y, double reach, Visit visit) const {
-  const CubeCoordinates low = square_at(x - reach, y - reach);
-  const CubeCoordinates high = square_at(x + reach, y + reach);
-  for (int64_t row = low.y; row <= high.y; ++row) {
-    for (int64_t column = low.x; column <= high.x; ++column) {
-      const uint32_t square = squares_.find({column, row, 0});
-      if (square != no_id) visit(item_.part(first_[square], first_[square + 1]));
+CubeCoordinates DiscGrid::square_at(double x, double y, uint32_t level) const {
+  const double per_length = level_[level].per_length;
+  return {floor_of(x * per_length), floor_of(y * per_length), level};
+}
+
+// Calls visit(range of items) for the squares that hold centres at most reach_to(the largest radius of their level) away
+// in either coordinate.
+template <class Reach, class Visit>
+void DiscGrid::visit_squares(double x, double y, Reach reach_to, Visit visit) const {
+  for (uint32_t level = 0; level < levels_; ++level) {
+    if (!level_[level].any) continue;
+    const double reach = reach_to(level_[level].largest);
+    const CubeCoordinates low = square_at(x - reach, y - reach, level);
+    const CubeCoordinates high = square_at(x + reach, y + reach, level);
+    const auto visit_one = [&](uint32_t square) { visit(item_.part(first_[square], first_[square + 1])); };
+    // Around a large disc there may be more squares than have centres.
+    if (static_cast<double>(high.x - low.x) * static_cast<double>(high.y - low.y) > squares_.count()) {
+      for (uint32_t square = 0; square < squares_.count(); ++square) {
+        const CubeCoordinates &at = squares_.coordinates(square);
+        if (at.z == level && low.x <= at.x && at.x <= high.x && low.y <= at.y && at.y <= high.y) visit_one(square);
+      }
+      continue;
+    }
+    for (int64_t row = low.y; row <= high.y; ++row) {
+      for (int64_t column = low.x; column <= high.x; ++column) {
+        const uint32_t square = squares_.find({column, row, level});
+        if (square != no_id) visit_one(square);
+      }
     }
   }
 }
@@ -41,16 +62,24 @@ void DiscGrid::build(Span<const SeenBall> balls) {
   balls_ = balls;
   largest_ = 0.0;
   for (const SeenBall &ball : balls) largest_ = ball.r > largest_ ? ball.r : largest_;
-  side_ = largest_ > 0.0 ? 2 * largest_ : 1.0;
-  per_length_ = 1.0 / side_;
+  levels_ = 0;
+  for (Level &level : level_) level = {};
+  for (const SeenBall &ball : balls) {
+    const uint32_t of = level_of(ball.r);
+    Level &level = level_[of];
+    level.any = true;
+    level.largest = ball.r > level.largest ? ball.r : level.largest;
+    levels_ = of < levels_ ? levels_ : of + 1;
+  }
+  for (Level &level : level_) level.per_length = level.largest > 0.0 ? 1.0 / (2 * level.largest) : 1.0;
+  const auto square_of = [this](const SeenBall &ball) { return square_at(ball.x, ball.y, level_of(ball.r)); };
   squares_.clear(balls.size());
   for (const SeenBall &ball : balls) {
-    const CubeCoordinates square = square_at(ball.x, ball.y);
+    const CubeCoordinates square = square_of(ball);
     if (squares_.find(square) == no_id) squares_.append(square);
   }
   sort_to_rows(
-      first_, squares_.count(), balls.size(),
-      [&](uint32_t i) { return squares_.find(square_at(balls[i].x, balls[i].y)); },
+      first_, squares_.count(), balls.size(), [&](uint32_t i) { return squares_.find(square_of(balls[i])); },
       [this](uint32_t at, uint32_t i) { item_[at] = i; });
 }
 
@@ -60,7 +89,8 @@ void DiscGrid::mark_inside(Span<SeenBall> balls, Patience &patience) const {
   for (uint32_t i = 0; i < balls.size() && patience.allows(1000); ++i) {
     SeenBall &ball = balls[i];
     const double highest_inside = ball.top() + touching * ball.r;
-    visit_squares(ball.x, ball.y, largest_, [&](Span<const uint32_t> items) {
+    const auto reach_to = [&](double largest) { return largest > ball.r ? largest : ball.r; };
+    visit_squares(ball.x, ball.y, reach_to, [&](Span<const uint32_t> items) {
       for (const uint32_t k : items) {
         if (k >= i) break;
         SeenBall &higher = balls[k];
@@ -77,7 +107,8 @@ void DiscGrid::mark_inside(Span<SeenBall> balls, Patience &patience) const {
 void DiscGrid::gather(uint32_t i, FixedVector<uint32_t> &near) const {
   const SeenBall &own = balls_[i];
   near.clear();
-  visit_squares(own.x, own.y, own.r + largest_, [&](Span<const uint32_t> items) {
+  const auto reach_to = [&](double largest) { return own.r + largest; };
+  visit_squares(own.x, own.y, reach_to, [&](Span<const uint32_t> items) {
     for (const uint32_t k : items) {
       const SeenBall &other = balls_[k];
       if (other.top() <= own.z) break;
@@ -99,7 +130,8 @@ DiscGrid::Highest DiscGrid::highest_at(double x, double y, uint32_t except) cons
   double runner_up = 0.0;     // of two or more
   double highest_edge = 0.0;  // of discs with their edge close by
   uint32_t fronts = 0, edges = 0;
-  visit_squares(x, y, largest_, [&](Span<const uint32_t> items) {
+  const auto reach_to = [](double largest) { return largest; };
+  visit_squares(x, y, reach_to, [&](Span<const uint32_t> items) {
     for (const uint32_t k : items) {
       const SeenBall &ball = balls_[k];
       if (fronts > 1 && ball.top() < runner_up) break;

@@ -1,5 +1,7 @@
-// The discs that the balls take of the view plane, by the squares of side 2 r_max that hold their centres. The lists of
-// squares are front to back, so that a search for what reaches above a height stops early.
+// The discs that the balls take of the view plane, by the squares that hold their centres. The lists of squares are
+// front to back, so that a search for what reaches above a height stops early. Discs of nearly one size share a level,
+// and the squares of a level have twice the radius of its largest disc as their side: among many small discs a large
+// one does not widen the squares of the small ones.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -32,15 +34,24 @@ class DiscGrid {
   Highest highest_at(double x, double y, uint32_t except) const;
 
  private:
-  CubeCoordinates square_at(double x, double y) const;
-  template <class Visit>
-  void visit_squares(double x, double y, double reach, Visit visit) const;
+  // A level has discs of up to four times the radius of its smallest ones, but for the last level, which has the rest.
+  static constexpr uint32_t most_levels = 12;
+  struct Level {
+    double largest = 0.0, per_length = 1.0;
+    bool any = false;
+  };
+
+  uint32_t level_of(double r) const;
+  CubeCoordinates square_at(double x, double y, uint32_t level) const;
+  template <class Reach, class Visit>
+  void visit_squares(double x, double y, Reach reach_to, Visit visit) const;
 
   Span<const SeenBall> balls_;
-  CubeTable squares_;
+  CubeTable squares_;     // the third coordinate is the level
   Span<uint32_t> first_;  // [balls + 1]
   Span<uint32_t> item_;   // [balls]
-  double side_ = 1.0, per_length_ = 1.0;
+  Level level_[most_levels];
+  uint32_t levels_ = 0;
   double largest_ = 0.0;
 };
 
