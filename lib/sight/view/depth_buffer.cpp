@@ -5,8 +5,8 @@
 namespace hsp {
 namespace {
 
-// Cells have a side of 0.2 of the largest radius, which is about the best for molecules (the optimum is flat), or as
-// many of them as there is memory for.
+// Cells have a side of 0.2 of a radius, which is about the best for molecules (the optimum is flat), or as many of them
+// as there is memory for.
 constexpr double cell_in_radii = 0.2;
 constexpr uint64_t cells_per_ball = 16;
 constexpr uint64_t further_cells = 4096;
@@ -57,23 +57,27 @@ float lowest_of(Span<float> floor, uint32_t row_length, const SideBySide &column
 
 }  // namespace
 
-// The cells that a disc meets, with the distances of their nearest or farthest edges. squared: of the radius, or a
-// little more or less.
-DiscCells DepthBuffer::cells_of(double x, double y, double radius, double squared, CellEdge edge) const {
-  DiscCells cells;
-  const auto fewer = [](const CellRange &range) {
-    const uint32_t count = range.last > range.first ? range.last - range.first : 0;
-    return count < DiscCells::most ? count : DiscCells::most;
-  };
+// Calls visit(cells) for the cells that a disc meets, with the distances of their nearest or farthest edges: at once, or
+// block by block for a disc that is far larger than most. Ends and is false where visit(cells) is. squared: of the
+// radius, or a little more or less.
+template <class Visit>
+bool DepthBuffer::visit_cells(double x, double y, double radius, double squared, CellEdge edge, Visit visit) const {
   const CellRange columns(x - radius, x + radius, left_, cells_per_length_, columns_);
   const CellRange rows(y - radius, y + radius, bottom_, cells_per_length_, rows_);
-  cells.first_column = columns.first;
-  cells.columns = fewer(columns);
-  cells.first_row = rows.first;
-  cells.rows = fewer(rows);
-  const DiscOnCells disc{x, y, squared, left_, bottom_, cell_, edge};
-  measure_cells(target_, disc, cells);
-  return cells;
+  const auto some = [](uint32_t count) { return count < DiscCells::most ? count : DiscCells::most; };
+  DiscCells cells;
+  for (uint32_t row = rows.first; row < rows.last; row += cells.rows) {
+    for (uint32_t column = columns.first; column < columns.last; column += cells.columns) {
+      cells.first_column = column;
+      cells.columns = some(columns.last - column);
+      cells.first_row = row;
+      cells.rows = some(rows.last - row);
+      const DiscOnCells disc{x, y, squared, left_, bottom_, cell_, edge};
+      measure_cells(target_, disc, cells);
+      if (!visit(cells)) return false;
+    }
+  }
+  return true;
 }
 
 void DepthBuffer::carve(Workspace &workspace, uint32_t balls) {
@@ -93,11 +97,11 @@ void DepthBuffer::carve(Workspace &workspace, uint32_t balls) {
 // at most 10e (towards 3.5e, right 4.5e, their cross product 2e more) and the sums by 3e, so that coordinates are
 // within 16e of the largest distance from the origin; the margin is 64 times that. Cells are so much larger than the
 // margin that it adds less than half a cell to a disc.
-void DepthBuffer::lay_out(const BoundingBox &box, double extent, double largest) {
+void DepthBuffer::lay_out(const BoundingBox &box, double extent, double radius) {
   margin_ = 0x1p-43 * extent;
   left_ = box.left;
   bottom_ = box.bottom;
-  cell_ = cell_in_radii * largest > 16 * margin_ ? cell_in_radii * largest : 16 * margin_;
+  cell_ = cell_in_radii * radius > 16 * margin_ ? cell_in_radii * radius : 16 * margin_;
   const double cells = static_cast<double>(floor_.size());
   const double width = box.right - box.left;
   const double height = box.top - box.bottom;
@@ -169,9 +173,9 @@ bool DepthBuffer::is_above(const BoundingBox &box, double height) {
 // e of R^2.
 bool DepthBuffer::hides(const ProjectedBall &disc) const {
   const double R = disc.r + 4 * margin_;
-  const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 + 0x1p-40), CellEdge::nearest);
   const double base = disc.z + 4 * margin_;
-  return hsp::hides(target_, floor_cells(), cells, base);
+  return visit_cells(disc.x, disc.y, R, R * R * (1.0 + 0x1p-40), CellEdge::nearest,
+                     [&](const DiscCells &cells) { return hsp::hides(target_, floor_cells(), cells, base); });
 }
 
 // The ball made smaller by the margin raises the floor of the cells that it fills, to the height above their farthest
@@ -181,9 +185,11 @@ bool DepthBuffer::hides(const ProjectedBall &disc) const {
 void DepthBuffer::raise(const ProjectedBall &disc) {
   const double R = disc.r - 4 * margin_;
   if (R <= 0.0) return;
-  const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 - 0x1p-40), CellEdge::farthest);
   const double base = disc.z - 4 * margin_;
-  hsp::raise(target_, floor_cells(), cells, base, margin_);
+  visit_cells(disc.x, disc.y, R, R * R * (1.0 - 0x1p-40), CellEdge::farthest, [&](const DiscCells &cells) {
+    hsp::raise(target_, floor_cells(), cells, base, margin_);
+    return true;
+  });
 }
 
 }  // namespace hsp

@@ -32,9 +32,9 @@ class DepthBuffer {
  public:
   void carve(Workspace &workspace, uint32_t balls);
 
-  // Makes the grid for balls within a box, with coordinates up to `extent` in size and radii up to `largest` > 0, and
+  // Makes the grid for balls within a box, with coordinates up to `extent` in size and radii of about `radius` > 0, and
   // lowers it below all of them.
-  void lay_out(const BoundingBox &box, double extent, double largest);
+  void lay_out(const BoundingBox &box, double extent, double radius);
 
   // Whether the floor lies above a height everywhere in a box. Then it hides() all balls in the box that reach up to
   // that height.
@@ -45,7 +45,8 @@ class DepthBuffer {
   void raise(const ProjectedBall &disc);
 
  private:
-  DiscCells cells_of(double x, double y, double radius, double squared, CellEdge edge) const;
+  template <class Visit>
+  bool visit_cells(double x, double y, double radius, double squared, CellEdge edge, Visit visit) const;
   FloorCells floor_cells() const { return {floor_.data(), columns_, stale_.data(), coarse_columns_}; }
   void look_after_coarse_cell(uint32_t coarse_column, uint32_t coarse_row);
   void look_after_tile(uint32_t tile_column, uint32_t tile_row);

@@ -8,7 +8,7 @@
 
 namespace hsp {
 
-// A disc is at most 10 + 1/2 cells wide, so it meets at most 12 columns and 12 rows.
+// Most discs are at most 10 + 1/2 cells wide, so they meet at most 12 columns and 12 rows.
 struct DiscCells {
   static constexpr uint32_t most = 16;
   uint32_t first_column, columns, first_row, rows;

@@ -66,7 +66,8 @@ bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span
   const BallSet &balls = grid.balls();
   Extent all;
   double extent = 0.0;
-  double largest = 0.0;
+  double largest = 0.0, squares = 0.0;
+  uint32_t seen = 0;
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
     const BallRange own = grid.balls_in(cube);
     if (!patience.allows(100 + 50 * uint64_t{own.last - own.first})) return false;
@@ -77,6 +78,8 @@ bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span
       here.widen(disc);
       extent = larger_of(extent, std::fabs(disc.x) + std::fabs(disc.y) + std::fabs(disc.z) + disc.r);
       largest = larger_of(largest, disc.r);
+      squares += disc.r * disc.r;
+      ++seen;
     }
     all.widen(here);
     extent_[cube] = here.empty() ? nothing
@@ -87,7 +90,8 @@ bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span
   if (largest == 0.0) return false;
   lowest_top_ = all.lowest_top;
   highest_top_ = all.highest_top;
-  floor_.lay_out(all.box, extent, largest);
+  // Cells that suit most balls where few are far larger; all discs together meet O(n) cells.
+  floor_.lay_out(all.box, extent, smaller_of(largest, 2 * std::sqrt(squares / seen)));
   return true;
 }
 

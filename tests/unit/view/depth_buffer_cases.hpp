@@ -59,7 +59,9 @@ constexpr Discs disc_sets[] = {{1, {{0, 0, 0, 100}}, 500},
                                {4, {{0, 0, 0, 100}, {1, 0, 1, 100}, {0, 90, 0, 100}, {-90, 0, -50, 100}}, 300},
                                // Too far apart for small cells.
                                {2, {{0, 0, 0, 100}, {9e5, 9e5, 0, 100}}, 0},
-                               {2, {{-200, 300, 7, 100}, {3e3, -2e3, 0, 90}}, 0}};
+                               {2, {{-200, 300, 7, 100}, {3e3, -2e3, 0, 90}}, 0},
+                               // Far wider than cells are for.
+                               {2, {{0, 0, 0, 600}, {0, 0, 580, 40}}, 700}};
 
 inline double extent_of(const Discs &c) {
   double extent = 0;
@@ -138,6 +140,31 @@ inline uint32_t floors_by_hand() {
     small.floor().raise({c.disc.x, c.disc.y, c.disc.z - 30, c.disc.r});
     return small.floor().hides(c.asked) == c.hidden;
   });
+}
+
+// Discs that meet more cells than are looked at together: one that is hidden is so at all of its points.
+inline uint32_t hidden_large_discs_are_hidden_everywhere() {
+  Random random(7);
+  uint32_t hidden = 0, shown = 0;
+  for (uint32_t round = 0; round < 400; ++round) {
+    SmallFloor small({0, 1200, 0, 1200}, 2000, 100);
+    const auto part = [&random] { return 100.0 * static_cast<double>(random.below(9)); };
+    for (uint32_t k = 0; k < 3; ++k) small.floor().raise({200 + part(), 200 + part(), 100, 300 + part()});
+    const hsp::ProjectedBall asked{250 + 0.9 * part(), 250 + 0.9 * part(), -400, 200 + 0.1 * part()};
+    if (!small.floor().hides(asked)) {
+      ++shown;
+      continue;
+    }
+    ++hidden;
+    for (double v = -asked.r; v <= asked.r; v += 15) {
+      for (double u = -asked.r; u <= asked.r; u += 15) {
+        const double squared = asked.r * asked.r - u * u - v * v;
+        if (squared < 0.0) continue;
+        if (!small.floor().hides({asked.x + u, asked.y + v, asked.z + std::sqrt(squared), 0.0})) return round;
+      }
+    }
+  }
+  return hidden > 20 && shown > 20 ? all_hold : 1000;
 }
 
 // The lowest floor of coarse cells, 80 wide from -80 on, above which a ball of radius 100 fills the one around (40, 40)
@@ -239,6 +266,7 @@ inline uint32_t the_order_of_raising_has_no_effect() {
 inline constexpr Check view_depth_buffer[] = {
     {"floors_lie_below_fronts", floors_lie_below_fronts},
     {"floors_by_hand", floors_by_hand},
+    {"hidden_large_discs_are_hidden_everywhere", hidden_large_discs_are_hidden_everywhere},
     {"floors_of_boxes", floors_of_boxes},
     {"boxes_know_what_has_been_raised", boxes_know_what_has_been_raised},
     {"tiles_know_their_own_floors", tiles_know_their_own_floors},
