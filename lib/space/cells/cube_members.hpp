@@ -28,9 +28,9 @@ struct PlaneArrays {
 };
 inline constexpr double done_with = std::numeric_limits<double>::infinity();
 // Of PlaneArrays::nearest, in which the nearest plane stands first and of equal ones the first one: those before number
-// `next` are done with. find_planes() puts up to so many in order; of more `count` is 0, and each next one is sought,
-// unless others put them in order.
-inline constexpr uint32_t most_ordered = 24;
+// `next` are done with. find_planes() puts up to most_ordered planes in order. Of up to most_sought planes `count` is 0,
+// and each next one is sought among all. Of more the caller puts some in order at a time.
+inline constexpr uint32_t most_ordered = 24, most_sought = 160;
 struct PlaneOrder {
   uint32_t next, count;
 };

@@ -86,27 +86,40 @@ void PowerCell::find_member_planes() {
   const Vec3 corner{side + std::fabs(centre_.x), side + std::fabs(centre_.y), side + std::fabs(centre_.z)};
   const double reach = std::sqrt(dot(corner, corner)) + 2 * frame_.plane_error();
   find_planes(target_, numbers(), member_, reach * reach, of_planes_);
-  // To seek each next one of many planes takes long where all of them are asked for, as by cells that reach far.
-  constexpr uint32_t many = 160;
-  if (members_.size() > many) order_planes();
+  planes_at_once_ = 0;
 }
 
-void PowerCell::order_planes() {
+// Puts some of many planes in order, the nearest ones, of which most cells need few; each time four times as many. False if
+// all are done with.
+bool PowerCell::order_next_planes() {
   const double *const distance = of_planes_.distance;
-  PlaneOrder &order = order_[0];
-  double least = done_with, most = -done_with;
-  order.count = 0;
-  for (uint32_t m = 0; m < members_.size(); ++m) {
-    if (!(distance[m] < done_with)) continue;
-    of_planes_.nearest[order.count++] = m;
-    least = distance[m] < least ? distance[m] : least;
-    most = distance[m] > most ? distance[m] : most;
+  const uint32_t members = members_.size();
+  if (planes_at_once_ == 0) {
+    planes_at_once_ = 32;
+  } else if (planes_at_once_ < members) {
+    planes_at_once_ *= 4;
   }
-  const double scale = most > least ? 1.0 / (most - least) : 0.0;
+  // About so many are as near as the nearest of every so many.
+  double least = done_with, most = done_with;
+  for (uint32_t m = 0; m < members; ++m) {
+    least = distance[m] < least ? distance[m] : least;
+    if (m % planes_at_once_ == 0) most = distance[m] < most ? distance[m] : most;
+  }
+  PlaneOrder &order = order_[0];
+  order.next = order.count = 0;
+  double farthest = least;
+  for (uint32_t m = 0; m < members; ++m) {
+    const bool taken = distance[m] <= most && distance[m] < done_with;
+    of_planes_.nearest[order.count] = m;
+    order.count += taken ? 1U : 0U;
+    farthest = taken && distance[m] > farthest ? distance[m] : farthest;
+  }
+  const double scale = farthest > least ? 1.0 / (farthest - least) : 0.0;
   sort_by_slot(
       Span<uint32_t>(of_planes_.nearest, order.count), waiting_,
       [&](uint32_t m, uint32_t slots) { return static_cast<uint32_t>((distance[m] - least) * scale * (slots - 1)); },
       [&](uint32_t a, uint32_t b) { return distance[a] != distance[b] ? distance[a] < distance[b] : a < b; });
+  return order.count > 0;
 }
 
 // As find_cut() has it.
@@ -137,7 +150,8 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
     const double reach_error = error + 2 * plane_error;
     // No distance in the cube is larger than 6 sides.
     const uint32_t m = find_next_cut({error + plane_error, (2 * six_sides + reach_error) * reach_error, covered});
-    if (m == none_cuts) return;
+    if (m == none_cuts || (m == wants_more && !order_next_planes())) return;
+    if (m == wants_more) continue;
     if (m == is_covered) {
       if (has_certain_point()) return;
       covered = -1.0;

@@ -71,7 +71,7 @@ class PowerCell {
   uint64_t dominance(uint32_t a, uint32_t first, double error) const;
   void cut_out(uint32_t k, bool unless_covered);
   void find_member_planes();
-  void order_planes();
+  bool order_next_planes();
   uint32_t find_next_cut(const CutMargins &margins);
   bool has_certain_point() const;
   SquareSides compare_with_ball(uint32_t first, double limit, double margin) const;
@@ -104,7 +104,7 @@ class PowerCell {
   Span<EdgeEnds> edges_;                               // [edges + edges_behind]
   Span<uint8_t> free_edges_;                           // [vertices] a bit for each
   Span<uint64_t> outside_;                             // [vertices / 64] a bit for each
-  uint32_t parts_ = 0, cutter_count_ = 0;
+  uint32_t parts_ = 0, cutter_count_ = 0, planes_at_once_ = 0;
   Target target_ = Target::baseline;
 };
 

@@ -28,8 +28,8 @@ struct CutMargins {
   double reach;    // of the square of the distance of the farthest vertex from the centre
   double covered;  // find_cut() ends if that square is smaller
 };
-// The result of find_cut() for no plane.
-inline constexpr uint32_t none_cuts = no_id, is_covered = no_id - 1;
+// The result of find_cut() for no plane; wants_more: of many planes more are to be put in order first.
+inline constexpr uint32_t none_cuts = no_id, is_covered = no_id - 1, wants_more = no_id - 2;
 
 // A line in the plane of a facet, u a + w b = h; the near side has less. In floats, as facets are many.
 struct FlatLine {
@@ -98,7 +98,8 @@ inline uint32_t find_cut_in_lanes(const CutVertices &vertices, const PlaneArrays
   double most = farthest[0];
   for (uint32_t k = 1; k < n; ++k) most = farthest[k] > most ? farthest[k] : most;
   for (;;) {
-    if (order.count != 0 && order.next == order.count) return none_cuts;
+    if (order.next == order.count && plane_count > most_sought) return wants_more;
+    if (order.next == order.count && order.count != 0) return none_cuts;
     const uint32_t plane = order.count != 0 ? planes.nearest[order.next] : nearest_plane<n>(distances, plane_count);
     const double distance = distances[plane];
     if (!(distance < done_with)) return none_cuts;
