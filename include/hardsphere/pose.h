@@ -124,9 +124,10 @@ typedef struct hsp_body_gap {
   uint32_t posed; /**< ball of the posed body, likewise */
 } hsp_body_gap;
 
-/** The least gap for each pose [poses]: gap [poses]. Of pairs with equal gaps it is the one with the lowest ball at
- *  rest, then with the lowest posed ball. Otherwise as hsp_body_hits. A gap has an error of at most 2^-51 of the
- *  distance of the two centres, or of the sum of the two radii if balls overlap.
+/** The least gap for each pose [poses]: gap [poses]. Otherwise as hsp_body_hits. A gap has an error of at most 2^-51 of
+ *  the distance of the two centres, or of the sum of the two radii if balls overlap. Of pairs whose gaps are the same
+ *  double once they are rounded it is the one with the lowest ball at rest, then with the lowest posed ball; pairs with
+ *  equal ideal gaps may differ by that error.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
@@ -142,7 +143,7 @@ typedef struct hsp_body_overlap {
 } hsp_body_overlap;
 
 /** How much the bodies overlap, a penalty for docking codes, for each pose [poses]: overlap [poses].
- *  Otherwise as hsp_body_hits.
+ *  Otherwise as hsp_body_hits. The intersection of two balls has an error of at most 1e-13 of itself.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; overlap is NULL with poses > 0
  *  @retval HSP_E_STATE       as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits

@@ -1,6 +1,7 @@
 #include "poses/pose_queries.hpp"
 
 #include "core/sorting.hpp"
+#include "exact/power.hpp"
 #include "model/meeting.hpp"
 
 namespace hsp {
@@ -208,14 +209,26 @@ uint64_t list_pairs(const SphereTree &fixed, const SphereTree &moving, const Bal
   return count;
 }
 
-// The intersection of two balls, by the distance of their centres.
-double lens_volume(double d, double r, double s) {
-  const double smaller = r < s ? r : s;
-  if (d <= std::fabs(r - s)) return 4.0 / 3.0 * pi * (smaller * smaller * smaller);
-  const double depth = (r + s) - d;
-  if (depth <= 0) return 0;
-  const double difference = r - s;
-  return pi / 12.0 * (depth * depth) * ((d * d + 2.0 * d * (r + s)) - 3.0 * (difference * difference)) / d;
+// d^2 - length^2 for the distance d of two centres, rounded once.
+double square_beyond(const Vec3 &between, double length) {
+  const exact::Vector v{static_cast<int64_t>(between.x), static_cast<int64_t>(between.y),
+                        static_cast<int64_t>(between.z)};
+  return exact::power(v, static_cast<int64_t>(length)).to_double();
+}
+
+// The intersection of two balls, from centre to centre, up to 1e-13 of itself. Where one hardly reaches into the other,
+// or is far smaller, differences of lengths would cancel: there they come from squares.
+double lens_volume(const Vec3 &between, double r, double s) {
+  const double d = std::sqrt(dot(between, between));
+  const double smaller = r < s ? r : s, sum = r + s, difference = std::fabs(r - s);
+  if (d <= difference) return 4.0 / 3.0 * pi * (smaller * smaller * smaller);
+  const double depth = sum - d, enough = 0x1p-7 * sum;
+  if (depth > enough && smaller > enough)
+    return pi / 12.0 * (depth * depth) * ((d * d + 2.0 * d * sum) - 3.0 * (difference * difference)) / d;
+  const double certain_depth = -square_beyond(between, sum) / (sum + d);
+  if (certain_depth <= 0) return 0;
+  const double outside = square_beyond(between, difference) / (d + difference);
+  return pi / 12.0 * (certain_depth * certain_depth) * (outside * (d + 3.0 * difference) + 4.0 * smaller * d) / d;
 }
 
 template <class Balls>
@@ -329,12 +342,12 @@ uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, c
 
 Overlap sum_overlaps(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
   Overlap sum;
-  visit_meeting_pairs(
-      fixed, moving, SnappedBalls(fixed, moving, pose), [&](uint32_t i, uint32_t j, const Vec3 &difference) {
-        ++sum.pairs;
-        sum.volume += lens_volume(std::sqrt(dot(difference, difference)), fixed.radius(i), moving.radius(j));
-        return false;
-      });
+  visit_meeting_pairs(fixed, moving, SnappedBalls(fixed, moving, pose),
+                      [&](uint32_t i, uint32_t j, const Vec3 &difference) {
+                        ++sum.pairs;
+                        sum.volume += lens_volume(difference, fixed.radius(i), moving.radius(j));
+                        return false;
+                      });
   return sum;
 }
 

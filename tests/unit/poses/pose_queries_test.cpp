@@ -395,4 +395,20 @@ TEST(PoseQueries, SumTheVolumesOfOverlaps) {
   EXPECT_EQ(touching.volume, 0);
 }
 
+// Against the same formula in 113 bits: where doubles for the distance lose up to seven digits of the volume.
+TEST(PoseQueries, SumOverlapsThatAreSmallBesideTheirBalls) {
+  struct Case {
+    LatticeBall fixed, posed;
+    double volume;
+  };
+  static constexpr Case cases[] = {{{0, 0, 0, 536870900}, {536870911, 3, 5, 13}, 154.98522943156871},
+                                   {{0, 0, 0, 499999999}, {500000000, 1, 0, 3}, 29.321531307841031},
+                                   {{0, 0, 0, 250000000}, {300000000, 400000001, 17, 250000001}, 15707917.844740856}};
+  for (const auto &[fixed, posed, volume] : cases) {
+    const BuiltTree rest({fixed}), other({posed});
+    EXPECT_NEAR(hsp::sum_overlaps(rest.tree(), other.tree(), hsp::Pose()).volume, volume, 4e-15 * volume);
+    EXPECT_NEAR(hsp::sum_overlaps(other.tree(), rest.tree(), hsp::Pose()).volume, volume, 4e-15 * volume);
+  }
+}
+
 }  // namespace
