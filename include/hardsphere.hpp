@@ -228,6 +228,11 @@ class owner {
   static void held(size_t given, uint32_t balls) {
     if (given != 0 && given != balls) throw error(HSP_E_ARGUMENT);
   }
+  // That of a vector that was cleared still points to what it held.
+  template <class Number>
+  static const Number *numbers(std::span<const Number> given) noexcept {
+    return given.empty() ? nullptr : given.data();
+  }
   // The number of balls of a handle, from one of its functions (.., capacity, needed) without arrays; 0 without balls.
   template <class... Arguments, class Handle, class... Nothing>
   static uint32_t count(int32_t (*function)(Arguments...), Handle *handle, Nothing... nothing) noexcept {
@@ -287,7 +292,7 @@ class owner {
     hsp_gradient_request request{};
     check(hsp_gradient_request_init(&request, sizeof request));
     request.tension = terms.tension, request.pressure = terms.pressure, request.tangency = terms.tangency;
-    request.sigma = terms.sigma.data(), request.executor = &executor_;
+    request.sigma = numbers(terms.sigma), request.executor = &executor_;
     return request;
   }
 #if HSP_HAS_SPACE
@@ -361,7 +366,7 @@ class workspace : public owner {
     held(selected.size(), n);
     hardsphere::measures found{{}, std::vector<double>(n), std::vector<double>(n)};
     hsp_measure_request request{};
-    request.struct_size = sizeof request, request.selected = selected.data(), request.executor = &executor_;
+    request.struct_size = sizeof request, request.selected = numbers(selected), request.executor = &executor_;
     hsp_measure_outputs outputs{};
     outputs.struct_size = sizeof outputs, outputs.capacity = n, outputs.totals = &found.total;
     outputs.area = found.area.data(), outputs.volume_term = found.volume_term.data();
@@ -570,9 +575,8 @@ class moving : public owner {
     for (;;) {
       hsp_moving_limits limits = work_.moving_limits;
       uint32_t bad = HSP_NONE;
-      int32_t status =
-          hsp_moving_move(work_.moving, static_cast<uint32_t>(balls.size()), balls.data(),
-                          xyz.empty() ? nullptr : xyz.data(), radius.empty() ? nullptr : radius.data(), &limits, &bad);
+      int32_t status = hsp_moving_move(work_.moving, static_cast<uint32_t>(balls.size()), balls.data(), numbers(xyz),
+                                       numbers(radius), &limits, &bad);
       if (status != HSP_E_CAPACITY) return check(status, bad), *this;
       // Into a larger handle, if the weights are those of the balls: run() may have taken others.
       if (!sigma_.empty() && sigma_.size() != size()) throw error(HSP_E_STATE);
@@ -609,8 +613,7 @@ class moving : public owner {
 
  private:
   int32_t take(uint32_t *bad) {
-    return hsp_workspace_moving(&work_, sigma_.empty() ? nullptr : sigma_.data(), terms_.tension, terms_.pressure,
-                                terms_.tangency, bad);
+    return hsp_workspace_moving(&work_, numbers<double>(sigma_), terms_.tension, terms_.pressure, terms_.tangency, bad);
   }
 
   energy_terms terms_{};

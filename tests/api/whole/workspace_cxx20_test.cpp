@@ -66,6 +66,12 @@ void test_values() {
   EXPECT(hardsphere::measure(lens, ones, {.probe = 0.5}).total.area > found.total.area);
   EXPECT(work.pairs().of(0).size() == 1 && work.pairs().of(0)[0] == 1 && work.pairs().of(1).empty());
   EXPECT(work.pairs(0).ids.size() == 2);
+  // Nothing is read of an empty span, wherever it points.
+  std::vector<double> weights = {3, 4};
+  weights.clear();
+  const std::vector<uint8_t> neither = {0, 0};
+  EXPECT(near(work.gradient({.tension = 1, .sigma = weights}).energy.area, found.total.area));
+  EXPECT(near(work.measure(std::span(neither).first(0)).total.area, found.total.area));
 }
 
 void test_threads() {
