@@ -13,6 +13,7 @@ class BallsOfRow {
   explicit BallsOfRow(const PeriodicUnion &periodic)
       : images_(periodic.images()),
         grid_(periodic.grid()),
+        in_grid_(grid_, images_),
         boundary_(periodic.boundary()),
         frame_(images_.box().frame()) {}
 
@@ -33,6 +34,7 @@ class BallsOfRow {
  protected:
   const PeriodicImages &images_;
   const CubeGrid &grid_;
+  const ImagesInGrid in_grid_;
   const Boundary &boundary_;
   const BoxFrame &frame_;
 
@@ -47,8 +49,13 @@ class BallsOfRow {
     return true;
   }
   bool has_circle_of(uint32_t place, uint32_t other) const {
-    for (const ClosedHalfEdge e : boundary_.circles(place)) {
-      if (boundary_.neighbour(e) == other) return true;
+    // The other ball has the same circle in the box. One with many is met by balls with few each.
+    const Span<const ClosedHalfEdge> own = boundary_.circles(place),
+                                     others = boundary_.circles(in_grid_.ball_of(other));
+    const bool from_place = own.size() <= others.size();
+    const uint32_t wanted = from_place ? other : in_grid_.moved_back(place, other);
+    for (const ClosedHalfEdge e : from_place ? own : others) {
+      if (boundary_.neighbour(e) == wanted) return true;
     }
     // They are in the order of the ranks of their neighbours.
     const IdRange all = boundary_.half_edges(place);

@@ -48,4 +48,38 @@ TEST(PeriodicHessian, OfARod) {
   }
 }
 
+// A large ball with more circles than those that it meets: one ball between it and its image, one on its other side.
+TEST(PeriodicHessian, OfALargeBallWithSmallOnes) {
+  constexpr double side = 6.75, large = 3, small = 0.5;
+  support::BallList balls;
+  balls.add(0, 0, 0, large);
+  balls.add(side / 2, 0, 0, small);
+  balls.add(0, -3, 0, small);
+  const BuiltPeriodic built(balls, {side, 0, 0, 0, side, 0, 0, 0, side}, 0.0, 0.125);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  std::vector<uint32_t> first(4, 7);
+  ASSERT_TRUE(hsp::find_hessian_row_starts_in_box({}, built.get(), first.data()));
+  ASSERT_EQ(first, (std::vector<uint32_t>{0, 3, 5, 7}));
+  hsp::EnergyTerms terms;
+  terms.pressure = 1;
+  terms.weights = hsp::weights_in_box(built.get(), nullptr, hsp::TouchingBalls::meet);
+  std::vector<uint32_t> ball(7, 9);
+  std::vector<double> block(63, NAN);
+  ASSERT_TRUE(
+      hsp::find_hessian_rows_in_box({}, built.get(), terms, {first.data(), ball.data(), block.data(), nullptr}));
+  EXPECT_EQ(ball, (std::vector<uint32_t>{0, 1, 2, 0, 1, 0, 2}));
+  // dV/dd is the disk of the circle, which is `from_large` away from the large centre.
+  for (const uint32_t other : {1U, 2U}) {
+    const double d = other == 1 ? side / 2 : 3.0, circles = other == 1 ? 2.0 : 1.0;
+    const double from_large = (d * d + large * large - small * small) / (2 * d);
+    const double along = 2 * pi * from_large * (1 - from_large / d);
+    const double across = -pi * (large * large - from_large * from_large) / d;
+    for (uint32_t k = 0; k < 9; ++k) {
+      const bool is_along = k / 3 == other - 1;
+      const double expected = k / 3 != k % 3 ? 0 : circles * (is_along ? along : across);
+      EXPECT_NEAR(block[9 * size_t{other} + k], expected, 1e-12) << other << ' ' << k;
+    }
+  }
+}
+
 }  // namespace
