@@ -14,7 +14,8 @@
  *
  * Areas, volume, an energy of them and its derivatives are known at all times. A move computes these balls again: those
  * that moved, those that a moved ball met before, and those that it meets afterwards. Then it adds up totals along a
- * fixed tree. Its cost depends on how many other balls there are only by the depth of that tree.
+ * fixed tree. Where no ball is far larger than the others, its cost depends on how many of these there are only by the
+ * depth of that tree.
  *
  * SAME BITS   Every number is, bit for bit, what hsp_boundary_compute, hsp_boundary_measure and
  * hsp_boundary_get_gradient give for a new model of the balls as they are, whatever moves led there. The new model has
@@ -85,7 +86,8 @@ HSP_API int32_t HSP_CALL hsp_moving_init(void *memory, size_t bytes, const hsp_m
  *  there is none.
  *  - Property 1: the order of the balls has no effect but on ids, and on the last bits of sums over all balls.
  *
- *  Cost: about that of hsp_boundary_compute and hsp_boundary_get_gradient.
+ *  Cost: about that of hsp_boundary_compute and hsp_boundary_get_gradient; O(n c) with a few balls that are far larger
+ *  than all others.
  *  @retval HSP_E_ARGUMENT    moving or model is NULL; unknown tangency
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
@@ -116,9 +118,9 @@ HSP_API int32_t HSP_CALL hsp_moving_set_with(hsp_moving *moving, const hsp_model
  *  - Property 1: afterwards every number has the bits of a fresh computation, as said above.
  *  - Property 2: moves of different balls may be made in one call or in several, in any order.
  *
- *  Cost: O(m) boundaries of single balls for m balls that moved or that meet, or met, a ball that moved, and O(m log n)
- *  for totals. Where a component may have come apart, it is searched from all of its possible pieces side by side,
- *  until all but the largest piece are known.
+ *  Cost: O(m) boundaries of single balls for m balls that moved or that meet, or met, a ball that moved, each of which
+ *  takes O(c), and O(m log n) for totals. Where a component may have come apart, it is searched from all of its possible
+ *  pieces side by side, until all but the largest piece are known.
  *  @retval HSP_E_ARGUMENT    moving is NULL; ball is NULL with count > 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a ball would have more neighbours than the limit allows

@@ -432,7 +432,8 @@ HSP_API int32_t HSP_CALL hsp_periodic_query_neighbours(const hsp_periodic *perio
  *  - Property 2: with HSP_PAIRS_ONCE, row i holds only those entries with balls j > i, and of the images of ball i
  *    itself one of any two with opposite shifts: that of hsp_periodic_get_contacts if there is a contact.
  *
- *  Cost: O(n) expected for sets as in Theorem 2.1, and proportional to the number of pairs if that is larger.
+ *  Cost: O(n) expected for sets as in Theorem 2.1, and with a few large balls among small ones; proportional to the
+ *  number of pairs if that is larger; O(n c) at worst.
  *  @retval HSP_OK          out holds all rows; or there is no pair, also with capacity 0
  *  @retval HSP_E_ARGUMENT  periodic or first is NULL; out is NULL with a capacity above 0; unknown flag
  *  @retval HSP_E_CAPACITY  more pairs than capacity: first and *needed are set, and nothing is written to out

@@ -154,10 +154,7 @@ class HitFinder {
 [[gnu::noinline, gnu::cold]] bool collect_by_levels(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
                                                     QueryResult &result) {
   QueryHits hits;
-  const uint32_t own = excluded != no_id ? grid.grid_index(excluded) : no_id;
-  hits.count = grid.levels()->find(as_doubles(query, own), hits.ids, QueryHits::room);
-  if (hits.count > QueryHits::room) return false;
-  for (uint32_t k = 0; k < hits.count; ++k) hits.ids[k] = grid.balls().caller[hits.ids[k]];
+  if (!find_by_levels(grid, as_doubles(query, excluded), hits)) return false;
   result.hits = hits.count;
   if (result.hits <= result.capacity) write_ascending(grid, hits, result);
   return true;
@@ -217,6 +214,15 @@ Status round_query(const BallSet &balls, const double *xyz, double radius, Latti
   if (!balls.lattice.round(xyz, query.centre) || !good) return why_refused(xyz, radius);
   query.radius = nearest(radius_steps);
   return Status::ok;
+}
+
+bool find_by_levels(const CubeGrid &grid, const QueryBall &query, QueryHits &hits) {
+  QueryBall own = query;
+  if (query.excluded != no_id) own.excluded = grid.grid_index(query.excluded);
+  hits.count = grid.levels()->find(own, hits.ids, QueryHits::room);
+  if (hits.count > QueryHits::room) return false;
+  for (uint32_t k = 0; k < hits.count; ++k) hits.ids[k] = grid.balls().caller[hits.ids[k]];
+  return true;
 }
 
 void find_balls_at_point(const CubeGrid &grid, const LatticeQuery &point, QueryResult &result) {

@@ -1,5 +1,6 @@
 #include "periodic/periodic_check.hpp"
 
+#include "core/first_index.hpp"
 #include "core/summation.hpp"
 #include "measure/gradients.hpp"
 
@@ -65,16 +66,17 @@ class PeriodicCheck {
     return {};
   }
 
-  // The same contact at the other ball's place in the box.
+  // The same contact at the other ball's place in the box, of which those of a ball ascend.
   bool is_there_from(const PeriodicContact &contact) const {
-    const uint32_t other = images_.ball_of(contact.other);
+    const uint32_t other = periodic_.grid().grid_index(images_.ball_of(contact.other));
     const uint32_t back = images_.find(contact.ball, BoxShift{} - images_.shift_of(contact.other));
-    bool found = false;
-    periodic_.visit_contacts_of(other, [&](const PeriodicContact &mirrored) {
-      if (mirrored.other != back) return;
-      found = mirrored.record->code == contact.record->code && mirrored.record->chords == contact.record->chords;
-    });
-    return found;
+    const Contacts &contacts = periodic_.contacts();
+    const Span<const uint32_t> row = contacts.row(other);
+    const auto leads_to = [&](uint32_t k) { return balls_.caller[contacts.contact(row[k]).other(other)]; };
+    const uint32_t at = first_index(0, row.size(), [&](uint32_t k) { return leads_to(k) >= back; });
+    if (at == row.size() || leads_to(at) != back) return false;
+    const ContactRecord &mirrored = contacts.contact(row[at]);
+    return mirrored.code == contact.record->code && mirrored.chords == contact.record->chords;
   }
 
   const PeriodicUnion &periodic_;

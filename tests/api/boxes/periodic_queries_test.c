@@ -8,7 +8,7 @@
 #include "random_numbers.h"
 #include "untouched.h"
 
-enum { FEW = 6, BALLS = 300, MOST = 60000 };
+enum { FEW = 6, MANY = 300, BALLS = 1200, MOST = 60000 };
 static unsigned char memory[HSP_PERIODIC_BYTES(BALLS, 4000, 200, 9000, 4000, 9000)];
 static hsp_periodic *periodic;
 static hsp_image found[MOST], expected[MOST], rows[MOST];
@@ -47,13 +47,24 @@ static void choose(uint64_t *random, int set, crystal *c) {
 static void choose_many(uint64_t *random, int flat, crystal *c) {
   uint32_t i;
   memset(c, 0, sizeof *c);
-  c->n = BALLS;
+  c->n = MANY;
   for (i = 0; i < 9; i += 4) c->box[i] = quarters(random, 60, 70);
   if (flat) c->box[8] = quarters(random, 8, 14);
   c->box[3] = quarters(random, -12, 12);
   c->box[7] = quarters(random, -12, 12);
   for (i = 0; i < 3 * c->n; ++i) c->xyz[i] = quarters(random, -60, 60);
   for (i = 0; i < c->n; ++i) c->radius[i] = quarters(random, 1, 3);
+}
+
+/* So many that the few large ones among them are no reason to look at all small ones around each small one. */
+static void choose_colloid(uint64_t *random, crystal *c) {
+  uint32_t i;
+  memset(c, 0, sizeof *c);
+  c->n = BALLS;
+  for (i = 0; i < 9; i += 4) c->box[i] = quarters(random, 84, 90);
+  c->box[3] = quarters(random, -12, 12);
+  for (i = 0; i < 3 * c->n; ++i) c->xyz[i] = quarters(random, -120, 120);
+  for (i = 0; i < c->n; ++i) c->radius[i] = i % 700 == 7 ? 4 : quarters(random, 1, 3);
 }
 
 static void compute(const crystal *c) {
@@ -258,6 +269,11 @@ int main(void) {
     compute(&c);
     at_balls(&random, &c);
   }
+  check_scene("a colloid");
+  choose_colloid(&random, &c);
+  compute(&c);
+  at_balls(&random, &c);
+  all_pairs(&c);
   check_scene("known");
   by_cutoff();
   widest();
