@@ -119,8 +119,8 @@ HSP_API int32_t HSP_CALL hsp_moving_set_with(hsp_moving *moving, const hsp_model
  *  - Property 2: moves of different balls may be made in one call or in several, in any order.
  *
  *  Cost: O(m) boundaries of single balls for m balls that moved or that meet, or met, a ball that moved, each of which
- *  takes O(c), and O(m log n) for totals. Where a component may have come apart, it is searched from all of its possible
- *  pieces side by side, until all but the largest piece are known.
+ *  takes O(c), and O(m log n) for totals. Where a component may have come apart, it is searched from all of its
+ *  possible pieces side by side, until all but the largest piece are known.
  *  @retval HSP_E_ARGUMENT    moving is NULL; ball is NULL with count > 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a ball would have more neighbours than the limit allows
