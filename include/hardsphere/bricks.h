@@ -11,9 +11,10 @@
  * their balls in ascending order of ids. The caller is free to choose which balls a brick owns. Boxes are not periodic.
  *
  * A brick leaves a summary, some bytes for each ball at its border. Where balls of two bricks join, at a curve or a
- * contact, the summaries of both bricks have a record of it, a seam. Summaries merge in any order and any tree to the
- * same bits, as if the whole had been one brick. A summary is a block of bytes, the same on every machine, at any
- * address: it is stored, sent and read as it is, and needs no handle and no limits.
+ * contact, the summaries of both bricks have a record of it, a seam. Summaries merge in any order and any tree to
+ * totals and shells of the same bits, as if the whole had been one brick. A summary is a block of bytes, the same on
+ * every machine, at any address: it is stored, sent and read as it is, and needs no handle and no limits. The bytes of
+ * a merged summary depend on the order of merges.
  *
  * Counts are those of hsp_boundary_counts of the whole. Areas are sums over faces. Each term is rounded once to a
  * multiple of a quantum of some 1e-24 of the square of the largest radius: such integers add up to the same bits in any

@@ -128,7 +128,8 @@ typedef struct hsp_contact {
  *  - Property 1: 3 V = sum_i r_i A_i + the sum of distance times area over all contacts, up to rounding.
  *
  *  Accuracy: for each of its sides an area has an error of some 1e-15 of the square of the smaller of the two radii,
- *  up to 1e-12 where centres lie nearly on a line or in a plane.
+ *  up to 1e-12 where centres lie nearly on a line or in a plane; for each of its arcs a rim has one of some 1e-15 of
+ *  the radius of the circle.
  *  @retval HSP_E_ARGUMENT  contacts is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
