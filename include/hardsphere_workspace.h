@@ -221,6 +221,9 @@ static inline int32_t hsp_workspace_ready_boundary(hsp_workspace *work) {
   if (work->boundary != NULL) return HSP_OK;
   if (work->boundary_limits.struct_size == 0) {
     status = hsp_boundary_limits_init(&work->boundary_limits, sizeof work->boundary_limits, work->most_balls);
+    if (status == HSP_E_RANGE) { /* more balls than it knows limits for: these grow */
+      status = hsp_boundary_limits_init(&work->boundary_limits, sizeof work->boundary_limits, 0);
+    }
   }
   return status == HSP_OK ? hsp_workspace_make_boundary(work) : status;
 }
@@ -275,6 +278,9 @@ static inline int32_t hsp_workspace_ready_view(hsp_workspace *work) {
   if (work->view != NULL) return HSP_OK;
   if (work->view_limits.struct_size == 0) {
     status = hsp_view_limits_init(&work->view_limits, sizeof work->view_limits, work->most_balls);
+    if (status == HSP_E_RANGE) { /* more balls than it knows limits for: these grow */
+      status = hsp_view_limits_init(&work->view_limits, sizeof work->view_limits, 0);
+    }
   }
   return status == HSP_OK ? hsp_workspace_make_view(work) : status;
 }
@@ -343,6 +349,9 @@ static inline int32_t hsp_workspace_ready_map(hsp_workspace *work) {
   if (work->map != NULL) return HSP_OK;
   if (work->map_limits.struct_size == 0) {
     status = hsp_map_limits_init(&work->map_limits, sizeof work->map_limits, work->most_balls);
+    if (status == HSP_E_RANGE) { /* more balls than it knows limits for: these grow */
+      status = hsp_map_limits_init(&work->map_limits, sizeof work->map_limits, 0);
+    }
   }
   return status == HSP_OK ? hsp_workspace_make_map(work) : status;
 }
@@ -397,6 +406,9 @@ static inline int32_t hsp_workspace_ready_cells(hsp_workspace *work) {
   if (work->cells != NULL) return HSP_OK;
   if (work->cells_limits.struct_size == 0) {
     status = hsp_cells_limits_init(&work->cells_limits, sizeof work->cells_limits, work->most_balls);
+    if (status == HSP_E_RANGE) { /* more balls than it knows limits for: these grow */
+      status = hsp_cells_limits_init(&work->cells_limits, sizeof work->cells_limits, 0);
+    }
   }
   return status == HSP_OK ? hsp_workspace_make_cells(work) : status;
 }
@@ -423,6 +435,9 @@ static inline int32_t hsp_workspace_ready_paths(hsp_workspace *work) {
   if (work->paths != NULL) return HSP_OK;
   if (work->paths_limits.struct_size == 0) {
     status = hsp_paths_limits_init(&work->paths_limits, sizeof work->paths_limits, work->most_balls);
+    if (status == HSP_E_RANGE) { /* more balls than it knows limits for: these grow */
+      status = hsp_paths_limits_init(&work->paths_limits, sizeof work->paths_limits, 0);
+    }
   }
   return status == HSP_OK ? hsp_workspace_make_paths(work) : status;
 }
@@ -449,6 +464,9 @@ static inline int32_t hsp_workspace_ready_pores(hsp_workspace *work) {
   if (work->pores != NULL) return HSP_OK;
   if (work->pores_limits.struct_size == 0) {
     status = hsp_pores_limits_init(&work->pores_limits, sizeof work->pores_limits, work->most_balls);
+    if (status == HSP_E_RANGE) { /* more balls than it knows limits for: these grow */
+      status = hsp_pores_limits_init(&work->pores_limits, sizeof work->pores_limits, 0);
+    }
   }
   return status == HSP_OK ? hsp_workspace_make_pores(work) : status;
 }
@@ -476,6 +494,9 @@ static inline int32_t hsp_workspace_ready_moving(hsp_workspace *work) {
   if (work->moving != NULL) return HSP_OK;
   if (work->moving_limits.struct_size == 0) {
     status = hsp_moving_limits_init(&work->moving_limits, sizeof work->moving_limits, work->most_balls);
+    if (status == HSP_E_RANGE) { /* more balls than it knows limits for: these grow */
+      status = hsp_moving_limits_init(&work->moving_limits, sizeof work->moving_limits, 0);
+    }
   }
   return status == HSP_OK ? hsp_workspace_make_moving(work) : status;
 }
@@ -503,6 +524,9 @@ static inline int32_t hsp_workspace_ready_periodic(hsp_workspace *work, uint32_t
   if (work->periodic != NULL) return HSP_OK;
   if (work->periodic_limits.struct_size == 0) {
     status = hsp_periodic_limits_init(&work->periodic_limits, sizeof work->periodic_limits, n);
+    if (status == HSP_E_RANGE) { /* more balls than it knows limits for: these grow */
+      status = hsp_periodic_limits_init(&work->periodic_limits, sizeof work->periodic_limits, 0);
+    }
   }
   return status == HSP_OK ? hsp_workspace_make_periodic(work) : status;
 }
@@ -523,6 +547,7 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
   if (work->model == NULL || n > work->most_balls) {
     size_t bytes = 0;
     int32_t status = hsp_model_bytes(n, &bytes);
+    if (first_bad != NULL) *first_bad = HSP_NONE;
     if (status != HSP_OK) { /* as it fails in the model itself: the balls of before are no answer to what comes now */
       if (work->model != NULL) (void)hsp_model_set(work->model, n, xyz, radius, options, first_bad);
       return status;

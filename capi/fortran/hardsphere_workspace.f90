@@ -130,6 +130,7 @@ contains
     integer(c_size_t) :: bytes
     if (.not. c_associated(self%model) .or. n > self%most_balls .or. n < 0) then ! which in C are more than any
       status = hsp_model_bytes(n, bytes)
+      if (present(first_bad)) first_bad = HSP_NONE
       if (status /= HSP_OK) then
         ! The balls of before are no answer to what comes now.
         if (c_associated(self%model)) refused = hsp_model_set(self%model, n, xyz, radius, options, first_bad)
@@ -648,6 +649,9 @@ contains
     status = HSP_OK
     if (c_associated(self%boundary)) return
     status = hsp_boundary_limits_init(self%boundary_limits, self%boundary_limits%struct_size, self%most_balls)
+    ! More balls than it knows limits for: these grow.
+    if (status == HSP_E_RANGE) &
+      status = hsp_boundary_limits_init(self%boundary_limits, self%boundary_limits%struct_size, 0_c_int32_t)
     if (status == HSP_OK) status = make_boundary(self)
   end function
 
@@ -707,6 +711,9 @@ contains
     status = HSP_OK
     if (c_associated(self%view)) return
     status = hsp_view_limits_init(self%view_limits, self%view_limits%struct_size, self%most_balls)
+    ! More balls than it knows limits for: these grow.
+    if (status == HSP_E_RANGE) &
+      status = hsp_view_limits_init(self%view_limits, self%view_limits%struct_size, 0_c_int32_t)
     if (status == HSP_OK) status = make_view(self)
   end function
 
@@ -777,6 +784,9 @@ contains
     status = HSP_OK
     if (c_associated(self%map)) return
     status = hsp_map_limits_init(self%map_limits, self%map_limits%struct_size, self%most_balls)
+    ! More balls than it knows limits for: these grow.
+    if (status == HSP_E_RANGE) &
+      status = hsp_map_limits_init(self%map_limits, self%map_limits%struct_size, 0_c_int32_t)
     if (status == HSP_OK) status = make_map(self)
   end function
 
@@ -835,6 +845,9 @@ contains
     status = HSP_OK
     if (c_associated(self%cells)) return
     status = hsp_cells_limits_init(self%cells_limits, self%cells_limits%struct_size, self%most_balls)
+    ! More balls than it knows limits for: these grow.
+    if (status == HSP_E_RANGE) &
+      status = hsp_cells_limits_init(self%cells_limits, self%cells_limits%struct_size, 0_c_int32_t)
     if (status == HSP_OK) status = make_cells(self)
   end function
 
@@ -864,6 +877,9 @@ contains
     status = HSP_OK
     if (c_associated(self%paths)) return
     status = hsp_paths_limits_init(self%paths_limits, self%paths_limits%struct_size, self%most_balls)
+    ! More balls than it knows limits for: these grow.
+    if (status == HSP_E_RANGE) &
+      status = hsp_paths_limits_init(self%paths_limits, self%paths_limits%struct_size, 0_c_int32_t)
     if (status == HSP_OK) status = make_paths(self)
   end function
 
@@ -893,6 +909,9 @@ contains
     status = HSP_OK
     if (c_associated(self%pores)) return
     status = hsp_pores_limits_init(self%pores_limits, self%pores_limits%struct_size, self%most_balls)
+    ! More balls than it knows limits for: these grow.
+    if (status == HSP_E_RANGE) &
+      status = hsp_pores_limits_init(self%pores_limits, self%pores_limits%struct_size, 0_c_int32_t)
     if (status == HSP_OK) status = make_pores(self)
   end function
 
@@ -922,6 +941,9 @@ contains
     status = HSP_OK
     if (c_associated(self%moving)) return
     status = hsp_moving_limits_init(self%moving_limits, self%moving_limits%struct_size, self%most_balls)
+    ! More balls than it knows limits for: these grow.
+    if (status == HSP_E_RANGE) &
+      status = hsp_moving_limits_init(self%moving_limits, self%moving_limits%struct_size, 0_c_int32_t)
     if (status == HSP_OK) status = make_moving(self)
   end function
 
@@ -952,6 +974,9 @@ contains
     status = HSP_OK
     if (c_associated(self%periodic)) return
     status = hsp_periodic_limits_init(self%periodic_limits, self%periodic_limits%struct_size, n)
+    ! More balls than it knows limits for: these grow.
+    if (status == HSP_E_RANGE) &
+      status = hsp_periodic_limits_init(self%periodic_limits, self%periodic_limits%struct_size, 0_c_int32_t)
     if (status == HSP_OK) status = make_periodic(self)
   end function
 

@@ -88,6 +88,10 @@ def make_rows(interface):
                      "    status = HSP_OK",
                      f"    if (c_associated(self%{noun})) return",
                      *wrapped(f"status = hsp_{noun}_limits_init(self%{noun}_limits, {given})", 4, mark=" &"),
+                     *(["    ! More balls than it knows limits for: these grow.",
+                        f"    if (status == HSP_E_RANGE) &",
+                        f"      status = hsp_{noun}_limits_init(self%{noun}_limits, {size}, 0_c_int32_t)"]
+                       if source in ("n", "most_balls") else []),
                      f"    if (status == HSP_OK) status = make_{noun}(self)",
                      "  end function", "",
                      f"  function grow_{noun}(self, limits) result(status)", SELF,

@@ -91,6 +91,7 @@ contains
     integer(c_size_t) :: bytes
     if (.not. c_associated(self%model) .or. n > self%most_balls .or. n < 0) then ! which in C are more than any
       status = hsp_model_bytes(n, bytes)
+      if (present(first_bad)) first_bad = HSP_NONE
       if (status /= HSP_OK) then
         ! The balls of before are no answer to what comes now.
         if (c_associated(self%model)) refused = hsp_model_set(self%model, n, xyz, radius, options, first_bad)

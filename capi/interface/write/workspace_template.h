@@ -62,6 +62,7 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
   if (work->model == NULL || n > work->most_balls) {
     size_t bytes = 0;
     int32_t status = hsp_model_bytes(n, &bytes);
+    if (first_bad != NULL) *first_bad = HSP_NONE;
     if (status != HSP_OK) { /* as it fails in the model itself: the balls of before are no answer to what comes now */
       if (work->model != NULL) (void)hsp_model_set(work->model, n, xyz, radius, options, first_bad);
       return status;

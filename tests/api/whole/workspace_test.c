@@ -379,6 +379,30 @@ static void shorter_edges(void) {
   hsp_workspace_free(&work);
 }
 
+/* A box with more balls than hsp_periodic_limits_init knows limits for: their values are looked at, as those of any
+ * box. Nothing but the first one is written, so that most systems have no memory for the rest. */
+static void very_many(void) {
+  const uint32_t n = (HSP_MAX_BALLS - 2048) / 36 + 1;
+  const double box[9] = {9, 0, 0, 0, 9, 0, 0, 0, 9};
+  double *const xyz = calloc((size_t)3 * n, sizeof *xyz), *const radius = calloc(n, sizeof *radius);
+  hsp_workspace work = {0};
+  hsp_periodic_limits limits;
+  uint32_t first_bad = 77;
+  CHECK_EQUAL(hsp_periodic_limits_init(&limits, sizeof limits, n), HSP_E_RANGE);
+  if (xyz != NULL && radius != NULL) {
+    xyz[0] = NAN;
+    radius[0] = 1;
+    CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radius, box, NULL, &first_bad), HSP_E_NOT_FINITE);
+    CHECK_EQUAL(first_bad, 0);
+  }
+  hsp_workspace_free(&work);
+  free(xyz);
+  free(radius);
+  first_bad = 77;
+  CHECK_EQUAL(hsp_workspace_set(&work, UINT32_MAX, NULL, NULL, NULL, &first_bad), HSP_E_RANGE);
+  CHECK_EQUAL(first_bad, HSP_NONE);
+}
+
 int main(void) {
   set_after_set();
   shorter_edges();
@@ -386,6 +410,7 @@ int main(void) {
   out_of_date();
   boundary_grows();
   boxes();
+  very_many();
   without_memory();
   return check_report();
 }
