@@ -119,7 +119,8 @@ HSP_API int32_t HSP_CALL hsp_periodic_init(void *memory, size_t bytes, const hsp
  *  @retval HSP_E_RANGE       as hsp_model_set, also for turned coordinates; or of the turned vectors a_x, b_y or c_z is
  *                            0 on the lattice, as they lie in a plane, or below 2/55 of the largest radius, a component
  *                            is beyond 2^44 steps, or b or c needs more than 64 of the vectors before it to be reduced;
- *                            a ball is more than 2^17 boxes away; more than HSP_MAX_BALLS balls */
+ *                            a ball is more than 2^17 boxes away; more than HSP_MAX_BALLS balls; a row of a winding
+ *                            would need more than 31 bits, as no set is known to */
 HSP_API int32_t HSP_CALL hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz,
                                               const double *radius, const double *box, const hsp_model_options *options,
                                               hsp_periodic_limits *limits, uint32_t *first_bad);
