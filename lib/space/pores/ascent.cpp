@@ -13,11 +13,11 @@ double length_of(const Vec3 &v) {
   return std::sqrt(dot(v, v));
 }
 
-// The nearest point to 0 of what points span, as far as it is known, and which of them span it.
+// The point nearest to 0 that has been found in the convex hull of some points, and which of them span it.
 struct Nearest {
   Vec3 point;
   double squared;
-  uint32_t set;  // a bit for each
+  uint32_t set;  // a bit for each point that spans it
 
   void take(const Vec3 &other, double other_squared, uint32_t other_set) {
     point = other;
@@ -26,8 +26,8 @@ struct Nearest {
   }
 };
 
-// Each of these takes the point of the affine hull of some points that is nearest to 0, if it is nearer than what is
-// known, unless it is outside their hull, or they are nearly dependent.
+// Each of these functions finds the point of the affine hull of some points that is nearest to 0. It takes that point
+// if it is nearer than the known one, unless it is outside their convex hull, or they are nearly dependent.
 void try_edge(const Vec3 &a, const Vec3 &b, uint32_t set, Nearest &known) {
   const Vec3 u = b - a;
   const double length = dot(u, u), t = -dot(a, u);
@@ -62,7 +62,7 @@ void try_tetrahedron(const Vec3 *v, Nearest &known) {
 
 }  // namespace
 
-// Of sets without the new point only that of all others can win, as they were nearer than any fewer.
+// Among the sets without the new point only the set of all others can have the nearest point: each of them was needed.
 Vec3 nearest_to_zero(Vec3 *points, uint32_t &count, const Vec3 &of_others) {
   const uint32_t last = count - 1, own = 1U << last;
   const Vec3 &added = points[last];
@@ -84,7 +84,7 @@ Vec3 nearest_to_zero(Vec3 *points, uint32_t &count, const Vec3 &of_others) {
 
 Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(around), start_(start) {
   const BallSet &balls = around.set();
-  // The reach that some balls have and no more than there is room for, or nearly: doubled, then halved.
+  // A reach within which there are some balls, and no more than there is room for, or nearly: doubled, then bisected.
   double low = 0.0, high = 0.0;
   double reach = static_cast<double>(balls.largest_radius) + 1.0;
   for (int turn = 0; balls.n > 0 && turn < 120; ++turn) {
@@ -96,7 +96,7 @@ Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(a
     if (!(reach < exact::query_radius_limit)) break;
   }
   level_ = balls.n > 0 ? reach : std::numeric_limits<double>::infinity();
-  // Where it is in too many, or too many tie: of all these the nearest one, and those that are as near.
+  // If the start is in too many balls, or too many tie: the nearest one of all these, and those that are as near.
   if (!look(reach) && near_count_ == 0 && balls.n > 0 && count_crowd(0.0, reach) > 0) static_cast<void>(look(level_));
   delta_ = 0.25 * (std::fabs(level_) + static_cast<double>(balls.largest_radius)) + 16.0;
   move(0.0, at_);
@@ -111,7 +111,7 @@ Ascent::NearBall Ascent::seen(const NearImage &image) const {
   return {length > 0.0 ? (1.0 / length) * y : Vec3{1.0, 0.0, 0.0}, length - static_cast<double>(ball.radius)};
 }
 
-// All balls within some distance, and f. False if there are none, or too many.
+// Finds f, and all balls within a distance `reach`. False if there are none, or too many.
 bool Ascent::look(double reach) {
   NearImage found[BallsAround::most];
   const exact::Vector offset{nearest(at_.x), nearest(at_.y), nearest(at_.z)};
@@ -145,7 +145,8 @@ bool Ascent::look(double reach) {
   return true;
 }
 
-// How many balls are within delta of the nearest one; they come first. 0 if they are too many to be known.
+// How many balls are within delta of the nearest one; they come first in near_, or are a crowd that near_ does not
+// have. 0 if they are too many to be looked at.
 uint32_t Ascent::within(double delta) {
   if (!(known_ >= delta) && !look(level_ + delta)) {
     return delta < 0x1p-8 * size() || delta <= 4.0 * tie_reach() ? count_crowd(delta, level_) : 0;
@@ -181,10 +182,11 @@ void Ascent::visit_near(uint32_t count, Sink sink) const {
   for (uint32_t k = 0; k < count; ++k) sink(near_[k]);
 }
 
-// The nearest ball, f, which is no higher than so much, and how many balls are within delta of that, however many.
+// Finds the nearest ball, and f, which is at most `highest`. Returns how many balls are within delta of the nearest
+// one, however many they are.
 uint32_t Ascent::count_crowd(double delta, double highest) {
   near_count_ = 0;
-  // The highest that f may be is rounded.
+  // 2 more, as `highest` is rounded.
   visit_around(highest + 2.0, [&](const NearImage &image, const NearBall &ball) {
     if (near_count_ > 0 && !(ball.gap < near_[0].gap)) return;
     near_[0] = ball;
@@ -213,7 +215,7 @@ void Ascent::move(double length, const Vec3 &direction) {
   if (count_crowd(0.0, before + length) == 0) level_ = before;
 }
 
-// The point of the hull of the directions of so many balls that is nearest to 0, nearly.
+// Nearly the point nearest to 0 of the convex hull of the directions of the first `count` balls.
 Vec3 Ascent::lead_of(uint32_t count) const {
   Vec3 basis[4] = {near_[0].a};
   uint32_t spanning = 1;
@@ -245,13 +247,13 @@ bool Ascent::step() {
   uint32_t led = 0;  // d is of so many
   Vec3 d{};
   for (; delta_ >= shortest; delta_ *= 0.5) {
-    // Of what is known after the first ones were found as many are the same ones in the same order.
+    // As many balls as before are the same balls: the direction stays.
     const uint32_t count = within(delta_);
     if (count == 0) continue;
     if (count != led) d = lead_of(count);
     led = count;
     const double steepness = length_of(d);
-    // Steps may be flat where they are short, as beside a gate.
+    // The shorter the step, the flatter it may be, as it is beside a gate.
     if (steepness <= 0.1 * std::sqrt(delta_ / size())) continue;
     double lead = 1.0;
     visit_near(count, [&](const NearBall &ball) { lead = smaller_of(lead, dot(ball.a, d) / steepness); });
@@ -263,13 +265,13 @@ bool Ascent::step() {
   }
   if (saddles_ == most_saddles) return false;
   ++saddles_;
-  // A way stops beside the saddle, from where balls that it leaves at right angles may get nearer at first: by less
+  // A way stops beside the saddle. From there balls that it leaves at right angles may get nearer at first, by less
   // than 2^-11 of a step.
   return leave_saddle(1e-8) || leave_saddle(0.2 * std::sqrt(shortest / size()));
 }
 
-// The directions of some balls that tie. Of a crowd each next one is that which is farthest from those before: of a
-// ring they are all around, so that their plane is known well.
+// The directions of some balls that tie. Of a crowd the next direction is always the one that is farthest from those
+// before. So the chosen directions of a ring are all around it, and their plane is known well.
 uint32_t Ascent::choose_tied(uint32_t count, Vec3 *a) const {
   const uint32_t tied = smaller_of(count, most_tied);
   for (uint32_t i = 0; i < tied; ++i) {
@@ -287,8 +289,8 @@ uint32_t Ascent::choose_tied(uint32_t count, Vec3 *a) const {
   return tied;
 }
 
-// Where no way up is steep the nearest balls have directions that are opposite, or three in one plane with the point:
-// as far as others let it, a way leads off at right angles to these, from a gate to both sides.
+// If no way up is steep, two of the nearest balls have opposite directions, or three have directions in one plane. At
+// right angles to these a way leads up, from a gate to both sides, as far as other balls do not block it.
 bool Ascent::leave_saddle(double slack) {
   Vec3 a[most_tied];
   const uint32_t tied = choose_tied(within(tie_reach()), a);
@@ -317,7 +319,7 @@ bool Ascent::leave_saddle(double slack) {
   return false;
 }
 
-// As far as no ball within reach gets nearer, but for some slack.
+// Goes along n as far as no ball within reach gets nearer by more than the slack.
 bool Ascent::leave_along(const Vec3 &n, double slack) {
   const auto is_open = [&](double delta) {
     const uint32_t count = within(delta);

@@ -1,5 +1,5 @@
-// The balls around a point, of a set or of a periodic box, as ways up from any point look for them. Nothing is written
-// for that but what they find, so that several threads may look.
+// The balls around a point, of a set or of a periodic box, for ways up from any point. A search writes its result and
+// nothing else, so that several threads may search at once.
 #pragma once
 
 #include "model/queries.hpp"
@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-// A ball of the caller, so many boxes from where it is listed.
+// A ball of the caller, moved by `shift` boxes from its place in the caller's list.
 struct NearImage {
   uint32_t ball;
   BoxShift shift;
@@ -22,9 +22,9 @@ class BallsAround {
 
   bool are_none() const { return grid_->balls().n == 0; }
   const BallSet &set() const { return grid_->balls(); }
-  // Around all centres; of no use in a periodic box.
+  // The box around all centres; not set for a periodic box.
   const LatticeBox &centres() const { return centres_; }
-  // Null without one.
+  // The periodic box; null without one.
   const PeriodicBox *box() const { return periodic_ == nullptr ? nullptr : &periodic_->images().box(); }
   exact::LatticeBall ball(const NearImage &image) const {
     exact::LatticeBall ball = set().ball(grid_->grid_index(image.ball));
@@ -33,12 +33,12 @@ class BallsAround {
     ball.centre = {ball.centre.x + by.x, ball.centre.y + by.y, ball.centre.z + by.z};
     return ball;
   }
-  // How many meet a ball; if they are no more than there is room for, these. room: at most `most`.
+  // Returns how many balls meet the query ball; lists them in `near` if there is room for all. room: at most `most`.
   uint32_t find(const LatticeQuery &query, NearImage *near, uint32_t room) const;
-  // The same of those whose spheres are within a reach below 0 of a point, by doubles: a point in many balls is deep in
-  // most of them. Looks at all that it is in.
+  // The same for the balls that the point is in so deeply that its distance to their spheres is at most `reach`, which
+  // is below 0, by doubles. Looks at all balls that the point is in.
   uint32_t find_deep(const exact::Vector &point, double reach, NearImage *near, uint32_t room) const;
-  // Calls sink(image) for all that meet a ball, however many.
+  // Calls sink(image) for all balls that meet the query ball, however many.
   template <class Sink>
   void visit(const LatticeQuery &query, Sink sink) const;
 

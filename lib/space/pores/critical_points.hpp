@@ -1,20 +1,21 @@
-// All maxima and gates above a floor.
+// All maxima and gates of f above a floor: its critical points (pores.hpp has f).
 //
-// Cubes that cover all centres are halved until what may be nearest in one is few balls, or until one direction leads
-// up everywhere in it: then no critical point is there. Balls that are nearest somewhere in a cube are found by bounds
-// in doubles, rounded outward: f changes by no more than the way. So nothing is missed. Of the few all sets of three
-// and four are tried, and integers decide.
+// Cubes that cover all centres are halved. A cube is dropped where one direction leads up everywhere in it: then it has
+// no critical point. Halving ends where only few balls, the candidates, may be nearest somewhere in the cube. The
+// candidates are found by bounds in doubles, rounded outward: between two points f changes by no more than their
+// distance. So nothing is missed. All sets of three and four candidates are tried, and integers decide.
 //
-// Many balls that tie, or nearly, never become fewer. Where all in a cube tie at one point, that is its one critical
-// point, if it is one, but for sets that are nearly flat. Those that tie nearly become fewer in parts of a step. Larger
-// cubes are searched at once by this: let all balls within 2 delta of the nearest one at a point x be within eps of it,
-// and 0 be inside the hull of their directions by eta. At a distance d < delta from x no point is critical if eps / d +
-// 1.5 d / (D - d) < eta, D the least distance of the centres: what is nearest there all lies ahead, so that the way
-// back leads up. So a cube around x is searched at once where its sets are tried. Only balls that can be nearest in the
-// cube that is halved count for that; what is found outside it is left to other cubes.
+// Many balls that tie, or nearly tie, never become fewer by halving. If all candidates of a cube tie at one point, no
+// other point of it is critical, except for sets that are nearly flat. Candidates that nearly tie become fewer in cubes
+// of a fraction of a step. Around a point x a larger cube is searched at once, by this bound: let all balls within 2
+// delta of the nearest one at x be within eps of it, and let 0 be inside the convex hull of their directions by eta. A
+// point at a distance d < delta from x is not critical if eps / d + 1.5 d / (D - d) < eta, D the least distance from x
+// to the centres: all balls that are nearest there lie ahead, so that the way back leads up. So the sets of these balls
+// are tried near x, and the cube around x is done. Only candidates of the cube that is halved count here; points found
+// outside that cube are left to other cubes.
 //
-// Where the points of some of the balls are known, as those of other pores, they stay as far as every other ball, a new
-// one, is farther there. All other points have a new ball that is nearest: cubes without one are left out.
+// Other pores may know the critical points of some of the balls. Then all other balls are new. A known point stays if
+// every new ball is farther there. At any other point a new ball is nearest: cubes without a new candidate are dropped.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -31,16 +32,16 @@ struct CriticalLimits {
   uint32_t balls = 0;
   uint32_t maxima = 0;
   uint32_t gates = 0;
-  uint32_t tied = 0;        // balls of points where more tie than are needed, all together
-  uint32_t candidates = 0;  // balls that may be nearest, in all cubes that are being halved
-  uint32_t near = 0;        // balls of one set of candidates that are tried
+  uint32_t tied = 0;        // the sum of all nearest balls of points where more tie than span the point
+  uint32_t candidates = 0;  // balls that may be nearest, summed over all cubes that are being halved
+  uint32_t near = 0;        // the candidates of one cube whose sets are tried
 };
 
 class PoresBuilder;
 
 class CriticalPoints {
  public:
-  // A cube in steps, moved by parts of steps.
+  // A cube: its centre in lattice steps, moved by `off`, a fraction of a step; `half` an edge.
   struct Block {
     exact::Vector centre;
     double half;
@@ -52,14 +53,14 @@ class CriticalPoints {
   };
 
   void carve(Workspace &workspace, const CriticalLimits &limits);
-  // Of balls none of which lies inside another one; points have their numbers there. Status::capacity: a limit is too
-  // small, needed() tells what suffices as far as it is known. Status::range: an image is too many boxes away.
-  // Status::stopped: more is not allowed. before: null, or pores with all points above this floor whose balls
-  // PoreBalls::compare() has compared; the same are found as without them.
+  // No ball lies inside another one; points name balls by their numbers in `balls`. Status::capacity: a limit is too
+  // small, and needed() tells what suffices as far as it is known. Status::range: an image is too many boxes away.
+  // Status::stopped: patience allows no more work. before: null, or pores with all points above this floor whose balls
+  // PoreBalls::compare() has compared. The result is the same with and without them.
   Status find(PoreBalls &balls, int64_t floor, Patience patience, const PoresBuilder *before = nullptr);
   int64_t floor() const { return floor_; }
 
-  // Unsorted records with only `point` set, and `translation` of gates.
+  // The records found, unsorted, with only `point` set, and of gates `translation`.
   FixedVector<PoreMaximum> &maxima() { return maxima_; }
   FixedVector<PoreGate> &gates() { return gates_; }
   const FixedVector<PoreMaximum> &maxima() const { return maxima_; }
@@ -67,33 +68,33 @@ class CriticalPoints {
   FixedVector<uint32_t> &tied() { return tied_; }
   const FixedVector<uint32_t> &tied() const { return tied_; }
   const FixedVector<SmallShift> &tied_shifts() const { return tied_shifts_; }
-  // Of the maxima, for numbers in another order.
+  // The names of the maxima; the caller may enter other numbers when it has sorted them.
   NameTable &maximum_names() { return maximum_names_; }
   const CriticalLimits &needed() const { return needed_; }
   const Work &work() const { return work_; }
-  // Where a translation takes a point.
+  // The name of the point to which translation number `translation` takes the point of this name.
   PointName moved_name(const PointName &name, uint32_t translation);
-  // Memory of the search, free after it.
+  // Memory of the search, which others may use after it.
   Span<uint32_t> scratch() { return candidates_; }
-  // For further points of the same balls.
+  // Memory for further points of the same balls.
   TangentLines &lines() const { return lines_[0]; }
 
  private:
-  static constexpr uint32_t most_tried_whole = 5;  // balls of a cube that is not halved: all their sets are tried
-  static constexpr uint32_t most_in_leaf = 12;     // of more the leaf is divided further
+  static constexpr uint32_t most_tried_whole = 5;  // a cube with so many candidates is not halved: all sets are tried
+  static constexpr uint32_t most_in_leaf = 12;     // a leaf with more candidates is divided further
 
   struct Cube {
     exact::Vector centre;
     int64_t half;
     uint32_t first, last;  // of candidates_
     uint32_t next_part;
-    double most_level[8];           // of its parts
-    exact::Vector searched_centre;  // of a cube in which all sets have been tried
-    int64_t searched_half;          // 0: there is none
+    double most_level[8];           // upper bounds of f in its parts
+    exact::Vector searched_centre;  // the centre of a cube in which all sets have been tried
+    int64_t searched_half;          // half its edge; 0: there is none
   };
-  // A part of a leaf, as far as its middle from that of the leaf.
+  // A part of a leaf, the last cube whose edges are whole steps.
   struct FineCube {
-    Vec3 off;
+    Vec3 off;  // from the middle of the leaf to its middle
     double half;
     uint32_t first, last;  // of candidates_
     uint32_t next_part;
@@ -103,7 +104,7 @@ class CriticalPoints {
   Status take_known();
   Status keep_known(const CriticalPoint &known, Span<const uint32_t> tied, PointKind kind);
   bool is_far_from_new(const TangentPoint &point, bool &far);
-  // Whether one of some candidates may have a point that is not known.
+  // Whether one of some candidates is a new ball, so that they may have a point that is not known.
   bool may_be_new(uint32_t first, uint32_t count) const {
     bool may = before_ == nullptr;
     for (uint32_t k = first; k < first + count && !may; ++k) may = all_->is_new(candidates_[k]);
@@ -124,17 +125,17 @@ class CriticalPoints {
   void try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last);
   bool try_common_point(Span<const uint32_t> near, const Block &block, const Block &other);
   void try_tied(TangentPoint &point, Span<const uint32_t> near, const Block &block, const Block &other, bool all_tie);
-  // Of balls that tie at a point those that may have another one nearby: none, those on one circle, any.
+  // Which of the balls that tie at a point may have another critical point nearby: none, those on one circle, any.
   enum class FlatSets : uint32_t { none, one, any };
   FlatSets flat_sets(const TangentPoint &common, Span<const uint32_t> near, double nearly, uint32_t *set);
   void try_flat_sets(const TangentPoint &common, Span<const uint32_t> near, const Block &block, const Block &other,
                      double flat);
   void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone);
-  // Sets of balls that tie at points which were found in one cube: bits of ranks among those that are near.
+  // The balls that tie at each point found in one cube: a bit for each of the cube's candidates.
   struct KnownTies {
     static constexpr uint32_t room = 8;
     uint64_t set[room];
-    bool in_plane[room];  // of gates all centres are in one
+    bool in_plane[room];  // the point is a gate: all centres of the set are in one plane
     uint32_t size = 0;
 
     // Whether some of them are certainly in one plane.
@@ -155,24 +156,25 @@ class CriticalPoints {
   const PoresBuilder *before_ = nullptr;
   const BallSet *balls_ = nullptr;
   int64_t floor_ = 0;
-  // Levels up to which no ball that is left out can be nearest; where it is more, the most that was found possible.
+  // In a box images far away are left out: no such image is nearest at a point where f is up to ceiling_. If f may be
+  // larger somewhere, beyond_ceiling_ is the largest upper bound of it that was found; else it is 0.
   double ceiling_ = 0.0, beyond_ceiling_ = 0.0;
-  bool unsure_ = false;  // whether it is more in the last cube
-  Vec3 low_{}, high_{};  // of where points are looked for
+  bool unsure_ = false;  // whether f may be larger than ceiling_ in the last cube
+  Vec3 low_{}, high_{};  // corners of the box in which points are looked for
   FixedVector<PoreMaximum> maxima_;
   FixedVector<PoreGate> gates_;
   FixedVector<uint32_t> tied_;
   FixedVector<SmallShift> tied_shifts_;
   NameTable maximum_names_, gate_names_;
   Span<uint32_t> candidates_;
-  Span<uint8_t> in_parts_;  // [candidates]: a bit for each part of their cube
+  Span<uint8_t> in_parts_;  // [candidates]: a bit for each part of the cube in which the candidate may be nearest
   Target target_ = Target::baseline;
-  Span<Cube> cubes_;  // that are being halved
+  Span<Cube> cubes_;  // the cubes that are being halved, as a stack
   Span<uint32_t> at_point_, cluster_;
   Span<TangentLines> lines_;         // [1]
   Span<CubeDirections> directions_;  // [1]
   Span<Vec3> hull_, room_;           // [near] directions to a point; vectors to it, or directions to balls that tie
-  Span<double> inverse_;             // [near] of the lengths of these vectors, or gaps
+  Span<double> inverse_;             // [near] inverse lengths of these vectors; or distances to the balls
   Span<FineCube> fine_cubes_;
   CriticalLimits limits_, needed_;
   Work work_;
@@ -180,8 +182,8 @@ class CriticalPoints {
   Patience patience_;
 };
 
-// Of candidates of a cube leaves those that may be nearest in it at a critical point, and returns how many. No more
-// than directions_ has room for.
+// Keeps of the candidates of a cube those that may be nearest at a critical point in it, and returns how many. count:
+// no more than directions_ has room for.
 [[gnu::always_inline]] inline uint32_t CriticalPoints::leave_few(const Vec3 &at, double half, uint32_t first,
                                                                  uint32_t count, bool thoroughly) {
   CubeDirections &directions = directions_[0];

@@ -10,12 +10,13 @@
 
 namespace hsp {
 
-// Whether one direction leads up from all of some balls in all of a cube, thoroughly: that of the point of the hull of
-// the a that is nearest to 0, of up to four of them (Gilbert, Johnson, Keerthi 1988). a, inverse: of each ball as the
-// middle of the cube sees it. Where all centres are nearly in one plane with the cube, as those of a ring are, d is the
-// short way off that plane: so whatever is left out is a share of its length. y is exact, a is its multiple but for u
-// of each component, and a.d is summed up to 3 u |d| and `across` times the inverse up to 4 u of less than |d|: 2^-49
-// |d| covers that.
+// Whether one direction d leads away from all of some balls everywhere in a cube. This is the thorough test: d is the
+// point nearest to 0 of the convex hull of the directions a, of up to four of them (Gilbert, Johnson, Keerthi 1988).
+// a(k), inverse(k): the unit vector from the centre of ball k to the middle of the cube, and the inverse of its
+// distance. side: half an edge. When all centres are nearly in one plane with the cube, as those of a ring are, d is
+// the short way off that plane. So the bound for rounding is a fraction of |d|: the vector y from the centre is exact;
+// each component of a is its multiple but for u; a.d is summed up to 3 u |d|, and `across` times the inverse up to 4 u
+// of less than |d|. 2^-49 |d| covers these.
 template <class Direction, class Inverse>
 bool lead_up_at_all(uint32_t count, double side, const Direction &a, const Inverse &inverse) {
   Vec3 simplex[4] = {a(0)}, d = simplex[0];
@@ -41,9 +42,9 @@ bool lead_up_at_all(uint32_t count, double side, const Direction &a, const Inver
   return false;
 }
 
-// Some balls as the middle of a cube sees them. A critical point is in the hull of the centres of what is nearest
-// there: a plane between these and the cube excludes all of them. So only linear forms are asked, at the corners of the
-// cube. Of |x - c| the linear part is a lower bound.
+// Some balls as seen from the middle of a cube. A critical point is in the convex hull of the centres of its nearest
+// balls: if a plane separates these centres from the cube, it has no critical point of theirs. So only signs of linear
+// forms at the corners of the cube are asked. The linear part of |x - c| is a lower bound of it.
 class CubeDirections {
  public:
   ViewedBalls seen;
@@ -56,9 +57,10 @@ class CubeDirections {
     see(target, near, position, seen);
     for (uint32_t k = 0; k < near.count; ++k) slot_[k] = static_cast<uint8_t>(k);
   }
-  // Finds which of `count` balls are farther than others in all of the cube. A bit for each that is farther than any.
+  // Finds which of `count` balls are farther than another one in all of the cube. Returns a bit for each ball that is
+  // farther than any other.
   uint64_t compare(Target target, uint32_t count) { return find_farther(target, seen, count); }
-  // From now on ball `to` is that which `from` was, which is no less.
+  // From now on number `to` means the ball that `from` has meant; to <= from.
   void move(uint32_t from, uint32_t to) { slot_[to] = slot_[from]; }
   // Whether two balls may be as near somewhere in the cube.
   bool may_tie(uint32_t k, uint32_t m) const {
@@ -75,11 +77,11 @@ class CubeDirections {
   }
   double inverse(uint32_t ball) const { return seen.inverse[slot_[ball]]; }
 
-  // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull of the
-  // a that is nearest to 0.
+  // Whether one direction leads away from the first `count` balls everywhere in the cube. The quick test: a few steps
+  // towards the point of the convex hull of the directions a that is nearest to 0. False also if it does not know.
   bool lead_up(uint32_t count) const {
     Vec3 d{0.0, 0.0, 0.0};
-    double least = 0.0;  // of the length of d if there is such a direction
+    double least = 0.0;  // |d| is larger than that if there is such a direction
     for (uint32_t k = 0; k < count; ++k) {
       d = d + a(k);
       least += inverse(k);
@@ -109,20 +111,20 @@ class CubeDirections {
     }
     return false;
   }
-  // The same thoroughly, of a cube that is small beside the distance of its balls: what ties there ties in its parts,
-  // as a rule.
+  // The thorough test, only for a cube that is small beside the distance of its balls: as a rule balls that tie in it
+  // tie in its parts, too.
   bool lead_up_at_all(uint32_t count) const {
     if (seen.side * inverse(0) > 0x1p-5) return false;
     const auto direction_of = [&](uint32_t k) { return a(k); };
     const auto inverse_of = [&](uint32_t k) { return inverse(k); };
     return hsp::lead_up_at_all(count, seen.side, direction_of, inverse_of);
   }
-  // The plane through the centres of three of them: n.(x - c) from offset - span to offset + span in the cube. tiny:
-  // what rounding may do to it.
+  // The plane through the centres of three balls, with normal n. In the cube n.(x - c) is between offset - span and
+  // offset + span. tiny: a bound of the rounding of each component of n.
   struct Face {
     Vec3 n;
     double offset, tiny;
-    int where;  // on which side of it the cube certainly is, 0 for none
+    int where;  // the side of the plane on which the whole cube certainly is, +1 or -1; else 0
   };
   Face face(uint32_t i, uint32_t j, uint32_t k) const {
     const Vec3 u = y(i) - y(j), v = y(i) - y(k), n = cross(u, v);
@@ -130,7 +132,7 @@ class CubeDirections {
                  span = seen.side * size(n) + 4.0 * tiny * seen.extent;
     return {n, offset, tiny, offset > span ? 1 : offset < -span ? -1 : 0};
   }
-  // Whether the cube is certainly outside the triangle of three of them.
+  // Whether the cube certainly does not meet the triangle of three centres.
   bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {
     if (face.where != 0) return true;
     const auto beyond = [&](uint32_t from, uint32_t to) {
@@ -151,7 +153,7 @@ class CubeDirections {
   static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
  private:
-  uint8_t slot_[room];  // in the arrays
+  uint8_t slot_[room];  // [ball] its place in the arrays of `seen`
 };
 
 }  // namespace hsp

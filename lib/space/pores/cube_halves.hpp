@@ -1,5 +1,5 @@
-// Which balls may be nearest in the eight parts of a cube, as numbers side by side: for registers of n doubles, which
-// all find the same bits.
+// Kernels that find which balls may be nearest in the eight parts of a cube, for registers of n doubles. Every n gives
+// the same bits.
 #pragma once
 
 #include <limits>
@@ -9,46 +9,46 @@
 
 namespace hsp {
 
-// Some balls.
+// Some balls: the numbers ball[0 .. count - 1] into the arrays of coordinates and radii.
 struct NearArrays {
   const double *x, *y, *z, *radius;
   const uint32_t *ball;
   uint32_t count;
 };
-// The parts of a cube by their middles: axis k has bit k of their number.
+// The eight parts of a cube, by their middles. Bit k of the number of a part tells its side along axis k.
 struct CubeParts {
   double x[8], y[8], z[8];
-  double edge;           // half the edge of one
+  double edge;           // half the edge of a part
   uint32_t nearest[8];   // the ball with the least distance from the middle
-  double most_level[8];  // which no distance of the nearest ball in the part is above
+  double most_level[8];  // upper bound of the distance to the nearest ball in the part
 };
 
-// A few balls as the middle of a cube sees them, from their centres.
+// A few balls as seen from the middle of a cube.
 struct ViewedBalls {
   static constexpr uint32_t room = 64;
   double x[room], y[room], z[room];     // from the centre to the middle
   double ax[room], ay[room], az[room];  // the same as unit vectors; 0 in the centre
   double inverse[room];                 // of the length
-  double gap[room];                     // distance of the ball
-  double curve[room];                   // how far that can be above its linear part in the cube
+  double gap[room];                     // distance from the ball to the middle
+  double curve[room];                   // in the cube the distance is at most so much above its linear part
   double rounding[room];
   uint64_t farther[room];  // of each ball a bit for each other one that is farther in all of the cube
   double side;             // half an edge of the cube, and a little more
-  double extent;           // of all x, y, z: the largest sum of the three
+  double extent;           // the largest |x| + |y| + |z| of all balls
 };
-// Relative errors of unit vectors in doubles, and of what is made of a few of them.
+// Bound of the relative errors of unit vectors in doubles, and of what is computed from a few of them.
 inline constexpr double slack_of_seen = 1e-12;
 inline constexpr double root_of_three = 1.7320508075688774;
 
-// Sets all numbers of balls around a point, for `side`.
+// Sets all arrays of `seen` but `farther`, and `extent`, for balls around a point. `side` is set before.
 HSP_KERNEL(void, see, (const NearArrays &near, const double *at, ViewedBalls &seen), (near, at, seen))
-// Returns a bit for each of `count` balls that is farther than any other one. Sets `farther`: 0 of balls that are found
-// to be farther before their turn.
+// Returns a bit for each of `count` balls that is farther than another one in the whole cube. Sets `farther`; that of a
+// ball which is known to be farther before its turn stays 0.
 HSP_KERNEL(uint64_t, find_farther, (ViewedBalls & seen, uint32_t count), (seen, count))
 
-// Sets `nearest`.
+// Sets parts.nearest.
 HSP_KERNEL(void, find_nearest, (const NearArrays &near, CubeParts &parts), (near, parts))
-// Sets a bit for each part in which a ball may be at least as near as most_level.
+// Sets a bit of in[k] for each part in which ball k may be at least as near as most_level.
 HSP_KERNEL(void, find_near, (const NearArrays &near, const CubeParts &parts, uint8_t *in), (near, parts, in))
 
 namespace {

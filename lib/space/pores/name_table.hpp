@@ -1,4 +1,5 @@
-// Numbers of points by their names, the balls that span them: open addressing over the caller's memory.
+// A hash table from the names of points to their numbers: open addressing over the caller's memory. The name of a point
+// is the balls that span it.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -32,12 +33,12 @@ class NameTable {
     for (uint32_t &entry : entries_) entry = no_id;
     count_ = 0;
   }
-  // The number of a name; no_id if there is none. records[number].point has it.
+  // The number under which a name was added; no_id if it was not. records[number].point has that name.
   template <class Records>
   uint32_t find(const PointName &name, const Records &records) const {
     return entries_[slot_of(name, records)];
   }
-  // Of a name that is new. Without room it does nothing.
+  // Adds a name that is new. Does nothing when the table is full.
   template <class Records>
   void add(const PointName &name, uint32_t number, const Records &records) {
     if (count_ == capacity_) return;
@@ -46,7 +47,7 @@ class NameTable {
   }
 
  private:
-  // A power of two, and never full.
+  // A power of two, at least twice the capacity: some slots stay free.
   static uint64_t slots(uint32_t capacity) {
     uint64_t slots = 4;
     while (slots < uint64_t{2} * capacity) slots *= 2;
