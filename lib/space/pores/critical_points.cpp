@@ -14,20 +14,20 @@ namespace {
 
 using exact::Vector;
 
-constexpr uint32_t most_cubes = 64;  // that are being halved: from 2^52 steps down to the least
+constexpr uint32_t most_cubes = 64;  // on the stack of cubes that are being halved: from 2^52 steps down to least_half
 constexpr int64_t least_half = 4;
 constexpr uint32_t most_fine_cubes = 64;
 constexpr uint32_t most_led_up = 1 << 14;
 
-// How far a point of a cube is from its centre, and a step more.
+// An upper bound of how far a point of a cube is from its centre, and a step more.
 double reach_of(int64_t half) {
   return static_cast<double>(half + 2) * root_of_three * (1.0 + 0x1p-50);
 }
-// Bound of what is wrong with a computed distance: its differences are integers, its relative error below 3 2^-53.
+// Bound of the error of a computed distance: its differences are integers, so that its relative error is below 3 2^-53.
 double error_of(double distance) {
   return 0x1p-50 * distance;
 }
-// The first one lowest; written so that compilers find one load in it.
+// Eight bytes as one number, the first byte lowest; written so that compilers make one load of it.
 uint64_t eight_bytes(const uint8_t *p) {
   const auto byte = [&](uint32_t k) { return static_cast<uint64_t>(p[k]) << 8 * k; };
   return byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5) | byte(6) | byte(7);
@@ -90,7 +90,8 @@ Status CriticalPoints::find(PoreBalls &balls, int64_t floor, Patience patience, 
     }
     return search(low, high);
   }
-  // Images as far from the box as balls can be nearest: as is guessed, until it is sure to suffice.
+  // Images are needed as far from the box as a ball can be nearest to a point in it. The reach is guessed, and grows
+  // until it certainly suffices.
   const double largest = static_cast<double>(balls.set().largest_radius);
   double reach = 4.0 * largest + 0.25 * static_cast<double>(box->shortest_side());
   for (;;) {
@@ -119,7 +120,7 @@ void CriticalPoints::forget() {
   gate_names_.clear();
 }
 
-// In a box of space. Finds nothing if beyond_ceiling_ is not 0 then.
+// Finds the critical points in a box of space. If beyond_ceiling_ is not 0 afterwards, they are not complete.
 Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
   const BallSet &balls = *balls_;
   forget();
@@ -134,7 +135,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
   const double extent = larger_of(larger_of(high_.x - low_.x, high_.y - low_.y), high_.z - low_.z);
   int64_t half = least_half;
   while (static_cast<double>(half) < 0.6 * extent + 2.0) half *= 2;
-  // Not in the middle, so that points of symmetry are no corners of cubes.
+  // The first cube is off the middle of the box, so that points of symmetry are no corners of cubes.
   const auto middle = [&](double least, double most, double part) {
     return nearest(0.5 * (least + most)) +
            static_cast<int64_t>(part * (static_cast<double>(half) - 0.5 * extent - 2.0));
@@ -159,7 +160,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     const uint32_t part = cube.next_part++;
     const int64_t step = cube.half / 2;
     const auto moved = [&](int64_t at, uint32_t axis) { return (part >> axis & 1) != 0 ? at + step : at - step; };
-    Cube &child = cubes_[depth];  // that replaces it, should it be halved
+    Cube &child = cubes_[depth];  // comes onto the stack if it is to be halved
     child.centre = {moved(cube.centre.x, 0), moved(cube.centre.y, 1), moved(cube.centre.z, 2)};
     child.half = step;
     child.searched_centre = cube.searched_centre;
@@ -182,7 +183,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
       if (needed_.near > limits_.near || needed_.candidates > limits_.candidates) return Status::capacity;
       continue;
     }
-    // Ties do not become fewer.
+    // Candidates that tie do not become fewer by halving.
     if (9 * near.size() >= 8 * (cube.last - cube.first)) search_ties(child);
     if (!patience_.allows(0)) return Status::stopped;
     if (needed_.near > limits_.near || needed_.candidates > limits_.candidates) return Status::capacity;
@@ -205,9 +206,9 @@ NearArrays CriticalPoints::near_arrays(Span<const uint32_t> ids) const {
   return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data(), ids.data(), ids.size()};
 }
 
-// Which candidates of a cube may be nearest in each of its parts. f is at most the distance of the farthest corner of a
-// part from any one ball, of which one is near its middle; a ball that is farther from all of the part is nowhere
-// nearest in it.
+// Finds which candidates of a cube may be nearest in each of its parts. f is at most the distance from any one ball to
+// the farthest corner of the part; the ball that is nearest to its middle is taken. A ball that is farther from all of
+// the part is nowhere nearest in it.
 void CriticalPoints::halve(Cube &cube) {
   CubeParts parts;
   const int64_t step = cube.half / 2;
@@ -233,8 +234,8 @@ void CriticalPoints::halve(Cube &cube) {
   find_near(target_, near, parts, &in_parts_[cube.first]);
 }
 
-// Puts the candidates of a cube that may be nearest in a part of it behind these; returns where they end. Nothing is
-// put if no critical point is there.
+// Copies the candidates of a cube that may be nearest in one of its parts, behind those of the cube; returns where they
+// end. Copies none if the part has no critical point.
 uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t part) {
   ++work_.cubes;
   unsure_ = false;
@@ -272,7 +273,8 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
     const uint32_t left = leave_few(at, reach_along, last, count, count == most && count > most_tried_whole);
     return may_be_new(last, left) ? last + left : last;
   }
-  // More become fewer, as a rule, unless the cube is small beside their distance: on a ring they become fewer slowly.
+  // As a rule more candidates become fewer by halving, unless the cube is small beside their distance: those of a ring
+  // become fewer slowly.
   const bool small = distance(*balls_, candidates_[last], cube.centre) > 8.0 * reach_along;
   return last + (small || 9 * count >= 8 * most ? leave_many(at, reach_along, last, count) : count);
 }
@@ -285,7 +287,8 @@ uint32_t CriticalPoints::leave_many(const Vec3 &at, double half, uint32_t first,
   return lead_up_at_all(count, half, a, inverse) ? 0 : count;
 }
 
-// From the centres of balls to a point.
+// Sets hull_, inverse_ and room_ to the unit vectors from the centres of balls to a point, their inverse lengths, and
+// the vectors.
 void CriticalPoints::see_directions(Span<const uint32_t> near, const Vec3 &at) {
   for (uint32_t k = 0; k < near.size(); ++k) {
     const Vec3 y = at - centre_of(*balls_, near[k]);
@@ -296,7 +299,7 @@ void CriticalPoints::see_directions(Span<const uint32_t> near, const Vec3 &at) {
   }
 }
 
-// Leaves out candidates that are farther than another one in all of the cube; how many stay.
+// Leaves out candidates that are farther than another one in all of the cube; returns how many stay.
 uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
   CubeDirections &directions = directions_[0];
   const uint64_t dropped = directions.compare(target_, count);
@@ -310,13 +313,13 @@ uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
   return left;
 }
 
-// Where all of a cube's candidates tie, or nearly: tries their sets at once.
+// Tries the sets of a cube's candidates at once if all of them tie, or nearly tie, at one point.
 void CriticalPoints::search_ties(Cube &cube) {
   const BallSet &balls = *balls_;
   const Span<const uint32_t> near = candidates_.part(cube.first, cube.last);
   const uint32_t count = near.size();
   if (count > most_led_up) return;
-  // Near the centres of balls nothing can be searched that is as large as a part of the cube.
+  // Near the centre of a ball the bound allows no search as large as a part of the cube.
   for (const uint32_t ball : near) {
     if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
   }
@@ -325,7 +328,7 @@ void CriticalPoints::search_ties(Cube &cube) {
   uint32_t set[4];
   const bool solid = find_far_apart(balls, near, set);
   if (set[2] == set[0]) return;
-  // Both points of four balls, and that of three in their plane.
+  // Tries both points of four balls, and the point of three balls in their plane.
   for (const int attempt : {0, 1, 2}) {
     const bool rising = attempt == 1, flat = attempt == 2;
     TangentPoint point(lines());
@@ -370,7 +373,7 @@ void CriticalPoints::search_ties(Cube &cube) {
     const Block left{x, static_cast<double>(static_cast<int64_t>(around)) + 1.0},
         own{cube.centre, static_cast<double>(cube.half + 1)};
     if (!meet(left, own)) return;
-    // Where all of them tie exactly, that is the one point.
+    // If all of them tie exactly, their common point is the only one.
     uint32_t four[4];
     TangentPoint all(lines());
     bool tie = !flat && find_far_apart(balls, tied, four) &&

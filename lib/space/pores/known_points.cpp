@@ -3,8 +3,8 @@
 
 namespace hsp {
 
-// Points of the pores before, as far as every new ball is farther there. They are computed anew from their balls: so
-// they are what a search finds, to the last bit.
+// Takes the points of the pores before at which every new ball is farther. They are computed again from their balls: so
+// they have the bits that a search finds.
 Status CriticalPoints::take_known() {
   Status status = Status::ok;
   const auto keep_all = [&](const auto &records, PointKind kind) {
@@ -23,7 +23,7 @@ Status CriticalPoints::keep_known(const CriticalPoint &known, Span<const uint32_
   needed_.near = larger_count(needed_.near, tied.size());
   if (tied.size() > limits_.near) return Status::capacity;
   const uint32_t count = kind == PointKind::gate ? 3 : 4;
-  // A ball that is inside a new one now is farther than that.
+  // A ball that is inside a new one is not in balls_, and farther than the new one: the point is gone.
   uint32_t set[4] = {no_id, no_id, no_id, no_id};
   bool there = true;
   for (uint32_t k = 0; k < count && there; ++k) there = (set[k] = all_->own_ball(known.ball[k])) != no_id;
@@ -38,7 +38,8 @@ Status CriticalPoints::keep_known(const CriticalPoint &known, Span<const uint32_
   return Status::ok;
 }
 
-// Sets whether all new balls are farther than those of a point. False without room for the balls around it.
+// Sets `far`: whether all new balls are farther than the balls of a point. Returns false without room for the balls
+// around it.
 bool CriticalPoints::is_far_from_new(const TangentPoint &point, bool &far) {
   const auto is_farther = [&](uint32_t ball) { return !all_->is_new(ball) || point.nearness(ball) > 0; };
   const double reach = point.level_estimate() + point.level_error() + point.position_error() + 3.0;

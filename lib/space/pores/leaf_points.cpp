@@ -13,8 +13,8 @@ constexpr double least_fine = 0x1p-8;  // half a side of what a leaf is divided 
 
 }  // namespace
 
-// All points of a leaf. Its candidates are in directions_ if that has room for them; candidates_ are free from `last`
-// on.
+// Finds all critical points of a leaf, as far as they are in `other`, too. The candidates of the leaf are in
+// directions_ if that has room for them; candidates_ is free from `last` on.
 void CriticalPoints::try_leaf(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone,
                               uint32_t last) {
   needed_.near = larger_count(needed_.near, near.size());
@@ -27,7 +27,7 @@ void CriticalPoints::try_leaf(Span<const uint32_t> near, const Block &block, con
   try_finely(near, block, other, last);
 }
 
-// Halves a leaf down to parts of steps, in which its candidates become fewer but for those that tie exactly.
+// Halves a leaf down to fractions of a step. There its candidates become fewer, except for those that tie exactly.
 void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last) {
   const uint32_t count = near.size();
   needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + count));
@@ -59,14 +59,14 @@ void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, c
     const Span<const uint32_t> here = candidates_.part(child.first, child.last);
     if (!patience_.allows(5000)) return;
     if (here.empty()) continue;
-    // Of balls that all tie at one point none becomes farther.
+    // No candidate was dropped: perhaps all of them tie at one point.
     const bool least = child.half <= least_fine, stay = here.size() == cube.last - cube.first;
     if (here.size() > most_tried_whole && (least || stay) && try_common_point(here, own, other)) continue;
     if (here.size() > most_tried_whole && !least) {
       ++depth;
       continue;
     }
-    // try_common_point() sees other balls.
+    // directions_ has other balls if try_common_point() was called.
     if (here.size() > most_tried_whole && here.size() <= CubeDirections::room) {
       directions_[0].set(target_, near_arrays(here), to_double(own.centre) + own.off, own.half);
       static_cast<void>(directions_[0].compare(target_, here.size()));
@@ -75,7 +75,7 @@ void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, c
   }
 }
 
-// Puts the candidates of a part of a leaf behind those of the whole, as enter() does for cubes.
+// Copies the candidates of a part of a leaf behind those of the whole, as enter() does for cubes.
 uint32_t CriticalPoints::enter(const FineCube &cube, const FineCube &whole, const Block &block) {
   ++work_.cubes;
   const uint32_t last = whole.last, most = last - whole.first;
@@ -102,12 +102,12 @@ uint32_t CriticalPoints::enter(const FineCube &cube, const FineCube &whole, cons
                                                : leave_many(at, block.half, last, count));
 }
 
-// Whether all candidates of a leaf tie at one point that is near. Then that is its one critical point, but for sets
-// that are nearly flat: let q be another one and D bound how far it is from the common point p. Balls that span q all
-// tie at both, or are three with q in the plane of their centres and p beside it. Of the first the distances of p and q
-// differ by less than D^2 / 2 (rho - D), as 0 is a mean of their directions at q, rho the least distance of the
-// centres: so their directions are at right angles to that from q to p, up to D / 2 (rho - D). In both cases three of
-// these make a flat angle.
+// Whether all candidates of a leaf tie at one point p that is near. Then p is its only critical point, except for sets
+// that are nearly flat. Proof: let q be another critical point, D an upper bound of its distance from p, and rho the
+// least distance of the centres. Either the balls that span q tie at both points, or they are three, q is in the plane
+// of their centres, and p beside it. In the first case 0 is a mean of their directions at q, so that their distances
+// from p and q differ by less than D^2 / 2 (rho - D). Hence their directions are at right angles to the one from q to
+// p, up to D / 2 (rho - D). In both cases three of the directions are nearly in one plane.
 bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &block, const Block &other) {
   const BallSet &balls = *balls_;
   uint32_t set[4];
@@ -145,7 +145,8 @@ bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &bl
   return false;
 }
 
-// A point of some balls that are near, by all that tie there; all_tie: whether it is known that all do.
+// Adds a point of some of the balls `near` if it is critical, by all of these balls that tie there. all_tie: whether it
+// is known that all of them do.
 void CriticalPoints::try_tied(TangentPoint &point, Span<const uint32_t> near, const Block &block, const Block &other,
                               bool all_tie) {
   if (point.level_against(floor_) <= 0 || !is_in(point, block) || !is_in(point, other)) return;
@@ -158,22 +159,23 @@ void CriticalPoints::try_tied(TangentPoint &point, Span<const uint32_t> near, co
   const Span<uint32_t> tied = at_point_.part(0, size);
   sort_ascending(tied);
   const PointKind kind = kind_of(*balls_, point, tied, room_);
-  // Found anew by its name.
+  // add() computes the point again, from the balls of its name.
   constexpr uint32_t unnamed[4] = {no_id, no_id, no_id, no_id};
   if (kind != PointKind::passing) add(point, unnamed, kind, tied);
 }
 
-// Which sets of balls that tie at a common point p, and whose directions are known, may have another critical point q.
-// Let d be how far q is from p, along u, and delta = d / (rho - d) bound how far directions turn on the way. Of the
-// balls that span q, 0 is a mean of their directions there: so at q they are no nearer than t - d delta, t the level of
-// p. As distances are convex, no ball is farther there than t + d (a.u + delta): a.u >= -2 delta for all. Back from q
-// to p those that span q get farther in the mean: they are no farther at q than t, and have a.u <= 0.
-//   If 0 is inside the hull of all a by more than 2 delta, or outside by delta, there is no q. `nearly` is more than
-//   that, and than what directions turn between p and the middle of the block.
-//   If 0 is inside the hull of those a that are at right angles to n up to `nearly`, by `depth` as seen along n, u is
-//   along n but for 1.5 nearly / depth, and all that span q are at right angles to n but for 3 nearly / depth. Where
-//   these are in one plane with p, q and u would be in it: there is no q. Equal balls in a plane that tie at p are on a
-//   circle, and q is its middle.
+// Which sets of balls that tie at a common point p may have another critical point q nearby. The directions a of the
+// balls are in hull_. Let d be the distance from p to q, u the direction, t the level of p, and delta = d / (rho - d) a
+// bound of how far directions turn on the way. 0 is a mean of the directions at q of the balls that span q: so at q
+// these balls are no nearer than t - d delta. As distances are convex, no ball is farther at q than t + d (a.u +
+// delta). So a.u >= -2 delta for all balls. On the way back from q to p the balls that span q get farther in the mean:
+// at q they are no farther than t, and have a.u <= 0.
+//   If 0 is inside the convex hull of all a by more than 2 delta, or outside it by delta, there is no q. `nearly` is
+//   larger than 2 delta, and than the angle by which directions turn between p and the middle of the block.
+//   Take the a that are at right angles to n up to `nearly`. If 0 is inside their hull by `depth`, as seen along n, u
+//   is along n but for 1.5 nearly / depth, and all balls that span q are at right angles to n but for 3 nearly / depth.
+//   If these are in one plane with p, q and u would be in that plane, too: there is no q. If they are equal balls with
+//   their centres in one plane, the centres are on a circle, as the balls tie at p, and q is its middle.
 CriticalPoints::FlatSets CriticalPoints::flat_sets(const TangentPoint &common, Span<const uint32_t> near, double nearly,
                                                    uint32_t *set) {
   const BallSet &balls = *balls_;
@@ -210,7 +212,8 @@ CriticalPoints::FlatSets CriticalPoints::flat_sets(const TangentPoint &common, S
   return FlatSets::none;
 }
 
-// Of balls that tie at a common point, and whose directions are known, the sets that are so flat.
+// Tries the nearly flat sets of balls that tie at a common point, the directions of which are in hull_. flat: the
+// height up to which a set of three directions is nearly flat.
 void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32_t> near, const Block &block,
                                    const Block &other, double flat) {
   const BallSet &balls = *balls_;
@@ -230,16 +233,17 @@ void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32
         if (!patience_.allows(2000 + 20 * uint64_t{n})) return;
         const Vec3 to_first = cross(hull_[i], hull_[k]), to_second = cross(hull_[j], hull_[k]);
         const bool wide = apart || dot(to_first, to_first) > flat * flat || dot(to_second, to_second) > flat * flat;
-        // Where they span another one, 0 is a mean of their directions up to `flat`. Opposite products of two with the
-        // third leave these less than an eighth of it each, and the third is too much.
+        // If the three span another point, 0 is a mean of their directions up to `flat`. If the products of two of them
+        // with the third are opposite, these two have less than an eighth of the mean each, and the third has too much.
         const auto opposite = [&](const Vec3 &u, const Vec3 &v) {
           return dot(u, v) < 0.0 && dot(u, u) > 64.0 * flat * flat && dot(v, v) > 64.0 * flat * flat;
         };
         const bool beside =
             opposite(across, -to_first) || opposite(across, to_second) || opposite(to_second, -to_first);
-        // Equal balls are on one sphere around the point: four have no other one, and three that of their circle.
+        // The centres of equal balls are on one sphere around the point: four of them have no other point, and three
+        // the middle of their circle.
         const bool found = equal && n <= 64 && known.are_in_plane(bit(i) | bit(j) | bit(k));
-        // In a plane with the point three of which two are not on a line with it have no other one.
+        // Three balls in a plane with the point, two of which are not on a line with it, have no other point.
         if (!beside && !found && (!wide || common.side_of_plane(near[i], near[j], near[k]) != 0)) {
           const uint32_t three[4] = {near[i], near[j], near[k], no_id};
           static_cast<void>(try_point(three, 3, near, block, other, known));
@@ -257,8 +261,8 @@ void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32
   }
 }
 
-// All sets of three and four with points in both of two cubes, as seen from the first one; alone: of which kind a point
-// where all of them tie is the only critical one in the first.
+// Tries all sets of three and four balls whose points are in both of two cubes; directions_ sees the balls from the
+// first one. alone: a point of this kind at which all balls tie is the only critical point in the first cube.
 void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone) {
   ++work_.leaves;
   const uint32_t n = near.size();
@@ -266,7 +270,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
   if (n > limits_.near) return;
   const bool directed = n <= CubeDirections::room;
   const CubeDirections &directions = directions_[0];
-  // Which of them can be as near in the cube, by bits.
+  // ties[i]: a bit for each ball j > i that can tie with ball i in the cube.
   uint64_t ties[CubeDirections::room];
   for (uint32_t i = 0; i < n && directed; ++i) ties[i] = 0;
   for (uint32_t i = 0; i < n && directed; ++i) {
@@ -275,7 +279,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
     }
   }
   const auto tie = [&](uint32_t i, uint32_t j) { return !directed || (ties[i] >> j & 1) != 0; };
-  // Faces of few balls are kept, each being that of several tetrahedra.
+  // The faces of few balls are kept, since each belongs to several tetrahedra.
   CubeDirections::Face faces[most_tried_whole * (most_tried_whole - 1) * (most_tried_whole - 2) / 6];
   const auto index = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
   const bool kept = n <= most_tried_whole;
@@ -324,14 +328,14 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
   }
 }
 
-// Whether the point of a set is a critical one where all balls that are near tie.
+// Adds the point of a set if it is critical. Returns whether it is, and all the balls `near` tie there.
 bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block,
                                const Block &other, KnownTies &known) {
   const BallSet &balls = *balls_;
   TangentPoint point(lines());
   const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
   if (!found) return false;
-  // Most are elsewhere.
+  // Most points are in another cube.
   if (may_be_in(point, block) < 0 || may_be_in(point, other) < 0) return false;
   bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
                                                               : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
@@ -349,8 +353,8 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
     ties |= k < 64 ? UINT64_C(1) << k : 0;
   }
   const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
-  // Where 0 is in the hull of the directions from some balls the largest of their distances is least, so that such a
-  // point of the same balls is the same one. It may be a maximum that three of its balls have in their plane, too.
+  // If 0 is in the convex hull of the directions from some balls, the largest of their distances is least at the point.
+  // So the same balls have only one such point. It may be a maximum that is in the plane of three of its balls, too.
   if (kept && near.size() <= 64 && tied > count) {
     for (uint32_t k = 0; k < known.size; ++k) {
       if (known.set[k] == ties) return tied == near.size() && known.in_plane[k] == (kind == PointKind::gate);

@@ -5,7 +5,7 @@
 
 namespace hsp {
 
-// As they are found in all copies: by balls of the box and shifts from the first of them.
+// The name that all copies of a point have: balls of the box, and their shifts relative to the first of them.
 PointName CriticalPoints::name_of_ids(const uint32_t *ids, uint32_t count) {
   PointName name{{no_id, no_id, no_id, no_id}, {}};
   const BoxShift first = all_->shift_of(ids[0]);
@@ -26,7 +26,7 @@ void CriticalPoints::add(TangentPoint &point, const uint32_t *ids, PointKind kin
   name_of(balls, point, tied, kind, room_, set);
   const PointName name = name_of_ids(set, count);
   if ((kind == PointKind::gate ? gate_names_.find(name, gates_) : maximum_names_.find(name, maxima_)) != no_id) return;
-  // By the same balls in the same order, whatever set has found it.
+  // Computed from the balls of the name in their order, whatever set has found the point: so it has the same bits.
   bool same = true;
   for (uint32_t k = 0; k < count; ++k) same = same && set[k] == ids[k];
   if (!same) static_cast<void>(point.find(balls, {set[0], set[1], set[2]}, count == 3 ? no_id : set[3], false));
@@ -38,7 +38,7 @@ void CriticalPoints::add(TangentPoint &point, const uint32_t *ids, PointKind kin
   for (uint32_t k = 0; k < all_->translations(); ++k) add_moved(record, off, name, kind, tied, home, k);
 }
 
-// A point where a translation takes it.
+// Adds the point to which a translation takes a point.
 void CriticalPoints::add_moved(CriticalPoint record, const Vec3 &off, const PointName &name, PointKind kind,
                                Span<const uint32_t> tied, const BoxShift &from, uint32_t translation) {
   const BallSet &balls = *balls_;
@@ -62,7 +62,7 @@ void CriticalPoints::add_moved(CriticalPoint record, const Vec3 &off, const Poin
     maxima_.push({record, no_id, no_id});
     maximum_names_.add(own, clamped_count(maxima_.required() - 1), maxima_);
   }
-  // One that there was no room for may be found again.
+  // A point that there was no room for may be found again.
   const bool stored = kind == PointKind::gate ? !gates_.overflowed() : !maxima_.overflowed();
   if (tied.size() == count || !stored) return;
   const BoxShift home = translation == 0 ? BoxShift{} : all_->moved_image(name.ball[0], BoxShift{}, translation).shift;

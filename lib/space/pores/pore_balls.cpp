@@ -57,7 +57,7 @@ Status PoreBalls::take(const PeriodicImages &images, Patience &patience) {
   return status;
 }
 
-// Memory of images is free without a box: ball_of_ has of each ball its number among the others.
+// Without a box the memory of images is free: ball_of_ has of each own ball its number in `others`.
 bool PoreBalls::compare(const CubeGrid &grid, const PoreBalls &others, int64_t &grown) {
   const uint32_t given = grid.balls().n;
   if (box_ != nullptr || others.box_ != nullptr) return false;
@@ -75,7 +75,7 @@ bool PoreBalls::compare(const CubeGrid &grid, const PoreBalls &others, int64_t &
   return true;
 }
 
-// The one whose centre is there; no_id for none. They are in the order of their centres.
+// The ball whose centre is at a position; no_id for none. A binary search, as the balls are in the order of centres.
 uint32_t PoreBalls::ball_at(const exact::Vector &position) const {
   const Vec3 at = to_double(position);
   uint32_t first = 0, last = own_;
@@ -92,7 +92,8 @@ uint32_t PoreBalls::ball_at(const exact::Vector &position) const {
   return there ? first : no_id;
 }
 
-// False after so many questions that it is not worth it.
+// Notes a translation if it takes every ball to an equal one. False when `left` questions are used up: looking on is
+// not worth it.
 bool PoreBalls::note_translation(const exact::Vector &by, uint64_t &left) {
   for (uint32_t i = 0; i < own_; ++i) {
     if (left-- == 0) return false;
@@ -121,7 +122,8 @@ void PoreBalls::find_translations() {
     const exact::Vector from = set_.ball(0).centre, to = set_.ball(k).centre;
     if (set_.r[k] == set_.r[0]) all = note_translation({to.x - from.x, to.y - from.y, to.z - from.z}, left);
   }
-  // They are a group: the least length along z, of those that have none that along y, of the others that along x.
+  // The translations are a group. So the sides are: along z the least length of all; along y the least length of those
+  // without a part along z; along x that of the rest.
   for (uint32_t k = 1; k < translation_count_; ++k) {
     const exact::Vector &by = translation_[k];
     const auto shorten = [](int64_t &side, int64_t length) { side = length < side ? length : side; };
@@ -147,10 +149,11 @@ PoreBalls::Image PoreBalls::moved_image(uint32_t own_ball, const BoxShift &shift
   return {ball_at(at), shift + away};
 }
 
-// Balls inside another one are nowhere nearest. The others in an order that does not depend on that in which they are
-// given: in a box that of positions, which ball_at() searches; else grid order, in which neighbours are not far apart.
-// By positions, and of one centre the largest first, many are inside the ball before, or inside what that was found in.
-// A ball that meets one inside another one meets that, too: those that stay have the most neighbours.
+// Drops the balls inside another one: they are nowhere nearest. The others come in an order that does not depend on the
+// caller's: in a box the order of positions, which ball_at() searches; else grid order, in which neighbours are close
+// together. In the order of positions, of one centre the largest first, many balls are inside the ball before, or
+// inside the ball in which that one was found. A ball that meets a dropped ball also meets the ball around that: so the
+// balls that stay have the most neighbours.
 Status PoreBalls::keep_outer(Patience &patience) {
   grid_.build(set_, set_.n);
   const Span<uint32_t> order = callers_.part(0, set_.n);

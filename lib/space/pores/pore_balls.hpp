@@ -1,5 +1,5 @@
-// The balls that are nearest somewhere, those of a set that are not inside another one; in a periodic box with images
-// of them, without end.
+// The balls that are nearest somewhere: those of a set that are not inside another one. In a periodic box their images
+// come in, of which there is no end.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -12,30 +12,30 @@ namespace hsp {
 
 class PoreBalls {
  public:
-  // balls: with as many images as surround() makes; near: how many may be around one point.
+  // balls: room for the balls and the images that surround() makes; near: how many balls may be around one point.
   void carve(Workspace &workspace, uint32_t balls, uint32_t near);
 
   // Status::capacity: needed_balls() or needed_near() is more than there is room for. Status::range: a box that is more
   // than a hundred times longer than wide.
   Status take(const CubeGrid &grid, Patience &patience);
   Status take(const PeriodicImages &images, Patience &patience);
-  // Puts all images behind the balls whose centres are within `reach` of the box.
+  // Puts behind the balls all images whose centres are within `reach` of the box.
   Status surround(int64_t reach);
 
-  // After take() without a box: compares with balls that others have, as they took them. False unless all of these are
-  // in the grid as well, and have grown by one length since; then is_new() is known.
+  // After take() without a box: compares these balls with `others`. True if all balls of `others` are in the grid, too,
+  // at the same places, with radii larger by one length, `grown`. Then is_new() is known.
   bool compare(const CubeGrid &grid, const PoreBalls &others, int64_t &grown);
-  // Whether a ball is none of the others.
+  // After compare(): whether a ball is not one of `others`.
   bool is_new(uint32_t own_ball) const { return ball_of_[own_ball] == no_id; }
-  // That of the caller; no_id if it is inside another one.
+  // The own number of a ball of the caller; no_id if it is inside another one.
   uint32_t own_ball(uint32_t callers) const { return own_slot(callers).bits; }
 
-  // Without images.
+  // How many balls there are without images. Ball and image numbers: the own balls first, then the images.
   uint32_t own() const { return own_; }
   const BallSet &set() const { return set_; }
   const PeriodicBox *box() const { return box_; }
   uint32_t callers(uint32_t own_ball) const { return callers_[own_ball]; }
-  // Of ball or image k.
+  // The own ball that number k is or is an image of; and its shift.
   uint32_t ball_of(uint32_t k) const { return k < own_ ? k : ball_of_[k - own_]; }
   BoxShift shift_of(uint32_t k) const { return k < own_ ? BoxShift{} : shift_of_[k - own_].shift(); }
   exact::LatticeBall image(uint32_t own_ball, const BoxShift &shift) const {
@@ -43,21 +43,21 @@ class PoreBalls {
     if (box_ != nullptr && !shift.is_zero()) ball.centre = moved(ball.centre, box_->translation(shift));
     return ball;
   }
-  // Ways to move all balls of a box together so that each comes to where an image is: symmetry of the crystal beyond
-  // that of the box. The first is none at all.
+  // Translations that take every ball of the box to the place of an equal ball or image: symmetry of the crystal beyond
+  // that of the box. Translation 0 moves nothing.
   uint32_t translations() const { return translation_count_; }
   struct Image {
     uint32_t ball;
     BoxShift shift;
   };
   Image moved_image(uint32_t own_ball, const BoxShift &shift, uint32_t translation) const;
-  // The sides of a brick at the origin whose copies by these and by the vectors of the box fill space.
+  // The sides of a brick at the origin. Its copies by the translations and by the vectors of the box fill space.
   const exact::Vector &brick() const { return brick_; }
-  // From any point the nearest centre of an image of any one ball is no farther than two thirds of this: a half of the
-  // diagonal of the box.
+  // Three quarters of the diagonal of the box, and a little more. From any point the nearest image of any one ball has
+  // its centre no farther than two thirds of this, half of the diagonal.
   int64_t longest_reach() const { return longest_reach_; }
 
-  // Calls sink(ball, shift) for each ball or image that meets a ball. False without room for so many.
+  // Calls sink(ball, shift) for each ball or image that meets the query ball. False without room for so many.
   template <class Sink>
   bool visit_near(const LatticeQuery &query, Sink sink) {
     if (box_ == nullptr) return visit_own(query, BoxShift{}, sink);
@@ -86,17 +86,17 @@ class PoreBalls {
     for (uint32_t k = 0; k < result.hits; ++k) sink(near_[k], shift);
     return true;
   }
-  // Own numbers of the caller's balls, at the end of the memory for images.
+  // own_ball() of the caller's balls, kept at the end of the memory for the shifts of images.
   SmallShift &own_slot(uint32_t callers) const { return shift_of_[shift_of_.size() - given_ + callers]; }
   Status keep_outer(Patience &patience);
   uint32_t ball_at(const exact::Vector &position) const;
   void find_translations();
   bool note_translation(const exact::Vector &by, uint64_t &left);
 
-  BallSet set_;  // each knows its own number; images are behind the others
+  BallSet set_;  // `caller` of each is its own number; images are behind the own balls
   CubeGrid grid_;
   Span<uint32_t> callers_;
-  Span<uint32_t> ball_of_;  // of images
+  Span<uint32_t> ball_of_;  // of images; without a box of own balls, the number in compare()'s `others`
   Span<SmallShift> shift_of_;
   Span<uint32_t> near_;
   const PeriodicBox *box_ = nullptr;
@@ -108,14 +108,14 @@ class PoreBalls {
   uint32_t own_ = 0, given_ = 0, needed_near_ = 0, needed_balls_ = 0;
 };
 
-// Some balls and images, gathered around one way.
+// Some balls and images, gathered around one way up.
 class NearBalls {
  public:
   void carve(Workspace &workspace, uint32_t room, uint32_t balls);
   void reset(const PoreBalls &balls);
-  // Without any.
+  // Forgets all balls.
   void begin() { set_.n = 0; }
-  // Its number here, also if it was here before; no_id without room.
+  // Adds an image unless it is there; returns its number here, or no_id without room.
   uint32_t add(uint32_t ball, const BoxShift &shift);
 
   const BallSet &set() const { return set_; }
@@ -126,10 +126,10 @@ class NearBalls {
 
  private:
   const PoreBalls *balls_ = nullptr;
-  BallSet set_;  // each knows which ball it is an image of
+  BallSet set_;  // `caller` of each is the ball that it is an image of
   Span<BoxShift> shift_;
-  Span<uint32_t> last_;    // of each ball its last image here; only if that is one of it
-  Span<uint32_t> before_;  // the image of the same ball before; no_id for none
+  Span<uint32_t> last_;    // [ball] its last image here; of no meaning if that is an image of another ball
+  Span<uint32_t> before_;  // [image] the image of the same ball that was added before; no_id for none
   uint32_t needed_ = 0;
 };
 

@@ -1,24 +1,24 @@
-// Free space for every probe at once: where the distance to the balls, f(x) = min |x - c| - r, has its maxima and its
-// gates. Free space for a probe p is {f > p}. As p falls, components of it are born at maxima and meet at gates:
+// Free space for every probe at once: the maxima and the gates of the distance to the balls, f(x) = min |x - c| - r.
+// Free space for a probe of radius p is {f > p}. As p falls, components of it are born at maxima and meet at gates:
 //
-//   maximum   where f is largest nearby: four balls, more if they tie
-//   gate      where two components, or two ends of one, meet: three balls, more if they tie
-//   class     a component from its birth at a maximum to its death at a gate, where it merges into one that is older,
-//             of a larger birth. The outside is the oldest, and has no maximum
+//   maximum   a local maximum of f: four balls are nearest, more if they tie
+//   gate      a saddle of f, where two components, or two ends of one, meet: three balls are nearest, more if they tie
+//   class     a component from its birth at a maximum to its death at a gate, where it merges into an older one, born
+//             at a larger f. The outside is the oldest, and has no maximum
 //
 //     f
 //     |     M2                  two cavities M1, M2 and the gate g between them; the outside is left of G
 //     |    /  \       M1
 //     |   /    \     /  \       at f = p the set {f > p} has two components, one around each maximum
-//   p |--/------\---/----\--    below g they are one: the class of M1 dies there, as M2 was born at a larger f
-//     | /        \_/      \     below G that of M2 dies: the outside is older
+//   p |--/------\---/----\--    below g they are one: the class of M1 dies at g, as M2 was born at a larger f
+//     | /        \_/      \     below G the class of M2 is dead: the outside is older
 //     |G          g
 //
-// A probe fits at a point, or passes a gate, if it is narrower than f there. Ids of balls are the caller's. Levels are
-// radii of probes beyond the one that is in the model, in lattice steps.
+// A probe fits at a point, or passes a gate, if its radius is less than f there. Ids of balls are the caller's. A level
+// is a value of f: the radius of a probe in lattice steps, beyond the probe radius that is part of the model's radii.
 //
-// In a periodic box every point is there once for all its copies. Balls of a point are then images: a ball of the box,
-// moved by a shift. The first ball of a point is not moved.
+// In a periodic box a point is listed once for all its copies. Its balls are then images: a ball of the box and the
+// shift by which it is moved. The first ball of a point is not moved.
 #pragma once
 
 #include "core/span.hpp"
@@ -28,9 +28,9 @@
 
 namespace hsp {
 
-// Ends and parents that are no maximum.
+// In the place of a maximum: the outside.
 inline constexpr uint32_t pore_outside = no_id - 1;
-// Maxima and the outside as numbers from 0 on.
+// The outside and the maxima, numbered from 0 on.
 constexpr uint32_t node_of(uint32_t maximum) {
   return maximum == pore_outside ? 0 : maximum + 1;
 }
@@ -56,41 +56,42 @@ struct SmallShift {
   }
 };
 
-// A maximum or a gate as it is found. Its first three or four balls span it; all that tie follow in a list of their own
-// if they are more.
+// A maximum or a gate as it is found. A gate is spanned by three of its nearest balls, a maximum by four. If more balls
+// tie, all of them are in a list of their own (PoresBuilder::tied()).
 struct CriticalPoint {
   Vec3 position;
-  double level;         // rounded to a power of two, the same for all steps of symmetry
+  double level;         // rounded to a multiple of a power of two, the same for points that symmetry maps to each other
   double error;         // how far the level may be off
-  uint32_t ball[4];     // in the order of positions; no_id behind the last one
-  SmallShift shift[4];  // of images in a box; none of the first
+  uint32_t ball[4];     // those that span it, in the order of positions; no_id behind the last one
+  SmallShift shift[4];  // which images they are, in a box; 0 for the first
   uint32_t tied;        // how many balls are nearest
-  uint32_t first_tied;
+  uint32_t first_tied;  // the first of them in the list, if they are more than span it
 };
 
 struct PoreMaximum {
   CriticalPoint point;
   uint32_t gate;  // where its class dies; no_id if it lives down to the floor
-  uint32_t into;  // the maximum of the class that it merges into there, pore_outside, or no_id
+  uint32_t into;  // the maximum of the class that it merges into there, or pore_outside; no_id if it does not die
 };
 
 struct PoreGate {
   CriticalPoint point;
-  // Maxima that its two sides lead up to, or pore_outside; first where its balls turn counter-clockwise.
+  // The maxima that its two sides lead up to, or pore_outside; first the side from which its first three balls are seen
+  // counter-clockwise.
   uint32_t end[2];
-  SmallShift end_shift[2];  // in a box: which of their copies
-  bool merges;              // two classes, rather than two ends of one
-  bool winds;  // in a box: its class can be gone along in a direction, or to a copy, that it could not before
+  SmallShift end_shift[2];  // in a box: which copies of the maxima
+  bool merges;              // whether it merges two classes; else it joins two ends of one
+  bool winds;  // in a box: whether its class leads into a new direction, or to a copy that it did not lead to before
   union {
-    uint32_t translation;  // until ways up are known: by which it comes from the last gate before it where that is 0
-    uint32_t directions;   // then: in which its class goes on for ever, from here on
+    uint32_t translation;  // until ways up are known: takes the last gate before it with translation 0 to this one
+    uint32_t directions;   // after that: in how many directions its class goes on for ever, from this gate on
   };
 
-  // From the copy of its first end to that of the second.
+  // The shift from the copy of its first end to the copy of the second.
   BoxShift way() const { return end_shift[1].shift() - end_shift[0].shift(); }
 };
 
-// Of a way up from a gate: a point of the curve on which three balls, or two, are nearest.
+// A point of a way up from a gate: it is on a curve on which three balls, or two, are nearest.
 struct WayPoint {
   Vec3 position;
   double level;

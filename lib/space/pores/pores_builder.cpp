@@ -21,7 +21,7 @@ void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits) {
 }
 
 PoreLimits PoresBuilder::retry_limits() const {
-  // Scratch memory is known only as far as it was needed, so that it grows by a half.
+  // The need of scratch memory is known only up to where the work ended, so that it grows by a half more.
   const auto step = [](uint32_t limit, uint32_t needed) {
     return needed > limit ? clamped_count(static_cast<uint64_t>(needed) + needed / 2) : limit;
   };
@@ -80,7 +80,7 @@ Status PoresBuilder::build_from(int64_t floor, Patience &patience, const PoresBu
 namespace {
 
 // Whether two sets of three or four balls are certainly congruent: one is the other moved, turned by right angles or
-// mirrored. Their points have one level then.
+// mirrored. Then their points have the same level.
 bool are_congruent(const BallSet &balls, const uint32_t *a, const uint32_t *b, uint32_t count) {
   const auto alike = [&](uint32_t i, uint32_t j, uint32_t k, uint32_t l) {
     Vec3 d[2] = {balls.difference(a[i], a[j]), balls.difference(b[k], b[l])};
@@ -92,7 +92,7 @@ bool are_congruent(const BallSet &balls, const uint32_t *a, const uint32_t *b, u
     }
     return d[0].x == d[1].x && d[0].y == d[1].y && d[0].z == d[1].z;
   };
-  // turned[k]: which of b is a[k]; the next one after all before it have one.
+  // turned[k]: which ball of b corresponds to a[k]. Found by backtracking, k after all before it.
   uint32_t turned[4] = {0, 0, 0, 0};
   for (uint32_t k = 0;;) {
     bool fits = balls.r[a[k]] == balls.r[b[turned[k]]];
@@ -108,7 +108,7 @@ bool are_congruent(const BallSet &balls, const uint32_t *a, const uint32_t *b, u
   }
 }
 
-// In linear time where there is scratch memory, levels being spread.
+// Sorts records by level; in linear time if there is scratch memory and levels are spread.
 template <class Record, class Higher>
 void sort_by_level(Span<Record> records, Span<uint32_t> scratch, Higher higher) {
   if (records.size() < 24 || scratch.size() < records.size()) return sort_in_place(records, higher);
@@ -126,7 +126,7 @@ void sort_by_level(Span<Record> records, Span<uint32_t> scratch, Higher higher) 
 
 }  // namespace
 
-// +1 if a is higher, -1 if b is; in doubles, where they are certain, else by integers.
+// +1 if a is higher, -1 if b is, 0 for the same level; in doubles if they are certain, else by integers.
 int PoresBuilder::compare_levels(const CriticalPoint &a, const CriticalPoint &b) {
   const double difference = a.level - b.level;
   if (std::fabs(difference) > a.error + b.error) return difference > 0.0 ? 1 : -1;
@@ -150,7 +150,7 @@ int PoresBuilder::compare_levels(const CriticalPoint &a, const CriticalPoint &b)
   return point[0].compare_levels(point[1]);
 }
 
-// Equal ones by names.
+// The order of points: by level, and for equal levels by name.
 bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
   if (const int sign = compare_levels(a, b); sign != 0) return sign > 0;
   for (uint32_t k = 0; k < 4; ++k) {
@@ -173,8 +173,8 @@ void PoresBuilder::sort_points(Patience &patience) {
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = maxima_[k].into = no_id;
 }
 
-// A gate is below its ends, and below the maximum whose class dies there. Where doubles of these levels say otherwise,
-// by their errors, the less certain one gives way to the other.
+// A gate is below its ends, and below the maximum whose class dies there. If the rounded levels say otherwise, the one
+// with the larger error is set to the other.
 void PoresBuilder::put_gate_below(CriticalPoint &gate, CriticalPoint &top) {
   if (!(gate.level > top.level)) return;
   if (top.error > gate.error) {
@@ -192,7 +192,8 @@ void PoresBuilder::put_gates_below_their_ends() {
   }
 }
 
-// In the order in which gates are found, which is that of positions: what is near one is near the next one.
+// Gates are taken in the order in which they were found, which is that of positions: consecutive gates are near each
+// other, and their ways meet.
 Status PoresBuilder::climb_from_gates(Patience &patience) {
   tied_shifts_ = critical_.tied_shifts().items();
   maximum_count_ = critical_.maxima().size();
@@ -222,7 +223,7 @@ Status PoresBuilder::climb_from_gates(Patience &patience) {
   return Status::ok;
 }
 
-// Where a way from a gate ends, after a translation; as seen from the centre of the gate's first ball.
+// The end of a way up from a gate after a translation. Its shift is relative to the gate's first ball.
 WayUp::End PoresBuilder::moved_end(const WayUp::End &end, uint32_t gates_ball, uint32_t translation) {
   WayUp::End moved = end;
   moved.name = critical_.moved_name(end.name, translation);
@@ -231,8 +232,8 @@ WayUp::End PoresBuilder::moved_end(const WayUp::End &end, uint32_t gates_ball, u
   return moved;
 }
 
-// The younger of two classes becomes a part of the older one. Numbers of classes are ages, the maxima's from `first`
-// on; a lower one is the outside. Returns that of both.
+// The younger of two classes becomes a part of the older one. A class with a lower number is older. Maximum m has the
+// class first + m; a number below `first` is the outside. Returns the number of the older class.
 uint32_t PoresBuilder::note_merger(uint32_t gate, uint32_t a, uint32_t b, uint32_t first) {
   if (a == b) return a;
   const uint32_t older = a < b ? a : b, younger = a < b ? b : a;
@@ -244,7 +245,7 @@ uint32_t PoresBuilder::note_merger(uint32_t gate, uint32_t a, uint32_t b, uint32
   return older;
 }
 
-// From the widest gate on. 0 is the outside, the oldest class.
+// Merges classes, from the widest gate on. Class 0 is the outside, the oldest one.
 Status PoresBuilder::merge() {
   DisjointSets classes(parents_.part(0, maximum_count_ + 1));
   classes.reset();
@@ -257,9 +258,10 @@ Status PoresBuilder::merge() {
   return Status::ok;
 }
 
-// Without an outside; classes remember which of their copies meet. A passage is of the class as it is below its gates:
-// so all of one level come in first, as their order is that of names. `passing`: the first gate of a level on where a
-// class goes on in more directions than any one above.
+// The same in a periodic box, which has no outside. Classes remember which of their copies meet. A passage is a
+// property of the class below its gates. So all gates of one level are merged before passages are noted, as the order
+// of these gates is only one of names. `passing`: the first gate of the level at which a class goes on in more
+// directions than any class above; no_id if there is none so far.
 Status PoresBuilder::merge_in_box() {
   windings_.reset(maximum_count_);
   for (uint32_t k = 0; k < maximum_count_; ++k) winding_gates_[k] = no_id;
@@ -286,7 +288,7 @@ Status PoresBuilder::merge_in_box() {
   return Status::ok;
 }
 
-// By gates of one level. Of several classes that go on the widest one counts.
+// Notes the passages by the gates of one level. If several classes go on there, the one of the widest cavity counts.
 void PoresBuilder::note_passages(uint32_t first, uint32_t end) {
   for (uint32_t d = 0; d < 3; ++d) {
     if (passages_.gate[d] != no_id) continue;
@@ -311,7 +313,7 @@ void PoresBuilder::note_ways_along(uint32_t gate, const WindingLattice &lattice)
   }
 }
 
-// Of the widest maxima and gates, as they are in order. Numbers fit: they did for all gates.
+// The maxima and gates above a level are the first ones. join() cannot fail: it did not for all gates.
 uint32_t PoresBuilder::join_above(double level, Patience patience) {
   uint32_t fitting = 0;
   while (fitting < maximum_count_ && maxima_[fitting].point.level > level) ++fitting;

@@ -1,4 +1,4 @@
-// Free space for every probe at once, built: critical points, ways up from gates, classes and where they merge.
+// Builds the pores (pores.hpp): critical points, ways up from gates, classes and the gates where they merge.
 #pragma once
 
 #include "core/disjoint_sets.hpp"
@@ -9,12 +9,12 @@
 namespace hsp {
 
 struct PoreLimits {
-  uint32_t balls = 0;  // in a box with images of them
+  uint32_t balls = 0;  // in a box together with their images
   uint32_t maxima = 0;
   uint32_t gates = 0;
-  uint32_t tied = 0;        // balls of points where more tie than are needed, all together
+  uint32_t tied = 0;        // the sum of all nearest balls of points where more tie than span the point
   uint32_t candidates = 0;  // scratch memory of the search
-  uint32_t near = 0;        // balls around one piece of a way, or one cube
+  uint32_t near = 0;        // balls around one piece of a way up, or around one cube
 };
 
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.
@@ -24,13 +24,14 @@ constexpr Status default_limits(uint32_t balls, PoreLimits &limits) {
   return Status::ok;
 }
 
-// Where classes of a box first go on for ever in one, two and three directions: the widest gates by which a probe gets
-// so far.
+// The gates below which a class of a periodic box first goes on for ever in one, two and three directions: the widest
+// gates by which a probe gets so far.
 struct PorePassages {
   uint32_t gate[3] = {no_id, no_id, no_id};
-  uint32_t maximum[3] = {no_id, no_id, no_id};  // of the class there, its largest cavity
-  WindingLattice lattice[3];                    // of its ways there
-  // The same for a way that comes back with other than 0 times one of the given vectors of the box.
+  uint32_t maximum[3] = {no_id, no_id, no_id};  // the maximum of that class, its largest cavity
+  WindingLattice lattice[3];                    // the windings of that class
+  // The widest gate below which some way winds along given vector k of the box: its winding has a multiple of it, not
+  // 0.
   uint32_t gate_along[3] = {no_id, no_id, no_id};
 };
 
@@ -38,56 +39,58 @@ class PoresBuilder {
  public:
   void carve(Workspace &workspace, const PoreLimits &limits);
 
-  // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits().
-  // Status::range: a way up leads to probes of 2^50 steps. Status::check cannot happen.
-  // Status::stopped: more is not allowed. before: null, or pores that were built of some of these balls, which have all
-  // grown by one length since: what they know of places where no other ball is near is not looked for again. Nothing
-  // else changes by that. They are of no use if they are of other balls, of a box, or of a higher floor.
+  // Finds all maxima and gates above a floor, which is in lattice steps. Status::capacity: a limit is too small, see
+  // retry_limits(). Status::range: a way up leads to probes of 2^50 steps. Status::check cannot happen.
+  // Status::stopped: patience allows no more work. before: null, or pores that were built of some of these balls, all
+  // of which have grown by one length since. They save the search where no new ball is near; the result is the same.
+  // They help nothing if they are of other balls, of a box, or of a higher floor.
   Status build(const CubeGrid &grid, int64_t floor, Patience patience = Patience(),
                const PoresBuilder *before = nullptr);
   // The same in a periodic box. Status::range also if it is more than a hundred times longer than wide.
   Status build(const PeriodicImages &images, int64_t floor, Patience patience = Patience());
 
-  // In descending order of levels; equal ones by their first balls, in the order of positions (exact/rank.hpp).
+  // In descending order of levels; points of equal level by their first balls, in the order of positions
+  // (exact/rank.hpp).
   Span<const PoreMaximum> maxima() const { return maxima_.part(0, maximum_count_); }
   Span<const PoreGate> gates() const { return gates_.part(0, gate_count_); }
-  // Of gates how many merge two classes.
+  // How many gates merge two classes.
   uint32_t mergers() const { return merger_count_; }
-  // All nearest balls of a point; in the order of positions.
+  // All nearest balls of a point, in the order of positions.
   Span<const uint32_t> tied(const CriticalPoint &point) const {
     const uint32_t named = point.ball[3] == no_id ? 3 : 4;
     if (point.tied == named) return {point.ball, named};
     return tied_.part(point.first_tied, point.first_tied + point.tied);
   }
-  // Which images in a box they are, in the same order.
+  // Which images in a box these balls are, in the same order.
   Span<const SmallShift> tied_shifts(const CriticalPoint &point) const {
     const uint32_t named = point.ball[3] == no_id ? 3 : 4;
     if (point.tied == named) return {point.shift, named};
     return tied_shifts_.part(point.first_tied, point.first_tied + point.tied);
   }
-  // In a box, null without one.
+  // The periodic box; null without one.
   const PeriodicBox *box() const { return balls_.box(); }
   const PorePassages &passages() const { return passages_; }
-  // Of each maximum the gate from which on its class goes on for ever, as long as it is one; or no_id.
+  // Of each maximum the gate below which its class goes on for ever, before it dies; or no_id.
   Span<const uint32_t> winding_gates() const { return winding_gates_; }
-  // Joins maxima by all gates above a level, and returns how many components joined() has: the classes there of what
-  // node_of() numbers, that of the outside first, which is alone in a box, the others as their oldest maxima are.
+  // Joins the outside and the maxima above a level by all gates above it. Returns how many components joined() has
+  // then: sets of the numbers of node_of(), first the one with the outside, which is alone in it in a box, then the
+  // others in the order of their oldest maxima. 0 if patience has ended.
   uint32_t join_above(double level, Patience patience = Patience());
   const Windings &joined() const { return windings_; }
-  // Adds the points of the way up from a gate to its end, without the gate.
+  // Appends to `points` the points of the way up from a gate to its end 0 or 1, without the gate itself.
   Status trace(uint32_t gate, uint32_t end, FixedVector<WayPoint> &points);
-  // Balls that are not inside another one.
+  // How many balls are not inside another one.
   uint32_t outer_balls() const { return balls_.own(); }
 
-  // After a success the limits that suffice, with one less of any of which it would not have been one; else as far as
-  // they are known.
+  // After a success the limits that suffice; with one less of any of them build() would have failed. After a failure
+  // the limits as far as they are known.
   const PoreLimits &needed() const { return needed_; }
   // The limits to try again with after Status::capacity.
   PoreLimits retry_limits() const;
   // Work that was done, for measurements.
   const CriticalPoints::Work &work() const { return critical_.work(); }
   uint64_t steps() const { return ways_.steps(); }
-  // That the exact stage has answered, since carve().
+  // How many questions the exact stage has answered since carve().
   uint64_t questions() const { return critical_.lines().questions() + ways_.questions(); }
 
  private:
@@ -111,7 +114,7 @@ class PoresBuilder {
   PoreBalls balls_;
   CriticalPoints critical_;
   WayUp ways_;
-  NearBalls compared_;  // of two points
+  NearBalls compared_;  // the balls of two points whose levels are compared
   Span<PoreMaximum> maxima_;
   Span<PoreGate> gates_;
   Span<uint32_t> tied_, parents_, winding_gates_;

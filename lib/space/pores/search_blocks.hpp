@@ -1,4 +1,4 @@
-// Blocks of a search, cubes and parts of these, and the balls that are near one.
+// The blocks of a search, cubes and parts of cubes, and the balls that are near a block.
 #pragma once
 
 #include "core/extremes.hpp"
@@ -15,7 +15,7 @@ inline double distance(const BallSet &balls, uint32_t ball, const exact::Vector 
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// +1 and -1 if it is certain whether a point is in a cube, its sides included.
+// Whether a point is in a cube, its sides included, by doubles: +1 it certainly is, -1 it certainly is not, 0 else.
 inline int may_be_in(const TangentPoint &point, const CriticalPoints::Block &block) {
   const Vec3 off = point.position_estimate() - to_double(block.centre) - block.off;
   const double most = longest_part(off), error = point.position_error();

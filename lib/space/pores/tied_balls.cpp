@@ -7,7 +7,7 @@
 namespace hsp {
 namespace {
 
-// Signs of some numbers.
+// Which signs some numbers have.
 struct Signs {
   bool positive = false, negative = false;
   void add(int sign) {
@@ -18,7 +18,7 @@ struct Signs {
   bool both() const { return positive && negative; }
 };
 
-// All balls and the point in one plane: whether the directions span it.
+// The kind of a point that is in one plane with all tied balls: a gate if the directions positively span the plane.
 PointKind kind_in_plane(const TangentPoint &point, Span<const uint32_t> tied, const TangentCurve &plane) {
   bool apart = false;
   for (const uint32_t i : tied) {
@@ -32,14 +32,14 @@ PointKind kind_in_plane(const TangentPoint &point, Span<const uint32_t> tied, co
   return apart ? PointKind::gate : PointKind::passing;
 }
 
-// On which side of planes a point is, in doubles. Normals are products of differences, which are exact: of three of
-// them that are at most 1 along each axis a component is below 8 and wrong by less than 2^-48.
+// On which side of planes a point is, in doubles. Normals are products of differences of centres, which are exact. Of a
+// product of three differences that are at most 1 along each axis a component is below 8 and wrong by less than 2^-48.
 class PlainSides {
  public:
   PlainSides(const BallSet &balls, const TangentPoint &point, double scale)
       : balls_(balls), at_(point.position_estimate()), error_(point.position_error()), scale_(scale) {}
-  // Of a plane through a centre; 0 if that is not certain. length: the product of the lengths that the normal is of,
-  // but for the common ones.
+  // The side of a plane through a centre; 0 if it is not certain. The normal is a product of differences; length: the
+  // product of their lengths, without those in `scale`.
   int side(const Vec3 &normal, double length, uint32_t centre) const {
     const Vec3 off = at_ - Vec3{balls_.x[centre], balls_.y[centre], balls_.z[centre]};
     const double height = dot(normal, off), most = scale_ * length;
@@ -54,14 +54,15 @@ class PlainSides {
 };
 
 constexpr double clear_of_rounding = 1e-9, clear_of_slivers = 1e-5;
-// Balls are nearly in a plane up to that, which two of them give that are so far apart.
+// A ball is nearly in a plane if its direction is off it by nearly_in_plane at most. The plane is that of two
+// directions whose cross product is longer than far_apart.
 constexpr double nearly_in_plane = 1e-8, far_apart = 0.02;
 constexpr uint32_t fewest_clustered = 9;
 
-// The plane through three of some unit vectors that bounds the hull of all, and is nearest to 0 or farthest beyond it.
+// The side of the hull of some unit vectors that 0 is least inside of, or farthest outside.
 struct HullSide {
   Vec3 outward;
-  double inside;  // how far 0 is inside of it
+  double inside;  // how far 0 is inside of it; below 0: outside
   bool any;
 };
 HullSide nearest_side(Span<const Vec3> a, const uint32_t *chosen, uint32_t size) {
@@ -73,7 +74,8 @@ HullSide nearest_side(Span<const Vec3> a, const uint32_t *chosen, uint32_t size)
         const Vec3 n = cross(a[chosen[j]] - p, a[chosen[k]] - p);
         const double length = std::sqrt(dot(n, n));
         if (length < 1e-6) continue;
-        // A plane counts if all are on one side of it, or nearly: one too many only makes the bound less.
+        // A plane is a side if all vectors are on one side of it, or nearly: a plane too many only makes the bound
+        // less.
         bool above = false, below = false;
         for (uint32_t l = 0; l < size && !(above && below); ++l) {
           const double height = dot(n, a[chosen[l]] - p);
@@ -82,7 +84,7 @@ HullSide nearest_side(Span<const Vec3> a, const uint32_t *chosen, uint32_t size)
         }
         if (above && below) continue;
         const double offset = dot(n, p) / length;
-        // All in one plane have no inside.
+        // If all vectors are in one plane, the hull has no inside.
         const double inside = above ? -offset : below ? offset : -std::fabs(offset);
         if (inside < nearest.inside) {
           nearest.inside = inside;
@@ -103,7 +105,7 @@ double depth_of_hull(Span<const Vec3> a, Vec3 *outward) {
   uint32_t chosen[most] = {0};
   uint32_t size = count <= spread_out ? count : 1;
   for (uint32_t k = 0; k < size; ++k) chosen[k] = k;
-  // Each the farthest one from those before.
+  // Each next vector is the farthest one from those before.
   for (; size < spread_out && size < count; ++size) {
     uint32_t which = 0;
     double farthest = 0.0;
@@ -120,7 +122,7 @@ double depth_of_hull(Span<const Vec3> a, Vec3 *outward) {
     }
     chosen[size] = which;
   }
-  // Then those that are farthest beyond the side that is nearest to 0.
+  // Then the vectors that are farthest beyond the side nearest to 0 are added.
   for (;;) {
     const HullSide side = nearest_side(a, chosen, size);
     if (outward != nullptr) *outward = side.outward;
@@ -156,12 +158,12 @@ double depth_in_plane(Span<const Vec3> a, Span<const Vec3> y, double &off_plane)
 }
 
 double depth_in_circle(Span<const Vec3> a, const Vec3 &n, double nearly, uint32_t *three) {
-  // From 0 to 4 with the angle from one to another.
+  // A monotone measure of the angle from one vector to another, from 0 to 4 for a whole turn.
   const auto turn = [&](uint32_t from, uint32_t to) {
     const double across = dot(n, cross(a[from], a[to])), along = dot(a[from], a[to]);
     return across >= 0.0 ? 1.0 - along : 3.0 + along;
   };
-  // The first and the last one of each sector; there are no more than `narrow` between those of one.
+  // The first and the last vector of each sector of the circle. Gaps within one sector are at most `narrow`.
   constexpr uint32_t sectors = 64;
   constexpr double narrow = 0.07;
   uint32_t first[sectors], last[sectors];
@@ -183,7 +185,7 @@ double depth_in_circle(Span<const Vec3> a, const Vec3 &n, double nearly, uint32_
       last[s] = k;
       most[s] = at;
     }
-    // On both sides of the direction that is opposite to the first one.
+    // three[1] and three[2] are next to the direction opposite to the first vector, on its two sides.
     if (at > before && at < 2.0) {
       before = at;
       three[1] = k;
@@ -203,7 +205,7 @@ double depth_in_circle(Span<const Vec3> a, const Vec3 &n, double nearly, uint32_
     from = last[s];
   }
   widest = larger_of(widest, turn(from, origin));
-  // The cosine of half the widest angle between two, less what they are off the plane.
+  // The cosine of half the widest gap between neighbours, less what the vectors are off the plane.
   return widest < 2.0 ? std::sqrt(0.5 * (2.0 - widest)) - 2.0 * nearly - 1e-7 : -1.0;
 }
 
@@ -225,7 +227,8 @@ bool find_far_apart(const BallSet &balls, Span<const uint32_t> near, uint32_t *s
   return true;
 }
 
-// Where doubles do not know the point well, as its balls are close together, others that are far apart may tell it.
+// Doubles may not know the point well, because the balls that define it are close together. Then sharper bounds, or
+// four tied balls that are far apart, may give it.
 TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied,
                                Span<Vec3> room)
     : balls_(balls), point_(point), tied_(tied) {
@@ -236,7 +239,7 @@ TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, 
   }
 }
 
-// As doubles see them from a point. False if they do not know it well.
+// Takes the directions from the centres to a point, in doubles. False if these do not know the point well.
 bool TiedDirections::take(const TangentPoint &point, Span<Vec3> room) {
   const Vec3 at = point.position_estimate();
   const double error = point.position_error();
@@ -251,13 +254,14 @@ bool TiedDirections::take(const TangentPoint &point, Span<Vec3> room) {
   return true;
 }
 
-// Whether the others are certainly all around a line, of a length that is not small.
+// Whether all directions but i and j are certainly all around the line through `from` along `along`, which is not
+// short.
 bool TiedDirections::is_around(const Vec3 &along, const Vec3 &from, uint32_t i, uint32_t j) const {
-  // Two directions across it.
+  // Two vectors across the line.
   const Vec3 some = std::fabs(along.x) < std::fabs(along.y) ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
   const Vec3 u = cross(along, some), v = cross(along, u);
   constexpr double clear = 16 * clear_of_rounding;     // lengths are up to 8
-  double right[2] = {0.0, 0.0}, left[2] = {0.0, 0.0};  // the outermost ones so far, less than half a turn apart
+  double right[2] = {0.0, 0.0}, left[2] = {0.0, 0.0};  // the outermost directions so far, less than half a turn apart
   const auto turn = [](const double *p, const double *q) { return p[0] * q[1] - p[1] * q[0]; };
   bool any = false;
   for (uint32_t l = 0; l < count_; ++l) {
@@ -275,13 +279,13 @@ bool TiedDirections::is_around(const Vec3 &along, const Vec3 &from, uint32_t i, 
   return false;
 }
 
-// On a curve that leads up along v all a.v are at least that of its own balls, s >= 0; then (v - s a_i).a_k >= s - s
-// a_i.a_k >= 0: as seen along a_i all others are on one side.
+// On a curve that leads up along v, a.v = s >= 0 for its own balls, and a.v >= s for all others. If ball i is on it,
+// then (v - s a_i).a_k >= s - s a_i.a_k >= 0 for all k: as seen along a_i all other directions are on one side.
 bool TiedDirections::is_inner(uint32_t i) const {
   return count_ > 0 && is_around(a_[i], {0.0, 0.0, 0.0}, i, i);
 }
 
-// Along their line the others surround it.
+// As seen along the line through the ends of both directions, the other directions surround it.
 bool TiedDirections::is_inner(uint32_t i, uint32_t j) const {
   return count_ > 0 && is_around(a_[j] - a_[i], a_[i], i, j);
 }
@@ -298,7 +302,7 @@ bool TiedDirections::surround_in_plane(bool &all) {
   if (!(length > 0.0)) return false;
   uint32_t three[3];
   if (!(depth_in_circle(a_, (1.0 / length) * n, nearly_in_plane, three) > 0.01)) return false;
-  // As wide as possible.
+  // A triangle that is as wide as possible.
   uint32_t wide = three[1];
   const auto width = [&](uint32_t k) {
     const Vec3 across = cross(a_[three[0]], a_[k]);
@@ -316,7 +320,8 @@ bool TiedDirections::surround_in_plane(bool &all) {
   return true;
 }
 
-// The way along which all three distances grow alike is across their plane, and up where 0 is below it.
+// The direction in which all three distances grow alike is the normal of the plane through the ends of the three unit
+// vectors. Of its two normals the one that points away from 0 leads up.
 bool TiedDirections::is_closed(uint32_t i, uint32_t j, uint32_t k, int side) const {
   if (count_ == 0) return false;
   const Vec3 n = cross(a_[j] - a_[i], a_[k] - a_[i]);
@@ -354,7 +359,8 @@ bool TiedDirections::are_known_in_plane(uint32_t i, uint32_t j, uint32_t k, uint
   return false;
 }
 
-// That of three which are nearly in one with the point; null if no two of them are far apart, or it has few others.
+// The plane of three directions that are nearly in one plane with the point. Null if no two of them are far apart, or
+// if few balls are near the plane.
 const TiedDirections::Plane *TiedDirections::find_plane(uint32_t i, uint32_t j, uint32_t k) {
   for (uint32_t p = 0; p < known_planes(); ++p) {
     if (are_near(planes_[p], i, j, k)) return &planes_[p];
@@ -391,9 +397,9 @@ const TiedDirections::Plane *TiedDirections::find_plane(uint32_t i, uint32_t j, 
   return &planes_[(planes_found_ - 1) % most_planes];
 }
 
-// Of C and C', the differences of the centres, and the way to the point that is the determinant of the directions times
-// the distances. In one plane all turn one way or the other: their C x C' are parallel, with errors as PlainSides has
-// them.
+// The side is the sign of det(C, C', y), C and C' the differences of the centres and y the vector from one to the
+// point. That determinant is the one of the three unit vectors times the three distances. For centres in one plane all
+// C x C' are parallel, so that each triangle turns one way or the other. The errors are those of PlainSides.
 int TiedDirections::side_of_plane(uint32_t i, uint32_t j, uint32_t k) {
   if (count_ > 0) {
     const double height = dot(cross(a_[i], a_[j]), a_[k]);
@@ -449,8 +455,8 @@ PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const ui
 PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied,
                   TiedDirections &directions) {
   if (directions.surround()) return PointKind::maximum;
-  // The extreme rays of K are orthogonal to two directions that are not parallel. Those that may be come last: as a
-  // rule nothing depends on them, and opposite ones have all others in their plane.
+  // An extreme ray of K is orthogonal to two directions that are not parallel. Pairs that may be parallel come last: as
+  // a rule nothing depends on them, and two opposite directions have every other one in a plane with them.
   bool solid = false, flat = false;
   for (const bool apart : {true, false}) {
     for (uint32_t a = 0; a < tied.size() && !flat; ++a) {
@@ -502,7 +508,7 @@ bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const ui
   on_side = false;
   int turn = side_of_centre(balls, {ids[0], ids[1], ids[2]}, ids[3]);
   for (uint32_t c = 0; c < 4; ++c) {
-    // Without corner 3, 2, 1, 0: each exchange of two corners is a turn the other way.
+    // The faces without corner 3, 2, 1, 0: from one to the next the orientation changes.
     const uint32_t left_out = 3 - c;
     uint32_t face[3], count = 0;
     for (uint32_t k = 0; k < 4; ++k) {

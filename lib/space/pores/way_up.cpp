@@ -65,7 +65,8 @@ bool WayUp::is_tied(uint32_t ball) const {
   return false;
 }
 
-// Whether no nearest ball gets nearer at once.
+// Whether none of the nearest balls gets nearer at once on a way. The second is for a way that begins at the lowest
+// point of its curve, in the plane of the centres.
 bool WayUp::is_open(const Way &way) {
   for (const uint32_t ball : tied_.items()) {
     if (!is_of_curve(way.curve, ball) && point_.departure(way.curve, way.side, ball) < 0) return false;
@@ -81,8 +82,9 @@ bool WayUp::is_open_from_lowest(const Way &way) {
   return true;
 }
 
-// From three balls with a gate inside their triangle to such ones whose curve no other gets nearer on: each that does
-// takes the place of one of them, so that the curve is lower. False where the gate is on a side of a triangle.
+// Begins with three balls whose triangle has the gate in its inside. If another ball gets nearer on their curve, it
+// takes the place of one of them, so that f is lower on the new curve. Ends with three balls on whose curve no other
+// ball gets nearer. False if the gate is on a side of one of the triangles.
 bool WayUp::find_lowest(const TangentCurve &named, int side, Way &way) {
   way = {named, side};
   bool on_side = false;
@@ -111,8 +113,8 @@ bool WayUp::find_lowest(const TangentCurve &named, int side, Way &way) {
   return false;
 }
 
-// The side is that of the gate's first three balls. All that stay as near as the lowest three, and these alone, are on
-// the way.
+// Finds the way up from a gate on the given side of the plane of its first three balls. Of many tied balls only those
+// that stay as near as the lowest three are on the way.
 bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
   const bool many = tied_.size() > most_tied_tried, known = many && find_lowest(named, side, way);
   near_.clear();
@@ -140,7 +142,7 @@ bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
   return false;
 }
 
-// A way up from where the last one ended. False at a maximum, where there is none.
+// Finds the way up from the point where the last one has ended. False at a maximum, which has none.
 bool WayUp::leave(Way &way) {
   const TangentCurve before = way.curve;
   const Span<const uint32_t> tied = tied_.items();
@@ -149,8 +151,8 @@ bool WayUp::leave(Way &way) {
       (tied.size() > most_tied_tried && kind_of(*balls_, point_, tied, directions) == PointKind::maximum)) {
     return false;
   }
-  // Of many most are on no curve that leads up, and most pairs. Those that may be are noted where the balls near the
-  // way were, which are no longer needed.
+  // If many balls tie, most of them, and most pairs, are on no curve that leads up. Those that may be are noted in
+  // near_, as the balls near the way are no longer needed.
   const bool many = tied.size() > most_tied_tried;
   bool in_one_plane = true;
   near_.clear();
@@ -162,7 +164,7 @@ bool WayUp::leave(Way &way) {
   const uint32_t count = many ? near_.size() : tied.size();
   const auto outer = [&](uint32_t k) { return many ? near_[k] : k; };
   const auto is_inner = [&](uint32_t a, uint32_t b) { return many && directions.is_inner(a, b); };
-  // In the inside of a triangle no way is steep.
+  // Inside a triangle of balls in one plane with the point no way up has a positive slope at first.
   const bool level = many && directions.surround_in_plane(in_one_plane);
   for (uint32_t i = 0; i < count && !level; ++i) {
     for (uint32_t j = i + 1; j < count; ++j) {
@@ -186,7 +188,7 @@ bool WayUp::leave(Way &way) {
       }
     }
   }
-  // Beside a gate that is closed on one side: the point is in a triangle's plane.
+  // The point may be like a gate that is closed on one side: in a triangle, and in its plane.
   for (uint32_t i = 0; i < count; ++i) {
     for (uint32_t j = i + 1; j < count; ++j) {
       const uint32_t a = outer(i), b = outer(j);
@@ -214,7 +216,7 @@ bool WayUp::leave_in_plane(const TangentCurve &before, Way &way) {
   const Span<const uint32_t> tied = tied_.items();
   for (uint32_t a = 0; a < tied.size(); ++a) {
     for (uint32_t b = a + 1; b < tied.size(); ++b) {
-      // Of the plane: a tied ball that is not on the line of the two; else what gave the plane before.
+      // The third ball of the plane: a tied ball that is not on the line of the two; else that of the curve before.
       uint32_t third = before.third;
       for (const uint32_t ball : tied) {
         if (ball != tied[a] && ball != tied[b] && !are_collinear(*balls_, tied[a], tied[b], ball)) third = ball;
@@ -231,14 +233,14 @@ bool WayUp::leave_in_plane(const TangentCurve &before, Way &way) {
   return false;
 }
 
-// Balls that can be nearest somewhere on a curve while its level is up to `to`, from z on.
+// Gathers in near_ the balls that can be nearest somewhere on a piece of a curve: from z = `from` up to the level `to`.
 Status WayUp::gather(const CurveShape &shape, const TangentCurve &curve, double from, int64_t to) {
   const BallSet &balls = *balls_;
   const uint32_t base = curve.base;
   const double level = static_cast<double>(to), z = 2.0 * (balls.r[base] + level);
   const double error = shape.error_up_to(z);
   LatticeQuery query{balls.ball(base).centre, 0};
-  // From the base's centre, from which no point is further than z / 2.
+  // At first around the base's centre, from which no point is farther than z / 2.
   double reach = 0.5 * z;
   if (error < 0.25 * z) {
     const CurvePiece piece(shape, from, z);
@@ -265,7 +267,7 @@ Status WayUp::gather(const CurveShape &shape, const TangentCurve &curve, double 
   return room ? Status::ok : Status::capacity;
 }
 
-// Of the balls that were gathered the first one that a curve meets above the point.
+// Finds the first point of a curve above point_ at which one of the gathered balls is as near. False if there is none.
 bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &event) {
   bool any = false;
   CurvePiece piece = whole;
@@ -280,7 +282,7 @@ bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &e
       certain[root] = !there[root] || std::fabs(difference) > error;
       above[root] = there[root] && difference > error;
     }
-    // Of a ball that is tied at the point one of the two is the point.
+    // If the ball is tied at point_, one of the two points is point_ itself.
     const bool known = is_tied(ball) && (certain[0] || certain[1]);
     for (const uint32_t root : {0U, 1U}) {
       if (!certain[root]) above[root] = !known && at[root].compare_levels(point_) > 0;
@@ -288,7 +290,7 @@ bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &e
       if (any && at[root].level_estimate() - at[root].level_error() > event.level_estimate() + event.level_error())
         continue;
       if (at[root].side_of_curve(way.curve) != way.side) continue;
-      // A ball that is tied at the event meets the curve there, if it does not beside it.
+      // If the ball is tied at `event`, it meets the curve there: in this root, if the other one is not near the event.
       const auto is_near_event = [&](uint32_t which) {
         return there[which] && std::fabs(at[which].level_estimate() - event.level_estimate()) <=
                                    at[which].level_error() + event.level_error();
@@ -299,7 +301,7 @@ bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &e
       if (tied || later) continue;
       event = at[root];
       any = true;
-      // Balls that are met later do not matter any more.
+      // The piece ends at the event: balls that the curve meets later do not matter.
       const double to = 2.0 * (balls_->r[way.curve.base] + event.level_estimate() + event.level_error() + 1.0);
       if (to > piece.from && to < piece.to) piece = CurvePiece(*piece.shape, piece.from, to);
     }
@@ -318,7 +320,7 @@ bool WayUp::is_beyond_box(const CurveShape &shape, uint32_t base, double z) cons
          x.z > high_.z + error || x.z < low_.z - error;
 }
 
-// To the next point of a way, and all balls that are nearest there.
+// Follows a way to its next point, and finds all balls that are nearest there. Sets `outside` if it leads outside.
 Status WayUp::follow(const Way &way, bool &outside) {
   const BallSet &balls = *balls_;
   CurveShape shape(balls, way.curve);
@@ -355,7 +357,7 @@ Status WayUp::follow(const Way &way, bool &outside) {
     if (trace_ != nullptr) {
       double end = 0.0;
       const double end_error = point_.refine(position, end);
-      // Beside the top of a curve it goes down again: no other ball is nearer there.
+      // At the top of a curve no error counts: behind it the curve goes down again, and no other ball is nearer there.
       trace(way, shape, {start, error}, {end, met ? end_error : 0.0});
     }
     tied_.clear();
@@ -369,10 +371,11 @@ Status WayUp::follow(const Way &way, bool &outside) {
   return Status::check;
 }
 
-// Points of a curve, so many at least, and so near to each other: a share of how far the centres of its balls are; none
-// where doubles do not know it to some steps. Near the lowest and the highest point of a curve a level changes with the
-// square of the way. So a curve between two levels that may be the same can be long by these levels though it has no
-// length, and a point that is not certainly between them far behind its end, where another ball is nearer.
+// Appends points of a curve: at least 1 / longest_part of them, at distances of at most `apart` times that of the
+// centres of its balls. A point is left out if doubles know it no better than to some steps. Near the lowest and the
+// highest point of a curve the level changes with the square of the way. So between two levels that may be the same the
+// curve may seem long though it has no length. And a point that is not certainly between the two levels may be far
+// behind the end of the curve, where another ball is nearer.
 void WayUp::trace(const Way &way, const CurveShape &shape, const RoundedLevel &from, const RoundedLevel &to) {
   constexpr double longest_part = 0x1p-3, shortest_part = 0x1p-16, apart = 1.0 / 12.0;
   const BallSet &balls = *balls_;
@@ -462,7 +465,7 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<c
   return status;
 }
 
-// Where a way is, if that is a point of four balls alone. False if it is not known to be one.
+// Names point_ if four balls tie there and no more. False if that is not known.
 bool WayUp::name_vertex(Vertex &vertex) const {
   if (tied_.size() != 4 || !point_.is_of_four()) return false;
   const BoxShift first = shift_of(tied_[0]);

@@ -1,11 +1,12 @@
-// Ways up from gates to maxima. From a point, with all balls that are nearest there, a curve of three of them is
-// followed on which f rises and no other gets nearer at once, to the first further ball; and again, up to a maximum. f
-// rises all the way, so that the maximum is in the component of free space that the way begins in.
+// Ways up from gates to maxima. At a point all nearest balls are known. Three of them are chosen on whose curve, that
+// of points equally near to the three, f rises and no other nearest ball gets nearer at once. The way follows the curve
+// to the first point at which a further ball is as near. From there it goes on in the same way, up to a maximum. f
+// rises all the way, so that the maximum is in the component of free space in which the way begins.
 //
-// A curve that is an ellipse has a top, where it may end with no further ball. If the centres of all nearest balls are
-// in one plane with the point then, no curve of three leads up: the way goes on in that plane, with two balls.
+// A curve that is an ellipse has a top, where the way may arrive without a further ball. If the centres of all nearest
+// balls are in one plane with the top, no curve of three leads up: the way goes on in that plane, on a curve of two.
 //
-// Far away from all centres, beyond the box around them, is the outside.
+// Beyond the box around all centres is the outside.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -17,23 +18,24 @@ namespace hsp {
 
 class WayUp {
  public:
-  // near: how many balls may be around a way; of so many balls.
+  // near: how many balls may be around a way; balls: how many there are in all.
   void carve(Workspace &workspace, uint32_t near, uint32_t balls);
   void prepare(PoreBalls &balls);
 
   // Where a way ends.
   struct End {
     bool outside = false;
-    PointName name{};  // of a maximum
+    PointName name{};  // of the maximum, unless it is the outside
     BoxShift shift{};  // which of its copies in a box
   };
-  // From a gate, all of whose balls are given, on the side where its three turn counter-clockwise or on the other one.
-  // Status::capacity: near is too small. Status::range: an image is too many boxes away, or the way leaves the lattice.
-  // Status::check would mean that a point was neither a maximum nor left upwards.
+  // Goes up from a gate, on the side from which its first three balls are seen counter-clockwise, or on the other side.
+  // tied, shifts: all nearest balls of the gate. Status::capacity: `near` of carve() is too small. Status::range: an
+  // image is too many boxes away, or the way leaves the lattice. Status::check would mean that there was no way up from
+  // a point that is no maximum.
   Status climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<const SmallShift> shifts, bool other_side,
                End &end);
 
-  // The points of the next ways are added to that, if it is not null: where another curve begins, and some between.
+  // The next ways append their points to `points`, if it is not null: where each curve ends, and some points between.
   void trace_into(FixedVector<WayPoint> *points) { trace_ = points; }
 
   uint32_t needed_near() const { return larger_count(needed_near_, near_balls_.needed()); }
@@ -43,20 +45,20 @@ class WayUp {
  private:
   struct Way {
     TangentCurve curve;
-    int side = 0;
+    int side = 0;  // of the plane of its centres; see TangentPoint::side_of_curve()
   };
-  // Where four balls tie; of the two such points that with W' < 0 or the other one.
+  // A point where four balls tie. rising: of the two such points the one with W' > 0 (tangent_point.hpp).
   struct Vertex {
     PointName name;
     bool rising;
     bool operator==(const Vertex &other) const = default;
   };
-  // Ways that have met go on alike: where some of those before have ended.
+  // From one vertex on all ways are the same. So the ends of some ways before are kept by vertices that they passed.
   struct KnownEnd {
     Vertex vertex;
-    End end;  // for the vertex whose first ball is not moved
+    End end;  // of the way through the copy of the vertex whose first ball is not moved
   };
-  // One on the way, whose first ball is moved by so many boxes.
+  // A vertex on the way; its first ball is moved by `shift` boxes.
   struct Passed {
     Vertex vertex;
     BoxShift shift;
@@ -75,18 +77,18 @@ class WayUp {
   KnownEnd &known_end(const Vertex &vertex);
   Status name_end(End &end);
   bool is_tied(uint32_t ball) const;
-  // Without a box balls have their own numbers.
+  // The number of a ball or image in *balls_: in a box that of near_balls_, else its own.
   uint32_t number_of(uint32_t ball, const BoxShift &shift);
   uint32_t ball_of(uint32_t number) const { return all_->box() == nullptr ? number : near_balls_.ball(number); }
   BoxShift shift_of(uint32_t number) const { return all_->box() == nullptr ? BoxShift{} : near_balls_.shift(number); }
-  // And how far it may be off.
+  // A level, and how far it may be off.
   struct RoundedLevel {
     double level, error;
   };
   void trace(const Way &way, const CurveShape &shape, const RoundedLevel &from, const RoundedLevel &to);
 
   PoreBalls *all_ = nullptr;
-  NearBalls near_balls_;  // whose numbers are used here in a box
+  NearBalls near_balls_;  // in a box: the images around the way
   const BallSet *balls_ = nullptr;
   Vec3 low_{}, high_{};
   double extent_ = 0.0;
