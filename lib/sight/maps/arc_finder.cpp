@@ -8,12 +8,13 @@
 namespace hsp {
 namespace {
 
-// A crease rises by less than this part of its radius if the balls are one before the other, up to rounding.
+// A crease that rises by less than this fraction of its radius is level: one ball is straight before the other, up to
+// rounding.
 constexpr double level_slope = 0x1p-30;
 
-// The part of a crease that is not known to be hidden shrinks from both ends while occluders are looked at, the highest
-// first. Only in that window roots are looked for. After some of them the gaps between hidden parts are known: where
-// many balls are in one place, most others hide nothing of these.
+// The part of a crease that is not known to be hidden is a window, which shrinks from both ends as occluders are looked
+// at, the highest first. Roots are looked for only in the window. After `few` occluders the gaps between hidden parts
+// are kept, too: if many balls are in one place, most further ones hide nothing of the gaps.
 class CreaseOcclusion : public HiddenParts {
  public:
   CreaseOcclusion(const Crease &crease, FixedVector<HiddenInterval> &hidden)
@@ -22,7 +23,7 @@ class CreaseOcclusion : public HiddenParts {
     find_middle();
   }
 
-  // The extent in the view plane of the part that may be seen.
+  // A box around the part that may be seen, in the view plane.
   BoundingBox box() const {
     const SinCos end = sin_cos(crease_.end);
     BoundingBox box;
@@ -58,14 +59,14 @@ class CreaseOcclusion : public HiddenParts {
     find_middle();
     return false;
   }
-  // Whether so many balls have been tried that gaps are known.
+  // Whether so many balls have been tried that gaps are kept.
   bool has_many() const { return tried_ > few; }
 
  private:
   void find_middle() { middle_ = crease_.at(0.5 * (from_ + to_)); }
 
   [[gnu::noinline]] void add_gap(CreaseEnds ends) {
-    // Where there are many, all between the last two counts as seen.
+    // If there are too many gaps, the last one goes on to the end of the new one.
     if (gaps_ == most_gaps) ends.from = gap_[--gaps_].ends.from;
     gap_[gaps_++] = PartOfCrease(ends);
   }
@@ -88,7 +89,7 @@ class CreaseOcclusion : public HiddenParts {
     for (uint32_t k = 0; k < count; ++k) add_gap(left[k]);
   }
 
-  // Of m + rho (a cos t + b sin t) over |t| <= end, a little widened.
+  // The range of m + rho (a cos t + b sin t) over |t| <= end, a little widened.
   void extent(double m, double a, double b, const SinCos &end, double &low, double &high) const {
     const double rho = crease_.rho * (1.0 + 0x1p-40);
     const double first = a * end.cosine - b * end.sine;
@@ -104,8 +105,8 @@ class CreaseOcclusion : public HiddenParts {
     low -= margin;
   }
 
-  // Where the crease enters or leaves what is behind the ball: through its sphere above its centre, below through the
-  // cylinder under its silhouette. Both sides meet at the height of the centre, |t| = level.
+  // The breakpoints at which the crease may go behind the ball or come out: above the ball's centre on its sphere,
+  // below on the cylinder under its silhouette. Sphere and cylinder meet at the height of the centre, |t| = level.
   void add_breakpoints(const SeenBall &ball, uint32_t id) {
     const Crease &c = crease_;
     const Vec3 w{c.m.x - ball.x, c.m.y - ball.y, c.m.z - ball.z};
@@ -171,12 +172,12 @@ bool find_crease_arcs(SeenBalls &seen, uint32_t far, uint32_t nearer, Span<const
   const Span<const SeenBall> balls = seen.balls();
   const Crease crease(balls[far], balls[nearer]);
   if (!crease.exists) return true;
-  // Level with the silhouette of the nearer ball, so that roundings decide where they touch.
+  // The crease is level with the silhouette of the nearer ball, so that rounding decides where they touch.
   if (!crease.is_whole() && crease.rise < level_slope * crease.rho) return false;
   CreaseOcclusion occlusion(crease, hidden);
   const BoundingBox box = occlusion.box();
   if (seen.hides(box, crease.m.z + crease.rise)) return true;
-  // Most often by the same ball as the crease before.
+  // Most often a crease is hidden by the same ball as the crease before.
   if (hider != no_id && hider != nearer && may_hide(balls[hider], box)) {
     if (CreaseOcclusion(crease, hidden).add_ball(balls[hider], hider)) return true;
     hidden.clear();
@@ -196,7 +197,7 @@ bool find_crease_arcs(SeenBalls &seen, uint32_t far, uint32_t nearer, Span<const
 
 namespace {
 
-// Whether depth cells hide the whole circle, asked for each eighth of it.
+// Whether depth cells hide the whole silhouette of a ball, asked for each eighth of it.
 bool is_buried(SeenBalls &seen, const SeenBall &ball) {
   constexpr double diagonal = 0x1.6a09e667f3bcdp-1;  // sqrt(1/2), rounded up
   const double r = ball.r;
@@ -206,7 +207,7 @@ bool is_buried(SeenBalls &seen, const SeenBall &ball) {
     const double right = (eighth & 1U) != 0 ? -1.0 : 1.0;
     const double up = (eighth & 2U) != 0 ? -1.0 : 1.0;
     const bool steep = (eighth & 4U) != 0;
-    // From 0 to the diagonal along one axis, from the diagonal to the radius along the other.
+    // The box of an eighth: from 0 to the diagonal along one axis, from the diagonal to the radius along the other.
     const double x[2] = {steep ? 0.0 : right * inner, right * (steep ? diagonal * r : outer)};
     const double y[2] = {steep ? up * inner : 0.0, up * (steep ? outer : diagonal * r)};
     BoundingBox box;
@@ -219,11 +220,11 @@ bool is_buried(SeenBalls &seen, const SeenBall &ball) {
   return true;
 }
 
-// Adds what another ball hides of the circle. A nearer one hides what is in its disc, a farther one what is inside it,
-// which is a smaller disc at this height. True if that is everything.
+// Adds the part of the silhouette that another ball hides. A nearer ball hides what is in its disc; a farther one hides
+// what is inside it, which at this height is a smaller disc. True if the whole silhouette is hidden.
 //
-// Whether a farther ball hides nothing, a part or everything is the question whether their crease does not exist, ends
-// at this silhouette or is a whole circle above it. Crease answers both, so that roundings cannot make them differ.
+// A farther ball hides nothing if the two have no crease, a part if the crease ends at this silhouette, and all if the
+// crease is a whole circle above it. Crease decides both, so that rounding cannot make them differ.
 bool add_hidden(const SeenBall &own, const SeenBall &other, uint32_t id, bool nearer,
                 FixedVector<HiddenInterval> &hidden) {
   const double dz = other.z - own.z;
@@ -294,7 +295,7 @@ bool ArcFinder::find(SeenBalls &seen, const DiscGrid &grid, Patience &patience) 
     Span<const uint32_t> near = near_.items();
     bool marked = false;
     if (CoveredBalls::are_many(near.size())) {
-      // So many there is memory for with every limit that suffices, and the map is the same with all of these.
+      // Every limit that suffices has memory for so many, and the map is the same with all of these limits.
       seen.use_room(needed_neighbours_);
       if (seen.is_covered(i, patience)) continue;
       near = leave_out_covered(seen, near_.items(), patience);

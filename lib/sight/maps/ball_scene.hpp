@@ -1,15 +1,16 @@
-// The balls of a map: their curves, how these are named where they meet, and where a ball may be seen.
+// The balls of a map: their curves, the names of the points where curves meet, and where a ball may be seen. Height is
+// the view coordinate z, which grows towards the viewer.
 //
-// The two kinds of curves that a map of balls consists of, with their parameters:
+// A map of balls consists of two kinds of curves, with these parameters t:
 //
-// Silhouette of a ball: its points at the height of the centre, at the angle t, counter-clockwise in the view plane
-// with the ball on the left.
+// Silhouette of a ball: the points of its sphere at the height of its centre, by their angle t. It runs
+// counter-clockwise in the view plane, with the ball on the left.
 //
-// Crease of two balls, `far` and `near`: the points m + rho (a cos t + b sin t), where a is the steepest direction in
-// the plane of the circle and b a horizontal one, so that the height m_z + rise cos t is largest at 0 and falls to
-// either side. The nearer ball is on the left. Seen is at most what is above the centre of the nearer ball: below, the
-// nearer ball covers it. At the height of that centre the crease goes over into the silhouette of the nearer ball.
-// Balls that only touch have none: roundings would decide where it ends.
+// Crease of two balls, `far` and `near`: the points m + rho (a cos t + b sin t). a is the steepest direction in the
+// plane of the circle and b a horizontal one, so that the height m_z + rise cos t is largest at t = 0 and falls to
+// either side. The nearer ball is on the left. At most the part above the centre of the nearer ball is seen: the rest
+// is covered by that ball. At the height of that centre the crease goes over into the silhouette of the nearer ball.
+// Balls that only touch have no crease: rounding would decide where it ends.
 #pragma once
 
 #include "core/elementary.hpp"
@@ -23,8 +24,8 @@
 
 namespace hsp {
 
-// How deep a point is behind the front of a ball, inside it or below its centre in its disc: the square of the radius
-// less that of the distance, negative if it is not behind.
+// How deep a point is behind the front of a ball. Above the centre: the square of the radius less that of the distance
+// from the centre; below it: the same with the distance in the view plane. Negative if the point is not behind.
 inline double depth_behind(const Vec3 &point, const SeenBall &ball) {
   const double dx = point.x - ball.x;
   const double dy = point.y - ball.y;
@@ -45,7 +46,7 @@ struct Crease {
   Vec3 m{}, a{}, b{};  // a and b of length 1
   double rho = 0.0;
   double rise = 0.0;
-  double end = 0.0;  // what may be seen is |t| <= end; pi for the whole circle
+  double end = 0.0;  // the part |t| <= end may be seen; pi for the whole circle
   bool exists = false;
 
   Crease(const SeenBall &far, const SeenBall &near) {
@@ -77,22 +78,22 @@ struct Crease {
   Vec3 at(double t) const { return at(sin_cos(t)); }
 };
 
-// A point where arcs of several curves meet, by its bodies. group: one of the scene's; middle and last: further bodies,
-// no_id if there are fewer; point: which of the two points with these bodies it is.
+// The name of a point where arcs of several curves meet. group: one of the scene's groups, which stands for the first
+// body; middle, last: further bodies, no_id if there are fewer; point: which of the two points of these bodies it is.
 struct CornerName {
   uint32_t group, middle, last, point;
 };
 
-// Along a crease the triple point where it enters the third ball has one sign of the determinant of the balls and the
-// point, the one where it leaves has the other; exchanging two of the balls changes the sign.
+// A crease enters the third ball at one triple point and leaves it at another. The sign of the determinant of the three
+// balls and the point is different at these two. Exchanging two of the balls changes the sign, too.
 inline CornerName name_of_triple(const MapArc &arc, uint32_t end) {
   CornerName name{arc.body, arc.nearer, arc.end[end].body, end};
   if (sort_three(name.group, name.middle, name.last)) name.point ^= 1U;
   return name;
 }
 
-// The crease ends where the silhouette of the nearer ball begins, and the other way round: both have that ball on their
-// left.
+// The end of the crease is the beginning of the silhouette of the nearer ball, and the other way round: both have that
+// ball on their left.
 inline CornerName name_of_tangency(const MapArc &arc, uint32_t end) {
   const bool silhouette = arc.nearer == no_id;
   const uint32_t far = silhouette ? arc.end[end].body : arc.body;
@@ -113,12 +114,12 @@ struct RoundCurve {
 };
 
 struct BallScene {
-  Span<const SeenBall> balls;  // nearest top first; their ids are those of bodies
+  Span<const SeenBall> balls;  // highest top first; their indices are the ids of bodies
 
   uint32_t bodies() const { return balls.size(); }
   uint32_t slot_of(uint32_t ball) const { return balls[ball].ball; }
   uint32_t ball_of(uint32_t ball) const { return balls[ball].ball; }
-  // The order of faces.
+  // The body whose faces come at rank k.
   uint32_t body_in_order(uint32_t k) const { return k; }
   double largest() const {
     double largest = 0.0;
@@ -126,9 +127,9 @@ struct BallScene {
     return largest;
   }
 
-  // Of corners: each is in that of its first ball.
+  // The number of groups of corners: a corner is in the group of its first ball.
   uint32_t groups() const { return balls.size(); }
-  // Of an end of an arc that is no T; false if it is none.
+  // Names the corner at an end of an arc that is no T; false if no corner is there.
   bool name(const MapArc &arc, uint32_t end, CornerName &name) const {
     const MapVertexKind kind = arc.end[end].kind;
     if (kind == MapVertexKind::plain) return false;
@@ -140,12 +141,13 @@ struct BallScene {
   Vec3 at(uint32_t ball, uint32_t nearer, double t) const {
     return nearer == no_id ? silhouette_point(balls[ball], t) : Crease(balls[ball], balls[nearer]).at(t);
   }
-  // The parameter of a point of the view plane on the silhouette of a ball, and how long the silhouette is per unit.
+  // The parameter of a point of the view plane on the silhouette of a ball; and the length of the silhouette per unit
+  // of the parameter.
   double landing(uint32_t ball, double x, double y) const { return arc_tangent(y - balls[ball].y, x - balls[ball].x); }
   double contour_length(uint32_t ball) const { return balls[ball].r; }
 
   static constexpr bool is_straight(const MapEdge &) { return false; }
-  // Of a parameter of an edge's curve below.
+  // The parameter of at() for a parameter t of curve().
   static constexpr double edge_parameter(const MapEdge &, double t) { return t; }
   RoundCurve round_curve(uint32_t far, uint32_t nearer) const {
     const SeenBall &ball = balls[far];
@@ -156,7 +158,7 @@ struct BallScene {
   EdgeCurve curve(const MapEdge &edge, const MapVertex &, const MapVertex &) const {
     return round_curve(edge.body, edge.nearer).part(edge);
   }
-  // The middle of an edge on a silhouette, from its vertices where that is well conditioned, as it is sooner found so.
+  // The middle of an edge on a silhouette. Computed from its vertices if that is well conditioned, as it is faster.
   Vec3 middle_of(const MapEdge &edge, const MapVertex &v, const MapVertex &w) const {
     const SeenBall &ball = balls[edge.body];
     const double x = v.x + w.x - 2 * ball.x;
@@ -167,11 +169,12 @@ struct BallScene {
     return {ball.x + part * x, ball.y + part * y, ball.z};
   }
 
-  // The extent in the view plane, grown by a margin.
+  // The area of a ball's disc in the view plane, its radius grown by a margin.
   double silhouette_area(uint32_t ball, double margin) const {
     return pi * (balls[ball].r + margin) * (balls[ball].r + margin);
   }
-  // Whether a point is no farther than a margin outside the silhouette of a body, and behind its front.
+  // Whether the front of a body may be seen at p: p is at most a margin outside the silhouette, and at most about so
+  // much behind the front.
   bool may_be_seen(uint32_t body, const Vec3 &p, double margin) const {
     const SeenBall &ball = balls[body];
     const double dx = p.x - ball.x;
@@ -179,7 +182,7 @@ struct BallScene {
     const double outer = ball.r + margin;
     return dx * dx + dy * dy <= outer * outer && depth_behind(p, ball) <= outer * outer - ball.r * ball.r;
   }
-  // The height of a body's front at a point where it is seen or near that; of the silhouette beside it.
+  // The height of a body's front at a point at which it is seen, or near that; beside its disc that of its silhouette.
   double front_at(uint32_t body, double x, double y) const {
     const SeenBall &ball = balls[body];
     const double dx = x - ball.x;
@@ -187,13 +190,14 @@ struct BallScene {
     const double squared = ball.r * ball.r - dx * dx - dy * dy;
     return squared > 0.0 ? ball.z + std::sqrt(squared) : ball.z;
   }
-  // No edge that names the ball first is nearer to a point of the view plane.
+  // A lower bound of the distance from a point of the view plane to an edge that names the ball first.
   double least_distance(uint32_t ball, double x, double y) const {
     const double dx = x - balls[ball].x;
     const double dy = y - balls[ball].y;
     return std::sqrt(dx * dx + dy * dy) - balls[ball].r;
   }
-  // Calls visit(body, x, y) for a point of each that is seen if nothing else is before it there.
+  // Calls visit(body, x, y) with a point of each body that is seen there unless another one is before it. Ends with
+  // false when visit returns false.
   template <class Visit>
   bool all_middles(Visit visit) const {
     for (uint32_t k = 0; k < balls.size(); ++k) {
@@ -205,7 +209,7 @@ struct BallScene {
 
 struct MapLimits {
   uint32_t balls = 0;       // of the model
-  uint32_t neighbours = 0;  // most balls of which discs meet any one disc and that reach higher than its centre
+  uint32_t neighbours = 0;  // balls whose discs meet one ball's disc and whose tops are above its centre, at most
   uint32_t edges = 0;       // of the map
 };
 
@@ -216,7 +220,8 @@ constexpr Status default_limits(uint32_t balls, MapLimits &limits) {
   return Status::ok;
 }
 
-// The visibility map of balls (Section 5.2). Faces in the order of SeenBalls; slots of balls are those of grid order.
+// The visibility map of balls (Section 5.2). Faces come in the order of SeenBalls; the slot of a ball is its number in
+// grid order.
 using VisibilityMap = SceneMap<BallScene>;
 
 }  // namespace hsp

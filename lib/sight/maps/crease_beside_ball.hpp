@@ -1,5 +1,5 @@
-// Whether parts of a crease are behind a ball, where that is certain without roots: from its values at some angles, and
-// from how far it may bend between two of them.
+// Whether parts of a crease are behind a ball, as far as that is certain without roots: from the values of some
+// functions at some angles, and bounds of how they bend between two angles.
 #pragma once
 
 #include "core/extremes.hpp"
@@ -29,9 +29,9 @@ struct PartOfCrease {
   }
 };
 
-// With z the height over the ball's centre, F the square of the distance from it less that of the radius, and
-// G = F - z^2 the same as seen from above: what has G > 0, or z > 0 and F > 0, is not behind, and what has F < 0, or
-// z < 0 and G < 0, is.
+// For a point let z be its height over the ball's centre, F the square of its distance from the centre less that of the
+// radius, and G = F - z^2 the same for the distance in the view plane. A point with G > 0, or with z > 0 and F > 0, is
+// not behind the ball. A point with F < 0, or with z < 0 and G < 0, is behind it.
 class CreaseBesideBall {
  public:
   CreaseBesideBall(const Crease &crease, const SeenBall &ball) : rise_(crease.rise) {
@@ -49,7 +49,7 @@ class CreaseBesideBall {
     low_ = 0x1p-30 * ball.r;
   }
 
-  // 1 if all of these parts is, -1 if nothing of them is, else 0.
+  // 1 if these parts are certainly all behind the ball, -1 if nothing of them is, else 0.
   [[gnu::noinline]] int side_of(Span<const PartOfCrease> parts) const {
     int all = 0;
     for (const PartOfCrease &part : parts) {
@@ -76,15 +76,15 @@ class CreaseBesideBall {
   int side_between(const Values &a, const Values &b, double squared) const {
     const double highest = larger_of(a.z, b.z) + squared * rise_, lowest = smaller_of(a.z, b.z);
     if (stays_above(a.G, b.G, squared * bend_G_)) return -1;
-    // Below the centre G is above F - lowest^2.
+    // Below the centre G >= F - lowest^2.
     const double below = lowest > low_ ? 0.0 : (lowest - low_) * (lowest - low_);
     if (stays_above(a.F - below, b.F - below, squared * bend_F_)) return -1;
     if (stays_above(-a.F, -b.F, squared * bend_F_)) return 1;
     if (highest < -low_ && stays_above(-a.G, -b.G, squared * bend_G_)) return 1;
     return 0;
   }
-  // Whether a function is certainly above 0 between two angles: it is above the parabola through both that has its
-  // largest bend.
+  // Whether a function is certainly above 0 between two angles, from its values there: it is above the parabola through
+  // both values with the largest bend.
   bool stays_above(double first, double last, double bend) const {
     first -= margin_;
     last -= margin_;

@@ -83,8 +83,8 @@ void DiscGrid::build(Span<const SeenBall> balls) {
       [this](uint32_t at, uint32_t i) { item_[at] = i; });
 }
 
-// A ball that contains another one reaches at least as high, up to rounding, and the larger one of two with equal tops
-// comes first.
+// A ball that contains another one reaches at least as high, up to rounding, and of two with equal tops the larger one
+// comes first: so only balls before i can contain it.
 void DiscGrid::mark_inside(Span<SeenBall> balls, Patience &patience) const {
   for (uint32_t i = 0; i < balls.size() && patience.allows(1000); ++i) {
     SeenBall &ball = balls[i];
@@ -127,8 +127,8 @@ DiscGrid::Highest DiscGrid::highest_at(double x, double y, uint32_t except) cons
   if (std::fabs(x) > farthest || std::fabs(y) > farthest) return {no_id, true};
   uint32_t best = no_id;
   double highest = 0.0;
-  double runner_up = 0.0;     // of two or more
-  double highest_edge = 0.0;  // of discs with their edge close by
+  double runner_up = 0.0;     // the second highest front, if there are two
+  double highest_edge = 0.0;  // the highest of the discs whose edge is close to the point
   uint32_t fronts = 0, edges = 0;
   const auto reach_to = [](double largest) { return largest; };
   visit_squares(x, y, reach_to, [&](Span<const uint32_t> items) {

@@ -1,7 +1,7 @@
-// The discs that the balls take of the view plane, by the squares that hold their centres. The lists of squares are
-// front to back, so that a search for what reaches above a height stops early. Discs of nearly one size share a level,
-// and the squares of a level have twice the radius of its largest disc as their side: among many small discs a large
-// one does not widen the squares of the small ones.
+// The discs of the balls in the view plane, sorted by the squares that hold their centres. The list of a square is front
+// to back, so that a search for balls that reach above a height stops early. Discs of nearly one size share a level, and
+// the squares of a level have twice the radius of its largest disc as their side: a large disc does not widen the
+// squares of small ones.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -16,17 +16,16 @@ class DiscGrid {
   void carve(Workspace &workspace, uint32_t balls);
 
   void build(Span<const SeenBall> balls);
-  // Finds the balls inside other balls, or nearly: touching from inside is inside. Of equal ones the first stays
-  // outside.
-  // Not all if it is stopped.
+  // Marks the balls that lie inside others, or nearly: touching from inside counts. Of equal balls the first is not
+  // inside. If patience ends not all are marked.
   void mark_inside(Span<SeenBall> balls, Patience &patience) const;
 
-  // The balls, ascending, whose discs meet that of ball i and whose tops are above its centre; neither i itself nor
-  // balls inside others.
+  // Finds the balls whose discs meet the disc of ball i and whose tops are above its centre, ascending; without i
+  // itself and balls inside others.
   void gather(uint32_t i, FixedVector<uint32_t> &near) const;
 
-  // The ball with the highest front at a point, besides `except`; no_id if there is none. Certain unless the point is
-  // close to the edge of a disc that reaches as high, or two fronts are close to each other.
+  // The ball with the highest front at a point, `except` left out; no_id if there is none. Certain unless the point is
+  // close to the edge of a disc that reaches as high, or the two highest fronts are close to each other.
   struct Highest {
     uint32_t body;
     bool certain;

@@ -1,4 +1,5 @@
-// Edges of a map in the view plane: points of an ellipse.
+// Edges of a map in the view plane, as parts of ellipses: where they end, what area they enclose, which point or hole
+// they surround.
 #pragma once
 
 #include <cmath>
@@ -25,7 +26,7 @@ struct EdgeEllipse {
   }
 };
 
-// Lines are ellipses without a minor axis, from one end of the major one to the other.
+// A part of an ellipse. A line is an ellipse without a minor axis, from one end of the major axis to the other.
 struct EdgeCurve {
   EdgeEllipse ellipse;
   double from, to;
@@ -37,13 +38,14 @@ EdgeCurve curve_of(const Map &map, uint32_t e) {
   return map.scene.curve(edge, map.vertices[edge.vertex[0]], map.vertices[edge.vertex[1]]);
 }
 
-// Points of nearly touching curves are that uncertain, and a T may miss its arc by 2^-24.
+// A bound for the uncertainty of positions: that of points of nearly touching curves, and of a T, which may miss its
+// arc by 2^-24.
 template <class Map>
 double position_tolerance(const Map &map) {
   return 0x1p-18 * map.scene.largest();
 }
 
-// How far one end of an edge's curve is from its vertex.
+// The distance in the view plane from end 0 or 1 of an edge's curve to the vertex at that end.
 template <class Map>
 double end_off_vertex(const Map &map, uint32_t e, uint32_t end) {
   const MapEdge &edge = map.edges[e];
@@ -54,9 +56,9 @@ double end_off_vertex(const Map &map, uint32_t e, uint32_t end) {
   return std::sqrt(dx * dx + dy * dy);
 }
 
-// The first edge that ends elsewhere than at its vertices; no_id if there is none. Where spheres nearly coincide, two
-// of them leave little of where their curve is, and it may be elsewhere than a third curve through its end says.
-// has_end(half-edge that leaves there): whether an end is looked at.
+// The first edge with an end that is not at its vertex; no_id if there is none. When spheres nearly coincide, the
+// circle of two of them is badly determined, and may be far from a vertex that the third sphere gives. has_end(h):
+// whether to look at the end from which half-edge h leaves.
 template <class Map, class HasEnd>
 uint32_t first_edge_off_its_vertices(const Map &map, HasEnd has_end) {
   const double tolerance = position_tolerance(map);
@@ -68,8 +70,9 @@ uint32_t first_edge_off_its_vertices(const Map &map, HasEnd has_end) {
   return no_id;
 }
 
-// The first half-edge with something on its side that has no front at the middle of its edge, or has one before it;
-// no_id if there is none. Where many curves tie in a point labels may agree about loops that are not there.
+// The first half-edge whose side is wrong; no_id if there is none. A side shows a body, which shall have a front at the
+// middle of the edge, and none nearer than the edge. When many curves meet in one point, labels may agree about loops
+// that do not exist.
 template <class Map>
 uint32_t first_side_without_front(const Map &map) {
   const double margin = position_tolerance(map);
@@ -84,7 +87,7 @@ uint32_t first_side_without_front(const Map &map) {
   return no_id;
 }
 
-// Twice the area that an edge sweeps about a point, as of half-edge 2e (Green's formula).
+// Twice the area that half-edge 2e sweeps about the point (x, y) (Green's formula).
 template <class Map>
 double swept_twice(const Map &map, uint32_t e, double x, double y) {
   const EdgeCurve curve = curve_of(map, e);
@@ -95,15 +98,16 @@ double swept_twice(const Map &map, uint32_t e, double x, double y) {
          (ellipse.first[0] * ellipse.second[1] - ellipse.first[1] * ellipse.second[0]) * (curve.to - curve.from);
 }
 
-// The cosine and sine of 1: a direction in which no two vertices of a scene that was made up by hand lie. A vertex on
-// the ray may count for both of its edges, or for none, as roundings will have it.
+// The direction of all rays: the cosine and sine of 1, a direction in which no two vertices of a scene made by hand
+// lie. By rounding a vertex on a ray may count for both of its edges, or for none.
 inline constexpr double ray_x = 0.5403023058681398, ray_y = 0.8414709848078965;
 
+// How far a vector leads to the left of the ray.
 inline double beside_ray(const double v[2]) {
   return ray_x * v[1] - ray_y * v[0];
 }
 
-// How often an edge meets a ray from (x, y), the same for all edges.
+// How often an edge meets the ray from (x, y).
 inline uint32_t crossings(const EdgeCurve &curve, double x, double y) {
   const EdgeEllipse &ellipse = curve.ellipse;
   const double c = beside_ray(ellipse.first);
@@ -125,10 +129,10 @@ inline uint32_t crossings(const EdgeCurve &curve, double x, double y) {
   return count;
 }
 
-// Which loops of a map lie within which: the face at a point, and the holes of faces. For maps of whatever bodies, with
-// records like those of a VisibilityMap.
+// The rest tells which loops of a map lie within which: the face at a point, and the holes of faces. For maps of any
+// bodies.
 
-// Whether a loop runs around a point, by the parity of its crossings with a ray.
+// Whether a loop surrounds a point, by the parity of its crossings with a ray.
 template <class Map>
 bool surrounds(const Map &map, uint32_t loop, double x, double y) {
   uint32_t count = 0;
@@ -136,9 +140,10 @@ bool surrounds(const Map &map, uint32_t loop, double x, double y) {
   return count % 2 == 1;
 }
 
-// The face at a point where `owner` is seen, among the faces of that: O(edges of their outer loops and holes). no_id
-// where edges are so close that roundings decide. A point lies in a face if it is within its outer loop and within none
-// of its holes: of all these an odd number surrounds it from the face's side.
+// The face at a point at which `owner` is seen, one of the faces of that body. no_id if edges are so close that
+// rounding decides. A point lies in a face if it is within the outer loop and in no hole. That is tested by parity:
+// then an odd number of the face's loops surrounds the point. O(edges of the outer loops and holes of the owner's
+// faces).
 template <class Map>
 uint32_t face_at(const Map &map, uint32_t owner, double x, double y) {
   // Beyond all balls there is one face, and differences to such points may overflow.
@@ -146,7 +151,7 @@ uint32_t face_at(const Map &map, uint32_t owner, double x, double y) {
   if (!(std::fabs(x) < beyond && std::fabs(y) < beyond)) return map.first_face_of(no_id);
   uint32_t found = no_id;
   for (uint32_t f = map.first_face_of(owner); f != no_id; f = map.next_face_of(f)) {
-    uint32_t count = f == 0 ? 1 : 0;  // around the unbounded face is nothing
+    uint32_t count = f == 0 ? 1 : 0;  // the unbounded face has no outer loop: 1 stands for it
     map.visit_loops(f, [&](uint32_t l) { count += surrounds(map, l, x, y) ? 1U : 0U; });
     if (count % 2 == 0) continue;
     if (found != no_id) return no_id;
@@ -155,13 +160,14 @@ uint32_t face_at(const Map &map, uint32_t owner, double x, double y) {
   return found;
 }
 
-// The innermost face of the hole's owner with the hole within its outer loop, the unbounded face if there is none.
+// The innermost face of the hole's owner whose outer loop has the hole inside; if there is none, no_id, or for the
+// background the unbounded face.
 template <class Map>
 uint32_t face_around(const Map &map, const MapLoop &hole) {
   const bool background = hole.owner == no_id;
   const uint32_t first = map.first_face_of(hole.owner);
   if (first == no_id || map.next_face_of(first) == no_id) return first;
-  // Some point that is not likely to be in the direction of a vertex.
+  // A point of the hole's edge such that a vertex on the ray from it is not likely.
   const EdgeCurve curve = curve_of(map, hole.first_half_edge / 2);
   const SinCos t = sin_cos(curve.from + 0.3819660112501051 * (curve.to - curve.from));
   uint32_t best = background ? 0 : no_id;
@@ -176,8 +182,8 @@ uint32_t face_around(const Map &map, const MapLoop &hole) {
   return best;
 }
 
-// Gives the holes to faces, once outer loops have theirs. False if there is none for one of them, or if there are more
-// or fewer holes than connected parts of the edges: around each there is one.
+// Assigns holes to faces, after outer loops have theirs. False if a hole has no face around it, or if the number of
+// holes is not that of the connected parts of the edges: each part is surrounded by one hole.
 template <class Map>
 bool add_holes(Map &map) {
   uint32_t holes = 0;
@@ -187,7 +193,7 @@ bool add_holes(Map &map) {
     ++holes;
     loop.face = face_around(map, loop);
     if (loop.face == no_id) return false;
-    // Behind the outer loop, before the holes that are there.
+    // Inserted behind the outer loop, before the other holes.
     MapFace &face = map.faces[loop.face];
     if (face.first_loop == no_id || loop.face == 0) {
       loop.next_of_face = face.first_loop;

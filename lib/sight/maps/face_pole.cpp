@@ -32,9 +32,9 @@ void look_along_circle(const EdgeCurve &curve, double x, double y, NearestPoint 
   if (t <= curve.to) look_at_point(circle.centre[0] + scale * dx, circle.centre[1] + scale * dy, x, y, nearest);
 }
 
-// Half the derivative of the squared distance is B cos t - A sin t - K sin t cos t, where A and B are the products of
-// the vector from the point to the centre with both semi-axes, and K the difference of the squares of these. At an
-// angle of pi / 4 less the product becomes a square: sin t cos t = cos^2 s - 1/2 for t = s + pi / 4.
+// Half the derivative of the squared distance is B cos t - A sin t - K sin t cos t. A and B are the products of the
+// vector from the point to the centre with both semi-axes, and K is the difference of the squares of the semi-axes.
+// With t = s + pi / 4 the product becomes a square: sin t cos t = cos^2 s - 1/2.
 void look_along_ellipse(const EdgeCurve &curve, double x, double y, NearestPoint &nearest) {
   constexpr double eighth = 0.25 * pi, root_half = 0.7071067811865476;
   const EdgeEllipse &ellipse = curve.ellipse;
@@ -83,14 +83,14 @@ constexpr double half_diagonal = 1.4142135623730952;  // of a square of half sid
 
 struct Square {
   double x, y, half;
-  double most;  // no point of it lies deeper in the face
+  double most;  // no point of the square lies deeper in the face
 };
 
 struct Box {
   double low[2], high[2];
 };
 
-// The points of the nearest edges that are next to a point, one of each.
+// The nearest edges to a point: of each its point next to it.
 class NearEdges {
  public:
   void add(const NearestPoint &point) {
@@ -107,8 +107,8 @@ class NearEdges {
   }
   const NearestPoint &nearest() const { return nearest_; }
 
-  // No point of the square is farther from all of them: the square is cut in sixteen, and of each of these the farthest
-  // corner from every point is looked at.
+  // A bound of how far a point of the square is from all these points. The square is cut in sixteen; for each small
+  // square and each of the points the farthest corner counts.
   double farthest_in(const Square &square) const {
     const double part = 0.25 * square.half;
     double largest = 0.0;
@@ -172,7 +172,7 @@ class PoleFinder {
     if (most > bound_) bound_ = most;
   }
 
-  // With the extreme points of the curves in between.
+  // The box around a loop: around its vertices and the extreme points of its curves.
   Box box_around(uint32_t loop) const {
     const MapVertex &start = map_.vertices[map_.origin(map_.loops[loop].first_half_edge)];
     Box box{{start.x, start.y}, {start.x, start.y}};
@@ -200,7 +200,7 @@ class PoleFinder {
     return box;
   }
 
-  // The edges near a point; at least all that are no more than `farther` farther away than the nearest.
+  // The edges near a point: at least all whose distance is at most `farther` more than that of the nearest.
   NearEdges edges_near(double x, double y, double farther) {
     ++looks_;
     NearEdges near;
@@ -216,7 +216,7 @@ class PoleFinder {
     return near;
   }
 
-  // Points of a face are surrounded by an odd number of its loops.
+  // A point lies in the face if an odd number of its loops surrounds it.
   bool is_inside(double x, double y) const {
     bool inside = false;
     map_.visit_loops(face_, [&](uint32_t l) { inside ^= surrounds(map_, l, x, y); });
@@ -237,7 +237,8 @@ class PoleFinder {
     keep_bound(square.most);
   }
 
-  // If there is no room the least of all is only remembered as a bound.
+  // Adds a square that waits to be cut. Without room the square with the least bound is dropped, and only its bound
+  // kept.
   void add(const Square &square) {
     if (count_ < most_waiting) {
       waiting_[count_++] = square;
@@ -261,7 +262,7 @@ class PoleFinder {
     return square;
   }
 
-  // Lays circles at edges of the outer loop, spread over it if there are many.
+  // Lays circles at edges of the outer loop; if there are many edges, at some that are spread over it.
   void lay_circles(double largest) {
     uint32_t edges = 0;
     map_.visit_loop(map_.faces[face_].first_loop, [&edges](uint32_t) { ++edges; });
@@ -272,8 +273,8 @@ class PoleFinder {
     });
   }
 
-  // A circle that touches the middle of a half-edge from its left. Any half-edge that reaches into it is where the next
-  // one ends.
+  // Lays a circle that touches the middle of a half-edge from its left. As long as an edge reaches into the circle, it
+  // shrinks to one that ends at that edge.
   void lay_circle(uint32_t h, double radius) {
     const EdgeCurve curve = curve_of(map_, h / 2);
     const EdgeEllipse &ellipse = curve.ellipse;

@@ -1,10 +1,11 @@
-// The pole of inaccessibility of a face: the point of it that is farthest from its edges, where a label has most room.
+// The pole of inaccessibility of a face: its point that is farthest from its edges, where a label has most room.
 //
-// A branch and bound over squares (as in the program polylabel for polygons): no point of a square is deeper in the
-// face than its middle by more than half a diagonal, nor farther from the edges than from those points of them that are
-// next to the middle. The square that may hold the deepest point is cut in four, until none may hold a point that is
-// deeper by more than 1/64 than the deepest one found. At first circles are laid into the face that touch some of its
-// edges in the middle and shrink until they fit, so that also in a thin sickle a point is known that lies inside.
+// A branch and bound over squares (as in the program polylabel for polygons). The depth of a point is its distance from
+// the edges. A point of a square is at most half a diagonal deeper than the middle of the square; and it is no farther
+// from the edges than from their points next to the middle. The square with the largest bound is cut in four, until no
+// square may hold a point that is deeper by more than 1/64 than the deepest one found. At first circles are laid into
+// the face that touch some of its edges in the middle, and shrink until they fit: so a point inside is known even in a
+// thin sickle.
 #pragma once
 
 #include <limits>
@@ -14,19 +15,19 @@
 
 namespace hsp {
 
-// The nearest point of all edges that have been looked at, and the square of its distance.
+// The nearest point of all edges looked at so far, and the square of its distance.
 struct NearestPoint {
   double x = 0.0, y = 0.0;
   double squared = std::numeric_limits<double>::infinity();
 };
 
 void look_at_point(double to_x, double to_y, double x, double y, NearestPoint &nearest);
-// All of a curve but its ends. silhouette: of a ball, a circle.
+// Looks at all of a curve but its ends. silhouette: the curve is a circle, or a line of a stick's contour.
 void look_along(const EdgeCurve &curve, bool silhouette, double x, double y, NearestPoint &nearest);
 
-// The nearest point of an edge is an end of it, or one where the distance has an extremum along its curve: of a circle
-// the point in the direction from its centre, of an ellipse at most four, the roots of a trigonometric polynomial, of a
-// line the foot.
+// The nearest point of an edge is an end, or a point at which the distance has an extremum along the curve. On a circle
+// that is the point in the direction from the centre; on an ellipse there are at most four, the roots of a
+// trigonometric polynomial; on a line it is the foot of the perpendicular.
 template <class Map>
 void look_at_edge(const Map &map, uint32_t e, double x, double y, NearestPoint &nearest) {
   const MapEdge &edge = map.edges[e];
@@ -36,19 +37,19 @@ void look_at_edge(const Map &map, uint32_t e, double x, double y, NearestPoint &
   look_along(curve_of(map, e), edge.is_silhouette(), x, y, nearest);
 }
 
-// In view coordinates.
+// A pole in view coordinates.
 struct FacePole {
   double x, y;
-  double radius;  // from there to the nearest edge
-  double bound;   // nowhere in the face it is more
+  double radius;  // its distance from the nearest edge
+  double bound;   // no point of the face is farther from its edges
 };
 
-// By how much less than the bound the radius may be, of itself, unless there is too much to look at.
+// The bound may be larger than the radius by this fraction of the radius; by more only if there is too much to look at.
 inline constexpr double pole_tolerance = 0x1p-6;
-// So many points are looked at, at most; for each all edges around the face.
+// At most so many points are looked at, each with all edges around the face.
 inline constexpr uint32_t most_pole_looks = 4096;
 
-// Of any face but the unbounded one.
+// The pole of any face but the unbounded one.
 FacePole find_pole(const VisibilityMap &map, uint32_t face);
 FacePole find_pole(const StickMap &map, uint32_t face);
 

@@ -1,4 +1,4 @@
-// Which parts of a curve are hidden, occluder by occluder, and the visible arcs that are left between them.
+// Which parts of a curve are hidden, occluder by occluder, and the visible arcs between the hidden parts.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -8,16 +8,17 @@
 
 namespace hsp {
 
-// In the middle of an interval longer than this a curve that crosses at its ends is deeper behind than shallow_depth,
-// or as far before; else it does not cross but coincide. Relative to the radius, or its square for squared depths.
+// A curve that crosses a surface at both ends of an interval longer than long_interval is in its middle deeper behind
+// the surface than shallow_depth, or as far before it. Else the curve coincides with the surface. Depths are relative
+// to the radius, squared depths to its square.
 inline constexpr double long_interval = 0x1p-10;
 inline constexpr double shallow_depth = 0x1p-36;
-// A crease that enters a ball as close as this to the height of its centre, relative to the radius, may miss both its
-// sphere and the cylinder below.
+// If a crease enters a ball as close as this to the height of the ball's centre, relative to the radius, rounding may
+// let it miss both the sphere and the cylinder below the silhouette.
 inline constexpr double level_height = 0x1p-36;
 
-// The end of an arc: nothing (plain), or the body that begins to hide the curve there. At the natural end of a crease,
-// a tangency, there is no such body.
+// The label of an arc's end. Plain: nothing happens there. Else `body` begins to hide the curve there; it is no_id at
+// the natural end of a crease, a tangency.
 struct ArcEnd {
   MapVertexKind kind = MapVertexKind::plain;
   uint32_t body = no_id;
@@ -37,7 +38,7 @@ struct HiddenInterval {
   ArcEnd end[2];
 };
 
-// Where a curve may begin or cease to be hidden, and how an arc ends if it does.
+// A parameter at which a curve may begin or cease to be hidden, and the label of the arc that ends there if it does.
 struct Breakpoint {
   double t;
   ArcEnd end;
@@ -47,9 +48,10 @@ inline void sort_breakpoints(Span<Breakpoint> at) {
   sort_in_place(at, [](const Breakpoint &a, const Breakpoint &b) { return a.t < b.t; });
 }
 
-// Calls hide(part) for each part of [from, to] that something hides, between breakpoints in ascending order. They only
-// cut: what decides is depth(a, b), how deep the curve is behind in the middle between a and b. False if it is not
-// clearly so anywhere: nearer to 0 than `shallow`.
+// Calls hide(part) for each part of [from, to] that an occluder hides. at: the breakpoints, ascending. They only cut
+// [from, to] into intervals. Whether the interval from a to b is hidden is decided by depth(a, b): how deep the curve
+// is behind the occluder in the middle of it, negative if it is not behind. Returns false if a depth is nearer to 0
+// than `shallow` in a long interval, so that rounding decides.
 template <class Depth, class Hide>
 bool visit_hidden(Span<const Breakpoint> at, double from, double to, double shallow, Depth depth, Hide hide) {
   bool certain = true, hides = false;
@@ -73,7 +75,7 @@ bool visit_hidden(Span<const Breakpoint> at, double from, double to, double shal
   return certain;
 }
 
-// Of a silhouette, at most `half` from the angle `middle`.
+// Hides the part of a silhouette between the angles middle - half and middle + half. end: the label at its ends.
 inline void hide_angles(FixedVector<HiddenInterval> &hidden, double middle, double half, const ArcEnd &end) {
   const double from = middle - half;
   const double to = middle + half;
@@ -88,11 +90,12 @@ inline void hide_angles(FixedVector<HiddenInterval> &hidden, double middle, doub
   }
 }
 
-// A parameter by which hidden parts may overlap that only touch.
+// Hidden parts that only touch may overlap by that much of the parameter, by rounding.
 inline constexpr double overlap_tolerance = 0x1p-24;
 
-// Calls emit(from, what ends the arc there, to, what ends it there) for what the intervals leave of [from, to]. Returns
-// false if roundings decide that they leave nothing somewhere: where one ends another one begins.
+// Calls emit(from, label there, to, label there) for each visible arc that the hidden intervals leave of [from, to].
+// natural: the label of the ends of the curve. Returns false if one interval ends where another one begins, so that
+// rounding decides that nothing is visible between them.
 template <class Emit>
 bool visit_visible(Span<HiddenInterval> hidden, double from, double to, const ArcEnd &natural, Emit emit) {
   sort_in_place(hidden, [](const HiddenInterval &a, const HiddenInterval &b) { return a.from < b.from; });
@@ -114,8 +117,8 @@ bool visit_visible(Span<HiddenInterval> hidden, double from, double to, const Ar
   return certain;
 }
 
-// Pushes the visible arcs of a curve. On a closed curve, which begins and ends at the same point, the first and the
-// last arc are one if both reach that point. Returns false as above.
+// Pushes the visible arcs of a curve. A closed curve begins and ends at the same point: if the first and the last arc
+// both reach that point, they are one arc. Returns false as visit_visible() does.
 inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, const ArcEnd &natural, uint32_t body,
                          uint32_t nearer, FixedVector<MapArc> &arcs) {
   const bool closes = natural.kind == MapVertexKind::plain;
@@ -134,7 +137,7 @@ inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, co
         } else if (at_first) {
           opening = arc;
           opens = true;
-          arcs.push(arc);  // its slot; the last arc may be put before it
+          arcs.push(arc);  // takes its slot; is replaced if the last arc is joined to it
         } else if (at_last) {
           waiting = arc;
           waits = true;
@@ -152,8 +155,8 @@ inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, co
   return certain;
 }
 
-// No map of these arcs has more edges: besides the arcs themselves one for each of their ends that is a T. An arc that
-// was not stored, or not found for want of room, counts as if both its ends were on contours.
+// An upper bound of the number of edges of a map of these arcs: one for each arc, and one for each end that is a T. An
+// arc that was not stored, or not found for lack of room, counts as if both its ends were T vertices.
 inline uint32_t most_edges_of(const FixedVector<MapArc> &arcs, uint64_t not_found) {
   uint64_t edges = arcs.required() + 2 * (arcs.required() - arcs.size()) + 3 * not_found;
   for (const MapArc &arc : arcs.items()) {

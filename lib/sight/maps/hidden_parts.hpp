@@ -1,9 +1,10 @@
-// A curve between two parameters, and the parts of it that bodies hide, one body after another: those behind their
-// fronts.
+// A curve between two parameters, and the parts of it that bodies hide, one body after another: those behind the front
+// of a body.
 //
-// Where it may change between hidden and not, it passes the contour of what hides it, its surface, or the planes across
-// a stick through the centres of its balls. Such breakpoints only cut: whether a part is hidden is asked in its middle.
-// Only on a contour something may come to be seen: elsewhere other bodies hide it or what follows finds no partner.
+// The curve changes between hidden and visible only at breakpoints: where it passes the contour of the body, its
+// surface, or a plane across a stick through the centre of one of its balls. Breakpoints only cut: whether a part is
+// hidden is decided in its middle. Only at a contour a part may become visible. At any other breakpoint another body
+// hides the curve, or linking the arc's end finds no partner.
 #pragma once
 
 #include <initializer_list>
@@ -13,8 +14,8 @@
 
 namespace hsp {
 
-// Calls visit(t) for the two angles in [-pi, pi] where a cos t + b sin t = level: where a circle passes a plane. None
-// if it does not reach it, or only touches it.
+// Calls visit(t) for the two angles t in [-pi, pi] with a cos t + b sin t = level, at which a circle passes a plane.
+// Never, if the circle does not reach the plane or only touches it.
 template <class Visit>
 void visit_level(double a, double b, double level, Visit visit) {
   const double squared = a * a + b * b;
@@ -28,19 +29,19 @@ class HiddenParts {
  public:
   HiddenParts(double from, double to, FixedVector<HiddenInterval> &hidden) : from_(from), to_(to), hidden_(hidden) {}
 
-  // False if the curve lies on the front or contour of some body, or enters it between these, so that roundings decide.
+  // False if rounding decides: the curve lies on the front or the contour of some body, or enters it between both.
   bool certain() const { return certain_; }
 
  protected:
-  // Drops those of the body before.
+  // Drops the breakpoints of the body before.
   void begin_body() { count_ = 0; }
   bool is_open(double t) const { return t > from_ && t < to_; }
   void add(double t, const ArcEnd &end) {
     if (is_open(t) && count_ < most) at_[count_++] = {t, end};
   }
 
-  // Hides what is deeper than 0; depth(a, b) is that in the middle between two parameters, and nearer to 0 than
-  // `shallow` it is not certain. True if that is all.
+  // Hides the parts that are behind the body. depth(a, b): how deep the curve is behind it in the middle between the
+  // parameters a and b; a depth nearer to 0 than `shallow` is not certain. True if the whole curve is hidden.
   template <class Depth>
   bool cut(double shallow, Depth depth) {
     sort_breakpoints({at_, count_});
@@ -57,7 +58,8 @@ class HiddenParts {
     if (!visit_hidden({at_, count_}, from_, to_, shallow, depth, hide)) certain_ = false;
     return all;
   }
-  // From now on looks only between what was hidden at both ends. False if nothing was.
+  // From now on looks only at what the last body has left, if it has hidden a part at one end or both. False if it has
+  // not.
   bool narrow() {
     const bool narrower = rest_[0] != from_ || rest_[1] != to_;
     from_ = rest_[0];

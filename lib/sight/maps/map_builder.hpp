@@ -1,21 +1,23 @@
-// The map of what is seen along a direction, from the balls to the faces.
+// Builds the visibility map of balls along a direction, from the balls to the faces.
 //
-// In general position every step follows from signs that roundings do not touch. Where balls, silhouettes or creases
-// meet in more than their kind of vertex, as in lattices seen along their axes, the arcs of different curves may not
-// fit together. Linking and tracing notice that: every end must find its partners, every T its silhouette, the balls
-// named around a loop must agree, also with what is behind its edges where roundings may have decided how they are
-// linked, and Euler's formula must hold. Then all centres are moved a little and the map is
-// built again: by at most 2^-20 of each ball's radius, then by 2^-17 and 2^-14. The map says by how much; it is one of
-// the moved balls. If none of them fits, there is a status and no map.
+// In general position every step follows from signs that rounding does not change. If more balls, silhouettes or
+// creases meet in a point than at a vertex of its kind, as in lattices seen along their axes, the arcs of different
+// curves may not fit together. Linking and tracing notice that: every end must find its partners, and every T its
+// silhouette; the balls named around a loop must agree, and, if rounding may have decided how edges are linked, must be
+// those seen behind its edges; Euler's formula must hold. If something does not fit, all centres are moved a little and
+// the map is built again: by at most 2^-20 of each ball's radius, then by 2^-17 and 2^-14, at last in other ways
+// (seen_balls.hpp). The map is that of the moved balls, and says how far they were moved. If no move fits, there is a
+// status and no map.
 //
-// Balls whose spheres others cover are left out where many balls are in one place (view/covered_balls.hpp), also where
-// all are moved: it is the map of the others then. If it turns out after a move of some, the same move is made again.
+// If many balls are in one place, balls whose spheres others cover are left out (view/covered_balls.hpp), also when all
+// balls are moved: then it is the map of the others. If some are found to be covered after a move, the same move is
+// made again.
 //
-// A ball that reaches less out of another one than 2^-40 of that one's radius counts as inside, and balls that reach
-// less into each other than 2^-41 of both radii together do not meet.
+// A ball that reaches out of another one by less than 2^-40 of the other's radius counts as inside it. Balls that reach
+// into each other by less than 2^-41 of the sum of their radii do not meet.
 //
-// Cost: O(n log n) and, for each curve that may be seen, the balls whose discs meet its disc and that reach higher.
-// lib/sight/maps/THEORY.md says what that is at worst, and beside the bound of Section 5.2.
+// Cost: O(n log n), and for each curve that may be seen the number of balls whose discs meet its disc and that reach
+// higher. lib/sight/maps/THEORY.md has the worst case, and the bound of Section 5.2.
 #pragma once
 
 #include "maps/arc_finder.hpp"
@@ -30,14 +32,14 @@ class MapBuilder : public Limited<MapLimits> {
   void carve(Workspace &workspace, const MapLimits &limits);
 
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
-  // Status::degenerate if roundings cannot be overcome, Status::not_finite if a component of the direction is not.
-  // Status::stopped if that is no longer allowed.
+  // Status::degenerate if no move of the balls fits, Status::not_finite if a component of the direction is not finite,
+  // Status::stopped if patience has ended.
   Status build(const CubeGrid &grid, const ViewDirection &direction, Patience patience = Patience());
 
   const VisibilityMap &structure() const { return map_; }
   const DiscGrid &discs() const { return discs_; }
 
-  // For tests that break it.
+  // The map for tests, which damage it.
   VisibilityMap &arrays() { return map_; }
   // Scratch memory for checks and pictures; [2 edges + 1] and [edges].
   Span<uint32_t> scratch() { return faces_.scratch(); }

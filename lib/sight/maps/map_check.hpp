@@ -1,14 +1,15 @@
-// The invariants of a visibility map of whatever bodies, checked from its records and its scene alone. For fuzzers,
-// careful callers, and those who change the code.
+// The invariants of a visibility map of any bodies, checked from its records and its scene alone. For fuzzers, careful
+// callers, and those who change the code.
 //
-// How much may be seen of a body, up to rounding. The area of a loop is summed over its edges: what each sweeps about
-// a point x as it goes from vertex to vertex along its ellipse. If every end P of a curve were at its vertex V, that
-// would be the area within a closed curve that does not leave the silhouette of what is seen. From an end at a
-// distance d the closed curve goes on straight to V, at most d outside the silhouette; of what this step sweeps the
-// sum knows all but (m - P) x (V - P) / 2, at most a d / 2, where m is the centre of the ellipse and a its longer half
-// axis. Roundings: an edge adds at most 5 (a + 3 b + 2 d)^2, with b the largest of all bodies, as x is within 3 b + d
-// of P; and a sum of n such terms is wrong by at most (n + 8) 2^-52 times the sum of these bounds. So with s for all
-// that may be missing, what is seen is at least -s, and at most s more than the silhouette grown by the largest d.
+// Bounds of the visible area of a body, up to rounding. The area of a loop is a sum over its edges: the area that each
+// sweeps about a point x on its way from vertex to vertex along its ellipse. If every end P of a curve were at its
+// vertex V, the sum would be the area within a closed curve that does not leave the silhouette of the body. If P is at
+// a distance d from V, the closed curve goes on straight from P to V, at most d outside the silhouette. The sum
+// contains the area swept by this step but for (m - P) x (V - P) / 2, at most a d / 2, where m is the centre of the
+// ellipse and a its longer half axis. Rounding: an edge adds at most 5 (a + 3 b + 2 d)^2, with b the largest of all
+// bodies, as x is within 3 b + d of P; a sum of n such terms is wrong by at most (n + 8) 2^-52 times the sum of these
+// bounds. Let s be the sum of both errors. Then the visible area is at least -s, and at most s more than that of the
+// silhouette grown by the largest d.
 #pragma once
 
 #include "core/violation.hpp"
@@ -19,20 +20,20 @@ namespace hsp {
 // Numbered as in hardsphere.h.
 enum class MapInvariant : uint32_t {
   none = 0,
-  vertices = 1,    // their kinds tell how many edges they have, and they name a half-edge that leaves them
-  edges = 2,       // parameters ascend by a whole turn at most, and the balls of both ends are those of the edge
+  vertices = 1,    // each has as many edges as its kind says, and names a half-edge that leaves it
+  edges = 2,       // parameters ascend by a whole turn at most, and the vertices at both ends name the edge's balls
   successors = 3,  // every half-edge has one successor, which begins where it ends, and one predecessor
-  loops = 4,       // the balls named around a loop are its owner
-  faces = 5,       // one outer loop each, but for the unbounded one, of a positive area; the holes have negative ones;
-                   // those of one owner follow each other; the unbounded one has holes where there are balls
+  loops = 4,       // a ball on the left of a half-edge of a loop is the loop's owner
+  faces = 5,       // each but the unbounded one has one outer loop, of a positive area; holes have negative areas;
+                   // faces of one owner follow each other; the unbounded face has holes if there are balls
   euler = 6,       // V - E + F = 1 + C
   positions = 7,   // edges end at their vertices, and every T lies on its silhouette
-  areas = 8,       // a face has the area of its loops, and all together that within the outermost edges; those of one
-                   // ball are at least 0 and at most its disc
-  sides = 9,       // what the sides of an edge show has its front at the middle of the edge, not before it
+  areas = 8,       // a face has the area of its loops, all faces together that within the outermost edges; the visible
+                   // area of a ball is at least 0 and at most that of its disc
+  sides = 9,       // the ball that a side of an edge shows has a front at the middle of the edge, and not before it
 };
 
-// Where: the id of a vertex, edge, half-edge, loop or face.
+// `where` is the id of a vertex, edge, half-edge, loop or face.
 using MapViolation = Violation<MapInvariant>;
 
 template <class Map>
@@ -172,7 +173,7 @@ class MapChecker : FirstViolation<MapInvariant> {
     return agree(inside, outline, outline > 0.0 ? outline : 1.0) || fail(MapInvariant::areas, no_id);
   }
 
-  // Areas that may be missing from some loops, as above.
+  // The sums of the two errors of the area of some loops; see the top of this file.
   struct Slack {
     double missing = 0.0, terms = 0.0, farthest = 0.0, count = 0.0;
 

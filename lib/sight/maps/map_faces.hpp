@@ -1,4 +1,4 @@
-// Loops and faces from linked half-edges, of whatever bodies, and what proves that they fit together.
+// Finds loops and faces from linked half-edges, for bodies of any kind, and checks that they fit together.
 #pragma once
 
 #include <initializer_list>
@@ -9,14 +9,14 @@
 
 namespace hsp {
 
-// The body seen behind an edge on a contour. sight.highest_at(x, y, except) below is the body with the highest front
-// there but one, and whether that is certain.
+// The body seen behind an edge on a contour. `sight` in this file answers sight.highest_at(x, y, except): which body
+// has the highest front at a point, body `except` left out, and whether that is certain.
 struct SightBehind {
   uint32_t body;
   bool certain;
 };
 
-// At a point of the edge where that is certain, if one of four is.
+// Asks at up to four points of the edge, until the answer is certain.
 template <class Map, class Sight>
 SightBehind sight_behind(const Map &map, const MapEdge &edge, const Sight &sight) {
   SightBehind behind{no_id, false};
@@ -29,13 +29,15 @@ SightBehind sight_behind(const Map &map, const MapEdge &edge, const Sight &sight
   return behind;
 }
 
-// Where more ends of arcs meet on a contour than roundings tell apart, the edges between them are so short.
+// If several ends of arcs on a contour are so close that rounding decides their order, the edges between them are
+// short.
 inline bool is_short(const MapEdge &edge) {
   return edge.to - edge.from < 0x1p-18;
 }
 
-// Whether the loops along the far sides of contours may be there: what a loop shows is not before the middles of its
-// edges and has a front there, up to roundings, and where it shows the background there is nothing for certain.
+// Whether the owners of loops may be right along the far sides of contours. At the middle of each edge the owner shall
+// have a front that is not before the edge, up to rounding; and if the loop shows the background, there shall not be
+// certainly some body.
 template <class Map, class Sight>
 bool fits_behind_contours(const Map &map, const Sight &sight, Patience &patience) {
   const double margin = position_tolerance(map);
@@ -55,8 +57,8 @@ bool fits_behind_contours(const Map &map, const Sight &sight, Patience &patience
   return true;
 }
 
-// Whether loops say of all edges on contours that begin or end at a short one what is seen behind these. A loop goes
-// wrong at a short edge, and further on what it says is another loop's.
+// Whether the owners of loops are what is seen behind the edges next to a short one on a contour. A loop that is linked
+// wrongly at a short edge has the owner of another loop further on.
 template <class Map, class Sight>
 bool fits_beside_short_edges(const Map &map, const Sight &sight, Patience &patience) {
   for (const MapEdge &edge : map.edges.items()) {
@@ -77,8 +79,9 @@ bool fits_beside_short_edges(const Map &map, const Sight &sight, Patience &patie
   return true;
 }
 
-// How far loops are asked what is behind the contours along them: those without labels, where an arc of a contour may
-// be missing the middles of all edges, too, and where labels are not trusted all loops.
+// How many loops are compared with the body seen behind the contours along them. all_arcs: only loops without labels.
+// labels: an arc may be missing, so that the middles of all edges on contours are tested, too. nothing: both for all
+// loops.
 enum class MapTrust { all_arcs, labels, nothing };
 
 template <class Scene>
@@ -93,25 +96,24 @@ class MapFaceFinder {
     scratch_ = workspace.take<uint32_t>(2 * most.edges + 1);
   }
 
-  // Fills loops, faces and components. False where something does not fit:
+  // Fills loops, faces and components. False if patience ends, or if something does not fit:
   //   half-edges do not chain up to loops;
   //   the labels of a loop's edges name two bodies;
   //   a loop has no labels, and nowhere along it is it certain which body is behind;
-  //   labels are not trusted, and another body is behind for certain than they say;
+  //   labels are not trusted, and certainly another body is behind than they say;
   //   an edge ends elsewhere than at its vertices;
-  //   what a side of an edge shows has no front at the middle of the edge, or has one before it;
+  //   the body that a side of an edge shows has no front at the middle of the edge, or one before it;
   //   beside a short edge another body is behind a contour than the loop says;
-  //   unless all arcs are there for certain, behind the middle of some contour cannot be what the loop there says;
+  //   an arc may be missing, and the body that a loop says cannot be behind the middle of some contour;
   //   the numbers contradict Euler's formula;
   //   a hole lies in no face of its owner;
-  //   what is seen of a body has no area;
+  //   the visible part of a body has no area;
   //   the middle of a body is seen, but the body has no face.
-  // Or if that is stopped.
   template <class Sight>
   bool find(const Sight &sight, MapTrust trust, Map &map, Patience &patience) {
     if (!trace_loops(map, patience) || !name_owners(sight, trust, map, patience)) return false;
     if (!patience.allows(500 * uint64_t{map.edges.size()})) return false;
-    // Each vertex is where the edge ends that leaves it.
+    // A vertex has the position of one end: that of the half-edge `leaving`. The other ends are looked at.
     const auto has_end = [&map](uint32_t h) { return map.vertices[map.edges[h / 2].vertex[h % 2]].leaving != h; };
     if (first_edge_off_its_vertices(map, has_end) != no_id || first_side_without_front(map) != no_id) return false;
     if (!fits_beside_short_edges(map, sight, patience)) return false;
@@ -127,7 +129,8 @@ class MapFaceFinder {
   Span<uint32_t> more_scratch() { return parent_; }
 
  private:
-  // Areas are taken about the loop's first point, so that nothing large cancels.
+  // Follows a loop from a half-edge, and sums its area. Areas are swept about the loop's first vertex, so that no large
+  // terms cancel.
   bool trace_loop(uint32_t first, Map &map) {
     const uint32_t id = map.loops.size();
     MapLoop loop{first, no_id, no_id, no_id, 0.0};
@@ -160,8 +163,8 @@ class MapFaceFinder {
     return true;
   }
 
-  // By what is highest behind the longest of a loop's edges that see the far side of a contour, at a point of it where
-  // that is certain.
+  // Names the owner of a loop: the body seen behind the longest of its edges on the far side of a contour, or checks it
+  // by that. False if this contradicts the labels, or if it is not certain and there are no labels.
   template <class Sight>
   static bool name_owner(const Sight &sight, uint32_t l, Map &map) {
     MapLoop &loop = map.loops[l];
@@ -193,7 +196,7 @@ class MapFaceFinder {
     return true;
   }
 
-  // A counting sort by owners in the order of the scene, the background last.
+  // A counting sort of loops by owners: in the order of the scene, the background last.
   void order_loops(Map &map) {
     const Scene &scene = map.scene;
     for (uint32_t &count : first_face_) count = 0;
@@ -225,7 +228,7 @@ class MapFaceFinder {
            static_cast<uint64_t>(map.edges.size()) + 2 * static_cast<uint64_t>(map.components);
   }
 
-  // Of the background first, then in the order of loops.
+  // Makes a face of each outer loop: first those of the background, then in the order of loops.
   void add_outer_loops(Map &map) {
     for (uint32_t &first : first_face_) first = no_id;
     map.first_face = first_face_;
@@ -257,7 +260,7 @@ class MapFaceFinder {
     return true;
   }
 
-  // Curves that coincide may all be lost.
+  // When curves coincide, all of them may be lost, so that a body whose middle is seen has no face.
   template <class Sight>
   static bool middles_have_faces(const Sight &sight, const Map &map, Patience &patience) {
     return map.scene.all_middles([&](uint32_t body, double x, double y) {
@@ -268,9 +271,9 @@ class MapFaceFinder {
     });
   }
 
-  Span<uint32_t> parent_;      // [edges] of vertices
-  Span<uint32_t> first_face_;  // [bodies] as the map's
-  Span<uint32_t> order_;       // [2 edges] as the map's
+  Span<uint32_t> parent_;      // [edges] for vertices
+  Span<uint32_t> first_face_;  // [bodies] that of the map
+  Span<uint32_t> order_;       // [2 edges] that of the map
   Span<uint32_t> scratch_;     // [2 edges + 1]
 };
 

@@ -1,13 +1,14 @@
-// From visible arcs to vertices, edges and half-edges, of whatever bodies.
+// Links visible arcs to vertices, edges and half-edges, for bodies of any kind.
 //
-// Arc ends are identified by labels, never by their positions: the three ends at a triple vertex by its balls and the
-// side of their plane on which it lies, the two at a tangency by its balls and which end of the crease it is, those of
-// a half circle by the stick and the side of it. An end on a contour is a vertex of its own, the stem of a T, which is
-// put in order among the visible arcs of that contour. Then no angles need to be sorted: what follows a half-edge
-// is known from labels too.
+// Ends of arcs are identified by labels, never by their positions. The three ends at a triple vertex have the names of
+// its three balls and the side of their plane on which it lies; the two ends at a tangency have its two balls and which
+// end of the crease it is; the ends of a half circle have the stick and its side. An end on a contour is a vertex of
+// its own, a T. It is put in order among the visible arcs of that contour. No angles need to be sorted: the labels also
+// tell which half-edge follows another one.
 //
-// A triple that is not three, a tangency that is not two, a T that misses all arcs or an end without a label shows that
-// roundings have decided differently about one and the same thing. Then there is no map.
+// The labels contradict each other if a triple vertex has not three ends, a tangency not two, if a T misses all arcs,
+// or if an end has no label. That shows that rounding has decided one and the same question in two ways: there is no
+// map.
 #pragma once
 
 #include "core/patience.hpp"
@@ -18,9 +19,9 @@
 
 namespace hsp {
 
-// A parameter by which a T may miss an arc: an angle, or a part of the length of a stick. Where two balls have centres
-// of equal height, the T of the one and the tangency of the other are the same point, and where a half circle is seen
-// edge on, a T is where an arc ends.
+// How far a T may be off its arc, as a parameter: an angle, or a fraction of the length of a stick. A T may lie at the
+// very end of an arc: if two balls have centres of equal height, the T of the one is the tangency of the other; or if a
+// half circle is seen edge on.
 inline constexpr double landing_tolerance = 0x1p-24;
 
 // Where a stem ends on a contour.
@@ -29,9 +30,9 @@ struct Landing {
   uint32_t vertex;  // the T
 };
 
-// Sorts landings on one contour, of which these arcs are seen, in ascending order, each at the turn that fits the arcs.
-// All that lies in a gap between arcs belongs to the nearer side of it, also in the gap where the contour begins and
-// ends.
+// Sorts the landings on one contour. contour: its visible arcs, ascending. Whole turns are added to parameters so that
+// they fit the arcs. A landing in a gap between two arcs belongs to the nearer one of them, also in the gap between the
+// last arc and the first.
 inline void sort_landings(Span<const MapArc> contour, Span<Landing> landings) {
   const MapArc &first = contour[0];
   const MapArc &last = contour[contour.size() - 1];
@@ -63,8 +64,8 @@ class MapLinker {
     after_ = workspace.take<uint32_t>(edges);
   }
 
-  // How many edges the map of these arcs has. Not more than there is room for may be linked. Every T cuts an arc in
-  // two, but the first one on a closed arc.
+  // Takes the arcs and returns how many edges their map has; link() needs room for as many. Every T cuts an arc in two,
+  // except the first T on a closed arc.
   uint64_t count_edges(Span<const MapArc> arcs, const Scene &scene) {
     arcs_ = arcs;
     bodies_ = scene.bodies();
@@ -95,8 +96,8 @@ class MapLinker {
     return edges;
   }
 
-  // Fills the vertices, the edges and the next half-edges of the map, of arcs that are counted. False if ends do not
-  // match, or if that is stopped.
+  // Fills the vertices, the edges and `next` of the half-edges of the map, from the arcs that were counted. False if
+  // ends do not match, or if patience ends.
   bool link(Map &map, Patience &patience) {
     if (!all_named_) return false;
     const uint64_t of_a_step = 100 * uint64_t{arcs_.size()};
@@ -108,7 +109,7 @@ class MapLinker {
   }
 
  private:
-  // Ends of arcs: 2 arc where it begins and 2 arc + 1 where it ends. Names that the group gives them are left out.
+  // An end of an arc with its name, but for the group. end: 2 a where arc a begins, 2 a + 1 where it ends.
   struct NamedEnd {
     uint32_t middle, last, point;
     uint32_t end;
@@ -118,7 +119,7 @@ class MapLinker {
     }
   };
 
-  // By groups, then the ends of each group among themselves.
+  // Sorts named ends by their groups, and the ends of each group by the rest of the name.
   void sort_named_ends(const Scene &scene) {
     for (uint32_t end = 2 * arcs_.size(); end-- > 0;) {
       const MapArc &arc = arcs_[end / 2];
@@ -136,7 +137,7 @@ class MapLinker {
     }
   }
 
-  // At the end of an arc, whose bodies it names, and a third one.
+  // Adds a vertex at an end of an arc. It names the bodies of the arc, and a third one.
   uint32_t add_vertex(uint32_t end, MapVertexKind kind, uint32_t third, Map &map) {
     const MapArc &arc = arcs_[end / 2];
     const Vec3 at = map.scene.at(arc.body, arc.nearer, end % 2 == 0 ? arc.from : arc.to);
@@ -146,7 +147,8 @@ class MapLinker {
     return v;
   }
 
-  // Three creases, each ended by the body of the other two; or a crease and a contour, or two where bodies end.
+  // Adds the vertex at which ends of one name meet. Triple: three creases, each of which ends at the body that the
+  // other two have in common. Else one crease, and one contour or, between the halves of a stick, two.
   bool add_corner(Span<const NamedEnd> ends, uint32_t group, Map &map) {
     const NamedEnd &name = ends[0];
     const auto arc_of = [&](uint32_t k) -> const MapArc & { return arcs_[ends[k].end / 2]; };
@@ -192,7 +194,8 @@ class MapLinker {
     return true;
   }
 
-  // Vertices at ends on contours: behind the corners, from the last arc to the first, as rows fill up from their ends.
+  // Adds a vertex for each end on a contour, behind the corners. From the last arc to the first, as rows fill up from
+  // their ends.
   void add_landings(Map &map) {
     for (uint32_t end = 2 * arcs_.size(); end-- > 0;) {
       const ArcEnd &label = arcs_[end / 2].end[end % 2];
@@ -219,7 +222,7 @@ class MapLinker {
     first_edge_[a] = last_edge_[a] = add_edge(arc, arc.from, arc.to, v, w, map);
   }
 
-  // A whole circle: each edge goes from one T to the next.
+  // Cuts a whole circle: each edge goes from one T to the next.
   void cut_circle(uint32_t a, Span<const Landing> landings, Map &map) {
     const uint32_t n = landings.size();
     first_edge_[a] = last_edge_[a] = map.edges.size();
@@ -233,7 +236,7 @@ class MapLinker {
     }
   }
 
-  // Arcs first .. last - 1 of a contour, cut where stems end. Parameters on sticks are less than a turn too.
+  // Cuts arcs first .. last - 1 of a contour where stems end. The parameters on a stick span less than a turn, too.
   bool cut_contour(uint32_t first, uint32_t last, Span<Landing> landings, Map &map) {
     sort_landings(arcs_.part(first, last), landings);
     if (arcs_[first].closed && !landings.empty()) {
@@ -247,7 +250,7 @@ class MapLinker {
         add_whole_edge(a, map);
         continue;
       }
-      // All that lies in the gap behind the arc belongs to the nearer side of it.
+      // Landings in the gap behind the arc belong to it up to the middle of the gap.
       const double reach = a + 1 < last ? 0.5 * (arc.to + arcs_[a + 1].from) : arc.to + 2 * pi;
       double from = arc.from;
       uint32_t v = vertex_at_[2 * a];
@@ -289,7 +292,7 @@ class MapLinker {
 
   uint32_t leaving(uint32_t end) const { return end % 2 == 0 ? 2 * first_edge_[end / 2] : 2 * last_edge_[end / 2] + 1; }
 
-  // The next one to leave a vertex of three ends has the same body on its left.
+  // At a vertex of three ends the half-edge that follows an arriving one has the same body on its left.
   bool link_three(uint32_t v, Map &map) {
     for (uint32_t k = 0; k < 3; ++k) {
       const uint32_t arriving = leaving(end_at_[3 * v + k]) ^ 1U;
@@ -337,13 +340,13 @@ class MapLinker {
   uint32_t bodies_ = 0, groups_ = 0;
   bool all_named_ = false;
   Span<uint32_t> first_named_;             // [groups + 1]
-  Span<uint32_t> first_landing_;           // [bodies + 1] by the body on which they are
+  Span<uint32_t> first_landing_;           // [bodies + 1] by the body on whose contour they are
   Span<NamedEnd> named_;                   // [2 edges]
   Span<Landing> landing_;                  // [edges]
-  Span<uint32_t> vertex_at_;               // [2 edges] of the ends of arcs
-  Span<uint32_t> first_edge_, last_edge_;  // [edges] of arcs
-  Span<uint32_t> end_at_;                  // [3 edges] of a vertex the ends of arcs there
-  Span<uint32_t> before_, after_;          // [edges] of a T the edges on either side along the contour
+  Span<uint32_t> vertex_at_;               // [2 edges] the vertex at each end of an arc
+  Span<uint32_t> first_edge_, last_edge_;  // [edges] the edges of each arc
+  Span<uint32_t> end_at_;                  // [3 edges] of each vertex up to three ends of arcs there
+  Span<uint32_t> before_, after_;          // [edges] of each T the edges before and behind it along the contour
 };
 
 }  // namespace hsp

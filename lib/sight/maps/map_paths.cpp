@@ -13,7 +13,7 @@ class SilhouetteWalk {
  public:
   SilhouetteWalk(const Map &map, const SilhouetteVisitor &visitor) : map_(map), visitor_(visitor) {}
 
-  // Around a loop of a body: what lies on the other side of its silhouette is another body's or the background.
+  // Walks around a loop of a body. On the other side of its silhouette is another body or the background.
   void walk(uint32_t first) {
     visit_runs(
         first, [this](uint32_t h) { return map_.half_edges[h].next; }, [this](uint32_t h) { return is_silhouette(h); },
@@ -35,7 +35,7 @@ class SilhouetteWalk {
       const bool crosses = is_t && at.body[1] == no_id;
       return {true, false, behind(neighbour), crosses ? map_.scene.slot_of(at.body[0]) : no_id};
     }
-    // The contour of a half of a stick goes on as that of the other one, before the same body.
+    // The contour of one half of a stick goes on as that of the other half, before the same body.
     if (at.kind == MapVertexKind::halves) return {true, false, behind(h), no_id};
     if (!is_t) return {false, false, no_id, no_id};
     const uint32_t nearer = map_.scene.slot_of(at.body[2]);
@@ -54,7 +54,7 @@ class SilhouetteWalk {
 
   const Map &map_;
   const SilhouetteVisitor &visitor_;
-  double last_ = 0.0;  // where the arc before ends
+  double last_ = 0.0;  // the parameter at which the arc before ends
 };
 
 template <class Map>

@@ -1,4 +1,4 @@
-// Visible parts as paths to be painted: all faces of a body are one, and no two overlap.
+// Visible parts as paths to be painted. All faces of a body are one path; paths do not overlap.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,6 @@
 
 namespace hsp {
 
-// The half-edges of a loop, and those of them that are its own: each edge is one half-edge's own, the one along it.
-
 // Calls visit(half-edge, first, closes) around a loop. next(h): the half-edge that follows.
 template <class Next, class Visit>
 void visit_loop(uint32_t first, Next next, Visit visit) {
@@ -24,8 +22,9 @@ void visit_loop(uint32_t first, Next next, Visit visit) {
   } while (h != first);
 }
 
-// Calls visit(half-edge before, half-edge, half-edge after, begins, closes) for the members of a loop. A run is as long
-// as members follow each other: a loop with others is entered behind one of these, so that no run is cut in two.
+// Calls visit(half-edge before, half-edge, half-edge after, begins, closes) for the half-edges of a loop that are
+// members. Consecutive members make up a run. begins: it is the first of a run; closes: the run is the whole loop, and
+// this is its last one. The walk starts behind a half-edge that is no member, if there is one: so no run is cut in two.
 template <class Next, class IsMember, class Visit>
 void visit_runs(uint32_t first, Next next, IsMember is_member, Visit visit) {
   uint32_t h = first;
@@ -44,7 +43,8 @@ void visit_runs(uint32_t first, Next next, IsMember is_member, Visit visit) {
   } while (h != start);
 }
 
-// Calls visit(half-edge, begins, closes) for the runs of those that run along their edges.
+// Calls visit(half-edge, begins, closes) for the runs of half-edges that run along their edges: so each edge of the map
+// is visited from one of its sides.
 template <class Next, class Visit>
 void visit_own_runs(uint32_t first, Next next, Visit visit) {
   visit_runs(
@@ -52,9 +52,9 @@ void visit_own_runs(uint32_t first, Next next, Visit visit) {
       [&](uint32_t, uint32_t h, uint32_t, bool begins, bool closes) { visit(h, begins, closes); });
 }
 
-// A directed edge as an arc of the view plane, from vertex to vertex. The parameter of all but silhouettes counts from
-// the steepest direction, which appears shortened; that of a projected ellipse from the end of its major axis, a
-// quarter turn ahead.
+// A half-edge as an arc of the view plane, from vertex to vertex. The parameter of a curve that is no silhouette counts
+// from the steepest direction, which appears shortened. That of a projected ellipse counts from an end of its major
+// axis, a quarter turn ahead.
 template <class Map>
 ProjectedArc arc_of(const Map &map, uint32_t half_edge) {
   const MapEdge &edge = map.edges[half_edge / 2];
@@ -82,7 +82,7 @@ ProjectedArc arc_of(const Map &map, uint32_t half_edge) {
   return arc;
 }
 
-// How a source of paths answers for them: source.map(), source.owner_of(path), and source.visit_path(path, visit),
+// The functions of PaintedPaths for a source of paths. A source has map(), owner_of(path), and visit_path(path, visit),
 // which calls visit(first half-edge) for each loop.
 template <class Source>
 struct MapPathFunctions {
@@ -104,8 +104,8 @@ struct MapPathFunctions {
       });
     });
   }
-  // The edges that are the body's own: its contour, and creases where it is the nearer one. So each edge of the map
-  // belongs to one path. A run is as long as such edges follow each other.
+  // The lines of a path are the edges that are the body's own: its contour, and the creases whose nearer body it is. So
+  // each edge of the map belongs to one path. Consecutive ones make up a run.
   static void visit_lines(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
     source_at(source).visit_path(path, [&](uint32_t first) {
       visit_own_runs(first, successor(source), [&](uint32_t h, bool begins, bool closes) {
@@ -117,14 +117,14 @@ struct MapPathFunctions {
   static constexpr PaintedPaths::Functions functions{ball_of, visit_outline, visit_lines, Source::is_plain, body_of};
 };
 
-// The silhouettes of a map, as runs of arcs along each body. The map has to outlive this.
+// The silhouettes of a map, as runs of arcs along each body. The map has to outlive the result.
 SeenSilhouettes silhouettes_of(const VisibilityMap &map);
 
 // The balls that are seen, farthest first, with their faces.
 class MapPaths {
  public:
-  // scratch: as many as balls are seen, which are no more than edges; it and the map have to outlive this.
-  // O(n + m log m) for m of n balls.
+  // scratch: as many numbers as balls are seen, which is no more than there are edges. scratch and the map have to
+  // outlive this object. O(n + m log m) if m of n balls are seen.
   MapPaths(const BallSet &balls, const VisibilityMap &map, Span<uint32_t> scratch) : map_(map) {
     uint32_t count = 0;
     for (uint32_t k = 0; k < map.scene.bodies(); ++k) {
@@ -137,7 +137,7 @@ class MapPaths {
                         map.scene.ball_of(map.faces[g].owner));
     });
   }
-  MapPaths(const MapPaths &) = delete;  // those who paint point here
+  MapPaths(const MapPaths &) = delete;  // paths() points here
   MapPaths &operator=(const MapPaths &) = delete;
 
   uint32_t size() const { return first_face_.size(); }
@@ -155,7 +155,7 @@ class MapPaths {
 
  private:
   const VisibilityMap &map_;
-  Span<uint32_t> first_face_;  // of each path
+  Span<uint32_t> first_face_;  // [path]
 };
 
 }  // namespace hsp

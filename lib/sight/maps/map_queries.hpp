@@ -1,4 +1,4 @@
-// Questions to a finished map of whatever bodies: what is seen at a point, how deep, and what an edge separates.
+// Questions to a finished map of any bodies: which body is seen at a point, how deep, and what an edge separates.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@ struct MapSight {
   double depth;   // view coordinate z of its front there
 };
 
-// By the fronts at the point, without the map's edges.
+// Found from the fronts at the point, without the map's edges.
 template <class Map, class Sight>
 MapSight sight_at(const Map &map, const Sight &sight, double x, double y) {
   const uint32_t body = sight.highest_at(x, y, no_id).body;
@@ -21,8 +21,8 @@ MapSight sight_at(const Map &map, const Sight &sight, double x, double y) {
   return {body, map.scene.front_at(body, x, y)};
 }
 
-// A point of an edge, and how far below it the surface is on either side; infinite beside all bodies. One of both is 0,
-// or both on a crease.
+// A point of an edge, and how far below it the visible surface is on either side; infinite if no body is there. On a
+// contour the left gap is 0, on a crease both are.
 struct EdgePoint {
   double x, y, z;
   double gap_left, gap_right;
@@ -40,7 +40,7 @@ EdgePoint edge_point(const Map &map, uint32_t e, double t) {
   return {at.x, at.y, at.z, 0.0, gap > 0.0 ? gap : 0.0};
 }
 
-// Adds up the areas of each body's faces; area [bodies], by the numbers that the caller gave these: caller(body).
+// Sums the areas of each body's faces into area[caller(body)].
 template <class Caller>
 void sum_visible_areas(const MapRecords &map, Caller caller, Span<double> area) {
   for (double &sum : area) sum = 0.0;
@@ -49,14 +49,14 @@ void sum_visible_areas(const MapRecords &map, Caller caller, Span<double> area) 
   }
 }
 
-// All that is covered.
+// The area that the bodies cover.
 inline double covered_area(const MapRecords &map) {
   double sum = 0.0;
   for (const MapFace &face : map.faces.items()) sum += face.owner == no_id ? 0.0 : face.area;
   return sum;
 }
 
-// The half-edge before another one around its face: the one before it around their common vertex, the other way.
+// The half-edge before h around its face. It is found by a turn around the vertex that h leaves.
 inline uint32_t previous_half_edge(const MapRecords &map, uint32_t h) {
   uint32_t leaving = h;
   for (;;) {
@@ -66,7 +66,7 @@ inline uint32_t previous_half_edge(const MapRecords &map, uint32_t h) {
   }
 }
 
-// The loop of the same face after another one, the first one after the last.
+// The next loop of the same face; after the last one the first.
 inline uint32_t next_loop(const MapRecords &map, uint32_t loop) {
   const MapLoop &of = map.loops[loop];
   return of.next_of_face != no_id ? of.next_of_face : map.faces[of.face].first_loop;

@@ -1,16 +1,16 @@
 // The visible part of a union of balls along a direction, as a subdivision of the view plane (Section 5.2): every face
-// shows one ball or the background. The bodies may be others, if they are convex: all that depends on what they are is
-// in the scene of a map, BallScene for balls and StickScene for balls and sticks.
+// shows one ball or the background. Bodies of other kinds are possible if they are convex. All that depends on the kind
+// of bodies is in the scene of a map: BallScene for balls, StickScene for balls and sticks.
 //
 // The visible surface is the upper envelope of the front hemispheres. So every edge is a part of one of two kinds of
 // curves: a silhouette, or the crease where the spheres of two balls meet. Creases never hide anything, because the
-// surface is re-entrant there: what is hidden is hidden by silhouettes and spheres.
+// surface is re-entrant there: only silhouettes and spheres hide. The kinds of vertices:
 //
 //   triple   three creases end where three spheres meet
-//   T        a curve, the stem, ends where it goes behind a nearer ball, on that ball's silhouette
+//   T        a curve, the stem, ends where it goes behind a nearer ball, on the silhouette of that ball
 //   tangency the crease of two balls goes over into the silhouette of the nearer one
-//   plain    somewhere on a closed curve that has no other vertex
-//   halves   the halves of a stick and what is behind them; not of balls
+//   plain    an arbitrary point of a closed curve that has no other vertex
+//   halves   where the contours of both halves of a stick and the curve between the halves end; only with sticks
 //
 // Unlike everything below this room the map rests on floating-point roots. Its connections are checked while
 // it is built (map_builder.hpp). The same input gives the same bits on every machine.
@@ -33,14 +33,16 @@ constexpr uint32_t degree_of(MapVertexKind kind) {
 struct MapVertex {
   double x, y, z;
   MapVertexKind kind;
-  uint32_t leaving;  // a half-edge that leaves it; of a T the stem
-  // Those of the curves that meet. Triple: ascending. T: the nearer body last, and the stem's before it (no_id if that
-  // is a silhouette). Tangency: farther, nearer. Plain: those of the curve.
+  uint32_t leaving;  // a half-edge that leaves it; of a T the one of the stem
+  // The bodies of the curves that meet; no_id behind the last one. Triple: ascending. T: first the one or two bodies of
+  // the stem (the second is no_id if the stem is a silhouette), last the nearer body whose contour it is on. Tangency:
+  // the farther, the nearer. Plain: those of the curve.
   uint32_t body[3];
 };
 
-// A part of the silhouette of `body`, or with another body of the crease of `body` and `nearer`, with parameters of
-// ball_scene.hpp that increase from the first vertex to the second. Half-edge 2e runs along edge e, 2e + 1 against it.
+// A part of the silhouette of `body`; or of the crease of `body` and `nearer`, if `nearer` is a body. The parameters
+// are those of ball_scene.hpp; they increase from vertex[0] to vertex[1]. Half-edge 2e runs along edge e, 2e + 1
+// against it.
 struct MapEdge {
   double from, to;
   uint32_t body;
@@ -50,7 +52,7 @@ struct MapEdge {
   bool is_silhouette() const { return nearer == no_id; }
 };
 
-// The face is on the left.
+// A half-edge has its face on the left.
 struct MapHalfEdge {
   uint32_t next;
   uint32_t loop;
@@ -61,7 +63,7 @@ struct MapLoop {
   uint32_t first_half_edge;
   uint32_t face;
   uint32_t next_of_face;  // no_id behind the last one
-  uint32_t owner;         // as of its face
+  uint32_t owner;         // the owner of its face
   double area;
 };
 
@@ -71,7 +73,7 @@ struct MapFace {
   double area;          // 0 for the unbounded face
 };
 
-// The most that the makers of a map need room for: its bodies and their slots, groups of corners, and edges.
+// How much room the makers of a map need at most: for bodies, groups of corners (CornerName), and edges.
 struct MapSizes {
   uint64_t bodies, groups, edges;
 };
@@ -79,7 +81,7 @@ struct MapSizes {
 // Face 0 is the unbounded one. The faces of one owner follow each other, those of the background first.
 struct MapRecords {
   ViewFrame frame;
-  double perturbation = 0.0;  // no centre was moved farther, in lattice steps
+  double perturbation = 0.0;  // a bound of how far centres were moved, in lattice steps; 0 if they were not
   uint32_t components = 0;    // connected parts of the edges
   uint32_t owners = 0;        // bodies with faces
   FixedVector<MapVertex> vertices;
@@ -87,10 +89,10 @@ struct MapRecords {
   FixedVector<MapHalfEdge> half_edges;
   FixedVector<MapLoop> loops;
   FixedVector<MapFace> faces;
-  Span<const uint32_t> loop_order;  // loops by their owners in the order of faces, the background's last
+  Span<const uint32_t> loop_order;  // loops sorted by owner: owners in the order of faces, the background last
 
-  // Every vertex has at least two edges, so that there are no more vertices than edges. Loops are at most twice the
-  // edges, and faces at most one more than edges: F = 1 + C + E - V, and E - V is half the number of vertices of three.
+  // Every vertex has at least two edges, so that there are no more vertices than edges. There are at most twice as many
+  // loops as edges, and at most one more face than edges: F = 1 + C + E - V, and each of the C parts has a vertex.
   void carve(Workspace &workspace, uint64_t most_edges) {
     vertices = FixedVector<MapVertex>(workspace.take<MapVertex>(most_edges));
     edges = FixedVector<MapEdge>(workspace.take<MapEdge>(most_edges));
@@ -110,13 +112,13 @@ struct MapRecords {
 
   uint32_t origin(uint32_t half_edge) const { return edges[half_edge / 2].vertex[half_edge % 2]; }
   uint32_t face_of(uint32_t half_edge) const { return loops[half_edges[half_edge].loop].face; }
-  // The body on the left, no_id where that is known from other edges only.
+  // The body on the left of a half-edge; no_id on the far side of a silhouette, which does not tell it.
   uint32_t left_of(uint32_t half_edge) const {
     const MapEdge &edge = edges[half_edge / 2];
     if (edge.is_silhouette()) return half_edge % 2 == 0 ? edge.body : no_id;
     return half_edge % 2 == 0 ? edge.nearer : edge.body;
   }
-  // Calls visit(half-edge) around a loop; what follows each is known before.
+  // Calls visit(half-edge) around a loop. The next half-edge is read before the call.
   template <class Visit>
   void visit_loop(uint32_t loop, Visit visit) const {
     const uint32_t first = loops[loop].first_half_edge;
@@ -141,7 +143,7 @@ struct MapRecords {
 template <class Scene>
 struct SceneMap : MapRecords {
   Scene scene;
-  Span<const uint32_t> first_face;  // by the ranks of bodies; no_id of those without faces
+  Span<const uint32_t> first_face;  // [slot of a body] its first face; no_id if it has none
 
   // The first face that shows a body or, for no_id, the background; no_id if there is none.
   uint32_t first_face_of(uint32_t owner) const { return owner == no_id ? 0 : first_face[scene.slot_of(owner)]; }

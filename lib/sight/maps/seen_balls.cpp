@@ -14,7 +14,7 @@ uint64_t mixed(uint64_t h) {
   return h ^ (h >> 31);
 }
 
-// In [-1, 1), different for every centre, radius and way, but equal for equal balls.
+// A pseudo-random vector with components in [-1, 1): different for every centre, radius and way, equal for equal balls.
 Vec3 direction_of_shift(const BallSet &balls, uint32_t i, uint32_t way) {
   uint64_t h = way;
   for (const double value : {balls.x[i], balls.y[i], balls.z[i], balls.r[i]}) {
@@ -31,7 +31,7 @@ Vec3 direction_of_shift(const BallSet &balls, uint32_t i, uint32_t way) {
 
 }  // namespace
 
-// The radius of a cube's circumsphere is less than 2 of its half sides.
+// Half of the size is enough: the vector is in a cube whose circumsphere has a radius of less than 2 half sides.
 Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, const Perturbation &perturbation) {
   return combine(1.0, centre, perturbation.size / 2 * balls.r[i], direction_of_shift(balls, i, perturbation.way));
 }
@@ -44,7 +44,7 @@ void SeenBalls::carve(Workspace &workspace, uint32_t balls, uint32_t neighbours)
   count_ = 0;
 }
 
-// A ball that is hidden as a whole hides nothing that others do not hide too, and does not cut what is seen.
+// A ball that is hidden as a whole can be left out: others hide all that it hides, and it cuts nothing that is seen.
 bool SeenBalls::choose(const CubeGrid &grid, const ViewFrame &frame, Patience &patience) {
   const BallSet &balls = grid.balls();
   for (uint32_t i = 0; i < balls.n; ++i) {

@@ -1,5 +1,5 @@
-// The balls that may be seen, in view coordinates, those with the highest tops first. Their ranks in this order are
-// the ids of this room.
+// The balls that may be seen, in view coordinates, with the highest tops first. In this room the id of a ball is its
+// rank in this order.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -16,8 +16,8 @@ struct SeenBall {
   double top() const { return z + r; }
 };
 
-// Balls that reach less into or out of each other than this part of their radii only touch. The circle in which others
-// meet is not lost in rounding.
+// Balls that reach into or out of each other by less than this fraction of their radii only touch. The circle in which
+// other balls meet is not lost in rounding.
 inline constexpr double touching = 0x1p-40;
 
 inline bool is_inside(const SeenBall &ball, const SeenBall &other) {
@@ -28,57 +28,57 @@ inline bool is_inside(const SeenBall &ball, const SeenBall &other) {
   return room > 0.0 && dx * dx + dy * dy + dz * dz <= room * room;
 }
 
-// How far centres are moved where roundings cannot be overcome, of all radii, and in which of several ways.
+// A move of all centres, made when rounding has spoiled a map: by at most `size` times each ball's radius, in one of
+// several ways.
 struct Perturbation {
   double size;
   uint32_t way;
 };
-// One after the other. Where discs touch in one point and meet there, all moves in one way may leave a loop that is too
-// small to tell what it shows: then others.
+// The moves, tried one after another. If discs touch in one point and meet there, all moves in one way may leave a loop
+// that is too small to find its owner: other ways follow.
 inline constexpr Perturbation perturbations[] = {{0.0, 0},     {0x1p-20, 0}, {0x1p-17, 0}, {0x1p-14, 0},
                                                  {0x1p-17, 1}, {0x1p-17, 2}, {0x1p-14, 3}};
 
-// A centre in view coordinates, moved by at most the size times the ball's radius, in a way that depends on its centre
-// and radius alone.
+// A centre in view coordinates, moved. The move depends on the ball's centre and radius alone.
 Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, const Perturbation &perturbation);
 
 class SeenBalls {
  public:
   void carve(Workspace &workspace, uint32_t balls, uint32_t neighbours);
 
-  // Leaves out what is hidden as a whole for certain; that is so for every perturbation afterwards.
-  // False if that is stopped.
+  // Leaves out the balls that are certainly hidden as a whole, for every perturbation afterwards. False if patience
+  // ends.
   bool choose(const CubeGrid &grid, const ViewFrame &frame, Patience &patience);
-  // Places what is left and sorts it, every centre moved as above.
+  // Places and sorts the balls that are left, every centre moved by the perturbation.
   void place(const BallSet &balls, const ViewFrame &frame, const Perturbation &perturbation, Patience &patience);
 
   Span<const SeenBall> balls() const { return balls_.part(0, count_); }
   Span<SeenBall> balls() { return balls_.part(0, count_); }
-  // Whether ball a is the nearer one of two: by the depth of its centre, and by the order where these are equal.
+  // Whether ball a is nearer than ball b: its centre is higher, or equally high and a is before b.
   bool is_nearer(uint32_t a, uint32_t b) const {
     return balls_[a].z > balls_[b].z || (balls_[a].z == balls_[b].z && a < b);
   }
-  // How many caps of a ball the next two look at together.
+  // How many caps of a ball is_covered() and mark_creases() look at together.
   void use_room(uint32_t caps) { covered_.use_room(caps); }
-  // Whether others are known to cover the sphere of ball k. It is asked once, and such balls are left out for every
-  // perturbation afterwards.
+  // Whether others are known to cover the sphere of ball k. The question is decided once, and covered balls are left
+  // out for every perturbation afterwards.
   bool is_covered(uint32_t k, Patience &patience);
-  // Whether such balls were found after the balls were moved and placed: as a rule ones that lay inside others before.
-  // They were left out near some balls and not near others, and may show where the move has uncovered them.
+  // Whether covered balls were found after the balls were moved and placed; as a rule they lay inside others before.
+  // Some balls were looked at with them and others without, and the move may have uncovered them.
   bool some_are_late() const { return moved_ && some_are_late_; }
-  // Asks that of those inside others, too, which would be the next ones.
+  // Asks of the balls that lie inside others, too, whether they are covered: they would be the next late ones.
   void ask_of_those_inside(Patience &patience);
-  // Marks the balls that may have a crease with ball k, which is not covered. False if all may, and none is marked; so
-  // it is where balls are moved, which may uncover creases.
+  // Marks the balls that may have a crease with ball k, which is not covered. False, with none marked, if all balls may
+  // have one; always so when balls are moved, as a move may uncover creases.
   bool mark_creases(uint32_t k, Patience &patience);
   bool may_crease(uint32_t k) const { return creases_[balls_[k].ball] != 0; }
   void unmark_creases();
 
-  // Whether everything in the box is hidden for certain up to a height. Only of balls that are not moved.
+  // Whether everything in a box of the view plane is certainly hidden up to a height. False if balls are moved.
   bool hides(const BoundingBox &box, double height) { return !moved_ && hidden_.floor().is_above(box, height); }
 
  private:
-  // In visible_, covered ones as hidden.
+  // The values of visible_. hidden: or covered; open: not asked whether it is covered; uncovered: known not to be.
   static constexpr uint8_t hidden = 0, open = 1, uncovered = 2;
 
   OcclusionCuller hidden_;

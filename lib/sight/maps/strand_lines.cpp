@@ -15,7 +15,7 @@ struct StrandSide {
   }
 };
 
-// Where the line of a side meets an edge around a path. Several at one place follow each other by their names.
+// A point where the line of a side meets an edge around a path. Several at one place are ordered by their names.
 struct Crossing {
   double u;
   uint32_t half_edge, piece;
@@ -30,7 +30,8 @@ bool is_left(double beside) {
   return beside >= 0.0;
 }
 
-// Between two parameters of which one is on the left, or nearer to the first than to the second.
+// The u at which a curve crosses the line of a side between its parameters `from` and `to`, found by bisection.
+// from_left: whether the curve is on the left at `from`.
 double place_between(const StrandSide &side, const EdgeCurve &curve, double from, double to, bool from_left) {
   constexpr int halvings = 60;
   for (int k = 0; k < halvings; ++k) {
@@ -42,9 +43,9 @@ double place_between(const StrandSide &side, const EdgeCurve &curve, double from
   return side.along(curve.ellipse.x(at), curve.ellipse.y(at));
 }
 
-// Calls visit(crossing) for those of an edge. It is cut where it is farthest from the line, so that each piece meets it
-// once if its ends are on different sides, and never else. Of an end of an edge its vertex decides, for all edges
-// there: a loop crosses as often to the right as to the left.
+// Calls visit(crossing) for the crossings of an edge with the line. The edge is cut where it is farthest from the line:
+// then a piece meets the line once if its ends are on different sides, and else never. At an end of the edge the vertex
+// decides on which side it is, for all edges there: so a loop crosses as often to the right as to the left.
 template <class Visit>
 void visit_crossings(const StickMap &map, const StrandSide &side, uint32_t half_edge, Visit visit) {
   const MapEdge &edge = map.edges[half_edge / 2];
@@ -70,7 +71,7 @@ void visit_crossings(const StickMap &map, const StrandSide &side, uint32_t half_
   }
 }
 
-// The first crossing behind another one; false if there is none.
+// Finds the first crossing behind another one; false if there is none.
 bool find_next(const StickMap &map, uint32_t path, const StrandSide &side, const Crossing &before, Crossing &next) {
   bool found = false;
   map.visit_path(path, [&](uint32_t first) {
@@ -95,7 +96,7 @@ void put_piece(const StrandSide &side, double from, double to, uint32_t ball, co
   visitor(line_between(ends[0], ends[1], ball), true, false);
 }
 
-// The pieces within the path: from every other crossing to the next.
+// Visits the pieces of a line within the path: from every other crossing to the next.
 void visit_side(const StickMap &map, uint32_t path, const StrandSide &side, uint32_t ball, const ArcVisitor &visitor) {
   Crossing in{-std::numeric_limits<double>::infinity(), 0, 0}, out{};
   while (find_next(map, path, side, in, out)) {

@@ -43,7 +43,7 @@ double value_at(const Piece &piece, double s) {
   return b[0];
 }
 
-// Whether the sign changes next to s, for a < s < b at the ends of which it is known.
+// Whether the sign changes next to s, for a < s < b; the signs at a and b are known.
 bool changes_next_to(const Piece &piece, double s, double a, double b) {
   constexpr double beside = 1e-6;
   const bool low = s - beside > a ? value_at(piece, s - beside) > 0.0 : piece.b[0] > 0.0;
@@ -68,7 +68,7 @@ double only_root(const Piece &piece) {
     }
     double value = value_at(piece, s);
     if (value == 0.0) {
-      // Rounded to 0 next to such an end it is no root either.
+      // A value that rounds to 0 next to such an end is no root either.
       if (changes_next_to(piece, s, a, b)) break;
       s = 0.5 * (a + b);
       value = value_at(piece, s);
@@ -99,8 +99,9 @@ double refined(const TrigonometricPolynomial &f, double t) {
   return t;
 }
 
-// With u = tan((t - middle) / 2), |u| <= U = tan((to - from) / 4) <= 1, times (1 + u^2)^2.
-// `at_from`, `at_to`: null, or the values there, where another interval begins or ends, so that both see one sign.
+// The roots in [from, to], at most half a turn. The quartic in u = tan((t - middle) / 2), |u| <= U = tan((to - from) /
+// 4) <= 1, is the polynomial times (1 + u^2)^2. at_from, at_to: null, or the values at an end where another interval
+// goes on, so that both use the same sign.
 uint32_t roots_of_half_turn(const TrigonometricPolynomial &f, double from, double to, const double *at_from,
                             const double *at_to, double *root) {
   const double middle = 0.5 * (from + to);

@@ -1,8 +1,8 @@
 // The roots of a trigonometric polynomial of degree 2, and how many there are. The tangent of half the angle turns it
-// into a quartic. Its Bernstein coefficients over an interval have as many sign changes as there are roots, or an even
-// number more (Descartes' rule); halving the interval makes that at most one each. The count is certain up to the
-// rounding of the coefficients; roots that coincide to 2^-40 of the interval are none, as where a curve touches without
-// crossing.
+// into a quartic. The Bernstein coefficients of the quartic over an interval have as many sign changes as it has roots
+// there, or an even number more (Descartes' rule). The interval is halved until each part has at most one sign change.
+// The count is certain up to the rounding of the coefficients. Two roots that coincide to 2^-40 of the interval count
+// as none, as where a curve touches without crossing.
 #pragma once
 
 #include <cstdint>

@@ -13,8 +13,8 @@ namespace hsp {
 
 enum class PointKind : uint32_t { passing, gate, maximum };
 
-// Finds four balls that are far apart. False if all centres are in one plane; then the last ones of `set` may repeat
-// the first.
+// Finds four balls that are far apart. False if all centres are in one plane; then the last ones of `set` repeat the
+// first.
 bool find_far_apart(const BallSet &balls, Span<const uint32_t> near, uint32_t *set);
 
 // Unit vectors from the centres of tied balls to their point, in doubles. The exact stage is asked only what is not
