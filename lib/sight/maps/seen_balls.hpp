@@ -78,7 +78,8 @@ class SeenBalls {
   bool hides(const BoundingBox &box, double height) { return !moved_ && hidden_.floor().is_above(box, height); }
 
  private:
-  // The values of visible_. hidden: or covered; open: not asked whether it is covered; uncovered: known not to be.
+  // Values in visible_. hidden: hidden as a whole, or covered; open: not asked whether covered; uncovered: asked, it is
+  // not.
   static constexpr uint8_t hidden = 0, open = 1, uncovered = 2;
 
   OcclusionCuller hidden_;

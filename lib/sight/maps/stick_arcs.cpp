@@ -8,22 +8,21 @@ namespace {
 
 constexpr ArcEnd natural_end{MapVertexKind::tangency, no_id};
 
-// Of whatever curves. On circles breakpoints are the roots of trigonometric polynomials of degree 2, on lines of
-// quadratic ones.
+// The parts of a curve that balls and sticks hide. On a circle breakpoints are the roots of trigonometric polynomials
+// of degree 2, on a line those of quadratic ones.
 template <class Curve>
 class HiddenByBodies : public HiddenParts {
  public:
   HiddenByBodies(const Curve &curve, double from, double to, FixedVector<HiddenInterval> &hidden)
       : HiddenParts(from, to, hidden), curve_(curve) {}
 
-  // Hides the parts that a ball covers; true if that is all. At its contour the end of a part is a T on `id`, at its
-  // surface it is as `at_surface` says.
+  // Hides the parts that a ball covers; true if that is the whole curve. An end at the ball's contour is a T on `id`,
+  // an end at its surface has the label `at_surface`.
   bool add_ball(const SeenBall &ball, uint32_t id, const ArcEnd &at_surface) {
     begin_body();
     add_distance(ball, true);
     for (uint32_t k = 0; k < count_; ++k) at_[k].end = at_surface;
-    // At the height of the centre a curve goes through both the front and the contour, and roundings may let it miss
-    // both.
+    // At the height of the centre a curve goes through the front and the contour, and rounding may let it miss both.
     uint32_t at_centre = 0, kept = 0;
     const auto counted = [&](const Vec3 &q, bool good) {
       if (std::fabs(q.z - ball.z) >= level_height * ball.r) return good;
@@ -40,7 +39,7 @@ class HiddenByBodies : public HiddenParts {
     return cut_by(ball.r, [&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; });
   }
 
-  // The silhouette of a ball at the height of its centre, by another ball. A nearer one hides what is in its disc, a
+  // The same for a curve that is a silhouette, all of it at one height. A nearer ball hides what is in its disc, a
   // farther one what is inside it.
   bool add_ball_at_silhouette(const SeenBall &ball, uint32_t id, bool nearer) {
     begin_body();
@@ -49,7 +48,7 @@ class HiddenByBodies : public HiddenParts {
     return cut_by(ball.r, [&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; });
   }
 
-  // Hides the parts that a stick covers, by the bodies of its parts.
+  // Hides the parts of the curve that a stick covers. first_part: the body of the stick's first part.
   bool add_stick(const Stick &stick, uint32_t first_part) {
     const Vec3 along{stick.e[0], stick.e[1], 0.0};
     const Vec3 across{-stick.e[1], stick.e[0], 0.0};
@@ -64,7 +63,7 @@ class HiddenByBodies : public HiddenParts {
     const uint32_t first = count_;
     const double up = stick.axis.z;
     for (const double s : {0.0, stick.length}) {
-      // The half circle of the front there appears as a half ellipse, seen edge on as a line.
+      // The half circle at this end of the front appears as a half ellipse; as a line if it is seen edge on.
       const Vec3 end = stick.on_axis(s);
       add_level(end, along, 0.0);
       add_squares(end, along, up * across, {}, up * up * squared);
@@ -91,7 +90,7 @@ class HiddenByBodies : public HiddenParts {
     count_ = kept;
   }
 
-  // Where n . (q - c) = value.
+  // Adds breakpoints where n . (q - c) = value.
   void add_level(const Vec3 &c, const Vec3 &n, double value) { add_level_on(curve_, c, n, value); }
   void add_level_on(const RoundCurve &curve, const Vec3 &c, const Vec3 &n, double value) {
     const double A = dot(n, curve.first);
@@ -103,17 +102,17 @@ class HiddenByBodies : public HiddenParts {
     if (slope != 0.0) add((value - dot(n, curve.start - c)) / slope);
   }
 
-  // Where the distance from the centre of a ball, in space or as it is seen, is its radius.
+  // Adds breakpoints where the distance from the centre of a ball, in space or in the view plane, is its radius.
   void add_distance(const SeenBall &ball, bool in_space) {
     const Vec3 towards{0.0, 0.0, in_space ? 1.0 : 0.0};
     add_squares({ball.x, ball.y, ball.z}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, towards, ball.r * ball.r);
   }
-  // Where (n1 . (q - c))^2 + (n2 . (q - c))^2 + (n3 . (q - c))^2 = sum.
+  // Adds breakpoints where (n1 . (q - c))^2 + (n2 . (q - c))^2 + (n3 . (q - c))^2 = sum.
   void add_squares(const Vec3 &c, const Vec3 &n1, const Vec3 &n2, const Vec3 &n3, double sum) {
     const Vec3 normals[3] = {n1, n2, n3};
     add_squares_on(curve_, c, normals, sum);
   }
-  // Angles counted from the maximum of the terms of twice the angle leave no product of cosine and sine.
+  // If angles count from the maximum of the terms of twice the angle, there is no product of cosine and sine.
   void add_squares_on(const RoundCurve &curve, const Vec3 &c, const Vec3 normals[3], double sum) {
     const Vec3 d = curve.middle - c;
     double constant = -sum, cosine = 0.0, sine = 0.0, twice_cosine = 0.0, twice_sine = 0.0;
@@ -148,16 +147,16 @@ class HiddenByBodies : public HiddenParts {
     }
     const double discriminant = half_slope * half_slope - square * constant;
     if (!(discriminant > 0.0) || !(square > 0.0)) return;
-    // Of the two roots one without cancellation, the other one by their product.
+    // One of the two roots is computed without cancellation, the other one from their product.
     const double root = std::sqrt(discriminant);
     const double sum_of = half_slope > 0.0 ? -half_slope - root : root - half_slope;
     add(sum_of / square);
     if (sum_of != 0.0) add(constant / sum_of);
   }
 
-  // Ends come later.
+  // The label is set later.
   void add(double t) { HiddenParts::add(t, {}); }
-  // depth(q): how far q is behind the body, negative where it is not behind.
+  // depth(q): how far q is behind the body, negative if it is not behind.
   template <class Depth>
   bool cut_by(double radius, Depth depth) {
     return cut(shallow_depth * radius, [&](double from, double to) { return depth(curve_.at(0.5 * (from + to))); });
@@ -175,7 +174,7 @@ void StickArcs::carve(Workspace &workspace, const StickLimits &limits) {
   asked_ = workspace.take<uint32_t>(limits.sticks);
 }
 
-// Of equal balls the first one is not inside.
+// Marks the balls inside others. Of equal balls the first one is not inside.
 void StickArcs::mark_inside(Span<SeenBall> balls) const {
   for (uint32_t i = 0; i < scene_.balls.size(); ++i) {
     balls[i].inside = 0;
@@ -202,7 +201,7 @@ bool StickArcs::hide_by_stick(Parts &parts, uint32_t body, uint32_t except_stick
   return parts.add_stick(scene_.sticks[k], scene_.body_of(k, 0));
 }
 
-// Hides the parts of a body's curve that the bodies above cover; true if that is all.
+// Hides the parts of a body's curve that the bodies above it cover; true if that is the whole curve.
 template <class Parts>
 bool StickArcs::hide(Parts &parts, uint32_t body, uint32_t except_ball, uint32_t except_stick,
                      const ArcEnd &at_surface) {
@@ -229,9 +228,10 @@ void StickArcs::end_curve(const Parts &parts, bool hidden, double from, double t
   push_visible(hidden_.items(), from, to, natural, body, nearer, arcs_);
 }
 
-// A stick that comes towards the viewer out of a ball hides what is between its lines of the ball's silhouette. Where
-// it is nearly level the silhouette goes into its side all but where it goes behind its lines, which roots cannot tell
-// apart. False if it is no stick of the ball, or so steep that it ends before the silhouette.
+// A stick that comes out of a ball towards the viewer hides the part of the ball's silhouette between its two lines. If
+// the stick is nearly level, the silhouette goes into its side almost where it goes behind its lines: roots cannot tell
+// these points apart, so that no roots are used. False if the body is no stick of the ball, or if the stick is so steep
+// that it ends before the silhouette.
 bool StickArcs::hide_by_own_stick(uint32_t body, uint32_t ball) {
   const Stick &stick = scene_.stick_at(body);
   if (stick.ball[0] != ball || stick.parts == 0 || !(stick.first < stick.length * stick.seen)) return false;
@@ -244,7 +244,7 @@ bool StickArcs::hide_by_own_stick(uint32_t body, uint32_t ball) {
   return true;
 }
 
-// Sticks that go away from the viewer bite the ball.
+// Adds the arcs of a ball's silhouette. Sticks that go away from the viewer cut out their bites.
 void StickArcs::add_silhouette(uint32_t ball) {
   begin_curve();
   const RoundCurve curve = scene_.round_curve(ball, no_id);
@@ -285,7 +285,7 @@ void StickArcs::add_top_ring(const StickBite &bite) {
   end_curve(parts, hide(parts, ball, no_id, bite.stick, {}), -end, end, natural_end, body, ball);
 }
 
-// At the foot and in the middle. The ball at the top may hide them.
+// Adds the arcs of the half circles at the foot and in the middle. The ball at the top may hide them.
 void StickArcs::add_rings(uint32_t k) {
   const Stick &stick = scene_.sticks[k];
   const uint32_t low = scene_.body_of(k, 0);
@@ -300,7 +300,8 @@ void StickArcs::add_rings(uint32_t k) {
   }
 }
 
-// A line ends on the silhouette of the ball at the top, at the latest where it enters the ball.
+// Adds the arcs of a line of a contour. A line ends on the silhouette of the ball at the top, at the latest where it
+// enters the ball.
 void StickArcs::add_line(uint32_t body, bool left) {
   const Stick &stick = scene_.stick_at(body);
   const uint32_t part = scene_.part_of(body);

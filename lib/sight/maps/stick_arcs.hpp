@@ -1,4 +1,4 @@
-// The visible parts of all curves of balls and sticks, each curve on its own.
+// Finds the visible arcs of all curves of balls and sticks, each curve on its own.
 #pragma once
 
 #include "maps/hidden_intervals.hpp"
@@ -11,21 +11,20 @@ class StickArcs {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
-  // pairs: of all bodies that may cover each other, those of balls that meet both ways. Bites are those of the view.
-  // balls: those of the scene; finds which of them lie inside other ones.
-  // False if that is stopped.
+  // pairs: those of StickSweep::find(). Bites are those of the view. balls: those of the scene; `inside` of them is
+  // set. False if patience ends.
   bool find(const StickScene &scene, const StickView &view, Span<const StickPair> pairs, Span<SeenBall> balls,
             Patience &patience);
 
-  // Those of a body's contour follow each other, in ascending order of their parameters. They are named as
-  // stick_scene.hpp says. An end is a T on the contour of a body; or, as a tangency with no ball, a natural end of a
-  // half circle, a line or a crease, or with a ball or stick that goes into the ball of a silhouette there; or a triple
-  // point. A plain end is a mistake.
+  // The arcs, named as stick_scene.hpp says. Those of a body's contour follow each other, in ascending order of their
+  // parameters. The label of an end is a T on the contour of a body; a triple point; or a tangency. A tangency has no
+  // body at the natural end of a half circle, a line or a crease; on a silhouette it has the ball or stick that goes
+  // into the ball there. A plain end is a mistake.
   Span<const MapArc> arcs() const { return arcs_.items(); }
-  // False if roundings decided whether some whole curve is seen.
+  // False if rounding has decided whether some curve is seen.
   bool certain() const { return certain_; }
   bool overflowed() const { return arcs_.overflowed() || most_hidden_ > hidden_.capacity(); }
-  // No more edges are needed for these arcs and to find them.
+  // A limit of edges that suffices to find these arcs, and for their map.
   uint32_t needed_edges() const { return larger_count(most_edges_of(arcs_, not_found_), most_hidden_); }
 
  private:
@@ -56,8 +55,8 @@ class StickArcs {
   FixedVector<MapArc> arcs_;            // [edges]
   FixedVector<HiddenInterval> hidden_;  // [edges]
   BodiesAbove above_;
-  Span<uint32_t> asked_;    // [sticks] the last curve for which a stick was asked
-  uint64_t not_found_ = 0;  // arcs at most
+  Span<uint32_t> asked_;    // [sticks] the last curve for which the stick was looked at
+  uint64_t not_found_ = 0;  // so many arcs at most were not found, for lack of room
   uint32_t curve_ = 0;
   uint32_t most_hidden_ = 0;
   bool certain_ = true;

@@ -28,9 +28,9 @@ PaintedPaths paths_of(const StickView &view) {
   return {view.frame, view.paths.size(), &view, of_sticks};
 }
 
-// Under the other part: at most as long as that is. Under the ball: its front is over the stick wherever the axis is
-// beyond the junction circle, but for the caps in other sticks. Of such a cap everything is within `reach` of the
-// middle of its circle.
+// Under the other part the overlap is at most as long as that part. Under the ball the overlap is hidden: the ball's
+// front is over the stick wherever the axis is beyond the junction circle, except in the caps inside other sticks. All
+// points of such a cap are within `reach` of the middle of its circle.
 double overlap_of(const StickView &view, const Stick &stick, uint32_t part) {
   if (part + 1 < stick.parts) {
     const double half = 0.5 * (stick.last - stick.middle());

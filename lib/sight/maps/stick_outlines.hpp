@@ -7,11 +7,12 @@
 
 namespace hsp {
 
-// How much longer than it is a part is painted at its upper end, under what is painted later there: the other part, or
-// the ball, unless another stick's bite of the ball is so close that it might show there.
+// The length by which a part of a stick is painted beyond its upper end, under the other part or the ball, which are
+// painted later there. 0 if another stick's bite of the ball is so close that the overlap might show in it.
 double overlap_of(const StickView &view, const Stick &stick, uint32_t part);
 
-// A point of the circle of a stick at some place along it, by the cosine of its parameter: how far left it is.
+// A point of the circle across a stick at some position along it: the one whose parameter has the cosine `cosine`,
+// which is how far left it is, in radii.
 struct StrandEdge {
   double t;
   double at[2];
@@ -25,13 +26,14 @@ inline StrandEdge strand_edge(const ProjectedEllipse &circle, double cosine) {
   return edge;
 }
 
-// From edge to edge along a circle.
+// The arc along a circle from one point to another.
 inline ProjectedArc strand_end(const ProjectedEllipse &circle, const StrandEdge &from, const StrandEdge &to,
                                uint32_t ball) {
   return {circle, from.t, to.t, {from.at[0], from.at[1]}, {to.at[0], to.at[1]}, ball};
 }
 
-// The outline of a ball whose nearer sticks cut off parts of its disc, as far as their strands do.
+// The outline of a ball without the bites, the parts of its disc that sticks cut off. A stick of several strands cuts
+// off only what its strands do.
 template <class Visit>
 class BittenBall {
  public:
@@ -61,7 +63,7 @@ class BittenBall {
     return {{ball.centre.x, ball.centre.y}, {ball.r, 0.0}, {0.0, ball.r}};
   }
 
-  // Where a strand's edge comes out of the disc, or the junction circle of its stick does.
+  // A point at which the edge of a strand, or the junction circle of its stick, leaves the disc.
   struct Crossing {
     double angle;
     double at[2];
@@ -122,7 +124,7 @@ class BittenBall {
     return edge;
   }
 
-  // On to an angle, where the next strand begins.
+  // Goes on along the silhouette to an angle at which the next strand begins.
   void add_silhouette(double angle, const double at[2], bool last) {
     ProjectedArc arc{silhouette(), angle_, angle, {start_[0], start_[1]}, {at[0], at[1]}, no_id};
     if (arc.to < arc.from) arc.to = arc.from;
@@ -138,11 +140,12 @@ class BittenBall {
   Visit visit_;
   uint32_t junctions_ = 0;
   double first_angle_ = 0.0, first_start_[2] = {};
-  double angle_ = 0.0, start_[2] = {};  // where the silhouette goes on
+  double angle_ = 0.0, start_[2] = {};  // the point from which the silhouette goes on
 };
 
-// Calls visit(arc, first_of_loop, last_of_loop) for the loops of a path: one of a ball, one of each strand or dash. A
-// junction or the end of a part names the ball that the path belongs to as its other ball, a silhouette none.
+// Calls visit(arc, first_of_loop, last_of_loop) for the loops of a path: one loop for a ball, one for each strand or
+// dash. other_ball of an arc: of a junction or the end of a part the ball that the path belongs to, of a silhouette
+// none.
 template <class Visit>
 void visit_outline(const StickView &view, uint32_t path, Visit visit) {
   const StickPath &record = view.paths[path];
@@ -186,7 +189,7 @@ void visit_outline(const StickView &view, uint32_t path, Visit visit) {
   }
 }
 
-// For pictures. Halves of sticks have one colour. The view has to outlive them.
+// The paths of a view, for pictures. A half of a stick has one colour. The view has to outlive the paths.
 PaintedPaths paths_of(const StickView &view);
 
 }  // namespace hsp

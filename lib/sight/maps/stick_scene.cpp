@@ -22,7 +22,7 @@ bool StickScene::name(const MapArc &arc, uint32_t end, CornerName &name) const {
     name = {group_of(ring, stick_of(body)), no_id, no_id, point};
     return true;
   };
-  // From the left to the right.
+  // A half circle goes from the left of the stick to its right: `end` is the side.
   if (arc.nearer != no_id) return ends_at(ring_of(arc.body, arc.nearer), of_ball ? arc.nearer : arc.body, end);
   // Behind a stick's bite the silhouette begins at the right of the stick.
   if (of_ball) return ends_at(StickRing::top, other, 1 - end);
@@ -46,7 +46,7 @@ bool StickScene::may_be_seen(uint32_t body, const Vec3 &p, double margin) const 
          !(front.exists && (above < front.beside ? above : front.beside) > margin);
 }
 
-// Beside a stick that of its contour.
+// Beside a stick the height of its contour.
 double StickScene::front_at(uint32_t body, double x, double y) const {
   if (is_ball(body)) return BallScene::front_at(body, x, y);
   const Stick &stick = stick_at(body);

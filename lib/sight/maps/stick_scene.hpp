@@ -1,15 +1,15 @@
-// The curves that bound what is seen of balls and sticks, by names, as points in space.
+// The scene of balls and sticks: the names and points of the curves that bound what is seen of them.
 //
 // Bodies are numbered as in stick_sweep.hpp: balls by their ids, then part p of stick k as balls + 2 k + p. A curve is
 // named like an edge of a visibility map, by a body and a nearer one:
 //   ball, none    the silhouette, at the angle t
-//   part, none    the two lines of the contour: with s along the axis the right one at t = s / length and the left one
-//                 at t = -s / length. So the part is always on the left
+//   part, none    the two lines of the contour. At the position s along the axis the right line has t = s / length, the
+//                 left one t = -s / length. So the part is always on the left
 //   ball, ball    their crease, with the nearer one on the left
-//   ball, part    where a stick leaves the ball at its foot: a half circle with the stick on the left
-//   part, part    where the halves of a stick meet, with the nearer half on the left
-//   part, ball    where a stick enters the ball at its top, with the ball on the left: as much of the half circle as is
-//                 above the ball's centre
+//   ball, part    the half circle in which a stick leaves the ball at its foot, with the stick on the left
+//   part, part    the half circle between the halves of a stick, with the nearer half on the left
+//   part, ball    the half circle in which a stick enters the ball at its top, as far as it is above the ball's centre,
+//                 with the ball on the left
 // On half circles t = 0 is in the middle, and t increases from the left of the stick to its right.
 #pragma once
 
@@ -26,11 +26,11 @@ struct StraightCurve {
   Vec3 at(double t) const { return combine(1.0, start, t, step); }
 };
 
-// The front of a stick over a point of the view plane: its height, and the position along the axis.
+// The front of a stick over a point of the view plane.
 struct StickFront {
-  bool exists;  // only between the centres of its balls
-  double z, s;
-  double beside;  // how far inside the contour: the radius less the distance from the axis as it is seen
+  bool exists;    // false beside the stick, and beyond the centres of its balls
+  double z, s;    // its height, and the position along the axis
+  double beside;  // how far the point is inside the contour: the radius less the distance from the axis as it is seen
 };
 
 inline StickFront front_of(const Stick &stick, double x, double y) {
@@ -47,14 +47,14 @@ inline StickFront front_of(const Stick &stick, double x, double y) {
 
 enum class StickRing : uint32_t { foot = 0, middle = 1, top = 2 };
 
-// A scene of balls, in grid order, and more.
+// A scene of balls, in grid order, and of sticks.
 struct StickScene : BallScene {
   Span<const Stick> sticks;
-  Span<const uint32_t> order;  // of faces: bodies by their depths
+  Span<const uint32_t> order;  // the order of faces: bodies by their depths
 
   uint32_t bodies() const { return balls.size() + 2 * sticks.size(); }
   uint32_t slot_of(uint32_t body) const { return body; }
-  // The ball that a body is painted as.
+  // The ball in whose colour a body is painted: itself, or the owner of a part of a stick.
   uint32_t ball_of(uint32_t body) const { return is_ball(body) ? body : stick_at(body).owner[part_of(body)]; }
   uint32_t body_in_order(uint32_t k) const { return order[k]; }
   double largest() const {
@@ -75,7 +75,7 @@ struct StickScene : BallScene {
     return is_ball(body) ? StickRing::foot : is_ball(nearer) ? StickRing::top : StickRing::middle;
   }
 
-  // All but contours of sticks.
+  // The curve of this name, which is not the contour of a stick.
   RoundCurve round_curve(uint32_t body, uint32_t nearer) const {
     if (nearer == no_id || (is_ball(body) && is_ball(nearer))) return BallScene::round_curve(body, nearer);
     const Stick &stick = stick_at(is_ball(body) ? nearer : body);
@@ -108,20 +108,21 @@ struct StickScene : BallScene {
     return at(edge.body, edge.nearer, 0.5 * (edge.from + edge.to));
   }
 
-  // Of corners: triple points and tangencies by their first ball, and ends of half circles by their stick: those of all
-  // at the foot, then in the middle, then at the top.
+  // The number of groups of corners: triple points by their first ball, then tangencies by theirs, then the ends of
+  // half circles by their stick: first all at the foot, then all in the middle, then all at the top.
   uint32_t groups() const { return 2 * balls.size() + 3 * sticks.size(); }
   uint32_t group_of(StickRing ring, uint32_t stick) const {
     return 2 * balls.size() + static_cast<uint32_t>(ring) * sticks.size() + stick;
   }
-  // Of an end of an arc that is no T; false if it is none.
+  // Names the corner at an end of an arc that is no T; false if no corner is there.
   bool name(const MapArc &arc, uint32_t end, CornerName &name) const;
   MapVertexKind kind_of(const ArcEnd &end, const CornerName &name) const {
     const uint32_t first = group_of(StickRing::middle, 0);
     return name.group >= first && name.group - first < sticks.size() ? MapVertexKind::halves : end.kind;
   }
 
-  // The parameter of a point of the view plane on the contour of a body, and how long the contour is per unit.
+  // The parameter of a point of the view plane on the contour of a body; and the length of the contour per unit of the
+  // parameter.
   double landing(uint32_t body, double x, double y) const {
     if (is_ball(body)) return BallScene::landing(body, x, y);
     const Stick &stick = stick_at(body);
@@ -134,7 +135,8 @@ struct StickScene : BallScene {
     return is_ball(body) ? BallScene::contour_length(body) : stick_at(body).length;
   }
 
-  // Of a half of a stick the rectangle around the whole stick.
+  // A bound of the area of a body in the view plane, grown by a margin; of a half of a stick the rectangle around the
+  // whole stick.
   double silhouette_area(uint32_t body, double margin) const {
     if (is_ball(body)) return BallScene::silhouette_area(body, margin);
     const Stick &stick = stick_at(body);
@@ -143,12 +145,13 @@ struct StickScene : BallScene {
   }
   bool may_be_seen(uint32_t body, const Vec3 &p, double margin) const;
   double front_at(uint32_t body, double x, double y) const;
-  // No edge that names the body first is nearer to a point of the view plane.
+  // A lower bound of the distance from a point of the view plane to an edge that names the body first.
   double least_distance(uint32_t body, double x, double y) const {
     if (is_ball(body)) return BallScene::least_distance(body, x, y);
     return -front_of(stick_at(body), x, y).beside;
   }
-  // Calls visit(body, x, y) for a point of each that is seen if nothing else is before it there, until it is false.
+  // Calls visit(body, x, y) with a point of each body that is seen there unless another one is before it. Ends with
+  // false when visit returns false.
   template <class Visit>
   bool all_middles(Visit visit) const {
     if (!BallScene::all_middles(visit)) return false;
@@ -164,12 +167,12 @@ struct StickScene : BallScene {
   }
 };
 
-// Faces farthest body first, and each body at its own rank.
+// The map of balls and sticks. Its faces come farthest body first; the slot of a body is its number.
 struct StickMap : SceneMap<StickScene> {
   bool exist = false;
-  Span<uint32_t> first_loop;  // [owners] indices in the order of loops
+  Span<uint32_t> first_loop;  // [owners] rank in loop_order of the first loop of each body that is seen
 
-  // As a source of paths (map_paths.hpp): one for each body that is seen, of its loops in their order.
+  // What a source of paths has (map_paths.hpp): one path for each body that is seen, with its loops in their order.
   const StickMap &map() const { return *this; }
   uint32_t owner_of(uint32_t path) const { return loops[loop_order[first_loop[path]]].owner; }
   template <class Visit>
@@ -194,11 +197,11 @@ struct StickMap : SceneMap<StickScene> {
   }
 };
 
-// Each edge is drawn once: a contour by its body, a crease or half circle by the nearer body; and the lines between
-// strands (strand_lines.hpp). The map has to outlive them.
+// The paths of a map. Each edge is a line of one path: a contour of its body's, a crease or half circle of the nearer
+// body's. Lines between strands (strand_lines.hpp) are added. The map has to outlive the paths.
 PaintedPaths paths_of(const StickMap &map);
 
-// With the parameters of stick_scene.hpp; likewise.
+// The silhouettes of a map, with the parameters of this file. The map has to outlive them.
 SeenSilhouettes silhouettes_of(const StickMap &map);
 
 }  // namespace hsp

@@ -6,7 +6,8 @@
 namespace hsp {
 namespace {
 
-// Of a radius: what is closer to a contour, or two fronts that are closer to each other, roundings may decide.
+// A fraction of a radius. If a point is closer to a contour than that, or two fronts to each other, rounding may
+// decide.
 constexpr double doubtful = 0x1p-30;
 
 double squared_distance(const Vec3 &a, const Vec3 &b) {
@@ -29,7 +30,7 @@ void StickSweep::add(bool second_is_above, uint32_t a, uint32_t b) {
   pairs_->push(second_is_above ? StickPair{a, b} : StickPair{b, a});
 }
 
-// Of equal depths in any fixed order: disjoint balls then have no point of the view plane in common.
+// Balls of equal depths are paired in any fixed order: if they are disjoint, their discs are disjoint, too.
 void StickSweep::compare_balls(uint32_t a, uint32_t b) {
   const PlacedBall &one = view_->balls[a];
   const PlacedBall &two = view_->balls[b];
@@ -66,7 +67,7 @@ void StickSweep::compare_parts(uint32_t a, uint32_t b) {
   const Stick &one = stick_of(a);
   const Stick &two = stick_of(b);
   if (one.caller == two.caller) return;
-  // The ends that they share, and the axes from there.
+  // How many ends they share, and both axes from a shared end.
   int shared = 0;
   Vec3 u{}, v{};
   double r = 0.0;
@@ -259,8 +260,8 @@ uint32_t DrawingOrder::sort(Span<const StickPair> pairs, Span<const double> dept
   return placed;
 }
 
-// Every body without a rank lies over another one without a rank. A walk down that has as many steps as there
-// are bodies is in a cycle.
+// Every body without a rank lies over another one without a rank. A walk down of as many steps as there are bodies ends
+// in a cycle.
 DrawingOrder::Cycle DrawingOrder::find_cycle(Span<const StickPair> pairs, uint32_t bodies) {
   for (uint32_t k = 0; k < bodies; ++k) heap_[k] = no_id;
   uint32_t body = no_id;

@@ -1,16 +1,16 @@
-// All pairs of balls and parts of sticks of which one may cover the other: what has to be painted first, and whether
-// they meet, or do so where they must not. Bodies that meet in space overlap in the view plane, so that one sweep from
+// All pairs of balls and parts of sticks of which one may cover the other: which of them has to be painted first, and
+// whether they meet where they must not. Bodies that meet in space overlap in the view plane, so that one sweep from
 // left to right finds both.
 //
-// Which one is over the other: two disjoint convex bodies that appear over each other do so in one way, wherever they
-// overlap. A part of a stick is contained in the balls of the stick's radius around its axis, which are disjoint from
-// every other ball and from those of other sticks. So the heights at those points of the axes decide that appear
-// closest to each other: two disjoint balls of which one covers a part of the other have the order of their centres.
-// Only sticks that end in one ball, with axes u and v from there, may be closer to each other than that near the ball.
-// They lie on either side of the plane through its centre across u - v, provided that the ball is at least
+// Which body of a pair is over the other: if two disjoint convex bodies overlap in the view plane, the same one is over
+// the other wherever they overlap. If one of two disjoint balls covers a part of the other, its centre is nearer. A
+// part of a stick is contained in the balls of the stick's radius around points of its axis; these balls are disjoint
+// from every other ball and from those of other sticks. So the heights of the axes decide, at the points that appear
+// closest to each other. The exception are sticks that end in the same ball: near that ball they may be closer to each
+// other. Let u and v be their axes from its centre. They lie on different sides of the plane through the centre across
+// u - v, provided that the radius of the ball is at least
 //   radius / sin(angle / 2)
-// thick, with the radius of the thicker one; then the one whose axis rises more is over the other one, if either is.
-// Two balls that are disjoint have the order of their centres, too.
+// with the radius of the thicker stick. Then the stick whose axis rises more is over the other, if either is.
 #pragma once
 
 #include "core/patience.hpp"
@@ -20,12 +20,12 @@
 
 namespace hsp {
 
-// Paint `below` first. Balls by their ids; part p of stick k is balls + 2 k + p.
+// Body `below` has to be painted before `above`. A ball has its id as number, part p of stick k has balls + 2 k + p.
 struct StickPair {
   uint32_t below, above;
 };
 
-// The bodies above each of some, from pairs, those of later pairs first.
+// Of each body the bodies above it, sorted from pairs; those of later pairs come first.
 class BodiesAbove {
  public:
   void carve(Workspace &workspace, const StickLimits &limits) {
@@ -55,15 +55,15 @@ class StickSweep {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
-  // Finds the pairs of the balls and sticks of a view, some more than once. Those of a stick with its two balls and
-  // its parts with each other are among them, those of balls that meet both ways. caller: the caller's numbers of
-  // balls. The first conflict that is found ends the sweep; that balls meet is none.
+  // Finds the pairs of the balls and sticks of a view, some of them more than once. The pairs contain each stick with
+  // its two balls, and its parts with each other; balls that meet are in two pairs, one each way. caller: the caller's
+  // numbers of balls. The first conflict found ends the sweep; balls that meet are no conflict.
   StickViolation find(const StickView &view, Span<const uint32_t> caller, FixedVector<StickPair> &pairs,
                       Patience &patience);
 
-  // The first balls found that meet. They have no order, and sticks with them none that holds for pictures.
+  // The first two balls found that meet. They have no drawing order, so that there is none for the picture.
   const StickViolation &meeting() const { return meeting_; }
-  // Of all balls and parts, sorted by their left sides.
+  // The boxes of all balls and parts, sorted by their left sides.
   Span<const SweptBox> boxes() const { return items_.items(); }
 
  private:
@@ -87,14 +87,14 @@ class StickSweep {
   StickViolation meeting_;
 };
 
-// Which ball or stick is seen at a point of the view plane, from the boxes around them.
+// Finds the ball or stick that is seen at a point of the view plane, from the boxes around them.
 class BodySight {
  public:
   // items: sorted by their left sides. Balls inside others do not count.
   BodySight(const StickScene &scene, Span<const SweptBox> items);
 
-  // The body with the highest front besides `except` and, if that is a part of a stick, the other part; no_id if there
-  // is none. Certain unless the point is close to a contour, or two fronts are close to each other.
+  // The body with the highest front at a point; no_id if there is none. Left out are `except` and, if that is a part of
+  // a stick, the other part. Certain unless the point is close to a contour, or two fronts are close to each other.
   struct Highest {
     uint32_t body;
     bool certain;
@@ -102,7 +102,7 @@ class BodySight {
   Highest highest_at(double x, double y, uint32_t except) const;
 
  private:
-  // The height of a body's front, if it is there.
+  // The height of a body's front at a point, if it has one there.
   struct Front {
     bool exists, certain;
     double z;
@@ -115,18 +115,18 @@ class BodySight {
   double largest_ = 0.0;  // radius
 };
 
-// Bodies in an order in which each follows all those that it covers parts of. There may be none: sticks can lie one
-// over the other around a circle.
+// An order of bodies in which each follows all bodies that it covers parts of. There may be none: sticks can lie over
+// each other around a circle.
 class DrawingOrder {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
-  // Of the bodies that may come next always the one with the smallest depth; of equal ones the first. depth: by body.
-  // Writes as many bodies into `order` as have a rank, and returns their number; the others lie over each other in
-  // cycles, or over such. O((n + pairs) log n).
+  // Sorts bodies. Of those that may come next the one with the smallest depth does; of equal ones the first. depth: by
+  // body. Writes into `order` all bodies that have a rank, and returns their number. The others lie over each other in
+  // cycles, or over bodies of a cycle. O((n + pairs) log n).
   uint32_t sort(Span<const StickPair> pairs, Span<const double> depth, Span<uint32_t> order);
 
-  // A cycle, if the last order had no rank for some bodies: the last of its bodies, and how many it has.
+  // A cycle, found if sort() has left bodies without a rank: its body with the largest number, and how many it has.
   struct Cycle {
     uint32_t last, length;
   };

@@ -1,5 +1,5 @@
-// Balls and sticks as they are seen: what is painted of them and in which order, if they have one. Nothing of sticks
-// meets balls or sticks but inside the balls that they end in; stick_sweep.hpp checks that.
+// Balls and sticks in view coordinates: which parts of them are painted, and in which order, if they have one. A stick
+// meets other bodies only inside the balls in which it ends; stick_sweep.hpp checks that.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -12,18 +12,19 @@
 
 namespace hsp {
 
-// A stick: a solid cylinder around the line from the centre of one ball to that of another one, of the length of that
-// line. Seen of it is a part of its side between the two junction circles, where it leaves the balls.
+// A stick: a solid cylinder around the segment from the centre of one ball, the foot, to that of another one. At most
+// its side between the two junction circles is seen, the circles in which it leaves the balls.
 //
-// Coordinates of a point of the view plane beside a stick: a along the axis as it is seen and w across it, to the left.
-// With v = sqrt(radius^2 - w^2) the front of the stick is there at the height (a u_z + v) / h above the foot and
-// (a + u_z v) / h along the axis, where h is the length at which a unit of the axis u is seen.
+// A point of the view plane has these coordinates relative to a stick: a along the axis as it is seen, w across it, to
+// the left. Let u be the axis, of length 1, and h the length at which it is seen. With v = sqrt(radius^2 - w^2) the
+// front of the stick over the point is (a u_z + v) / h higher than the foot, and at the position (a + u_z v) / h along
+// the axis.
 //
 // The points of the front at one position s along the axis are the half circle t in [0, pi] of
 //   s u + radius (cos t across + sin t rise),   across = (-e_y, e_x, 0), rise = (-u_z e, h), e = (u_x, u_y)/h
 // The contour, t = 0 and t = pi, appears as two lines. As u_z is not negative, half circles bulge towards the foot.
 
-// The points from + t (to - from), t in [0, 1].
+// The segment of the points from + t (to - from), t in [0, 1].
 struct Segment {
   Vec3 from, to;
 
@@ -36,13 +37,13 @@ inline double clamped_to_one(double t) {
   return t > 0.0 ? (t < 1.0 ? t : 1.0) : 0.0;
 }
 
-// Parameters of closest points, and the square of their distance.
+// Parameters of the closest points of two segments, and the square of their distance.
 struct ClosestPoints {
   double first, second;
   double squared;
 };
 
-// Of a segment and a point: the same as of a segment with equal ends there.
+// The closest points of a segment and a point.
 inline ClosestPoints closest_points(const Segment &a, const Vec3 &point) {
   const Vec3 u = a.to - a.from;
   const double uu = dot(u, u);
@@ -50,7 +51,7 @@ inline ClosestPoints closest_points(const Segment &a, const Vec3 &point) {
   const Vec3 gap = point - a.at(s);
   return {s, 0.0, dot(gap, gap)};
 }
-// Of parallel segments one of the closest pairs.
+// The closest points of two segments; of parallel segments one of the closest pairs.
 inline ClosestPoints closest_points(const Segment &a, const Segment &b) {
   const Vec3 u = a.to - a.from;
   const Vec3 v = b.to - b.from;
@@ -60,8 +61,8 @@ inline ClosestPoints closest_points(const Segment &a, const Segment &b) {
   const double uv = dot(u, v);
   const double ur = dot(u, r);
   const double vr = dot(v, r);
-  // Closest on the lines: s uu - t uv = ur and s uv - t vv = vr. Then each is moved into its segment, the other one
-  // after it; a second time, as the first may have left its own.
+  // The closest points of the lines have s uu - t uv = ur and s uv - t vv = vr. Then s is moved into [0, 1], and t to
+  // the closest point of that; then s again, as t was moved into [0, 1], too.
   const double determinant = uu * vv - uv * uv;
   double s = determinant > 0.0 ? clamped_to_one((ur * vv - uv * vr) / determinant) : 0.0;
   const double t = vv > 0.0 ? clamped_to_one((s * uv - vr) / vv) : 0.0;
@@ -76,16 +77,17 @@ struct PlacedBall {
   double r;
 };
 
-// A stick is painted as strands, parts of its front side by side that run along it. One of several strands is thicker.
+// A stick is painted as strands, parts of its front that run along it side by side. A stick of several strands is
+// thicker.
 enum class StickStrands : uint32_t {
-  one = 0,    // all of it
+  one = 0,    // all of the front
   two = 1,    //
   three = 2,  //
-  dashed = 3  // two, of which the right one, from the ball that was named first to the other, is dashed
+  dashed = 3  // two, the right one dashed: right as seen from the ball that was named first
 };
-inline constexpr double radius_of_several = 1.5;  // of that of others
+inline constexpr double radius_of_several = 1.5;  // the radius of a stick of several strands, in that of the others
 
-// From side to side of a stick, in radii to its left, from the foot on.
+// A strand between its two sides; these are given in radii to the left of the axis, as seen from the foot.
 struct Strand {
   double left, right;
   bool dashed;
@@ -97,8 +99,8 @@ struct StrandList {
   Strand strand[3];
   uint32_t count;
 };
-// Dashes are as long as what is between them, and none is in both halves of a stick. The nearer ball's disc is over
-// them.
+// The number of dashes. They are as long as the gaps between them, and no dash is in both halves of a stick. The disc
+// of the nearer ball covers them.
 inline constexpr uint32_t dashes = 4;
 
 struct Stick {
@@ -108,19 +110,19 @@ struct Stick {
   double seen;         // h
   double radius;       // of the cylinder
   double length;       // between the centres
-  double first, last;  // the planes of the junction circles along the axis, from the foot
+  double first, last;  // positions of the junction circles along the axis, from the foot
   uint32_t ball[2];    // the farther and the nearer one
   uint32_t caller;     // the caller's number
   uint32_t parts;      // 2: each half belongs to its ball. 1: all of it belongs to the ball that was named first. 0:
                        // it is inside its balls, which meet
-  uint32_t owner[2];   // of the parts
+  uint32_t owner[2];   // the balls that the parts belong to
   uint32_t turned;     // 1 if the caller named the nearer ball first, else 0
   StickStrands strands;
-  bool inside;  // its balls, before they were moved
+  bool inside;  // whether it was inside its balls before they were moved
 
-  // Where the halves meet: in the middle of what is outside both balls.
+  // The position at which the halves meet: the middle between the junction circles.
   double middle() const { return 0.5 * (first + last); }
-  // The caller's number of a part: 0 or 1 as that of its ball, 0 of a whole stick.
+  // The caller's number of a part: 0 for the ball that was named first, 1 for the other; 0 for a whole stick.
   uint32_t half_of(uint32_t part) const { return parts == 2 ? part ^ turned : 0; }
   double begin_of(uint32_t part) const { return part == 0 ? first : middle(); }
   double end_of(uint32_t part) const { return part + 1 == parts ? last : middle(); }
@@ -137,7 +139,7 @@ struct Stick {
         return {{{1.0, -1.0, false}}, 1};
     }
   }
-  // The circle of a strand as a stick of its own, beside the axis in the view plane.
+  // The circle of a strand at position s, as of a thinner stick beside the axis in the view plane.
   ProjectedEllipse circle_of(const Strand &strand, double s) const {
     ProjectedEllipse circle = circle_at(s);
     for (int k = 0; k < 2; ++k) {
@@ -147,7 +149,7 @@ struct Stick {
     }
     return circle;
   }
-  // Where it leaves the ball at its foot, in the mean of its circle.
+  // The position at which a strand leaves the ball at its foot, in the mean over its circle.
   double begin_of(const Strand &strand, double foot_radius) const {
     const double squared = strand.middle() * strand.middle() + strand.half() * strand.half();
     return std::sqrt(foot_radius * foot_radius - squared * radius * radius);
@@ -156,7 +158,7 @@ struct Stick {
   Segment axis_between(double from, double to) const { return {on_axis(from), on_axis(to)}; }
   Segment axis_of(uint32_t part) const { return axis_between(begin_of(part), end_of(part)); }
 
-  // The circle at s along the axis in the view plane. The front half is t in [0, pi].
+  // The circle at position s as it appears in the view plane. Its front half is t in [0, pi].
   ProjectedEllipse circle_at(double s) const {
     const Vec3 centre = on_axis(s);
     const double rise = radius * axis.z;
@@ -164,8 +166,8 @@ struct Stick {
   }
 };
 
-// From the farther ball, `foot`, to the nearer one, `top`. The balls shall be thicker than the stick, and have
-// different centres. Where first >= last all of it is inside them.
+// The stick from the farther ball, `foot`, to the nearer one, `top`. The balls have to be thicker than the stick, and
+// their centres different. If first >= last in the result, the stick is inside the balls.
 inline Stick stick_between(const PlacedBall &foot, const PlacedBall &top, double radius) {
   Stick stick{};
   const Vec3 d = top.centre - foot.centre;
@@ -182,8 +184,8 @@ inline Stick stick_between(const PlacedBall &foot, const PlacedBall &top, double
   return stick;
 }
 
-// Whether the nearer ball hides all of a part: what is seen from farther away than the ball's edge is never within it.
-// The ball then has no bite either. Holds for sticks that point at the viewer, whose e means nothing.
+// Whether the nearer ball certainly hides all of a part of a stick: the part lies within the ball's disc. Then the ball
+// has no bite either. Also right for sticks that point at the viewer, whose e means nothing.
 inline bool hidden_by_top(const Stick &stick, uint32_t part, double top_radius) {
   return (stick.length - stick.begin_of(part)) * stick.seen + stick.radius <= top_radius;
 }
@@ -191,8 +193,8 @@ inline bool hidden_by_top(const Stick &stick, uint32_t part, double top_radius) 
 struct StickLimits {
   uint32_t balls = 0;  // of the model
   uint32_t sticks = 0;
-  uint32_t pairs = 0;  // of balls and parts of sticks that are seen one over the other; twice if balls meet
-  uint32_t edges = 0;  // around what is seen of them, where they have no drawing order
+  uint32_t pairs = 0;  // pairs of balls and parts of sticks that may cover each other; two for balls that meet
+  uint32_t edges = 0;  // edges of the map, if there is no drawing order or a map is wanted
 };
 
 // Limits that suffice for most molecules whose balls and sticks have a drawing order. Status::range if one would be
@@ -203,17 +205,17 @@ constexpr Status default_limits(uint32_t balls, StickLimits &limits) {
   return Status::ok;
 }
 
-// Bodies that cannot be drawn, or have no drawing order, with the numbers that the caller gave.
+// Why bodies cannot be drawn, or have no drawing order. Two numbers of the caller's come with it, as said here.
 enum class StickConflict : uint32_t {
   none = 0,
   balls_meet = 1,     // two balls: no order
   no_ball = 2,        // a stick, and a ball that does not exist
-  same_ends = 3,      // two sticks; or a stick twice, both ends of which are one ball
+  same_ends = 3,      // two sticks between the same balls; or one stick twice, whose ends are one ball
   thin_ball = 4,      // a stick, and a ball at its end that is not thicker
   sharp_angle = 5,    // two sticks that meet outside the ball where both end
   sticks_meet = 6,    // two sticks
   stick_in_ball = 7,  // a stick, and a ball that it runs into
-  cycle = 8,          // a stick over others that are over it, and how many balls and parts of sticks that are: no order
+  cycle = 8,          // a stick of a cycle, and how many balls and parts of sticks the cycle has: no order
 };
 
 struct StickViolation {
@@ -221,17 +223,17 @@ struct StickViolation {
   uint32_t first = no_id, second = no_id;
 };
 
-// The part that a stick from behind leaves of the disc of the ball at its nearer end: the silhouette between the angles
-// middle - half and middle + half is not seen, but the junction circle from t = from to pi - from.
+// The bite of a stick: the part that it cuts off from the disc of the ball at its nearer end. Instead of the silhouette
+// between the angles middle - half and middle + half the junction circle from t = from to pi - from bounds the disc.
 struct StickBite {
   double middle, half;
   double from;
   uint32_t stick;
 };
 
-// A ball, or a part of a stick.
+// A ball, or a part of a stick, as it is painted.
 struct StickPath {
-  uint32_t ball;   // of grid order: itself, or the one that a part belongs to
+  uint32_t ball;   // in grid order: the ball itself, or the one that the part belongs to
   uint32_t stick;  // no_id for a ball
   uint32_t part;
 };

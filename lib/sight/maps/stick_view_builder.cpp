@@ -8,9 +8,9 @@
 namespace hsp {
 namespace {
 
-// How a stick cuts the disc of the ball at its nearer end. At the angle t of the junction circle it is by
-// radius h sin t - u_z d higher than the centre, d the distance of the circle's plane from that. False if it is lower
-// everywhere.
+// Finds how a stick cuts the disc of the ball at its nearer end. At the angle t the junction circle is by
+// radius h sin t - u_z d higher than the ball's centre, d the distance of the circle's plane from that centre. False if
+// the circle is lower everywhere.
 bool find_bite(const Stick &stick, StickBite &bite) {
   const double d = stick.length - stick.last;
   const double sine = stick.axis.z * d;
@@ -82,7 +82,7 @@ Status StickViewBuilder::add_stick(const BallSet &balls, uint32_t k, const Stick
   return Status::ok;
 }
 
-// Between two balls of grid order, the first of which owns it if it is whole.
+// The stick between two balls, numbered in grid order. The first one owns it if it is whole.
 Stick StickViewBuilder::make_stick(uint32_t one, uint32_t other, double radius, uint32_t caller, bool whole) const {
   const double foot_z = view_.balls[one].centre.z;
   const double top_z = view_.balls[other].centre.z;
@@ -104,7 +104,7 @@ Stick StickViewBuilder::make_stick(uint32_t one, uint32_t other, double radius, 
   return stick;
 }
 
-// By balls, then by angles.
+// Finds the bites, sorted by balls, and those of a ball by angles.
 void StickViewBuilder::find_bites() {
   const Span<uint32_t> first = view_.first_bite;
   StickBite bite{};
@@ -172,7 +172,7 @@ Status StickViewBuilder::finish(const BallSet &balls, bool as_map, Patience &pat
   const uint32_t placed = sorter_.sort(pairs_.items(), depth_.part(0, bodies), order_.part(0, bodies));
   if (placed < bodies) {
     const DrawingOrder::Cycle cycle = sorter_.find_cycle(pairs_.items(), bodies);
-    // Balls alone have no cycles, and come first.
+    // A cycle contains a stick, as balls alone have none; the last body of a cycle is one, as balls have lower numbers.
     violation_ = {StickConflict::cycle, view_.sticks[path_of(cycle.last).stick].caller, cycle.length};
     return find_map(balls, patience);
   }
@@ -183,7 +183,8 @@ Status StickViewBuilder::finish(const BallSet &balls, bool as_map, Patience &pat
   return Status::ok;
 }
 
-// All that was inside its balls stays out: nothing has been asked of it.
+// Moves all balls, and makes the sticks again. A stick that was inside its balls stays out: the sweep knows nothing of
+// it.
 void StickViewBuilder::move(const BallSet &balls, const Perturbation &perturbation) {
   for (uint32_t i = 0; i < balls_; ++i) {
     view_.balls[i].centre = moved_centre(balls, i, view_.frame.centre_of(balls, i), perturbation);
@@ -199,8 +200,8 @@ void StickViewBuilder::move(const BallSet &balls, const Perturbation &perturbati
   }
 }
 
-// Where roundings decide differently about one and the same thing, or what is moved meets what it only touched, all
-// balls are moved a little more.
+// If rounding decides one and the same question in two ways, or if moved bodies meet that only touched, all balls are
+// moved a little more.
 Status StickViewBuilder::find_map(const BallSet &balls, Patience &patience) {
   const StickViolation reason = violation_;
   for (const Perturbation &perturbation : perturbations) {
@@ -220,7 +221,7 @@ Status StickViewBuilder::find_map(const BallSet &balls, Patience &patience) {
   return Status::degenerate;
 }
 
-// A stick that the ball at its top hides as a whole is left out: that ball hides all that it would hide.
+// A stick that the ball at its top hides as a whole is left out: that ball hides all that the stick would hide.
 Status StickViewBuilder::find_moved_map(const BallSet &balls, const Perturbation &perturbation, Patience &patience) {
   for (Stick &stick : view_.sticks.items()) {
     if (stick.parts > 0 && hidden_by_top(stick, 0, view_.balls[stick.ball[1]].r)) stick.parts = 0;

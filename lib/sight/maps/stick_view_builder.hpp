@@ -1,17 +1,17 @@
 // Hidden surface removal for balls and sticks by a drawing order that is known to be right: from the balls, the ends of
 // sticks and a direction to paths in the view plane.
 //
-// Painted are: of a ball its front hemisphere without the caps inside sticks that go away from the viewer; of a
-// part of a stick its front between the junction circles, a little longer where what covers it is painted later, so
-// that no background shows through the seams of anti-aliased pictures (stick_outlines.hpp). The order is one in which
-// whatever covers something comes later (stick_sweep.hpp). Then what is seen is what is painted last:
-//   a ball at the farther end comes before the stick. Where both are painted the stick is over it, because the stick's
-//     front beyond the junction circle is above the ball's centre and outside the ball.
-//   a ball at the nearer end comes after the stick. Where both are painted the ball is over it: where the stick is, the
-//     ball's front is inside it, in the cap that is left out.
-//   all others are disjoint, so that one of two is over the other wherever they overlap.
-// Where balls meet, or bodies cover each other around a circle, there is no such order. Then what is seen of each body
-// is found instead, from the same pairs (stick_map_builder.hpp); also where the caller wants that as a map.
+// Of a ball its front hemisphere is painted, without the caps inside sticks that go away from the viewer. Of a part of
+// a stick its front between the junction circles is painted, and a little more under bodies painted later, so that no
+// background shows through the seams of anti-aliased pictures (stick_outlines.hpp). In the drawing order a body that
+// covers another one comes later (stick_sweep.hpp). Then the body painted last at a point is the one seen there:
+//   the ball at the farther end comes before the stick. At points of both the stick is over the ball, because the
+//     stick's front beyond the junction circle is above the ball's centre and outside the ball.
+//   the ball at the nearer end comes after the stick. At points of both the ball is over the stick: the part of the
+//     ball's front that is inside the stick is the cap, which is not painted.
+//   any other two bodies are disjoint, so that the same one is over the other wherever they overlap.
+// If balls meet, or bodies cover each other around a circle, there is no such order. Then the visible part of each body
+// is found from the same pairs (stick_map_builder.hpp); also if the caller wants a map.
 #pragma once
 
 #include "maps/stick_map_builder.hpp"
@@ -21,7 +21,7 @@
 
 namespace hsp {
 
-// A stick between two balls, by the caller's numbers. Whole: not in two halves, but all of the first ball's.
+// A stick between two balls, by the caller's numbers. whole: the stick has no halves, and belongs to the first ball.
 struct StickEnds {
   uint32_t first, second;
   bool whole;
@@ -32,11 +32,11 @@ class StickViewBuilder : public Limited<StickLimits> {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
-  // radius: of all sticks of one strand, in lattice steps, positive. as_map: a map also where there is an order.
-  // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
-  // Status::conflict if it cannot be drawn; violation() tells why. It also tells why there is no drawing order where
-  // there is a result without. Status::degenerate if there is none because roundings cannot be overcome,
-  // Status::not_finite if a component of the direction is not, Status::stopped if more is not allowed.
+  // radius: that of all sticks of one strand, in lattice steps, positive. as_map: build a map also if there is a
+  // drawing order. Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not
+  // known yet. Status::conflict if the scene cannot be drawn; violation() tells why. After a success without a drawing
+  // order it tells why there is none. Status::degenerate if no move of the balls gives a map, Status::not_finite if a
+  // component of the direction is not finite, Status::stopped if patience has ended.
   template <class EndsOf>
   Status build(const BallSet &balls, const ViewDirection &direction, uint32_t count, double radius, bool as_map,
                EndsOf ends_of, Patience patience = Patience()) {
@@ -45,7 +45,7 @@ class StickViewBuilder : public Limited<StickLimits> {
     return status == Status::ok ? finish(balls, as_map, patience) : status;
   }
 
-  // Its sticks and centres are a little moved where the map is of moved balls.
+  // The view. Its sticks and centres are moved a little if the map is one of moved balls.
   const StickView &structure() const { return view_; }
   const StickMap &map() const { return map_.structure(); }
   PaintedPaths paths() const { return map().exist ? paths_of(map()) : paths_of(view_); }
