@@ -1,5 +1,5 @@
-// A buffer in front of the caller's sink. Bytes that do not fit go out in blocks of at most 1024 bytes. In between it
-// may be compressed.
+// A buffer in front of the caller's sink. When it is full its bytes go out, in blocks of at most 1024 bytes. A part of
+// the bytes may be compressed.
 #pragma once
 
 #include <cstddef>
@@ -30,13 +30,13 @@ class ByteSink {
   }
   void finish_compressed();
 
-  // Hands on what is in the buffer. After the function has refused, bytes are dropped.
+  // Hands the buffered bytes to the caller's function. After that has refused, bytes are dropped.
   void flush();
 
-  // Bytes that were put, compressed ones as they go out, whether or not they were refused. Not while they are
+  // How many bytes were put, refused or not; compressed ones count as they go out. Not valid while bytes are
   // compressed.
   uint64_t position() const { return position_ + filled_; }
-  // Bytes that the function has taken.
+  // How many bytes the function has taken.
   uint64_t taken() const { return taken_; }
   bool refused() const { return refused_; }
 
@@ -45,7 +45,7 @@ class ByteSink {
 
   SinkFunction function_;
   void *context_;
-  uint64_t position_ = 0;  // of the buffer's first byte
+  uint64_t position_ = 0;  // the position of the buffer's first byte
   uint64_t taken_ = 0;
   uint32_t filled_ = 0;
   bool refused_ = false;

@@ -1,11 +1,12 @@
-// Arcs of circles and ellipses as cubics whose ends and handles are integers: units of a file's last decimal.
+// Arcs of circles and ellipses as Bezier cubics. Ends and handles are integers in units of a file's last decimal.
 //
-// With handles of 4/3 tan(d / 4) a cubic leaves an arc of d by at most 2/27 sin^6(d / 4) / cos^2(d / 4) of the
-// semi-axis, which up to a quarter of a turn is below 2/27 (d / 4)^6 times 1.01. Parts are as long as this is one unit,
-// and no longer than a quarter of a turn.
+// With handles of 4/3 tan(d / 4) a cubic leaves an arc of the angle d by at most 2/27 sin^6(d / 4) / cos^2(d / 4) of
+// the semi-axis; up to a quarter of a turn that is below 2/27 (d / 4)^6 times 1.01. Arcs are cut into parts for which
+// this is at most one unit, and which are no longer than a quarter of a turn.
 //
-// Arcs of circles are cut where parts of the whole circle would meet, and what lies there is rounded from the centre:
-// all parts of circles of one size but the first and the last one are then the same, which compression finds again.
+// An arc of a circle is cut at the joints of the whole circle, and the points there are rounded relative to the centre.
+// So all parts of circles of one size are the same, but for the first and the last part of an arc: compression finds
+// them again.
 #pragma once
 
 #include "core/elementary.hpp"
@@ -21,7 +22,7 @@ inline UnitPoint in_units(const PagePoint &point, int decimals) {
   return {scaled(point.x, decimals), scaled(point.y, decimals)};
 }
 
-// The fewest parts of a whole turn, 4 at least, that cubics follow within a unit. semi_axis: in units.
+// The least number of parts of a whole turn, at least 4, that cubics follow within a unit. semi_axis: in units.
 inline uint32_t parts_of_turn(double semi_axis) {
   constexpr double quarter = pi / 8, sixth_power = quarter * quarter * quarter * quarter * quarter * quarter;
   constexpr double at_four = 1.01 * 2 / 27 * sixth_power * 4096;
@@ -38,7 +39,7 @@ class CubicArc {
   CubicArc(const PageArc &arc, int decimals)
       : arc_(arc), decimals_(decimals), step_(2 * pi / parts_of_turn(arc.semi_axis[0] * power_of_ten[decimals])) {}
 
-  // Calls visit(handle, handle, end).
+  // Calls visit(handle, handle, end) for each cubic.
   template <class Visit>
   void visit(Visit visit) const {
     Joint from{arc_.from, false};
@@ -64,7 +65,7 @@ class CubicArc {
  private:
   static constexpr double least_part = 1e-9;
 
-  // Where parts meet, or one of the ends.
+  // A parameter at which parts meet, or one of the ends.
   struct Joint {
     double at;
     bool inner;
@@ -79,7 +80,7 @@ class CubicArc {
     const double handle = 4.0 / 3.0 * quarter.sine / quarter.cosine;
     visit(point(from, arc_.start, handle), point(to, arc_.end, -handle), point(to, arc_.end, 0.0));
   }
-  // Moved along the tangent. end: where a joint is that is not an inner one.
+  // The point of a joint, moved along the tangent by a handle. end: the point of a joint that is not an inner one.
   UnitPoint point(const Joint &joint, const PagePoint &end, double handle) const {
     const SinCos d = sin_cos(joint.at);
     const double along[2] = {d.cosine - handle * d.sine, d.sine + handle * d.cosine};

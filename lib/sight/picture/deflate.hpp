@@ -15,7 +15,7 @@ class Deflater {
  public:
   void carve(Workspace &workspace);
 
-  // Takes bytes. emit(bytes, count) gets what has been compressed, 1024 bytes at most.
+  // Takes bytes. Calls emit(bytes, count) with compressed bytes, at most 1024 at a time.
   template <class Emit>
   void take(const char *bytes, size_t count, const Emit &emit) {
     while (count > 0) {
@@ -25,7 +25,7 @@ class Deflater {
       refer(most_repeated + good_length, emit);
     }
   }
-  // The end of the stream.
+  // Ends the stream.
   template <class Emit>
   void finish(const Emit &emit) {
     refer(0, emit);
@@ -44,12 +44,12 @@ class Deflater {
   static constexpr uint32_t hash_bits = 12;
   static constexpr uint32_t block = 4096;  // references and bytes in a block, at most
   static constexpr uint32_t least_repeated = 3, most_repeated = 258;
-  static constexpr uint32_t good_length = 64;  // of a repeat: no longer one is looked for a byte later
+  static constexpr uint32_t good_length = 64;  // behind a repeat so long no longer one is looked for a byte later
   static constexpr uint32_t out_bytes = 1024;
   static constexpr uint32_t literals = 286, distances = 30, end_of_block = 256;
   static constexpr uint32_t lengths = literals + distances;
 
-  // Bytes that stand `distance` before; none if the length is below least_repeated.
+  // A repeat of `length` bytes that stand `distance` bytes before; none if the length is below least_repeated.
   struct Repeat {
     uint32_t length, distance;
   };
@@ -60,7 +60,7 @@ class Deflater {
   // A byte, or a repeat: its length times 2^16 and its distance.
   using Item = uint32_t;
 
-  // References as long as more than `ahead` bytes are there that none has been made of.
+  // Makes references until at most `ahead` of the bytes received are left.
   template <class Emit>
   void refer(uint32_t ahead, const Emit &emit) {
     while (received_ - done_ > ahead) {
@@ -107,7 +107,7 @@ class Deflater {
     }
   }
 
-  // A number as a symbol, and what bits it leaves open.
+  // A number as a symbol and the bits that follow it.
   struct Placed {
     uint32_t symbol;
     Bits rest;
@@ -115,9 +115,9 @@ class Deflater {
   static Placed placed_length(uint32_t length);
   static Placed placed_distance(uint32_t distance);
 
-  // Room for bytes to come; those that were taken.
+  // Copies bytes into the ring as far as there is room; returns how many.
   size_t receive(const char *bytes, size_t count);
-  // One reference, and the bytes before it that are better off without one.
+  // Makes one reference, and before it items of single bytes for which a reference is not worth it.
   void advance();
   Repeat longest_repeat(uint32_t at) const;
   void remember(uint32_t at);
@@ -126,18 +126,18 @@ class Deflater {
   uint32_t hash(uint32_t at) const;
   uint32_t checksum() const { return high_sum_ << 16 | low_sum_; }
 
-  // The codes of the items, and the bits that tell them.
+  // Makes the codes of the block's items, and the header bits that describe these codes.
   void make_codes(bool last);
   void put_lengths(Span<const uint8_t> length_of);
   void put_header(Bits bits) { header_[header_size_++] = bits.value << 8 | bits.count; }
 
   Span<uint8_t> ring_;
-  Span<uint16_t> back_;    // [window] from a position to the last one before with the same hash; 0: none in reach
+  Span<uint16_t> back_;    // [window] distance to the last position before with the same hash; 0: none in reach
   Span<uint32_t> last_;    // [hashes] the last position with this hash
   Span<uint32_t> item_;    // [block]
   Span<char> out_;         // [out_bytes]
   Span<uint32_t> count_;   // [literals + distances]
-  Span<uint32_t> header_;  // [lengths + 32] bits times 2^8, and how many
+  Span<uint32_t> header_;  // [lengths + 32] some bits times 2^8, plus how many they are
   PrefixCode literal_code_, distance_code_;
   uint32_t header_size_ = 0;
   uint32_t received_ = 0, done_ = 0;  // bytes; modulo 2^32

@@ -7,25 +7,26 @@
 
 namespace hsp {
 
-// Mean radii. Before a gap of so many a contour has its full width.
+// A contour has its full width before a gap of so many mean radii.
 constexpr double full_gap = 3.0;
 
 // Fog covers at least so many mean radii of depth: planar molecules have next to none of it.
 constexpr double least_fog = 5.0;
 
-// The gap in mean radii, 0 or more: of the full width the power 5/8.
+// The width of a contour before a gap, which is in mean radii and not below 0: full_width times the power 5/8 of the
+// gap's share of full_gap.
 inline double width_before_gap(double full_width, double gap) {
   const double root = std::sqrt(smaller_of(gap / full_gap, 1.0));
   return full_width * root * std::sqrt(std::sqrt(root));
 }
 
-// The depth at which the fog is full, of balls from the nearest centre to the farthest one.
+// The depth at which the fog is full, for balls whose centres are between the depths `nearest` and `farthest`.
 inline double end_of_fog(double nearest, double farthest, double mean_radius) {
   const double least = nearest - least_fog * mean_radius;
   return farthest < least ? farthest : least;
 }
 
-// f^(5/4), f = 0 at the nearest centre and 1 at the end of the fog.
+// The share of fog at a depth: f^(5/4), where f is 0 at the nearest centre and 1 at the end of the fog.
 inline double share_of_fog(double nearest, double end, double depth) {
   if (!(nearest > end)) return 0.0;
   const double f = (nearest - depth) / (nearest - end);

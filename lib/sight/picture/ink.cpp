@@ -7,42 +7,43 @@
 namespace hsp {
 namespace {
 
-// Of a contour's width: what lies on either side of the silhouette.
+// The shares of a contour's width on the outer and the inner side of the silhouette.
 constexpr double outer_share = outer_share_of_ink;
 constexpr double shares_of_sides[] = {outer_share, outer_share - 1.0};
 
-// px, by which a contour of one level begins under the end of another one: else the background would shine through.
+// px: by so much a contour of one level begins under the end of another one; else the background would shine through.
 constexpr double overlap = 0.3;
 constexpr double most_overlap = 0.01;  // an angle
 
-// Corners of a contour that is cut at a flat angle lie no farther aside.
+// The largest skew (Knot) of a corner of a contour that is cut at a flat angle.
 constexpr double most_skew = 2.0;
 
-// Mean radii. Before another group a contour has its full width with a gap of so many.
+// Before another group a contour has its full width with a gap of so many mean radii.
 constexpr double full_group = 0.5;
 
-// Largest widths. Between two nearer bodies a ball's silhouette of which less is seen has thinner contours.
+// In largest widths: a visible part of a silhouette between two nearer bodies that is shorter has thinner contours.
 constexpr double short_length = 8.0;
 
-// Largest widths, along which a contour falls off that ends in a crease, and where another silhouette crosses it there.
+// In largest widths: the length along which a contour falls off that ends in a crease; and the same if another
+// silhouette crosses it there.
 constexpr double taper_length = 4.0;
 constexpr double crossed_taper_length = 2.0;
 
-// px. A line that is nowhere wider is left out.
+// px: a contour that is nowhere wider is left out.
 constexpr double thinnest_ink = 0.02;
 
-// How far a contour may be from what its width asks for: px, or parts of the largest width if that is more.
+// How far a contour may be from its exact border: px; or, if that is more, a fraction of the largest width.
 constexpr double most_off = 0.1;
 constexpr double most_off_of_width = 0.04;
 
-// px. A lune that is no longer need not follow its width.
+// px: a lune that is no longer than this need not follow the exact width.
 constexpr double shortest_lune = 2.0;
 
-// Points that lie closer to each other around a ball are one.
+// Points of a silhouette that are closer to each other than this angle count as one.
 constexpr double least_angle = 1e-12;
 
-// A lune is at most so long, an angle at the ball's centre. Where lunes meet they bend, by an angle that grows with the
-// cube of this one, here by a degree.
+// The largest angle at the ball's centre that one lune spans. At the joint of two lunes there is a corner, of an angle
+// that grows with the cube of this one; here it is a degree.
 constexpr double longest_lune = 0.7;
 
 PagePoint along(const PagePoint &from, const SinCos &direction, double length) {
@@ -53,18 +54,18 @@ double px_between(const PagePoint &a, const PagePoint &b) {
   return std::sqrt(x * x + y * y);
 }
 
-// The curve from one point to another one that is halfway at a third.
+// The curve from `start` to `end` that is at `middle` halfway.
 InkCurve curve_through(const PagePoint &start, const PagePoint &middle, const PagePoint &end) {
   return {start, {2 * middle.x - (start.x + end.x) / 2, 2 * middle.y - (start.y + end.y) / 2}, end, false};
 }
 
-// The width of a contour at an angle, and halfway to the next one.
+// The width of a contour at an angle, and `middle`, the width halfway to the next knot.
 struct Knot {
   double angle, width, middle;
   double skew;  // how far the inner corner lies aside, clockwise, for one px inwards
 };
 
-// The contours of one body that have one level: of a ball along its circle, of others along their straight sides.
+// The contours of one level of one body: along the circle of a ball, or along the straight sides of another body.
 class BodyInk {
  public:
   BodyInk(const PictureInput &input, const Page &page, double clear, uint32_t path, InkLevel level,
@@ -84,7 +85,7 @@ class BodyInk {
     if (!straight_) set_widths();
   }
 
-  // Before any arc is taken, of all arcs.
+  // Is called with all arcs, before any arc is taken.
   void measure(const SilhouetteArc &arc, bool first) {
     if (first) ++runs_;
     if (runs_ > most_runs) return;
@@ -113,7 +114,7 @@ class BodyInk {
     before_ += (arc.to - arc.from) * unit_;
   }
 
-  // Hands on what has been taken, as one loop: on the outer side there, on the inner side back.
+  // Hands on the contour of the arcs taken so far, as one loop: forth along the outer side, back along the inner side.
   void finish() {
     const uint32_t knots = knots_;
     knots_ = 0;
@@ -125,17 +126,17 @@ class BodyInk {
   }
 
  private:
-  // Arcs that go on from one to the next. Those beyond the first so many are taken to be long.
+  // Consecutive arcs, each of which goes on as the next. Runs beyond the first most_runs count as long.
   struct Run {
     double length;                          // px
-    double last_crossing, last_background;  // how far from the start another silhouette crosses, and a border ends
+    double last_crossing, last_background;  // px from the start to the last crossing silhouette, to the end of a border
     bool begins_under, ends_under, before_bodies;
     bool fades_from_start, fades_to_end, crossed_at_start;
   };
   static constexpr uint32_t most_runs = 16;
   static constexpr uint32_t most_lunes = 64, most_knots = most_lunes + 32;
 
-  // A line wider than its body is no contour of it.
+  // No contour is wider than its body.
   void set_widths() {
     for (int k = 0; k < 3; ++k) width_[k] = smaller_of(page_.ink[k] * clear_, radius_);
     largest_ = larger_of(larger_of(width_[0], width_[1]), width_[2]);
@@ -155,7 +156,7 @@ class BodyInk {
     return input_.group_of(other) == input_.group_of(ball_) ? InkLevel::depth : InkLevel::group;
   }
 
-  // From the silhouette at a parameter to the body behind it, lattice steps.
+  // The gap from the silhouette at a parameter to the body behind it, in lattice steps.
   double gap_before(uint32_t behind, double angle) const {
     const double r = input_.balls.r[ball_];
     const SinCos direction = straight_ ? SinCos{} : sin_cos(angle);
@@ -171,7 +172,7 @@ class BodyInk {
     return at.z - other.z - std::sqrt(larger_of(squared, 0.0));
   }
 
-  // In front of a body or the background.
+  // The width in front of a body, or of the background.
   double width_before(uint32_t behind, double angle) const {
     if (behind == no_id) return width_[0];
     const double gap = gap_before(behind, angle) / page_.mean_radius;
@@ -181,7 +182,7 @@ class BodyInk {
                                                : larger_of(depth, width_[1] * smaller_of(gap / full_group, 1.0));
   }
 
-  // Whether there is nothing at an end to go on with: it is a crease with a ball.
+  // Whether a contour falls off to an end of an arc, because the silhouette goes over into a crease with a ball there.
   bool fades(const SilhouetteArc &arc, const SilhouetteArc::End &end) const {
     return !straight_ && !end.goes_on && !end.goes_under && arc.behind != no_id &&
            SeenSilhouettes::is_ball(input_.balls, arc.behind);
@@ -206,7 +207,7 @@ class BodyInk {
   }
   double taper(bool crossed) const { return (crossed ? crossed_taper_length : taper_length) * largest_; }
 
-  // The share of the width at an angle.
+  // The factor of the width at an angle, by what makes it thinner.
   double share_at(const SilhouetteArc &arc, double angle) const {
     double share = share_, px = before_ + (angle - arc.from) * unit_;
     for (const double taper : taper_) {
@@ -219,7 +220,7 @@ class BodyInk {
     return share;
   }
 
-  // One arc: the widths by what lies behind, what is added at its ends, and the angles along which that falls off.
+  // One arc: its widths by the body behind, the widths added at its ends, and the angles along which these fall off.
   struct Stretch {
     const SilhouetteArc &arc;
     double added[2];
@@ -233,13 +234,13 @@ class BodyInk {
     double width = creases ? 0.0 : width_before(arc.behind, angle), away = angle - arc.from;
     for (const double added : stretch.added) {
       const double part = 1.0 - away / stretch.near;
-      // Level at both ends, so that a contour does not bend there.
+      // The slope is 0 at both ends, so that a contour does not bend there.
       if (part > 0.0) width += added * part * part * (3.0 - 2.0 * part);
       away = arc.to - angle;
     }
     return share_at(arc, angle) * width;
   }
-  // The width to be added at one end to meet that of the arc that goes on there.
+  // The width to be added at one end to reach the width of the arc that goes on there.
   double missing(const SilhouetteArc &arc, const SilhouetteArc::End &end, double angle) const {
     if (!end.goes_on) return 0.0;
     return larger_of(width_before(end.other, angle) - width_before(arc.behind, angle), 0.0);
@@ -251,13 +252,13 @@ class BodyInk {
     if (knots_ + most_lunes + 2 > most_knots) finish();
     const double near = smaller_of(2 * largest_ / unit_, span);
     const Stretch stretch{arc, {missing(arc, arc.start, arc.from), missing(arc, arc.end, arc.to)}, near};
-    // Where what is added begins or ends.
+    // The angles at which the added widths end.
     const double ends[2] = {stretch.added[0] > 0.0 ? arc.from + near : arc.from,
                             stretch.added[1] > 0.0 ? arc.to - near : arc.to};
     put_lunes(stretch, {smaller_of(ends[0], ends[1]), larger_of(ends[0], ends[1])});
   }
 
-  // A few lunes that follow the widths: each as long as it can be, or half of that and so on.
+  // Puts a few lunes that follow the widths. Each is as long as it can be: halved until it is close enough.
   void put_lunes(const Stretch &stretch, const double (&corner)[2]) {
     const double to = stretch.arc.to;
     double from = stretch.arc.from;
@@ -296,11 +297,11 @@ class BodyInk {
     return true;
   }
 
-  // How far the inner corner of a contour lies aside, clockwise, for one px inwards: where silhouettes cross, a contour
-  // is cut where the inner sides of both contours meet, or along the line through both crossings of the circles,
-  // whichever leaves less of it. That is in both balls, so under the nearer one; and as no contour passes that line,
-  // beyond which it might be hidden, the two look the same whichever ball is the nearer one. A straight side has no
-  // such line: there the inner sides decide.
+  // How far the inner corner of a contour lies aside, clockwise, for one px inwards. If two silhouettes cross, a
+  // contour is cut at the point at which the inner sides of both contours meet, or along the line through both
+  // crossings of the circles, whichever leaves less of it. The cut is in both balls, so under the nearer one. As no
+  // contour passes that line, beyond which it might be hidden, the picture is the same whichever ball is nearer. A
+  // straight side has no such line: there the inner sides decide.
   double skew(const SilhouetteArc::End &end, double angle) const {
     if (end.crossed == no_id) return 0.0;
     const SinCos normal = normal_at(angle);
@@ -323,7 +324,7 @@ class BodyInk {
     const double cut = aside(line, normal, 0.0);
     return meet > 0.0 ? smaller_of(meet, cut) : larger_of(meet, cut);
   }
-  // Tangential part of a direction for each part along the normal.
+  // The tangential part of a direction, for a part of 1 along the normal.
   static double aside(const PagePoint &direction, const SinCos &normal, double more) {
     const double tangential = direction.y * normal.cosine - direction.x * normal.sine;
     const double along_normal = more + direction.x * normal.cosine + direction.y * normal.sine;
@@ -333,7 +334,7 @@ class BodyInk {
     return most > 0.0 ? tangential / along_normal : 0.0;  // circles around one centre have no direction
   }
 
-  // A knot where the last one is takes its place.
+  // Puts a knot. If it is at the angle of the last one it takes its place.
   void put_knot(const Knot &knot) {
     if (knots_ > 0 && !(knot_[knots_ - 1].angle < knot.angle - least_angle)) --knots_;
     knot_[knots_++] = knot;
@@ -357,7 +358,7 @@ class BodyInk {
     const double beyond = share * knot.width;
     return place(beyond < 0.0 ? knot.angle + knot.skew * beyond / unit_ : knot.angle, beyond);
   }
-  // From a knot to the next one on the outer side, or back on the inner side.
+  // The curve from a knot to the next one on the outer side, or back on the inner side.
   InkCurve side(uint32_t knots, uint32_t k, bool outer) const {
     const Knot &a = knot_[k], &b = knot_[k + 1];
     const double share = outer ? outer_share : outer_share - 1.0;
@@ -375,14 +376,14 @@ class BodyInk {
   uint32_t body_, ball_;
   InkLevel level_;
   Vec3 at_;           // view coordinates
-  PagePoint centre_;  // of a straight side its start
+  PagePoint centre_;  // or the start of a straight side
   double radius_;     // px
   double unit_;       // px along the silhouette for a step of 1 of its parameter
   bool straight_;
   StraightSilhouette side_{};
   double width_[3] = {}, largest_ = 0.0;
-  // Of the run that is taken: px of it and before in it, the share of all its widths, and along which px these fall off
-  // to its ends, 0 for none.
+  // Of the run that is being taken: its length in px and the px before the arc, the factor of all its widths, and the
+  // px along which the widths fall off to its two ends, 0 if they do not.
   double length_ = 0.0, before_ = 0.0, share_ = 1.0, taper_[2] = {};
   Run run_[most_runs];
   uint32_t runs_ = 0, taken_ = 0;

@@ -1,25 +1,26 @@
-// Contours along silhouettes as areas whose width follows what lies behind: lunes, which a stroke could not be.
+// Contours along silhouettes, as areas whose width depends on the body behind: lunes, which strokes could not draw.
 //
-// A contour's width at a point of a silhouette depends on the gap g, in mean radii of the model's balls, between the
-// silhouette and what lies behind it there, the way one looks:
+// The width of a contour at a point of a silhouette depends on the gap g between the silhouette and the body behind it,
+// along the line of sight and in mean radii of the model's balls:
 //   border  before the background        b
 //   depth   before a ball               d (min(1, g / 3))^(5/8)
 //   group   before a ball of another group   max(s min(1, 2 g), as depth)
-// times 1 - f for fog f. So it is 0 where a silhouette goes over into a crease: there g is 0. Where along a silhouette
-// what lies behind changes, the gap jumps; there the thinner side is widened to the width of the thicker one, which
-// falls off along twice the largest width, or along the arc if that is shorter, slowly at first and at last. That makes
-// widths continuous, leaves 0 at tangencies, and an arc of next to no length, as planar molecules have them where
-// depths differ by noise, changes next to nothing.
+// times 1 - f for fog f; b, d and s are the largest widths (PictureOptions::ink_width). So the width is 0 at the point
+// at which a silhouette goes over into a crease: there g is 0. The gap jumps at a point of a silhouette at which
+// another body comes behind it. There the thinner side is widened to the width of the thicker one. The added width
+// falls off along twice the largest width, or along the arc if that is shorter, slowly at both ends. That makes widths
+// continuous and leaves them 0 at tangencies. An arc of almost no length, as planar molecules have if depths differ by
+// noise, changes almost nothing.
 //
-// Where no background is behind what is seen of a ball's silhouette between two nearer bodies, that is a gap in which
-// wide contours would clot: if its length is a share of eight times the largest width, all widths are the square of
-// that share.
+// A visible part of a ball's silhouette between two nearer bodies, with no background behind it, lies in a gap in which
+// wide contours would clot. If its length is the share q < 1 of eight times the largest width, all its widths are
+// multiplied by q^2.
 //
-// Where a silhouette goes over into a crease with a ball, what lies behind may rise steeply. There widths fall off like
-// a parabola, so that no contour ends bluntly: along four times the largest width, or twice that if another silhouette
-// crosses so near to the end, which goes on from there. Borders go on with their widths.
+// Near the point at which a silhouette goes over into a crease with a ball, the surface behind may rise steeply. There
+// widths fall off like a parabola, so that no contour ends bluntly: along four times the largest width, or twice it if
+// another silhouette crosses so near to the end and goes on from there. Borders go on with their widths.
 //
-// Contours are painted directly after their ball: whatever is nearer then covers their ends, which go on under it.
+// Contours are painted directly after their ball: nearer bodies cover their ends, which go on under these.
 #pragma once
 
 #include "picture/paint.hpp"
@@ -27,26 +28,26 @@
 namespace hsp {
 
 enum class InkLevel : uint32_t { border = 0, group = 1, depth = 2 };
-// In the order in which those of one ball are painted.
+// The levels in the order in which the contours of one ball are painted.
 constexpr InkLevel ink_levels[] = {InkLevel::depth, InkLevel::group, InkLevel::border};
 
-// The points (1 - t)^2 start + 2 t (1 - t) control + t^2 end.
+// A quadratic curve: the points (1 - t)^2 start + 2 t (1 - t) control + t^2 end.
 struct InkCurve {
   PagePoint start, control, end;
-  bool behind_line;  // a line leads to the start
+  bool behind_line;  // whether a line leads to the start
 
   PagePoint at(double t) const {
     const double a = (1.0 - t) * (1.0 - t), b = 2 * t * (1.0 - t), c = t * t;
     return {a * start.x + b * control.x + c * end.x, a * start.y + b * control.y + c * end.y};
   }
-  // The same curve as a cubic: the handle next to one of its ends.
+  // The handle of the same curve as a cubic, next to one of its ends.
   PagePoint handle(const PagePoint &at_end) const {
     return {(at_end.x + 2 * control.x) / 3, (at_end.y + 2 * control.y) / 3};
   }
 };
 
-// Takes the curves around a contour one after the other. `first` begins one; to where that starts a line leads from
-// the end of the one that `closes`.
+// Takes the curves around a contour one after the other. `first` begins a contour, `closes` ends it: a line leads from
+// the end of its last curve to the start of its first.
 struct InkVisitor {
   void *context;
   void (*take)(void *context, const InkCurve &curve, bool first, bool closes);
@@ -64,7 +65,7 @@ class Ink {
     return paint_.faded_line(options_.ink_colour[static_cast<uint32_t>(level)], fog_level);
   }
 
-  // Calls visit(curve, first, closes) around the contours of a path's body that have a level.
+  // Calls visit(curve, first, closes) around the contours of one level of a path's body.
   template <class Visit>
   void visit(uint32_t path, InkLevel level, Visit visit) const {
     const InkVisitor visitor{&visit, [](void *context, const InkCurve &curve, bool first, bool closes) {

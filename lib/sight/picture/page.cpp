@@ -10,7 +10,8 @@ namespace {
 constexpr double shortest_side = 0.01;
 constexpr double longest_side = 1e6;
 
-// px. To EPS and PDF a line of width 0, as which this would be written, is the thinnest that there is, not none.
+// px: thinner lines are left out. They would be written with the width 0, which in EPS and PDF is the thinnest line
+// that there is, not none.
 constexpr double thinnest_line = 5e-5;
 
 double clamped(double value, double low, double high) {
@@ -26,11 +27,11 @@ double given_side(double side) {
   return side == 0.0 ? 0.0 : clamped(side, shortest_side, longest_side);
 }
 
-// px from the middle. Coordinates with ten decimals are integers below 2^62.
+// px from the middle: coordinates so far away, with ten decimals, are integers below 2^62.
 constexpr double farthest_from_middle = 1e7;
 
-// px. Anything flatter is nothing but a line. Where lines are drawn along it, so is anything flatter than an eighth of
-// their width, up to a fifth of a px: that is not seen, and strokes along it break.
+// px, semi-axes: a flatter ellipse is drawn as a line. If lines are drawn along it, one flatter than an eighth of their
+// width is, too, up to a fifth of a px: that is not seen, and strokes along it break.
 constexpr double flattest_ellipse = 1e-4;
 constexpr double flattest_with_lines = 0.2;
 
@@ -40,8 +41,8 @@ double mean_radius(const BallSet &balls) {
   return balls.n > 0 ? sum / balls.n : 0.0;
 }
 
-// How wide lines are that suit the balls: 1 where their mean radius is 34 px. Those of a fixed frame must not depend on
-// what is seen, so that all balls count.
+// The width of lines that suits the balls: 1 for a mean radius of 34 px. In a fixed frame it must not depend on which
+// balls are seen, so that all balls count.
 double suitable_width(const PictureInput &input, bool fixed, double scale) {
   const uint32_t paths = input.paths.size();
   if (fixed ? input.balls.n == 0 : paths == 0) return 1.0;
@@ -51,13 +52,13 @@ double suitable_width(const PictureInput &input, bool fixed, double scale) {
   return clamped(std::sqrt(mean * scale / 34.0), 0.45, 1.9);
 }
 
-// px, of what is as wide as suits the balls. Beside contours lines are thin, and between many balls they are too many.
+// px, for a suitable width of 1. Beside contours lines are thin; between many balls there are too many of them.
 constexpr double chosen_line = 0.9;
 constexpr double chosen_line_beside_ink = 0.5;
 constexpr uint32_t most_balls_with_lines_and_ink = 1000;
 constexpr double chosen_ink[3] = {3.1, 2.2, 2.9};
 
-// Lines and contours for the page's scale.
+// Chooses the widths of lines and contours for the page's scale.
 void choose_widths(const PictureInput &input, const PictureOptions &options, Page &page) {
   const double suitable = suitable_width(input, options.scale > 0.0, page.scale);
   double chosen = chosen_line;
@@ -70,7 +71,7 @@ void choose_widths(const PictureInput &input, const PictureOptions &options, Pag
   }
 }
 
-// Two sides of which one may be 0, which then follows from the other one.
+// The two sides of a page. A side of 0 follows from the other one.
 struct Sides {
   double width, height;
 
@@ -135,8 +136,8 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
     if (!empty) page.scale = lesser(page.width / framed[0], page.height / framed[1]);
     choose_widths(input, options, page);
     if (!empty) {
-      // Lines along the outermost silhouettes have room for their outer half, and contours for what lies outside,
-      // however narrow the margin is.
+      // However narrow the margin is, there is room for the outer half of lines along the outermost silhouettes, and
+      // for the outer share of contours.
       const double half = page.line / 2, outside = outer_share_of_ink * page.ink[0];
       const double room = lesser(half > outside ? half : outside, lesser(page.width, page.height) / 4);
       if (margin * page.scale < room) {
@@ -151,7 +152,7 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
     const double below = (page.middle[k] - box.low[k]) * page.scale;
     const double above = (box.high[k] - page.middle[k]) * page.scale;
     const double edge = (k == 0 ? page.width : page.height) / 2;
-    // So that no number, where something overflows, is too far.
+    // Written so that also a NaN, from an overflow, counts as too far.
     if (!(std::fabs(below) <= farthest_from_middle && std::fabs(above) <= farthest_from_middle)) page.possible = false;
     if (below > edge || above > edge) page.cut = true;
   }

@@ -1,4 +1,4 @@
-// Where things lie on the page: px (1/96 inch) from its lower left corner, y up.
+// Places on the page, in px (1/96 inch) from its lower left corner, y up.
 #pragma once
 
 #include "picture/picture.hpp"
@@ -8,7 +8,7 @@ namespace hsp {
 constexpr double points_per_px = 0.75;
 constexpr double px_per_millimetre = 480.0 / 127.0;
 
-// Of a contour's width: what lies outside its ball.
+// The share of a contour's width outside its ball.
 constexpr double outer_share_of_ink = 0.62;
 
 struct PagePoint {
@@ -31,21 +31,21 @@ struct Page {
   double width, height;
   double unit;               // px per unit of the options
   double scale;              // px per lattice step
-  double middle[2];          // what lies in the middle of the page, in view coordinates
+  double middle[2];          // the point in the middle of the page, in view coordinates
   double line;               // width of the lines, px
-  double ink[3];             // width of contours where they are widest, px, by InkLevel
+  double ink[3];             // largest width of contours, px, by InkLevel
   double mean_radius;        // of all balls of the model, lattice steps
-  double narrowest_ellipse;  // least semi-axis of what is drawn as an ellipse, px
+  double narrowest_ellipse;  // least semi-axis of an arc that is drawn as an ellipse, px
   double farthest, nearest;  // depths between which fog grows, lattice steps; all centres are within
-  int decimals;              // that make steps of at most width / 10 000
-  bool possible;             // nothing lies farther from the middle than numbers in files can say
-  bool cut;                  // balls lie beyond the edges
+  int decimals;              // the decimals of numbers: steps are at most width / 10 000
+  bool possible;             // no point is so far from the middle that numbers in files cannot tell it
+  bool cut;                  // whether balls lie beyond the edges
 
   PagePoint to_page(const double point[2]) const {
     return {(point[0] - middle[0]) * scale + width / 2, (point[1] - middle[1]) * scale + height / 2};
   }
   PageArc to_page(const ProjectedArc &arc) const;
-  // Whether an arc is drawn as a line, see visit_line: many a renderer breaks the stroke of a flatter ellipse, or loses
+  // Whether an arc is drawn as a line, see visit_line: many renderers break the stroke of such a flat ellipse, or lose
   // half of its width.
   bool is_line(const PageArc &arc) const { return arc.semi_axis[1] < narrowest_ellipse; }
   PagePoint centre_of(const PictureInput &input, uint32_t path) const {
@@ -57,7 +57,7 @@ struct Page {
 
 Page lay_out(const PictureInput &input, const PictureOptions &options);
 
-// Pieces that leave no part of a span longer than `most`.
+// The number of equal parts of a span that are no longer than `most`.
 inline uint32_t parts_of(double span, double most) {
   uint32_t parts = 1;
   while (span > most * parts) ++parts;
@@ -70,8 +70,8 @@ inline int decimals_for(double step, int decimals, int most) {
   return decimals;
 }
 
-// Calls visit(point) for the corners of the line that a flat ellipse's arc is: the ends of the major axis that it
-// passes, so that it is seen in its full length, then its end.
+// Calls visit(point) for the corners of the line as which an arc of a flat ellipse is drawn: the ends of the major axis
+// that the arc passes, so that the line has its full length, then the end of the arc.
 template <class Visit>
 void visit_line(const PageArc &arc, Visit visit) {
   const bool forward = arc.to > arc.from;

@@ -1,5 +1,5 @@
-// The common part of all writers of formats: they walk over the page in the order in which it is painted, every path
-// with the contours along its silhouette, then the lines of all paths where these are drawn apart.
+// The common part of the writers of all formats: the walk over the page in painting order. Each path is followed by the
+// contours along its silhouette; after all paths come their lines, if these are drawn apart.
 #pragma once
 
 #include "picture/byte_sink.hpp"
@@ -9,12 +9,12 @@
 namespace hsp {
 
 // A writer has
-//   path_level(path)                      the level of fog of what is set before a path; no_level: nothing is set
-//   begin_level(level, before)            sets it where it changes
-//   put_path(path)                        fills a path; put_contours follows where there is ink
-//   put_lines(path, level)                draws the lines of one; level: that of the path before, to be kept up to date
+//   path_level(path)                      the fog level that has to be set before a path; no_level: none
+//   begin_level(level, before)            sets a level that differs from the one before
+//   put_path(path)                        fills a path; put_contours follows if there is ink
+//   put_lines(path, level)                draws the lines of a path; level: the one set, which it updates
 //   contour_pen()                         a pen for contours
-//   begin_contours(level, path), end_contours(level, path)  around those of one level, if there are any
+//   begin_contours(level, path), end_contours(level, path)  called around the contours of one ink level, if any
 // and a pen begin(point), line_to(point), follow(arc) or for contours follow(curve, closes), and close().
 template <class Writer>
 class PageWalker {
@@ -26,7 +26,7 @@ class PageWalker {
  protected:
   static constexpr uint32_t no_level = fog_levels + 1;
 
-  // Ends with the level in use.
+  // Returns the level that is set at the end.
   uint32_t walk_paths() {
     uint32_t level = no_level;
     for (uint32_t p = 0; p < input_.paths.size(); ++p) {
@@ -84,7 +84,7 @@ class PageWalker {
     }
   }
 
-  // Scales and radii of 0 would be errors.
+  // Not 0, as scales and radii of 0 would be errors.
   int64_t scaled_radius(uint32_t path, int decimals) const {
     const int64_t radius = scaled(input_.balls.r[input_.paths.ball_of(path)] * page_.scale, decimals);
     return radius > 0 ? radius : 1;

@@ -1,5 +1,5 @@
-// Painted paths, by whatever room they are found: a path of arcs in the view plane for each of some balls. A room that
-// knows what is seen hands out such paths; the room of pictures knows no more of it than this.
+// Painted paths: loops of arcs in the view plane, for each of some bodies. A room that finds which parts are seen hands
+// out such paths; the room of pictures knows nothing else of it.
 #pragma once
 
 #include "view/projected_arcs.hpp"
@@ -7,7 +7,7 @@
 namespace hsp {
 
 // Takes arcs one after the other. `first` begins a run of arcs, each of which starts where the one before it ends;
-// `closes` is true where such a run ends at its start.
+// `closes` is true for the last arc of a run that ends at its start.
 struct ArcVisitor {
   void *context;
   void (*take)(void *context, const ProjectedArc &arc, bool first, bool closes);
@@ -20,22 +20,23 @@ enum class PathPart : uint32_t { outline, lines };
 
 class PaintedPaths {
  public:
-  // How a room answers for its paths. `source` is what it has found, as it was given below; balls are in grid order.
-  // A path shows one body, a ball or what belongs to one and is painted as it is; bodies have numbers as in
-  // SeenSilhouettes, and balls are their own bodies.
+  // The functions of a room for its paths. source: the room's result, as given to the constructor. Balls are in grid
+  // order. A path shows one body: a ball, or a body that belongs to a ball and has its colour. Bodies are numbered as
+  // in SeenSilhouettes; a ball has the same number as body.
   struct Functions {
     uint32_t (*ball_of)(const void *source, uint32_t path);
-    // The loops around a path, all of them closed.
+    // Visits the loops around a path, all of them closed.
     void (*visit_outline)(const void *source, const BallSet &balls, uint32_t path, const ArcVisitor &visitor);
-    // Null where lines run along the outline of each path as it is painted.
+    // Visits the lines of a path. Null if lines run along the outline of each path as it is painted.
     void (*visit_lines)(const void *source, const BallSet &balls, uint32_t path, const ArcVisitor &visitor);
-    // Whether a path has one colour where balls are shaded. Null where all paths are of balls.
+    // Whether a path has one colour though balls are shaded. Null if all paths are of balls.
     bool (*is_plain)(const void *source, uint32_t path) = nullptr;
-    // Null likewise.
+    // The body of a path. Null if all paths are of balls.
     uint32_t (*body_of)(const void *source, const BallSet &balls, uint32_t path) = nullptr;
   };
 
-  // All but the count have to outlive this. The functions are a named constant, which linkers can leave out.
+  // frame, source and functions have to outlive this object. The functions are a named constant, which linkers can
+  // leave out.
   PaintedPaths(const ViewFrame &frame, uint32_t count, const void *source, const Functions &functions)
       : frame_(&frame), source_(source), functions_(&functions), count_(count) {}
   PaintedPaths(const ViewFrame &frame, uint32_t count, const void *source, const Functions &&functions) = delete;
@@ -68,14 +69,15 @@ class PaintedPaths {
 // The pieces of a view, painted one over the other.
 PaintedPaths paths_of(const View &view);
 
-// The silhouette of a body between two parameters, with the body on the left, in front of one body or of the
-// background. Of a ball they are angles around its centre. Bodies that are balls have their numbers in grid order,
-// no_id is the background.
+// A part of the silhouette of a body between two parameters, with the body on the left, in front of one body or of the
+// background. The parameters of a ball are angles around its centre. A body that is a ball has its number in grid
+// order; no_id is the background.
 struct SilhouetteArc {
-  // The side beyond one end of an arc.
+  // The way the silhouette goes on beyond one end of an arc. If neither is true, it goes over into a crease with
+  // `behind`.
   struct End {
-    bool goes_on;     // on the same silhouette, in front of the body `other`
-    bool goes_under;  // unseen, under the nearer body `other`; neither: into a crease, where it meets `behind`
+    bool goes_on;     // it is seen, in front of the body `other`
+    bool goes_under;  // it is hidden, under the nearer body `other`
     uint32_t other;
     uint32_t crossed;  // the body whose silhouette it crosses there; no_id if there is none
   };
@@ -85,8 +87,8 @@ struct SilhouetteArc {
   End start, end;
 };
 
-// Takes the arcs of a body one after the other; `first` begins a run of arcs, each of which goes on where the one
-// before it ends, with parameters that go on, too.
+// Takes the arcs of a body one after the other. `first` begins a run of arcs, each of which begins at the end of the
+// one before it, with the same parameter.
 struct SilhouetteVisitor {
   void *context;
   void (*take)(void *context, const SilhouetteArc &arc, bool first);
@@ -94,19 +96,19 @@ struct SilhouetteVisitor {
   void operator()(const SilhouetteArc &arc, bool first) const { take(context, arc, first); }
 };
 
-// One side of a body that is no ball: in view coordinates its silhouette is the points start + t step.
+// One side of a body that is no ball: the points start + t step of its silhouette, in view coordinates.
 struct StraightSilhouette {
   Vec3 start, step;
-  double outward[2];  // of length 1, across
+  double outward[2];  // the outward normal in the view plane, of length 1
   double radius;      // of the body; no contour is wider
 };
 
 class SeenSilhouettes {
  public:
-  // How a room answers for its bodies. Of a body that is no ball:
+  // The functions of a room for its bodies that are no balls.
   struct OtherBodies {
     uint32_t (*ball_of)(const void *source, uint32_t body);
-    // The side that has the point of the parameter t, or is nearer to a point of the view plane.
+    // The side with the point of the parameter t; the side that is nearer to a point of the view plane.
     StraightSilhouette (*side_with)(const void *source, uint32_t body, double t);
     StraightSilhouette (*side_near)(const void *source, uint32_t body, double x, double y);
     double (*front_at)(const void *source, uint32_t body, double x, double y);
@@ -114,13 +116,14 @@ class SeenSilhouettes {
 
   // No silhouettes.
   SeenSilhouettes() = default;
-  // source has to outlive this. hand_out(source, body, visitor) as below. others: null where all bodies are balls.
+  // source has to outlive this object. hand_out(source, body, visitor) does what visit() does. others: null if all
+  // bodies are balls.
   SeenSilhouettes(const void *source, void (*hand_out)(const void *, uint32_t, const SilhouetteVisitor &),
                   const OtherBodies *others = nullptr)
       : source_(source), visit_(hand_out), others_(others) {}
 
   bool exist() const { return visit_ != nullptr; }
-  // Calls visitor(arc, first) for what is seen of the silhouette of a body.
+  // Calls visitor(arc, first) for the visible parts of the silhouette of a body.
   void visit(uint32_t body, const SilhouetteVisitor &visitor) const { visit_(source_, body, visitor); }
 
   static bool is_ball(const BallSet &balls, uint32_t body) { return body < balls.n; }
@@ -139,8 +142,8 @@ class SeenSilhouettes {
   const OtherBodies *others_ = nullptr;
 };
 
-// The extent in the view plane of the silhouettes of the balls of all paths, and the depths of their centres; zeros
-// without paths.
+// The extent in the view plane of the silhouettes of the balls of all paths, and the range of the depths of their
+// centres; zeros without paths.
 struct ViewBox {
   double low[2];
   double high[2];

@@ -21,12 +21,12 @@ constexpr uint32_t elements = sizeof by_element / sizeof by_element[0];
 static_assert(elements == 110);
 
 // Lightness in OKLab (Ottosson 2020) of the first four: .77, .70, .90, .83, so that they differ in grey print.
-// As protanopes and deuteranopes see them (Machado, Oliveira and Fernandes 2009) these are at least .09 apart, any two
-// of all twelve .045; to others .12 and .075.
+// As protanopes and deuteranopes see them (Machado, Oliveira and Fernandes 2009) any two of these four are at least .09
+// apart, any two of all twelve .045; for others .12 and .075.
 constexpr uint32_t tints[12] = {0xE8A074, 0x6BA0E1, 0xFDDC88, 0xB0D3BB, 0xC4ADCE, 0x6F9F97,
                                 0xCE785D, 0xC1F3BD, 0xEAD3F3, 0x67BFA8, 0xD9C280, 0xA099C2};
 
-// Elements but carbon are darker, and keep their hue.
+// All elements but carbon are made darker by that, and keep their hue.
 constexpr double darker = 0.12;
 
 constexpr uint32_t carbon = 6;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t catalog = 1, page_tree = 2, only_page = 3, resources = 4, contents = 5, length_of_contents = 6,
                    about = 7;
-// Of a compressed file: a stream that holds the resources, its length, and the table of objects.
+// More objects of a compressed file: a stream that holds the resources, its length, and the table of objects.
 constexpr uint32_t packed = 8, length_of_packed = 9, table = 10;
 constexpr uint32_t objects = 10;
 
@@ -19,8 +19,8 @@ class PdfWriter : private PageWalker<PdfWriter> {
  public:
   using PageWalker::PageWalker;
 
-  // The resources hold a dictionary for each shade, most of the file if they are many. In a stream, which can be
-  // compressed, they may stand since PDF 1.5.
+  // The resources hold a dictionary for each shade; many shades are most of the file. Since PDF 1.5 they may stand in a
+  // stream, which can be compressed.
   void write() {
     sink_.put(compressed() ? "%PDF-1.5\n" : "%PDF-1.4\n");
     put_structure();
@@ -160,8 +160,8 @@ class PdfWriter : private PageWalker<PdfWriter> {
     sink_.put("]>>>>\n");
   }
 
-  // The unit of all that follows is that of the last decimal, so that numbers are integers: short, and no reader has
-  // to be exact. All of a ball is written from its centre on, since equal shapes are then written alike.
+  // The unit of all numbers that follow is that of the last decimal. So they are integers: short, and the same for
+  // every reader. The coordinates of a ball count from its centre, so that equal shapes are written alike.
   void put_contents() {
     const int fine = decimals_ + 4;
     sink_.put("q\n");
@@ -218,7 +218,7 @@ class PdfWriter : private PageWalker<PdfWriter> {
 
   void put_whole(int64_t n) {
     put_scaled(sink_, n, 0);
-    // No reader has to know larger integers.
+    // Readers need not know larger integers.
     constexpr int64_t largest = 0x7FFFFFFF;
     sink_.put(n > largest || n < -largest ? ". " : " ");
   }
@@ -228,7 +228,7 @@ class PdfWriter : private PageWalker<PdfWriter> {
   }
   void put_point(const PagePoint &point) { put_point(in_units(point, decimals_)); }
 
-  // Coordinates from its centre on, until Q.
+  // From here to Q coordinates count from the ball's centre.
   void begin_ball(uint32_t path) {
     origin_ = {0, 0};
     sink_.put("q 1 0 0 1 ");
@@ -238,7 +238,7 @@ class PdfWriter : private PageWalker<PdfWriter> {
     origin_ = centre;
   }
 
-  // The path twice: painting ends it, and a line along it must not be clipped by it.
+  // The path is written twice: painting ends it, and a line along it must not be clipped by it.
   void put_shaded(uint32_t path) {
     sink_.put("q\n");
     put_arcs(path, PathPart::outline, Pen{*this});
@@ -279,7 +279,7 @@ class PdfWriter : private PageWalker<PdfWriter> {
     put_integer(sink_, start);
   }
 
-  // Of each object: 0 if it is free, 1 with its offset, 2 with the stream that it stands in; and two more numbers.
+  // For each object: 0 if it is free, 1 and its offset, or 2 and the stream that it stands in; and one more number.
   void put_table_stream() {
     begin(table);
     sink_.put("<</Type/XRef/Size 11/W[1 8 2]/Root 1 0 R/Info 7 0 R/Length 121>>\nstream\n");

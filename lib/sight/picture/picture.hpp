@@ -23,8 +23,8 @@ struct PictureOptions {
   bool ids = true;
   bool backdrop = true;  // paint the background
   double scale = 0.0;    // of a fixed frame, px or mm per unit of length; 0: all that is seen is fitted into the page
-  double centre[3] = {0.0, 0.0, 0.0};  // what a fixed frame has in the middle
-  void *memory = nullptr;              // what a Deflater needs, for PDF; null: it is not compressed
+  double centre[3] = {0.0, 0.0, 0.0};  // the point in the middle of a fixed frame
+  void *memory = nullptr;              // memory for a Deflater, for PDF; null: PDF is not compressed
   size_t memory_bytes = 0;
   double ink_width[3] = {-1.0, -1.0, -1.0};  // by InkLevel; < 0: select
   uint32_t ink_colour[3] = {0x23202B, 0x23202B, 0x23202B};
@@ -54,7 +54,7 @@ struct PictureInput {
 };
 
 // scratch: as many entries as there are paths. Status::range if the balls are too large for a fixed frame;
-// Status::sink if the sink refused. bytes: those that it has taken.
+// Status::sink if the sink refused. bytes: how many bytes the sink has taken.
 Status write_picture(const PictureInput &input, const PictureOptions &options, Span<uint32_t> scratch,
                      SinkFunction function, void *context, uint64_t &bytes);
 

@@ -6,7 +6,7 @@ namespace hsp {
 namespace {
 
 // Huffman's tree over counts in ascending order, by two queues: leaves, and pairs in the order in which they are made.
-// words[l] becomes the number of leaves of depth l; what is deeper than `longest` counts there.
+// words[l] becomes the number of leaves of depth l; leaves deeper than `longest` count as of that depth.
 void count_depths(Span<const uint32_t> counts, Span<const uint16_t> leaves, uint32_t longest, uint32_t *words) {
   uint32_t weight[PrefixCode::most_symbols];      // of a pair; then its depth
   uint16_t parent[2 * PrefixCode::most_symbols];  // of leaves, then of pairs
@@ -29,8 +29,8 @@ void count_depths(Span<const uint32_t> counts, Span<const uint16_t> leaves, uint
   }
 }
 
-// Until words of these lengths are a prefix code: one of the longest words takes the place beside a shorter one, which
-// both get a bit longer.
+// Lengthens words until their lengths are those of a prefix code. Each time one of the longest words goes beside a
+// shorter one, and both get the length of that one plus 1.
 void make_room(uint32_t longest, uint32_t *words) {
   uint32_t used = 0;  // of 2^longest
   for (uint32_t l = 1; l <= longest; ++l) used += words[l] << (longest - l);
@@ -77,8 +77,9 @@ void PrefixCode::make(Span<const uint32_t> counts, uint32_t longest) {
   number_words(words);
 }
 
-// For Arm's 64-bit processors g++ 12 leaves out calls of functions that write to nothing but an object of the caller,
-// if its optimization of induction variables has made a difference of the object's address. Of these there is this one.
+// A fault of g++ 12 for Arm's 64-bit processors: it leaves out calls of functions that write to nothing but an object
+// of the caller, if its optimization of induction variables has made a difference of the object's address. This is the
+// one such function.
 #if defined(__aarch64__) && !defined(__clang__)
 [[gnu::optimize("no-ivopts")]]
 #endif

@@ -12,14 +12,15 @@ class PrefixCode {
   static constexpr uint32_t most_symbols = 286;
   static constexpr uint32_t longest_word = 15;
 
-  // For symbols that come so often; one that does not come has no word. No word has more than `longest` bits, of which
-  // there have to be enough for all symbols: as few bits in all as Huffman's code takes, unless that is cut.
+  // Makes the code for symbols that occur `counts` times; a symbol that does not occur has no word. No word is longer
+  // than `longest` bits, which have to suffice for all symbols. The code is Huffman's, unless some of its words are too
+  // long.
   void make(Span<const uint32_t> counts, uint32_t longest);
 
   uint32_t symbols() const { return symbols_; }
-  // 0: no word.
+  // The bits of a symbol's word; 0: it has none.
   uint32_t length(uint32_t symbol) const { return length_[symbol]; }
-  // Its first bit lowest, as Deflate writes words.
+  // The word, with its first bit lowest, as Deflate writes words.
   uint32_t word(uint32_t symbol) const { return word_[symbol]; }
 
  private:

@@ -55,9 +55,9 @@ class Shading {
     const double light = headlight_ambient + headlight_diffuse * std::sqrt(1.0 - rho * rho);
     return {{colour.channel[0] * light, colour.channel[1] * light, colour.channel[2] * light}};
   }
-  // The light of a stop as a colour to be laid over whatever colour is there: with the opacity a = 1 - m, m the mean
-  // factor, a colour c becomes c m + a K. K holds the white and, for a c of .72 in each channel, what factors of
-  // channels differ by: so it is exact for the headlight.
+  // The light of a stop as a colour K that is laid over any colour c with the opacity a = 1 - m, m the mean factor: c
+  // becomes c m + a K. K holds the white and, for a c of .72 in each channel, the differences of the channels' factors.
+  // So it is exact for the headlight.
   struct Glaze {
     Rgb colour;
     double opacity;
@@ -75,7 +75,7 @@ class Shading {
     }
     return glaze;
   }
-  // Where the gradient's circles shrink to, y up.
+  // The point to which the gradient's circles shrink, y up.
   double focus_x() const { return soft_ ? soft_focus[0] : 0.0; }
   double focus_y() const { return soft_ ? soft_focus[1] : 0.0; }
 

@@ -5,12 +5,12 @@
 namespace hsp {
 namespace {
 
-// A renderer finds an arc's centre from its ends, which is badly conditioned where these are nearly opposite and where
-// they nearly are the same.
+// A renderer finds an arc's centre from its ends. That is badly conditioned if the ends are nearly opposite, and if
+// they are nearly the same.
 constexpr double nearly_half_a_turn = 0.9 * pi;
 constexpr double longest_span = 1.75 * pi;
 
-// Where an arc is cut so that none of its parts is such a one: a share of it, or 1.
+// The fraction of its span at which an arc is cut so that no part is badly conditioned; 1 if it need not be cut.
 double cut_of(double span) {
   if (span <= nearly_half_a_turn) return 1.0;
   if (span < 2 * pi - nearly_half_a_turn) return 0.5;
@@ -42,7 +42,7 @@ void SvgPath::follow(const PageArc &arc, int circle_decimals) {
     rotation += rotation > 90.0 ? -180.0 : rotation <= -90.0 ? 180.0 : 0.0;
   }
   const int axis_decimals = arc.circle ? circle_decimals : decimals_;
-  // The ends of the major axis shall move as little as by the rounding of the points.
+  // The rounded rotation shall move the ends of the major axis by no more than the rounding of points.
   const double step = 60.0 * frame_.unit / (arc.semi_axis[0] * power_of_ten[decimals_]);
   const int rotation_decimals = decimals_for(step, 0, finest_svg_decimals);
   const double cut = cut_of(arc.span());

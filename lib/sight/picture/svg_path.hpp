@@ -1,8 +1,8 @@
-// Path data of SVG, as short as they can be: steps from point to point, a command's letter once for several in a row,
-// and nothing between numbers that a sign or a second decimal point tells apart.
+// Path data of SVG, as short as possible: steps from point to point, the letter of a command once for several in a row,
+// and nothing between numbers that a sign or a second decimal point separates.
 //
-// Points are rounded before steps are taken. However long a path is, no point of it is farther from where it belongs
-// than by its own rounding, and loops end where they begin.
+// Points are rounded before steps are taken. However long a path is, each point is off by its own rounding alone, and
+// loops end where they begin.
 #pragma once
 
 #include "picture/ink.hpp"
@@ -10,10 +10,10 @@
 
 namespace hsp {
 
-// Numbers in a file never have more.
+// Numbers in a file never have more decimals.
 constexpr int finest_svg_decimals = 10;
 
-// Coordinates of a path, y down: `unit` px of the page are 1.
+// The coordinates of a path, y down: their unit is `unit` px of the page.
 struct SvgFrame {
   PagePoint origin;
   double unit;
@@ -25,10 +25,10 @@ class SvgPath {
 
   void begin(const PagePoint &point);
   void line_to(const PagePoint &point);
-  // From where the pen is, the arc's start. A circle's radius has `circle_decimals`, axes of ellipses have those of the
-  // points.
+  // Draws an arc from its start, where the pen is. A circle's radius has `circle_decimals`, the axes of ellipses have
+  // the decimals of points.
   void follow(const PageArc &arc, int circle_decimals);
-  // The same, for a curve: as a line where that is the same, if it is as long as a step.
+  // Draws a curve; as a line if that is the same; nothing if it is shorter than a step.
   void follow(const InkCurve &curve);
   void close();
 

@@ -77,8 +77,8 @@ class SvgWriter : private PageWalker<SvgWriter> {
     sink_.put("/>\n");
   }
 
-  // All that names in the file depend on, as it is rounded there. Pictures beside each other in one page share
-  // names only if they share what is named: light, paths and balls.
+  // A hash of all data that named things depend on, as they are rounded in the file. So pictures on one page share
+  // names only if they share the things named: light, paths and balls.
   uint32_t key_of_names() const {
     constexpr uint64_t offset_basis = 0xCBF29CE484222325u;  // Fowler, Noll and Vo: FNV-1a
     constexpr uint64_t prime = 0x100000001B3u;
@@ -113,7 +113,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     }
     return static_cast<uint32_t>((key >> 32) % different_names);
   }
-  // Short, as each ball has up to four of them.
+  // Names are short, as each ball has up to four of them.
   void put_name(char kind, uint32_t number) {
     sink_.put(kind);
     for (uint32_t weight = different_names / name_digits; weight > 0; weight /= name_digits) {
@@ -136,12 +136,13 @@ class SvgWriter : private PageWalker<SvgWriter> {
     return {page_.centre_of(input_, path), radius > least ? radius : least};
   }
   SvgFrame frame_of_page() const { return {{0.0, page_.height}, 1.0}; }
-  // Decimals of numbers in a frame that come to those of the page.
+  // The decimals of numbers in a frame that make steps like those of the page.
   int decimals_in(const SvgFrame &frame) const {
     return decimals_for(1.0 / (frame.unit * power_of_ten[page_.decimals]), 0, finest_svg_decimals);
   }
 
-  // The light of each level of fog on a ball of radius 1, whole: not every renderer lets gradients share anything.
+  // The light of each fog level on a ball of radius 1. Each gradient is written in full: not every renderer lets
+  // gradients share stops.
   void put_gradients() {
     const Shading &shading = paint_.shading();
     uint32_t seen = 0;
@@ -184,8 +185,8 @@ class SvgWriter : private PageWalker<SvgWriter> {
     if (open != no_level) sink_.put("</g>\n");
   }
 
-  // A ball with classes has its number in an id, by which links, too, find it. The halves of sticks, of which there may
-  // be several, have none.
+  // A ball with classes has its number in an id, so that links find it, too. The halves of sticks have none, as a ball
+  // may have several.
   void put_ball(uint32_t path) {
     const uint32_t ball = input_.paths.ball_of(path);
     const bool has_class = !is_blank(input_.class_of(ball));
@@ -211,7 +212,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     put_xml_text(sink_, title);
     sink_.put("</title>");
   }
-  // Where groups do not say it.
+  // Puts the stroke of a path, unless a group has set it.
   void put_own_stroke(uint32_t level) {
     const bool groups_say_it = paint_.flat() && !ink_.is_drawn();
     if (paint_.lines_along() && !groups_say_it) put_paint(" stroke", paint_.line_colour(level));
@@ -233,8 +234,9 @@ class SvgWriter : private PageWalker<SvgWriter> {
     sink_.put(shape.disc ? "</circle>\n" : "</path>\n");
   }
 
-  // The ball's colour on a group around its outline, and the same outline with light over it: another colour
-  // for the group keeps the light. Lines belong to the latter. The ball's disc is the unit circle around the origin.
+  // A group has the ball's colour; in it is the ball's outline, and the same outline with light over it. So another
+  // colour of the group keeps the light. Lines belong to the outline with light. The ball's disc is the unit circle
+  // around the origin.
   void put_lit(uint32_t path, uint32_t level) {
     const Disc disc = disc_of(path);
     sink_.put("<g");
@@ -267,11 +269,11 @@ class SvgWriter : private PageWalker<SvgWriter> {
     sink_.put("/></g>\n");
   }
 
-  // A group of its own for each colour of lines along the paths, or of contours, which are filled and have no lines.
+  // There is a group for each colour of lines along the paths, or of contours, which are filled and have no lines.
   uint32_t path_level(uint32_t path) const {
     return paint_.lines_along() || ink_.is_drawn() ? paint_.fog_level(path) : 0;
   }
-  // Behind the group of level `open`.
+  // Ends the group of level `open`, and begins one of another level.
   void begin_level(uint32_t level, uint32_t open) {
     end_group(open);
     sink_.put("<g");
@@ -308,8 +310,8 @@ class SvgWriter : private PageWalker<SvgWriter> {
     sink_.put("\"/>\n");
   }
 
-  // A renderer finds the centre of an arc from its ends. Rounding these by u moves the centre of an ellipse with
-  // semi-axes a > b along the major axis by about u a / b, hence the finer the flatter the ellipse.
+  // A renderer finds the centre of an arc from its ends. If these are rounded by u, the centre of an ellipse with
+  // semi-axes a > b moves along the major axis by about u a / b. So flatter ellipses need more decimals.
   int decimals_of(uint32_t path, PathPart part, const SvgFrame &frame) const {
     int decimals = decimals_in(frame);
     input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool, bool) {
@@ -354,7 +356,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     put_coordinate(" cy", (frame.origin.y - shape.centre.y) / frame.unit, decimals);
     put_attribute(" r", shape.radius / frame.unit, decimals);
   }
-  // Which is 0 if it is left out.
+  // A coordinate that is left out is 0.
   void put_coordinate(const char *name, double value, int decimals) {
     if (scaled(value, decimals) != 0) put_attribute(name, value, decimals);
   }
@@ -388,8 +390,8 @@ class SvgWriter : private PageWalker<SvgWriter> {
   }
   void end_contours(InkLevel, uint32_t) { sink_.put("\"/>\n"); }
 
-  uint32_t names_ = 0;  // what all names of the file begin with
-  bool lines_ = false;  // whether paths are behind
+  uint32_t names_ = 0;  // all names of the file begin with this number
+  bool lines_ = false;  // whether paths are done, and lines follow
 };
 
 }  // namespace

@@ -32,8 +32,8 @@ bool CoveredBalls::contains(uint32_t ball) {
   return !keep_exposed(ball, count);
 }
 
-// Of the first ones in caps_.ball those whose circles may have a free part outside the others. False if nothing is left
-// of the sphere.
+// Keeps of the first `count` balls in caps_.ball those whose circles may have a free part outside the others. False if
+// nothing is left of the sphere.
 bool CoveredBalls::keep_exposed(uint32_t ball, uint32_t count) {
   caps_.gather_given(grid_->balls(), ball, count);
   return !caps_.contained &&

@@ -1,8 +1,8 @@
-// Balls whose spheres other balls cover, which integers decide: nothing of them is seen. In sets of many overlaps, as
-// models of one molecule are, most balls are covered, though few lie inside another one.
+// Finds balls whose spheres other balls cover, decided by integers: nothing of them is seen. In sets with many
+// overlaps, as of several models of one molecule, most balls are covered, though few lie inside another one.
 //
-// All of them may be left out at once: where a line of sight first meets the union is a point of a sphere that no ball
-// has inside, and that ball is not covered.
+// All covered balls may be left out at once: a line of sight first meets the union at a point of a sphere that is
+// inside no ball, and the ball of that sphere is not covered.
 #pragma once
 
 #include "model/cube_grid.hpp"
@@ -12,24 +12,23 @@ namespace hsp {
 
 class CoveredBalls {
  public:
-  // Fewer near balls are dealt with as they are.
+  // Whether so many near balls are worth the search for covered ones.
   static bool are_many(uint32_t balls) { return !small_code && balls >= ExposedCaps::fewest; }
 
-  // Memory for so many caps of one ball. Of a ball that has more those are kept that may have a free part, again and
-  // again; where these alone are nearly as many the answer is not certain.
+  // Takes memory for so many caps of one ball. If a ball has more, only caps that may have a free part are kept, each
+  // time the memory is full. If these alone nearly fill it, the answer is not certain.
   void carve(Workspace &workspace, uint32_t caps);
   void start(const CubeGrid &grid) {
     grid_ = &grid;
     use_room(caps_.capacity());
   }
-  // Uses memory for so many caps, if there is so much: whether an answer is certain must not depend on how much there
-  // happens to be.
+  // Uses memory for only so many caps, at most all: so whether an answer is certain does not depend on the limits.
   void use_room(uint32_t caps) { room_ = caps < caps_.capacity() ? caps : caps_.capacity(); }
 
-  // Of a ball in grid order, its radius above 0. False if that is not certain.
+  // Whether a ball in grid order, of a radius above 0, is covered. False if it is not certain.
   bool contains(uint32_t ball);
-  // Of the last ball, which is not covered: calls visit(other) for all whose circles on its sphere may have a free
-  // part. False, and no call, if that is not known.
+  // After contains(ball) was false: calls visit(other) for all balls whose circles on the sphere of `ball` may have a
+  // free part. False, without a call, if these are not known.
   template <class Visit>
   bool visit_neighbours(Visit visit) const {
     if (!all_known_) return false;

@@ -5,8 +5,8 @@
 namespace hsp {
 namespace {
 
-// Cells have a side of 0.2 of a radius, which is about the best for molecules (the optimum is flat), or as many of them
-// as there is memory for.
+// Cells have a side of 0.2 of a radius, which is about the best for molecules (the optimum is flat). They are larger if
+// there would be more cells than memory.
 constexpr double cell_in_radii = 0.2;
 constexpr uint64_t cells_per_ball = 16;
 constexpr uint64_t further_cells = 4096;
@@ -16,7 +16,7 @@ constexpr uint32_t coarse_cells(uint32_t cells) {
   return (cells + coarse_side - 1) / coarse_side;
 }
 
-// Cells first .. last - 1 of one direction that an interval meets.
+// The cells first .. last - 1 along one axis that an interval meets.
 struct CellRange {
   uint32_t first, last;
 
@@ -29,7 +29,7 @@ struct CellRange {
   }
 };
 
-// Cells first .. last - 1 of one direction.
+// The cells first .. last - 1 along one axis.
 struct SideBySide {
   uint32_t first, last;
 
@@ -38,7 +38,7 @@ struct SideBySide {
   }
 };
 
-// Those that a coarse cell consists of; or the coarse cells of a tile.
+// The cells of a coarse cell along one axis; or the coarse cells of a tile.
 SideBySide parts_of(uint32_t coarse, uint32_t cells) {
   const uint32_t first = coarse * coarse_side;
   return SideBySide{first, cells}.common({first, first + coarse_side});
@@ -58,8 +58,8 @@ float lowest_of(Span<float> floor, uint32_t row_length, const SideBySide &column
 }  // namespace
 
 // Calls visit(cells) for the cells that a disc meets, with the distances of their nearest or farthest edges: at once, or
-// block by block for a disc that is far larger than most. Ends and is false where visit(cells) is. squared: of the
-// radius, or a little more or less.
+// block by block for a disc that is far larger than most. Ends and is false where visit(cells) is. squared: the
+// square of the radius, or a little more or less.
 template <class Visit>
 bool DepthBuffer::visit_cells(double x, double y, double radius, double squared, CellEdge edge, Visit visit) const {
   const CellRange columns(x - radius, x + radius, left_, cells_per_length_, columns_);
@@ -85,7 +85,7 @@ void DepthBuffer::carve(Workspace &workspace, uint32_t balls) {
   const uint64_t wanted = cells_per_ball * balls + further_cells;
   const uint64_t cells = wanted < most_cells ? wanted : most_cells;
   floor_ = workspace.take<float>(cells);
-  // c columns and r rows have at most (c + 3)(r + 3)/16 coarse cells, and c + r <= c r + 1. The same of these.
+  // c columns and r rows have at most (c + 3)(r + 3)/16 coarse cells, and c + r <= c r + 1. The same holds for tiles.
   const uint64_t coarse = cells / 4 + 1;
   coarse_ = workspace.take<float>(coarse);
   stale_ = workspace.take<uint8_t>(coarse);
@@ -105,7 +105,7 @@ void DepthBuffer::lay_out(const BoundingBox &box, double extent, double radius) 
   const double cells = static_cast<double>(floor_.size());
   const double width = box.right - box.left;
   const double height = box.top - box.bottom;
-  // More floats than cells, by a row and a column.
+  // There is memory for more floats than cells: for a row and a column more.
   while ((width / cell_ + 2.0) * (height / cell_ + 2.0) > cells) cell_ *= 1.25;
   cells_per_length_ = 1.0 / cell_;
   columns_ = static_cast<uint32_t>(width / cell_) + 1;
@@ -139,7 +139,7 @@ void DepthBuffer::look_after_tile(uint32_t tile_column, uint32_t tile_row) {
   stale_tile_[tile] = 0;
 }
 
-// The margin is that of hides() for both the radius and the height, and as much again for rounding R^2.
+// The margin is that of hides() for the radius and for the height, and as much again for rounding R^2.
 bool DepthBuffer::is_above(const BoundingBox &box, double height) {
   const double margin = 16 * margin_;
   const double raised = height + margin;
@@ -169,8 +169,8 @@ bool DepthBuffer::is_above(const BoundingBox &box, double height) {
   return true;
 }
 
-// The ball made larger by the margin, against the floor: z + sqrt(R^2 - d^2) < floor by squares. Their errors are a few
-// e of R^2.
+// The ball, made larger by the margin, is compared with the floor: z + sqrt(R^2 - d^2) < floor, by squares. The errors
+// of the squares are a few e of R^2.
 bool DepthBuffer::hides(const ProjectedBall &disc) const {
   const double R = disc.r + 4 * margin_;
   const double base = disc.z + 4 * margin_;
@@ -178,10 +178,10 @@ bool DepthBuffer::hides(const ProjectedBall &disc) const {
                      [&](const DiscCells &cells) { return hsp::hides(target_, floor_cells(), cells, base); });
 }
 
-// The ball made smaller by the margin raises the floor of the cells that it fills, to the height above their farthest
-// corner, less what rounding to a float could add. One more margin makes sure that a ball whose square root is saved
-// would not have raised the floor: heights near 0 lie closer together than sums of a base and a root can tell, and the
-// order in which balls raise the floor must have no effect.
+// The ball, made smaller by the margin, raises the floor of the cells that it fills to the height of its front above
+// their farthest corner, less a bound of rounding to a float. One more margin is subtracted, so that a ball whose
+// square root is not computed would certainly not have raised the floor: near 0 floats are closer together than the
+// rounding of a sum of base and root, and the order in which balls raise the floor must have no effect.
 void DepthBuffer::raise(const ProjectedBall &disc) {
   const double R = disc.r - 4 * margin_;
   if (R <= 0.0) return;

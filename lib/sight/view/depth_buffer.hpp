@@ -1,8 +1,9 @@
-// A grid over the view plane that holds for each cell a depth below which nothing is seen, because one ball fills the
-// cell above it. A ball whose front lies below that depth wherever it appears is hidden. All comparisons carry a margin
-// for rounding, so what is found hidden is hidden; not everything hidden is found. Coarse cells of 4 x 4 cells hold the
-// lowest floor among them, and tiles of 4 x 4 coarse cells the lowest of these, which suffices for whatever lies deep
-// inside. Their values may be out of date, hence too low; it is looked after when it does not suffice.
+// A grid over the view plane. Each cell holds its floor, a depth below which nothing is seen there, because one ball
+// fills the cell above it. A ball whose front lies below the floor wherever it appears is hidden. All comparisons carry
+// a margin for rounding: a ball that is found hidden is hidden, but not every hidden ball is found. A coarse cell of 4
+// x 4 cells holds the lowest floor among them, and a tile of 4 x 4 coarse cells the lowest of these; that suffices for
+// most deep balls. The values of coarse cells and tiles may be out of date, hence too low; they are computed again when
+// they do not suffice.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -36,12 +37,12 @@ class DepthBuffer {
   // lowers it below all of them.
   void lay_out(const BoundingBox &box, double extent, double radius);
 
-  // Whether the floor lies above a height everywhere in a box. Then it hides() all balls in the box that reach up to
-  // that height.
+  // Whether the floor lies above a height everywhere in a box. Then hides() is true for all balls within the box whose
+  // tops are at most at that height.
   bool is_above(const BoundingBox &box, double height);
   // Whether the floor lies above the ball's front everywhere.
   bool hides(const ProjectedBall &disc) const;
-  // Takes the ball's front into account.
+  // Raises the floor to the ball's front, in the cells that it fills.
   void raise(const ProjectedBall &disc);
 
  private:
@@ -52,10 +53,10 @@ class DepthBuffer {
   void look_after_tile(uint32_t tile_column, uint32_t tile_row);
 
   Span<float> floor_;                 // [columns * rows]
-  Span<float> coarse_;                // [coarse columns * coarse rows] the lowest of a coarse cell's floors, or less
-  Span<uint8_t> stale_;               // whether it may be less
-  Span<float> tile_;                  // [tile columns * tile rows] the lowest of what its coarse cells hold, or less
-  Span<uint8_t> stale_tile_;          // whether it may be less
+  Span<float> coarse_;                // [coarse columns * coarse rows] the lowest floor of a coarse cell, or less
+  Span<uint8_t> stale_;               // whether coarse_ may be less
+  Span<float> tile_;                  // [tile columns * tile rows] the lowest value of its coarse cells, or less
+  Span<uint8_t> stale_tile_;          // whether tile_ may be less
   double left_ = 0.0, bottom_ = 0.0;  // the corner of cell 0
   double cell_ = 1.0, cells_per_length_ = 1.0;
   double margin_ = 0.0;

@@ -33,8 +33,9 @@ bool is_farther(const BallSet &balls, const exact::Vector &direction, uint32_t a
   return sign != 0 ? sign < 0 : exact::ranks_before(balls.ball(a), balls.ball(b));
 }
 
-// The rounded depths decide where they differ by more than twice their error, 4e times the sum of three products of at
-// most 2^28 by the largest difference from the origin. They are rounded integers, so that a spread is at least 1.
+// Rounded depths decide if they differ by more than twice their error. The error is 4e times the sum of three products
+// of at most 2^28 by the largest difference from the origin. Depths are rounded integers, so that a spread is at
+// least 1.
 void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys, Span<uint32_t> scratch,
                    Patience &patience) {
   if (keys.empty()) return;

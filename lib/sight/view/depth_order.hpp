@@ -17,7 +17,7 @@ struct DepthKey {
   uint32_t item;  // whatever goes with the ball
 };
 
-// Sorts by ball, farthest first; sets the depths of the keys itself. scratch: as many as keys.
+// Sets the depths of the keys and sorts them, farthest ball first. scratch: as many as keys.
 void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys, Span<uint32_t> scratch,
                    Patience &patience);
 

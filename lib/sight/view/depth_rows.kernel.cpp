@@ -1,4 +1,4 @@
-// Floors become results, so that nothing is fused here.
+// Floors become results, so that no product and sum are fused here.
 #include "view/depth_rows.hpp"
 
 #include <limits>
@@ -18,7 +18,7 @@ Heights edge_distances(const DiscOnCells &disc, double coordinate, double origin
   const Heights low = origin + (static_cast<double>(first) + CellLanes::load(counted)) * disc.cell;
   const Heights below = low - coordinate;
   const Heights above = coordinate - (low + disc.cell);
-  // Inside both are negative, and outside one of them.
+  // Inside the cell both are negative, outside one of them is.
   const Heights distance = disc.edge == CellEdge::farthest
                                ? CellLanes::smaller(below, above)
                                : CellLanes::larger(CellLanes::larger(below, above), CellLanes::all(0.0));
@@ -27,16 +27,16 @@ Heights edge_distances(const DiscOnCells &disc, double coordinate, double origin
 
 // Some cells of one row, under a disc whose front has its centre at the base.
 struct RowCells {
-  Heights left_over;  // what R^2 leaves to the height of the front above its centre; positive where the disc meets them
+  Heights left_over;  // squared height of the front above its centre; positive where the disc meets the cell
   FloorLanes::Real floor;
-  Heights square;  // of the floor's height above the centre, with the sign of that
+  Heights square;  // the square of the floor's height above the centre, with the sign of that height
 
   RowCells(double in_row, const double *squared, const float *row, double base)
       : left_over(in_row - CellLanes::load(squared)), floor(FloorLanes::load(row)) {
     const Heights above = __builtin_convertvector(floor, Heights) - base;
     square = above * CellLanes::absolute(above);
   }
-  // Whether the disc meets some of them where this is so, too.
+  // Whether the disc meets some cell in the mask.
   bool any_met(const CellLanes::Mask &mask) const {
     return (CellLanes::set_lanes(left_over > 0.0) & CellLanes::set_lanes(mask)) != 0;
   }
@@ -48,8 +48,8 @@ void measure_cells(const DiscOnCells &disc, DiscCells &cells) {
   for (uint32_t k = 0; k < cells.columns; k += register_lanes) {
     CellLanes::store(cells.squared + k, edge_distances(disc, disc.x, disc.left, cells.first_column + k));
   }
-  // Read by further lanes behind the last column. A constant, since without optimisation a call would be code that
-  // other files have as well.
+  // The lanes behind the last column read this. A constant, since without optimisation a call would be code that other
+  // files have as well.
   constexpr double infinite = std::numeric_limits<double>::infinity();
   for (uint32_t k = cells.columns; k % register_lanes != 0; ++k) cells.squared[k] = infinite;
   for (uint32_t k = 0; k < cells.rows; k += register_lanes) {
@@ -75,7 +75,7 @@ void raise(const FloorCells &cells, const DiscCells &disc, double base, double m
     for (uint32_t k = 0; k < disc.columns; k += register_lanes) {
       const RowCells some(disc.in_row[r], disc.squared + k, floor + k, base);
       if (!some.any_met(some.left_over > some.square)) continue;  // saves the square root
-      // NaN beyond the disc, which is above nothing.
+      // Beyond the disc the height is NaN, which is above nothing.
       const Heights height = base + CellLanes::square_root(some.left_over);
       const Heights lowered = height - 0x1p-22 * CellLanes::absolute(height) - margin;
       const FloorLanes::Real after = __builtin_convertvector(lowered, FloorLanes::Real);

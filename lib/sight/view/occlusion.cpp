@@ -13,7 +13,7 @@ constexpr uint32_t most_buckets = 256;
 constexpr uint8_t raised = 2;  // in visible[]: a ball that has raised the floor
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Floats that are no larger and no smaller.
+// The number as a float that is no larger; and, below, as one that is no smaller.
 float rounded_down(double a) {
   return static_cast<float>(a - 0x1p-23 * std::fabs(a));
 }
@@ -95,11 +95,11 @@ bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span
   return true;
 }
 
-// The cubes that hold balls in question, the highest ones first.
+// Sorts the cubes that hold balls not left out, the highest first.
 void OcclusionCuller::order_cubes(uint32_t cubes) {
   const double spread = highest_top_ - lowest_top_;
   const double scale = spread > 0.0 ? static_cast<double>(most_buckets) / spread : 0.0;
-  // The cube's bucket, or most_buckets if nothing of it is in question. Heights are rounded upwards.
+  // The cube's bucket; most_buckets if all its balls are left out. Heights are rounded upwards.
   const auto bucket_of = [&](uint32_t cube) {
     const double top = static_cast<double>(extent_[cube].height);
     if (top < lowest_top_) return most_buckets;
@@ -131,7 +131,7 @@ bool OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<ui
       visible[i] = raised;
     }
   }
-  // Once more against the whole floor: in the first round a ball did not know of all that lies above it.
+  // Each ball is compared once more, with the whole floor: in the first round the floor was not complete.
   for (uint32_t i = 0; i < balls.n; ++i) {
     if (visible[i] == raised && !patience.allows(500)) return false;
     visible[i] = visible[i] == raised && !floor_.hides(placed(balls, frame, i)) ? 1 : 0;

@@ -41,7 +41,7 @@ double parameter(const CircleFrame &circle, const Vec3 &offset) {
 }
 
 // The parameter range of an arc, from the difference of the parameters at its ends, which is known up to whole turns.
-// Where rounding could turn a point into a whole turn or back, the exact signs behind the arc's angle decide.
+// If rounding could turn a point into a whole turn or back, the exact signs behind the arc's angle decide.
 double span_of(const Caps &caps, const PieceHalfEdge &half_edge, const Corner &start,
                const PieceHalfEdge &end_half_edge, const Corner &end, double to_view) {
   double span = to_view < 0.0 ? to_view + 2 * pi : to_view;

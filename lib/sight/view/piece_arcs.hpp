@@ -1,4 +1,4 @@
-// From the loops of a piece to arcs in the view plane.
+// Turns the loops of a piece into arcs in the view plane.
 #pragma once
 
 #include "view/view.hpp"
@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-// Appends the loops and arcs of a piece. Arcs that do not fit are counted.
+// Appends the loops and arcs of a piece to the view. Arcs without room are counted, not stored.
 void add_loops(const BallSet &balls, const VisiblePiece &piece, View &view);
 
 }  // namespace hsp

@@ -5,20 +5,20 @@
 
 namespace hsp {
 
-// The basis of a circle of a sphere in a view: `along` is horizontal and the major axis of the ellipse; `across` lies
-// in the circle's plane, a quarter turn counter-clockwise from it, and appears shortened. On the circle of a ball with
-// one in the unit direction n, along = (-n_y, n_x, 0)/s with s = sqrt(n_x^2 + n_y^2), and across appears shortened by
-// |n_z|. Nothing is ill-conditioned in three dimensions when the circle is seen edge on.
+// The basis of a circle of a sphere in a view: `along` is horizontal, and the major axis of the ellipse; `across` lies
+// in the circle's plane, a quarter turn counter-clockwise from `along`, and appears shortened. For the circle of a ball
+// with another one in the unit direction n, along = (-n_y, n_x, 0)/s with s = sqrt(n_x^2 + n_y^2), and across appears
+// shortened by |n_z|. In three dimensions nothing is ill-conditioned when the circle is seen edge on.
 struct CircleFrame {
   // Unit vectors in view coordinates.
   Vec3 axis, along, across;
-  // A half-edge runs clockwise about the axis, with the outside of the half-space on its left. In the view plane this
-  // is counter-clockwise (+1) or clockwise (-1).
+  // A half-edge runs clockwise about the axis, with the outside of the half-space on its left. In the view plane it
+  // appears counter-clockwise (+1) or clockwise (-1).
   double turn;
 
   // A silhouette: the axis points away from the viewer.
   CircleFrame() : axis{0.0, 0.0, -1.0}, along{1.0, 0.0, 0.0}, across{0.0, 1.0, 0.0}, turn(1.0) {}
-  // v: normal of the circle's plane, of any length.
+  // v: the normal of the circle's plane, of any length.
   CircleFrame(const ViewFrame &frame, const exact::Vector &v) {
     const Vec3 n = frame.to_view(exact::to_double(v));
     const double length = std::sqrt(dot(n, n));
@@ -48,9 +48,9 @@ ProjectedEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32
 
 struct ProjectedArc {
   ProjectedEllipse ellipse;
-  double from, to;  // to > from: counter-clockwise
+  double from, to;  // parameters; counter-clockwise if to > from
   double start[2], end[2];
-  uint32_t other_ball;  // grid order, no_id on a silhouette
+  uint32_t other_ball;  // in grid order; no_id on a silhouette
 };
 
 // A line as a flat ellipse, walked from one end of its major axis to the other.

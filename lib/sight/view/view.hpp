@@ -1,5 +1,5 @@
-// A computed view: pieces in drawing order, their loops, and arcs in the view plane. All ids of
-// balls are the grid's, all lengths are in lattice steps, all positions relative to the frame's origin.
+// The records of a view: pieces in drawing order, their loops, and arcs in the view plane. Ids of balls are in grid
+// order, lengths in lattice steps, positions relative to the frame's origin.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -21,7 +21,7 @@ constexpr Status default_limits(uint32_t balls, ViewLimits &limits) {
   return Status::ok;
 }
 
-// The loops and the arcs of a piece are consecutive, loop after loop.
+// The piece of one ball that is painted. The loops of a piece, and its arcs, are consecutive, loop after loop.
 struct PieceRecord {
   uint32_t ball;
   uint32_t first_loop, loops;
@@ -30,14 +30,14 @@ struct PieceRecord {
 
 struct ArcRecord {
   double from, to;      // parameters on the ellipse of projected_arcs.hpp
-  double start[2];      // where it starts; it ends where the next one of its loop starts
-  uint32_t other_ball;  // the ball whose sphere it lies on too, no_id on the silhouette
+  double start[2];      // where it starts; it ends where the next arc of its loop starts
+  uint32_t other_ball;  // the other ball on whose sphere it lies; no_id on the silhouette
 };
 
 struct View {
   ViewFrame frame;
   FixedVector<PieceRecord> pieces;  // farthest first
-  FixedVector<uint32_t> loops;      // their first arcs; loops and arcs are in the order of the grid
+  FixedVector<uint32_t> loops;      // the first arc of each; loops and arcs are in the grid order of their balls
   FixedVector<ArcRecord> arcs;
 
   uint32_t end_of_loops(uint32_t piece) const { return pieces[piece].first_loop + pieces[piece].loops; }

@@ -14,7 +14,7 @@ void ViewBuilder::carve(Workspace &workspace, const ViewLimits &limits) {
   workspace.take_each(limits.balls, visible_, scratch_, keys_);
 }
 
-// Balls of radius 0 have no front and balls without faces are invisible. The pieces of the other balls cover them, so
+// Balls of radius 0 have no front, and balls without faces are invisible. The pieces of other balls cover them, so that
 // they need not cut anything either.
 bool ViewBuilder::choose_balls(const CubeGrid &grid, const Boundary *boundary, bool all_balls, Patience &patience) {
   const BallSet &balls = grid.balls();
@@ -34,7 +34,7 @@ bool ViewBuilder::cut_pieces(const CubeGrid &grid, const Boundary *boundary, Pat
   structure_.arcs.clear();
   needed_.neighbours = 0;
   BlockSweep sweep(grid);
-  uint64_t met = 0;  // by the ball before: what lies around the next one is not known yet
+  uint64_t met = 0;  // how many balls the ball before has met: those around the next one are not known yet
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
     const BallRange own = grid.balls_in(cube);
     for (uint32_t i = own.first; i < own.last; ++i) {

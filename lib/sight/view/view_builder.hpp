@@ -1,11 +1,11 @@
 // Hidden surface removal by the painter's order (Section 5.1): balls that may be seen, sorted by depth, each with the
 // piece of it that is painted.
 //
-// Why pieces cut by farther balls alone show what is seen: at a point of the view plane let ball m have the highest
-// front. That point of it lies in no ball, so it is in m's piece. Let j be painted later, so that its centre is no
-// farther, and let its disc hold the point too. Its front there is at least as high as its centre, hence as m's centre,
-// and at most as high as m's front: it lies inside ball m, which is farther, so it is not in j's piece. Balls that are
-// hidden as a whole are never m, so they need neither be painted nor cut.
+// Pieces that are cut by farther balls alone show what is seen. Proof: at a point of the view plane let ball m have the
+// highest front. That point of the front lies in no ball, so it is in m's piece. Let ball j be painted later, so that
+// its centre is no farther than m's, and let its disc hold the point, too. There j's front is at least as high as j's
+// centre, hence as m's centre, and at most as high as m's front. So it lies inside ball m, which is farther, and is not
+// in j's piece. A ball that is hidden as a whole is never m, so that it needs neither be painted nor cut others.
 #pragma once
 
 #include "view/depth_order.hpp"
@@ -28,8 +28,7 @@ class ViewBuilder : public Limited<ViewLimits> {
   void carve(Workspace &workspace, const ViewLimits &limits);
 
   // boundary may be null for pieces outside farther balls. Status::capacity if a limit is too small; needed() then
-  // tells what suffices, with 0 for what is not known yet.
-  // Status::stopped if that is no longer allowed.
+  // tells what suffices, with 0 for what is not known yet. Status::stopped if patience has ended.
   Status build(const CubeGrid &grid, const Boundary *boundary, const ViewRequest &request,
                Patience patience = Patience());
 

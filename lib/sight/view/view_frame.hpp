@@ -13,14 +13,14 @@ struct ViewDirection {
 };
 
 struct ViewFrame {
-  exact::Vector direction{0, 0, 1};  // towards the viewer; components at most 2^28, what everything exact relies on
-  // Its orthonormal axes.
+  exact::Vector direction{0, 0, 1};  // towards the viewer, for exact questions; components at most 2^28
+  // The orthonormal axes of the view.
   Vec3 right{1.0, 0.0, 0.0};
   Vec3 up{0.0, 1.0, 0.0};
   Vec3 towards{0.0, 0.0, 1.0};
   Vec3 origin{0.0, 0.0, 0.0};  // a lattice point
 
-  // Whether it has the same coordinates.
+  // Whether another frame has the same coordinates.
   bool is_same(const ViewFrame &other) const {
     const auto same = [](const Vec3 &a, const Vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
     return same(right, other.right) && same(up, other.up) && same(towards, other.towards) && same(origin, other.origin);
@@ -33,7 +33,7 @@ struct ViewFrame {
   }
 };
 
-// Rounds a direction to integers and completes the axes. Status::not_finite if a component is.
+// Rounds a direction to integers and completes the axes. Status::not_finite if a component is not finite.
 Status look_from(const ViewDirection &direction, ViewFrame &frame);
 
 // Puts the origin in the middle of the balls' centres.

@@ -8,8 +8,8 @@ namespace {
 
 using exact::Plane;
 
-// Where a crossing point of two circles, or a circle that does not cross the silhouette, lies to the half of the sphere
-// behind the centre, which is the last cap.
+// Tells whether a crossing point of two circles, or a circle that does not cross the silhouette, lies on the half of
+// the sphere behind the centre, which is the last cap.
 class BackHalf {
  public:
   explicit BackHalf(const Caps &caps) : caps_(caps), predicates_(caps.predicates()), back_(caps.count - 1) {}
@@ -94,7 +94,7 @@ void VisiblePiece::cut_faces(const BallSet &balls, const CubeBlock &block, const
   link();
 }
 
-// A loop of a face comes in along circle j and leaves along circle k at p+ of j and k.
+// At the vertex p+ of circles j and k a loop of a face comes in along j and leaves along k.
 void VisiblePiece::add_front_of_faces(const Boundary &boundary) {
   const BackHalf back(caps_);
   const uint32_t i = caps_.origin;
@@ -110,7 +110,7 @@ void VisiblePiece::add_front_of_faces(const Boundary &boundary) {
   }
 }
 
-// Half-edges in an order that does not depend on ids, chained to loops.
+// Chains half-edges to loops, in an order that does not depend on ids.
 void VisiblePiece::link() {
   for (const VertexRecord &vertex : vertices_.items()) {
     const uint32_t first = caps_.cap_of(vertex.ball[1]);

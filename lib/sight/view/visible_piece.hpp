@@ -10,10 +10,10 @@
 
 namespace hsp {
 
-// An arc of a loop. Circles are named by the indices of the caps that cut them out.
+// An arc of a loop. A circle is named by the index of the cap that it bounds.
 struct PieceHalfEdge {
-  uint32_t previous_circle;  // of the half-edge that ends where this one starts
-  uint32_t circle;           // its own
+  uint32_t previous_circle;  // the circle of the half-edge that ends where this one starts
+  uint32_t circle;           // its own circle
   uint32_t next;             // the half-edge that starts where it ends
   uint32_t loop;
 };
@@ -22,8 +22,8 @@ class VisiblePiece {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
 
-  // All take the block of cubes around the ball's own.
-  // The front hemisphere of ball i outside the balls that cuts(ball) names.
+  // block: the cubes around that of ball i.
+  // Finds the front hemisphere of ball i outside the balls for which cuts(ball) is true.
   template <class Cuts>
   void cut_hemisphere(const BallSet &balls, const CubeBlock &block, const exact::Vector &direction, uint32_t i,
                       Cuts cuts) {
@@ -31,12 +31,12 @@ class VisiblePiece {
     caps_.keep_if(cuts);
     find_all(balls, direction);
   }
-  // The front part of the faces of ball i.
+  // Finds the front part of the faces of ball i.
   void cut_faces(const BallSet &balls, const CubeBlock &block, const Boundary &boundary, const exact::Vector &direction,
                  uint32_t i);
 
   const Caps &caps() const { return caps_; }
-  // The piece is on their left.
+  // The half-edges, with the piece on their left.
   Span<const PieceHalfEdge> half_edges() const { return half_edges_.part(0, half_edge_count_); }
   Span<const uint32_t> circles() const {
     return whole_.part(0, circle_count_);
@@ -49,7 +49,7 @@ class VisiblePiece {
   void link();
 
   Caps caps_;
-  Span<exact::Plane> planes_;  // of the caps, once their half-edges are linked
+  Span<exact::Plane> planes_;  // the planes of the caps; set when half-edges are linked
   VertexFinder finder_;
   FixedVector<VertexRecord> vertices_;
   FixedVector<CircleRecord> circles_;
