@@ -46,7 +46,7 @@ void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t ce
   for (; stop != no_id; stop = stops_[stop].next) points.push(stops_[stop].at);
 }
 
-// By a vertex that it has.
+// The part is found by one of its vertices.
 uint32_t CellCrossing::part_of_cell(const FreeSpace &space, uint32_t cell) const {
   const IdRange landmarks = space.landmarks_of(cell);
   if (landmarks.empty()) return 0;
@@ -63,7 +63,7 @@ uint32_t CellCrossing::part_of_cell(const FreeSpace &space, uint32_t cell) const
   return 0;  // not reached
 }
 
-// From the last point backwards, so that the way is found in its order.
+// The search goes from the last point backwards, so that `next` leads along the way.
 uint32_t CellCrossing::first_stop(const BallSet &balls, Span<const uint32_t> members, uint32_t part, Ends ends,
                                   const exact::Vector &from, const exact::Vector &to) {
   const PowerPolytope &polytope = power_cell_.polytope();

@@ -8,7 +8,7 @@ namespace {
 
 constexpr uint32_t not_seen = no_id, done = no_id - 1;
 
-// Where the intervals of two runs along one axis have points in common, as near to a value as that is.
+// The value nearest to `value` that the intervals of two runs along one axis have in common.
 int64_t nearest_common(int64_t value, int64_t a_low, int64_t a_high, int64_t b_low, int64_t b_high) {
   const int64_t low = a_low > b_low ? a_low : b_low, high = a_high < b_high ? a_high : b_high;
   return value < low ? low : value > high ? high : value;
@@ -23,7 +23,7 @@ void CellSearch::carve(Workspace &workspace, const FreeSpaceLimits &limits) {
 }
 
 bool CellSearch::prepare(const FreeSpace &space, Patience &patience) {
-  // Both have as many: the neighbours of a cell and its contacts.
+  // A cell has as many contacts as neighbours.
   const uint32_t cells = space.cell_count();
   for (uint32_t c = 0; c < cells; ++c) first_link_[c] = space.first_neighbour[c + 1];
   first_link_[cells] = space.first_neighbour[cells];
@@ -41,7 +41,8 @@ bool CellSearch::prepare(const FreeSpace &space, Patience &patience) {
   return true;
 }
 
-// Of equal estimates that which is nearer to its end, then the lower number, so that the way depends on nothing else.
+// Of equal estimates the cell comes first that is nearer to the end, then the one with the lower number: so the way
+// depends on nothing else.
 bool CellSearch::comes_first(uint32_t a, uint32_t b) const {
   const Visit &first = visits_[a], &second = visits_[b];
   if (first.estimate != second.estimate) return first.estimate < second.estimate;
@@ -49,7 +50,7 @@ bool CellSearch::comes_first(uint32_t a, uint32_t b) const {
   return a < b;
 }
 
-// Between two runs the point of their common side that is nearest to where one comes from.
+// The portal of a contact; between two runs the point of their common side that is nearest to `from`.
 exact::Vector CellSearch::portal(const FreeSpace &space, uint32_t contact, const exact::Vector &from) const {
   const uint32_t *const cell = space.contacts[contact].cell;
   if (cell[0] >= space.run_count() || cell[1] >= space.run_count()) return space.contacts.portal(contact);

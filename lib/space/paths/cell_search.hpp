@@ -1,5 +1,5 @@
-// A way from cell to cell of free space, by A*: a cell is entered at one point, that of the least way found to it, and
-// left at the portals to its neighbours. Ways inside a cell count as straight.
+// A way from cell to cell of free space, by A*. A cell is entered at one point, that of the shortest way found to it,
+// and left at the portals to its neighbours. Ways inside a cell count as straight.
 #pragma once
 
 #include "cells/free_space.hpp"
@@ -10,26 +10,26 @@ namespace hsp {
 class CellSearch {
  public:
   void carve(Workspace &workspace, const FreeSpaceLimits &limits);
-  // After the cells are built, with portals. False if that is stopped.
+  // To be called when the cells are built, with portals. False if patience ends.
   bool prepare(const FreeSpace &space, Patience &patience);
 
   // Finds a way between points of two cells of one region. Status::check if there is none, which cannot happen.
   Status find(const FreeSpace &space, uint32_t from_cell, const exact::Vector &from, uint32_t to_cell,
               const exact::Vector &to, Patience &patience);
-  // The cells of the way from the first to the last one; no_id behind that.
+  // The next cell of the way; no_id behind the last one.
   uint32_t next(uint32_t cell) const { return visits_[cell].next; }
-  // Where a cell is entered.
+  // The point at which the way enters a cell.
   const exact::Vector &entry(uint32_t cell) const { return visits_[cell].entry; }
 
  private:
   struct Visit {
     exact::Vector entry;
-    double way;       // up to there
-    double estimate;  // of the whole way
+    double way;       // length of the way to the entry
+    double estimate;  // of the length of the whole way
     uint32_t from;
-    uint32_t next;  // while searching: the index in the heap, not_seen or done
+    uint32_t next;  // during the search: the index in the heap, not_seen or done
   };
-  // A run on the lattice; far beyond all points where it has no end.
+  // A run on the lattice; a side without end is far beyond all points.
   struct Box {
     exact::Vector low, high;
   };

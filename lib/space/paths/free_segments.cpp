@@ -35,7 +35,7 @@ bool is_outside_exactly(const exact::LatticeBall &ball, const Vector &a, const V
   return (exact::product<256>(excess, length) - exact::product<256>(along, along)).sign() > 0;
 }
 
-// The part of a segment from a on, where it is in the box of all cubes; nothing if last < first.
+// The part of a segment that is in the box around all cubes, by its distances from a; empty if last < first.
 struct Stretch {
   double first, last;
 };
@@ -112,7 +112,7 @@ bool is_free_segment(const BallSet &balls, const FreeSpace &space, const Vector 
   const Stretch part = clip(cover, side, a, d);
   if (part.last < part.first) return true;
   const double length = std::sqrt(dot(d, d)) * (part.last - part.first);
-  // A way of many cubes past few balls.
+  // A segment with many more cubes than there are balls: every ball is looked at.
   if (!(length < side * (static_cast<double>(balls.n) + 8.0))) {
     for (uint32_t ball = 0; ball < balls.n; ++ball) {
       if (!is_outside_ball(balls, ball, a, b)) return false;

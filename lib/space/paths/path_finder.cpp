@@ -47,7 +47,7 @@ Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const e
     points_.clear();
     return Status::capacity;
   }
-  // A second time from the other end: shortcuts begin elsewhere.
+  // Twice, the second time from the other end: there shortcuts begin elsewhere.
   for (uint32_t time = 0; time < 2; ++time) {
     shorten(balls, patience);
     if (!patience.allows(0)) return stop();
@@ -74,7 +74,8 @@ Status PathFinder::stop() {
   return Status::stopped;
 }
 
-// From each point on to one as late as can be found by doubling steps and then halving them.
+// Shortens a path. From each point it goes straight to one as late as can be found by doubling steps, then halving
+// them.
 void PathFinder::shorten(const BallSet &balls, Patience &patience) {
   const FreeSpace &space = builder_.structure();
   const uint32_t last = points_.size() - 1;

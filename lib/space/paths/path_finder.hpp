@@ -1,8 +1,9 @@
-// Paths for a point through free space: for a ball-shaped probe that is a part of the radii, those of its centre.
+// Paths of a point through free space. If the radius of a ball-shaped probe is part of the balls' radii, they are the
+// paths of its centre.
 //
-// Whether there is one is decided by regions, exactly. The path itself is a polyline on the lattice: cells from portal
-// to portal, shortened. It is certified if no segment meets a ball, which integers decide. A rounding by a lattice
-// step can leave a passage that is narrower than this without a certificate.
+// Regions decide exactly whether there is a path. The path itself is a polyline on the lattice: from cell to cell
+// through portals, then shortened. It is certified if no segment meets a ball, which integers decide. A path through a
+// passage narrower than a lattice step may remain without a certificate, by rounding.
 #pragma once
 
 #include "cells/free_space_builder.hpp"
@@ -23,33 +24,33 @@ constexpr Status default_limits(uint32_t balls, PathLimits &limits) {
   return status;
 }
 
-// Where a path may lead.
+// The places of both ends of a path.
 enum class PathEnds : uint32_t {
-  connected,
-  apart,    // in two regions
-  covered,  // at least one of them is in a ball
+  connected,  // in one region
+  apart,      // in two regions
+  covered,    // at least one of them is in a ball
 };
 
 struct PathSummary {
   PathEnds ends;
   bool certified;
   double length;     // in lattice steps
-  double clearance;  // likewise; infinite without balls
+  double clearance;  // least distance from a ball, in lattice steps; infinite without balls
 };
 
 class PathFinder {
  public:
   void carve(Workspace &workspace, const PathLimits &limits);
-  // As FreeSpaceBuilder::build.
+  // As FreeSpaceBuilder::build().
   Status build(const CubeGrid &grid, Patience patience = Patience());
   // Status::capacity: needed_points() would have sufficed. Status::check would mean that cells disagree, and cannot
-  // happen. Status::stopped if more is not allowed.
+  // happen. Status::stopped if patience has ended.
   Status find(const BallSet &balls, const exact::Vector &from, const exact::Vector &to, PathSummary &summary,
               Patience patience = Patience());
 
   void forget_path() { points_.clear(); }
 
-  // Of the last path, from its start to its end; none if there is no path.
+  // The points of the last path, from its start to its end; none if there is no path.
   Span<const exact::Vector> points() const { return points_.items(); }
   uint32_t needed_points() const { return needed_points_; }
   // The limits that suffice for the cells and for the last path.

@@ -8,7 +8,7 @@ namespace {
 // How far a way may end below the point that it ends at, in steps.
 constexpr double below_end = 2.0;
 
-// How many records, whose levels fall, are not below a level.
+// How many records are not below a level; their levels descend.
 template <class Record>
 uint32_t count_not_below(Span<const Record> records, double level) {
   uint32_t low = 0, high = records.size();
@@ -23,11 +23,11 @@ uint32_t count_not_below(Span<const Record> records, double level) {
   return low;
 }
 
-// Sets maximum and copy to those above where a way up ended: the maximum or gate that is nearest to that, and not below
-// it. Levels differ by no more than distances: so from the lowest ones on it looks no further than levels that are
-// higher than the way's end by more than the least distance found. The two steps of below_end make up for the rounding
-// of levels and of distances up to 2^50 steps; of a longer distance a part in 2^52 may be a step by itself, for which
-// there is the factor.
+// Sets the maximum of a location, and its copy, from the end of a way up. The way ends near the maximum or gate that is
+// nearest to its end and not below it. The levels of two points differ by no more than their distance: so the search
+// begins with the lowest record, and stops at levels that are higher than the end by more than the least distance
+// found. The two steps of below_end make up for the rounding of levels, and of distances up to 2^50 steps. For a longer
+// distance 2^-52 of it may be a step by itself, for which there is the factor.
 void find_nearest(const PoresBuilder &pores, const PeriodicBox *box, const Vec3 &at, const Ascent &way,
                   PoreLocation &location) {
   const double lowest = way.level() - below_end;
@@ -35,7 +35,7 @@ void find_nearest(const PoresBuilder &pores, const PeriodicBox *box, const Vec3 
   const auto is_too_high = [&](const CriticalPoint &point) {
     return way.level_is_known() && point.level > way.level() + below_end + std::sqrt(least) * (1.0 + 0x1p-40);
   };
-  // Of those that are equally far the highest one counts, and maxima before gates.
+  // Of points that are equally far the highest counts, and maxima before gates.
   const auto is_nearer = [&](const CriticalPoint &point, bool or_as_near, BoxShift &shift) {
     Vec3 d = at - point.position;
     shift = box == nullptr ? BoxShift{} : box->centre(d);
@@ -72,7 +72,8 @@ uint32_t ClassTree::class_at(uint32_t maximum, double level) const {
   return maximum;
 }
 
-// The class that dies first moves on, until both are one. Gates are in descending order.
+// Of the two classes the one that dies first is replaced by the one that it merges into, until both are one. Gates are
+// in descending order.
 uint32_t ClassTree::gate_between(uint32_t a, uint32_t b) const {
   const auto death = [&](uint32_t maximum) { return maximum == pore_outside ? no_id : maxima_[maximum].gate; };
   uint32_t last = no_id;
@@ -86,7 +87,7 @@ uint32_t ClassTree::gate_between(uint32_t a, uint32_t b) const {
   return last;
 }
 
-// Each class on the way to the root may have wound before it ended there, or have met one that had.
+// Each class on the way to the root may wind itself before it dies, or merge into one that does.
 uint32_t ClassTree::gate_to_copy(uint32_t maximum) const {
   uint32_t last = 0;
   while (winding_gates_[maximum] == no_id) {
@@ -109,7 +110,7 @@ Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::
   location.ball = way.nearest_ball().ball;
   location.ball_shift = way.nearest_ball().shift;
   location.maximum = no_id;
-  // Whether it is in a ball integers decide.
+  // Integers decide whether the point is in a ball.
   const bool blocked =
       floor == 0 ? balls.find({point, 0}, nullptr, 0) > 0 : !(location.level > static_cast<double>(floor));
   if (blocked) return Status::ok;
@@ -120,7 +121,7 @@ Status follow_up(const PoresBuilder &pores, const BallsAround &balls, Ascent &wa
                  int64_t floor, PoreLocation &location) {
   while (way.step()) {
   }
-  // So far from all balls a way may be too flat for the steps that there are.
+  // So far from all balls a way may be too flat for the number of steps allowed.
   const Status lost = way.level() > 0x1p34 ? Status::range : Status::check;
   if (way.is_lost()) return lost;
   const Vec3 &offset = way.offset();

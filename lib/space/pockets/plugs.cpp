@@ -5,7 +5,7 @@
 namespace hsp {
 namespace {
 
-// A disc in the plane of a mouth, seen from its point.
+// A disc in the plane of a mouth; positions are relative to the mouth's point.
 struct Disc {
   Vec3 centre;
   double radius;
@@ -15,8 +15,8 @@ double squared_length(const Vec3 &v) {
   return dot(v, v);
 }
 
-// The square of the distance to the farther one of the ends of the gap between two discs, or to the corner where they
-// meet, on the near side of the line of their centres.
+// The square of the distance from the mouth's point to the farther end of the gap between two discs; or, if they meet,
+// to the corner at which they do, on the near side of the line of their centres.
 double squared_reach(const Disc &one, const Disc &other) {
   const Vec3 between = other.centre - one.centre;
   const double distance = std::sqrt(squared_length(between));
@@ -26,7 +26,8 @@ double squared_reach(const Disc &one, const Disc &other) {
     return larger_of(squared_length(one.centre + one.radius * along),
                      squared_length(other.centre - other.radius * along));
   }
-  // Of the common chord, where it crosses the line; and half its length, which is uncertain where discs hardly meet.
+  // The point at which the common chord crosses the line of centres; and half the length of the chord, which is not
+  // known well if the discs hardly meet.
   const double r = one.radius;
   const double foot = 0.5 * (distance + (r - other.radius) * (r + other.radius) / distance);
   const double half = r * r - foot * foot, error = 0x1p-48 * (r * r + distance * distance);
@@ -57,7 +58,7 @@ exact::LatticeBall plug_of(const PoresBuilder &pores, const BallsAround &balls, 
     const double squared = squared_length(from);
     return squared > 0.0 ? (1.0 / std::sqrt(squared)) * from : Vec3{};
   };
-  // All of them are in one plane with the point, on all sides of it.
+  // All centres are in one plane with the point, on all sides of it.
   Vec3 normal{};
   for (uint32_t k = 1; k < tied.size(); ++k) {
     const Vec3 n = cross(direction(0), direction(k));
@@ -65,7 +66,7 @@ exact::LatticeBall plug_of(const PoresBuilder &pores, const BallsAround &balls, 
   }
   double squared = 0.0, largest = 0.0;
   for (uint32_t k = 0; k < tied.size(); ++k) {
-    // The next one, counter-clockwise, is less than half a turn away.
+    // The next ball, counter-clockwise, is less than half a turn away.
     const Vec3 own = direction(k);
     uint32_t next = no_id;
     double least_turn = -2.0;

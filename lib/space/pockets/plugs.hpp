@@ -1,7 +1,8 @@
-// Balls that close the mouths of pockets. The balls are grown by a narrow probe: in the plane of a mouth's nearest ones
-// they leave a part open, between their discs and, where two neighbouring discs do not meet, up to the line of their
-// centres. Its farthest point from that of the mouth is a corner where two discs meet, or an end of such a gap. A plug
-// is a ball around the mouth's point, as it is on the lattice, that holds all of these.
+// Plugs: balls that close the mouths of pockets. All balls are grown by the radius of a narrow probe. In the plane of
+// the centres of a mouth's nearest balls these leave a region open: between their discs and, between two neighbouring
+// discs that do not meet, up to the line of their centres. Its farthest point from the mouth's point is a corner at
+// which two discs meet, or an end of such a gap. The plug is a ball around the mouth's point, rounded to the lattice,
+// that contains all these corners and ends.
 #pragma once
 
 #include "pores/balls_around.hpp"
@@ -9,8 +10,8 @@
 
 namespace hsp {
 
-// grown: by what balls are, in steps; a ball that would have less than none has the radius 0. The radius of the plug is
-// rounded up, by a part in 2^20 of the largest length that it comes from: so it still closes the mouth where balls and
+// grown: the length by which balls are grown, in steps; radii that would be negative are 0. The radius of the plug is
+// rounded up, by 2^-20 of the largest length that it is computed from: so the plug still closes the mouth if balls and
 // plugs are put on a somewhat coarser lattice.
 exact::LatticeBall plug_of(const PoresBuilder &pores, const BallsAround &balls, const PoreGate &mouth, int64_t grown);
 

@@ -33,8 +33,8 @@ void PocketFinder::mark(uint32_t maximum, uint32_t pocket) {
   label_[maximum] = pocket == no_id ? of_no_pocket : pocket;
 }
 
-// As gates are in descending order, each part grows along its widest ways, and no two parts with different marks grow
-// together.
+// Gates are taken in descending order, so that each part grows along its widest ways. Two parts with different marks
+// are never joined.
 void PocketFinder::find_leaks(const PoresBuilder &pores) {
   DisjointSets sets(parents_.part(0, pores.maxima().size() + 1));
   sets.reset();
@@ -91,7 +91,7 @@ void PocketFinder::number_maxima(const PoresBuilder &pores, double narrow) {
   }
 }
 
-// Counts become slots: each list has as many entries of a pocket as were counted before it is written.
+// Lists are counted first, then filled: the counts become the ranges of the pockets.
 void PocketFinder::gather(const PoresBuilder &pores, double narrow) {
   const auto for_maxima = [&](auto visit) {
     for (uint32_t k = 0; k < known_; ++k) {

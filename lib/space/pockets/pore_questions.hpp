@@ -1,4 +1,4 @@
-// Pores with what is asked of them: pockets, regions and tunnels, in one piece of memory.
+// Pores, and the answers to questions about them: pockets, regions and a tunnel, in one piece of memory.
 #pragma once
 
 #include "pockets/plugs.hpp"
@@ -28,31 +28,32 @@ class PoreQuestions {
     regions_.carve(workspace, limits.pores);
     tunnel_.carve(workspace, limits.pores.maxima, limits.pores.gates, limits.points);
   }
-  // As PoresBuilder::build. There is nothing where the largest ball has no radius left.
+  // As PoresBuilder::build(). No level is below minus the largest radius: a lower floor counts as a step less than
+  // that.
   Status build(const CubeGrid &grid, int64_t floor, Patience patience = Patience(),
                const PoreQuestions *before = nullptr) {
     return builder_.build(grid, begin(grid.balls().largest_radius, floor), patience,
                           before != nullptr ? &before->builder_ : nullptr);
   }
-  // In a periodic box.
+  // The same in a periodic box.
   Status build(const PeriodicImages &images, int64_t floor, Patience patience = Patience()) {
     return builder_.build(images, begin(images.largest_radius(), floor), patience);
   }
-  // As TunnelFinder::find, of the balls that pores were built of.
+  // As TunnelFinder::find(). balls: those that the pores were built of.
   Status find_tunnel(const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary,
                      Patience patience = Patience()) {
     return tunnel_.find(builder_, balls, ends, summary, patience);
   }
   // As PocketFinder::find.
   void find_pockets(double narrow, double wide) { pockets_.find(builder_, narrow, wide); }
-  // As RegionFinder::find, of the balls that pores were built of.
+  // As RegionFinder::find(). balls: those that the pores were built of.
   Status find_regions(const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic,
                       uint32_t first_plug = no_id, Patience patience = Patience()) {
     return regions_.find(builder_, balls, boundary, periodic, floor_, first_plug, patience);
   }
-  // As PocketFinder::match, with the regions that `plugged` has found. point_of(maximum, point) is where it is on the
-  // lattice of these, around which `balls` are. Status::range: that is too far away. Unless these are the same pores,
-  // their mouths become leaks. Status::stopped: more is not allowed.
+  // As PocketFinder::match(), with the regions that `plugged` has found. point_of(maximum, point) sets the place of a
+  // maximum on the lattice of `plugged`; balls: those of `plugged`. Status::range: that place is too far away.
+  // Status::stopped: patience has ended. Unless `plugged` is this object, its mouths become the leaks.
   template <class PointOf>
   Status match_pockets(PoreQuestions &plugged, const BallsAround &balls, PointOf point_of,
                        Patience patience = Patience()) {
@@ -99,7 +100,7 @@ class PoreQuestions {
   }
 
  private:
-  // Forgets what was asked before. Returns the lowest floor that matters.
+  // Forgets the answers. Returns the floor, or the lowest one that makes a difference.
   int64_t begin(int64_t largest_radius, int64_t floor) {
     pockets_.forget();
     regions_.forget();

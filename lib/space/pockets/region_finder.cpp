@@ -11,7 +11,7 @@
 namespace hsp {
 namespace {
 
-// Steps above the boundary that no rounding of a point makes up for.
+// So many lattice steps above the boundary are more than the rounding of a point.
 constexpr double certain_level = 3.0;
 
 exact::Vector rounded(const BallSet &balls, const Position &position) {
@@ -20,8 +20,9 @@ exact::Vector rounded(const BallSet &balls, const Position &position) {
   return {centre.x + nearest(offset.x), centre.y + nearest(offset.y), centre.z + nearest(offset.z)};
 }
 
-// Calls is_enough(position) for points of a face until it is true: its vertices and a point of each circle, or one of a
-// whole sphere; then for some with no other ball near to them, for spheres that touch others. Returns the last answer.
+// Calls is_enough(position) for points of a face until it returns true: its vertices and a point of each circle, or one
+// point of a whole sphere; then points with no other ball near to them, for spheres that touch others. Returns the last
+// answer.
 template <class IsEnough>
 bool visit_points(const BallsAround &around, const Boundary &boundary, uint32_t face, IsEnough is_enough) {
   const BallSet &balls = around.set();
@@ -45,7 +46,7 @@ bool visit_points(const BallsAround &around, const Boundary &boundary, uint32_t 
     const int64_t x = nearest(0.3 * r * (k % 5 - 2)), y = nearest(0.3 * r * (k / 5 - 2));
     const Vec3 level{static_cast<double>(x), static_cast<double>(y), 0.0};
     const Position entry{ball, {level.x, level.y, -std::sqrt(r * r - dot(level, level))}};
-    // Where this finds the ball alone, the point on its sphere is free.
+    // If the search finds this ball alone, the point on its sphere is free.
     if (around.find({rounded(balls, entry), 4}, nullptr, 0) != 1) continue;
     if (face_of_entry(balls, boundary, ball, centre.x + x, centre.y + y) == face && is_enough(entry)) return true;
   }
@@ -54,8 +55,9 @@ bool visit_points(const BallsAround &around, const Boundary &boundary, uint32_t 
 
 }  // namespace
 
-// A shell is between one component of the union and one region. Take these as nodes and shells as links: without a box
-// that is a tree; in a box it has one ring at most, as all ways round a box commute.
+// The room for shells: a shell is between one component of the union and one region. The graph with components and
+// regions as nodes and shells as links is a tree without a box; in a box it has one cycle at most, as all ways round a
+// box commute.
 void RegionFinder::carve(Workspace &workspace, const PoreLimits &limits) {
   regions_ = FixedVector<PoreRegion>(workspace.take<PoreRegion>(static_cast<uint64_t>(limits.maxima) + 1));
   region_of_shell_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.maxima) + limits.balls + 1);

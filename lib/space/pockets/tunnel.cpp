@@ -12,7 +12,7 @@ Vec3 position_of(const exact::Vector &point) {
   return {static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
 }
 
-// A box is given if there is a shift.
+// The vector of a shift. Without a box the shift is 0.
 Vec3 translation(const PoresBuilder &pores, const BoxShift &shift) {
   return shift.is_zero() ? Vec3{0.0, 0.0, 0.0} : to_double(pores.box()->translation(shift));
 }
@@ -37,7 +37,7 @@ void TunnelFinder::carve(Workspace &workspace, uint32_t maxima, uint32_t gates, 
   way_ = FixedVector<WayPoint>(workspace.take<WayPoint>(points));
 }
 
-// Of each node the steps that begin there; and which gates are as wide.
+// Lists the steps that begin at each node; and finds the gates that are equally wide.
 void TunnelFinder::list_steps(const PoresBuilder &pores) {
   for (uint32_t k = 0; k < pores.gates().size(); ++k) {
     const bool alike = k > 0 && pores.gates()[k].point.level == pores.gates()[k - 1].point.level;
@@ -58,7 +58,7 @@ void TunnelFinder::list_steps(const PoresBuilder &pores) {
   }
 }
 
-// Of the straight line from a gate to the maximum at an end; the outside costs nothing.
+// The cost of the straight line from a gate to the maximum at one of its ends; the outside costs nothing.
 double TunnelFinder::cost_of_half(const PoresBuilder &pores, uint32_t gate, uint32_t end, bool by_length) const {
   const PoreGate &passed = pores.gates()[gate];
   if (passed.end[end] == pore_outside) return 0.0;
@@ -75,7 +75,7 @@ bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uin
   const uint32_t nodes = pores.maxima().size() + 1;
   for (uint32_t k = 0; k < nodes; ++k) nodes_[k].slot = no_id;
   list_steps(pores);
-  // Places in the list, not levels, which are rounded.
+  // The widths are ranks in the list of gates, not levels, which are rounded.
   struct Rank {
     uint32_t width;
     double cost;
@@ -98,7 +98,7 @@ bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uin
   };
   uint32_t waiting = 0, node = from;
   bool closes = false;
-  Rank best{0, 0.0, no_id};  // of the step that closes
+  Rank best{0, 0.0, no_id};  // the rank of the step that closes the path
   nodes_[from] = {0.0, {no_id}, in_tree, {}};
   while (node != to) {
     if (!patience.allows(2000)) return false;
@@ -141,7 +141,7 @@ bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uin
   return true;
 }
 
-// From the root of the tree to a node.
+// Makes the route from the root of the tree to a node.
 void TunnelFinder::take_route(const PoresBuilder &pores, uint32_t from, uint32_t to) {
   for (uint32_t node = to; node != from;) {
     const Step by = nodes_[node].by;
@@ -155,7 +155,7 @@ void TunnelFinder::take_route(const PoresBuilder &pores, uint32_t from, uint32_t
   }
 }
 
-// The same to where a step begins; by that, and back from where it ends.
+// Makes a closed route: from the root to the node at which a step begins, by that step, and back to the root.
 void TunnelFinder::close_route(const PoresBuilder &pores, uint32_t from, Step closing) {
   const PoreGate &gate = pores.gates()[closing.gate()];
   take_route(pores, from, node_of(gate.end[closing.end()]));
@@ -186,7 +186,7 @@ void TunnelFinder::reverse(uint64_t first) {
   }
 }
 
-// A way up comes to its maximum by ever smaller steps, and a maximum that is given as an end comes twice.
+// The last points of a way up are close together; and a maximum that is given as an end would be there twice.
 void TunnelFinder::leave_out_near_points() {
   const auto is_named = [](const TunnelPoint &point) { return point.gate != no_id || point.maximum != no_id; };
   const uint32_t count = points_.size();
@@ -213,10 +213,10 @@ void TunnelFinder::leave_out_near_points() {
   points_.set_count(kept);
 }
 
-// From a point, moved by a copy's translation, to near its maximum, or outside. A step is a straight line, of which
-// there are points between where it is long beside how far the centres of the balls are that are nearest along it: in
-// parts as long as each other, or, where those would be many beside a ball that is far smaller than the step is long,
-// the shorter the nearer they are to it.
+// Adds the points of a way up from a point to near its maximum, or to the outside; all moved by the vector `by` of a
+// copy. A step is a straight line. Points are added on it if it is long beside the distance to the centres of its
+// nearest balls: in equal parts; or, if these would be too many beside a ball far smaller than the length of the step,
+// in parts that are shorter near that ball.
 Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &start, const Vec3 &by,
                                 const BoxShift &copy, Patience &patience) {
   constexpr double apart = 1.0 / 12.0, shortest = 32.0;
@@ -288,7 +288,7 @@ Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &s
   return way.is_lost() ? Status::check : Status::ok;
 }
 
-// From a copy of a gate to its end.
+// Adds the points of the way up from a copy of a gate to its end.
 Status TunnelFinder::add_way(PoresBuilder &pores, uint32_t gate, uint32_t end, const BoxShift &copy) {
   way_.clear();
   const Status status = pores.trace(gate, end, way_);

@@ -1,15 +1,16 @@
-// A path from one point to another, or to the outside, through maxima and gates, with the points that it leads through.
+// Tunnels: a path from one point to another, or to the outside, through maxima and gates, and its points.
 //
-// From the maximum above the start a tree of maxima grows, by the widest gate first that leads out of it, of gates as
-// wide the one that makes the shorter way. So the tightest gate on the way to each of them is as wide as that of any
-// path, and so is that of every part of the way. Or by the least cost first: a straight line from a maximum to a gate
-// costs the integral of 1 / radius^2 along it, if the radius changes evenly: its length over the product of both radii.
-// Gates may be avoided: without the tightest ones of paths before, the next one is the best that gets by elsewhere.
+// A tree of maxima grows from the maximum above the start. By width: the next gate is the widest one that leads out of
+// the tree; of equally wide gates the one that makes the shorter way. So on the way to each maximum, and on each part
+// of it, the tightest gate is as wide as on any path. By cost: the next gate is the one of the least cost. A straight
+// line from a maximum to a gate costs the integral of 1 / radius^2 along it for a radius that changes linearly: its
+// length divided by the product of both radii. Gates may be avoided. If the tightest gates of the paths before are
+// avoided, the next path is the best one that goes elsewhere.
 //
-// In a periodic box the end may be any copy of the point, and instead of to the outside the path leads to another copy
-// of its start: the first gate, in the order of the tree's, that joins two maxima of the tree, but for a copy, closes
-// it. It is the best one, since of two ways to one copy that differ in nothing but a copy one is at least as good as
-// the other.
+// In a periodic box the path may end at any copy of the point. Instead of to the outside it leads to another copy of
+// its start: it is closed by the first gate, in the order in which the tree grows, that leads from one maximum of the
+// tree to another copy of one. That path is the best: of two ways to one maximum that differ only in the copy one is at
+// least as good as the other.
 #pragma once
 
 #include "pockets/class_tree.hpp"
@@ -19,41 +20,41 @@ namespace hsp {
 struct TunnelPoint {
   Vec3 position;
   double level;
-  uint32_t ball[4];     // nearest ones, of the caller; no_id behind the last one
-  SmallShift shift[4];  // in a box: of their images, from the copy on
-  BoxShift copy;        // of the gate or maximum, or of what the way leads up from
-  uint32_t gate;        // that it is, or no_id
-  uint32_t maximum;     // likewise
+  uint32_t ball[4];     // nearest balls, by the caller's numbers; no_id behind the last one
+  SmallShift shift[4];  // in a box: which images they are, relative to `copy`
+  BoxShift copy;        // which copy of the gate or maximum it is, or of the point that the way leads up from
+  uint32_t gate;        // the gate at this point, or no_id
+  uint32_t maximum;     // the maximum at this point, or no_id
 };
 
-// The question.
+// The question: the ends of a tunnel, and how to choose it.
 struct TunnelEnds {
   exact::Vector from;
-  const exact::Vector *to;  // null: the outside, in a box another copy of the start
+  const exact::Vector *to;  // null: the outside; in a box another copy of `from`
   Span<const uint32_t> avoided;
   int64_t floor;
-  bool by_cost;  // rather than by width
+  bool by_cost;  // by the least cost; else by the largest width
 };
 
 struct TunnelSummary {
   bool there;
-  bool outside;          // whether it comes to the outside; from there to where it comes back no points are known
+  bool outside;          // whether it leads to the outside; points between leaving and coming back are not known
   double level;          // of the widest probe that gets through; infinite without balls
   double length;         // of the polyline
-  double cost;           // of its gates; infinite if one is no wider than 0
-  uint32_t gate;         // the tightest one; no_id without gates
-  uint32_t gates;        // that it passes
-  BoxShift shift;        // in a box: so many vectors from the end that was given
-  PoreLocation ends[2];  // where it begins and ends; of the outside the point of one
+  double cost;           // of the gates passed; infinite if one is no wider than 0
+  uint32_t gate;         // the tightest gate; no_id without gates
+  uint32_t gates;        // how many gates it passes
+  BoxShift shift;        // in a box: from the given end to the copy at which it ends
+  PoreLocation ends[2];  // of its first and its last point; the outside has the location of a point in it
 };
 
 class TunnelFinder {
  public:
   void carve(Workspace &workspace, uint32_t maxima, uint32_t gates, uint32_t points);
-  // Points of a way that are nearer to the one before than nearness of its level are left out, but for gates, maxima
-  // and ends; an end that is a maximum or gate, but for rounding, is that, at its own position.
-  // Status::capacity: there is no room for so many points; needed_points() would have sufficed. Status::range: so many
-  // boxes away that there are no positions there. Status::stopped: more is not allowed.
+  // Finds a tunnel. A point is left out if it is nearer to the one before than `nearness` times its level, except for
+  // gates, maxima and ends. An end that is a maximum or gate but for rounding counts as that, and keeps its own
+  // position. Status::capacity: there is no room for the points; needed_points() would have sufficed. Status::range:
+  // the tunnel leads so many boxes away that positions overflow. Status::stopped: patience has ended.
   Status find(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary,
               Patience patience = Patience());
   void forget() {
@@ -63,26 +64,26 @@ class TunnelFinder {
   }
 
   Span<const TunnelPoint> points() const { return points_.items(); }
-  // Of the last tunnel; all is 0 if there is none.
+  // The summary of the last tunnel; all is 0 if there is none.
   const TunnelSummary &summary() const { return summary_; }
   uint32_t capacity() const { return points_.capacity(); }
   uint32_t needed_points() const { return needed_; }
 
  private:
   static constexpr double nearness = 0x1p-8, rounding = 2.0;
-  // Through a gate from one of its ends to the other one: twice its number, and which end it begins at.
+  // A step through a gate from one of its ends to the other: twice the gate's number, plus the end it begins at.
   struct Step {
     uint32_t gate_and_end;
     uint32_t gate() const { return gate_and_end / 2; }
     uint32_t end() const { return gate_and_end % 2; }
     Step back() const { return {gate_and_end ^ 1}; }
   };
-  // A maximum, or 0, the outside, in the tree or beside it.
+  // A node of the tree, or one next to it: 0 is the outside, m + 1 maximum m.
   struct Node {
-    double cost;     // of the way there
-    Step by;         // the last step of it
-    uint32_t slot;   // of the heap; no_id: not seen; in_tree
-    BoxShift shift;  // of its copy
+    double cost;     // of the way to it
+    Step by;         // the last step of that way
+    uint32_t slot;   // its slot in the heap; no_id: not seen; in_tree: in the tree
+    BoxShift shift;  // the copy that the way leads to
   };
   static constexpr uint32_t in_tree = no_id - 1;
   void list_steps(const PoresBuilder &pores);
@@ -101,9 +102,9 @@ class TunnelFinder {
                  uint32_t maximum);
 
   Span<Node> nodes_;             // [maxima + 1]
-  Span<uint32_t> first_, heap_;  // [maxima + 2] of steps_; [maxima + 1]
-  Span<uint32_t> first_alike_;   // [gates] the first one with the level of each
-  Span<Step> steps_, route_;     // [2 gates] by the node that they begin at; [2 maxima + 3]
+  Span<uint32_t> first_, heap_;  // [maxima + 2] the first step of each node; [maxima + 1]
+  Span<uint32_t> first_alike_;   // [gates] the first gate of the same level
+  Span<Step> steps_, route_;     // [2 gates] by the node at which they begin; [2 maxima + 3]
   FixedVector<TunnelPoint> points_;
   FixedVector<WayPoint> way_;
   TunnelSummary summary_{};

@@ -7,7 +7,7 @@
 namespace hsp {
 namespace {
 
-// Sign of constant + slope l at the root of A l^2 + 2 b l + c where that decreases.
+// The sign of constant + slope l at the root of A l^2 + 2 b l + c at which that polynomial decreases.
 int sign_at_falling_root(const Long &A, const Long &b, const Long &c, const Long &constant, const Long &slope) {
   if (slope.sign() == 0) return constant.sign();
   const Long twice(2);
@@ -18,9 +18,9 @@ int sign_at_falling_root(const Long &A, const Long &b, const Long &c, const Long
   return before ? slope.sign() : -slope.sign();
 }
 
-// Parts of a line are computed by call: what one has on the stack is not added to that of the others.
+// The parts of a line are computed in functions that are not inlined, so that their stack is not added up.
 
-// The line of rows that leave its z free; false if they do not.
+// The line of rows that leave z free; false if they do not.
 [[gnu::noinline]] bool fill_steep(const CurveRows<Integer> &rows, const Row<Integer> &third, TangentLines::Line &line) {
   const SteepLine<Integer> steep(rows, third);
   if (steep.D.sign() == 0) return false;
@@ -40,8 +40,7 @@ int sign_at_falling_root(const Long &A, const Long &b, const Long &c, const Long
   return x * x + y * y + z * z - p * p;
 }
 
-// The line of rows whose third v is a combination of the others, so that they have a z of their own, zeta / delta; but
-// for its c.
+// The line, without its c, of rows whose third v is a combination of the others: they fix z to zeta / delta.
 [[gnu::noinline]] void fill_flat(const CurveRows<Integer> &rows, const Row<Integer> &third, TangentLines::Line &line) {
   const Row<Integer> &first = rows.first, &second = rows.second;
   const Triple<Integer> to_first = cross(second.v, rows.normal), to_second = cross(rows.normal, first.v);
@@ -64,14 +63,14 @@ bool has_root(const TangentLines::Line &line) {
   if ((line.b * line.b - line.A * line.c).sign() <= 0) return false;
   return line.A.sign() != 0 || line.b.sign() < 0;
 }
-// Sign of the z of a line less (zeta / delta + steps).
+// The sign of the z of a point on a line less (zeta / delta + steps).
 int compare_with_fixed(const TangentLines::Line &line, const Integer &zeta, const Integer &delta, int64_t steps) {
   const Integer there = zeta + Integer(steps) * delta;
   const Long D(delta);
   return sign_at_root(line, D * line.p - Long(there) * line.D, D * line.q) * line.D.sign() * delta.sign();
 }
 
-// x 2^exponent, by steps that are doubles.
+// x 2^exponent, in steps whose factors are doubles.
 double scaled(double x, int exponent) {
   while (exponent != 0) {
     const int step = exponent > 62 ? 62 : exponent < -62 ? -62 : exponent;
@@ -82,20 +81,20 @@ double scaled(double x, int exponent) {
   return x;
 }
 
-// The filter's sign if it has one, else that of integers.
+// The sign by the filter if that is certain, else by integers.
 template <class Make>
 int sign_of_number(const Make &make) {
   const int certain = make.template operator()<Bounded>().sign();
   return certain != 0 ? certain : make.template operator()<Integer>().sign();
 }
 
-// By call, for the same reason as the parts of a line.
+// Not inlined, for the same reason as the parts of a line.
 template <class Make>
 [[gnu::noinline]] void make_exactly(const Make &make, AffineForm<Integer> &form) {
   form = make.template operator()<Integer>();
 }
 
-// The root of a line; false if there certainly is none.
+// Sets z to a root of W on a line; false if there certainly is none.
 template <class RoughLines>
 bool find_z(const RoughLines &line, bool rising, Bounded &z) {
   const Bounded A = rising ? -line.A() : line.A(), b = rising ? -line.b() : line.b(), c = rising ? -line.c() : line.c();
@@ -154,7 +153,7 @@ TangentPoint TangentPoint::sharpened() const {
   return point;
 }
 
-// known: by doubles.
+// Whether the point exists. known: the answer of doubles, as estimate() returns it.
 bool TangentPoint::is_there(int known) {
   if (known != 0) return known > 0;
   if (!is_steep_ && is_of_equal_balls_in_plane()) return false;
@@ -175,7 +174,8 @@ int TangentPoint::estimate(const RoughLines &line) {
   return 1;
 }
 
-// Four equal balls with their centres in one plane tie on a whole line or nowhere: there is no such point.
+// Whether the point is of four equal balls with their centres in one plane. They tie on a whole line or nowhere: there
+// is no such point.
 bool TangentPoint::is_of_equal_balls_in_plane() const {
   const BallSet &balls = *balls_;
   const auto is_equal = [&](uint32_t ball) { return balls.r[ball] == balls.r[curve_.base]; };
@@ -192,7 +192,7 @@ const TangentPoint::Line &TangentPoint::exact_line() const {
   return line;
 }
 
-// It is not there if the rows leave no line that crosses the cone in points.
+// Fills the line of the point. There is none if the rows leave no line that crosses the cone |y|^2 = z^2 in points.
 void TangentPoint::fill(Line &line) const {
   const CurveRows<Integer> rows(*balls_, curve_);
   const Row<Integer> third = last_row(*balls_, curve_, rows, last_);
@@ -255,8 +255,9 @@ int TangentPoint::side_of_curve(const TangentCurve &curve) const {
 }
 
 int TangentPoint::departure(const TangentCurve &curve, int side, uint32_t ball) const {
-  // (dy, dz) along the curve has v1.dy + e1 dz = v2.dy + e2 dz = 0 and y.dy = z dz, and the ball gets farther by
-  // -(C.dy + e dz). That is, but for a factor of the sign of y.(v1 x v2), the determinant of (y, -z) and the rows.
+  // A direction (dy, dz) along the curve has v1.dy + e1 dz = v2.dy + e2 dz = 0 and y.dy = z dz, and the ball gets
+  // farther by -(C.dy + e dz). Up to a factor of the sign of y.(v1 x v2) that is the determinant of (y, -z) and the
+  // rows.
   const int turn = sign_of([&]<class Number>() {
     const CurveRows<Number> rows(*balls_, curve);
     const Row<Number> row = row_of<Number>(*balls_, curve.base, ball);
@@ -265,7 +266,7 @@ int TangentPoint::departure(const TangentCurve &curve, int side, uint32_t ball) 
                        dot(rows.normal, row.v), curve.base);
   });
   if (turn != 0) return -side * turn;
-  // Tangent: the curve is convex, so that the ball stays on the side that it is on.
+  // The curve touches the surface as near to the ball: the curve is convex, so that the ball stays on its side.
   return side * side_of_centre(*balls_, curve, ball);
 }
 
@@ -296,7 +297,7 @@ int TangentPoint::compare_levels(const TangentPoint &other) const {
   if (certain != 0) return certain;
   const Line &own = exact_line(), &others = other.exact_line();
   if (!own.there || !others.there) return 0;
-  // z of this one less that of the other one, as seen from there, and `shift` more.
+  // The z of this point less that of the other, whose base is different: hence `shift`.
   const auto steps = static_cast<int64_t>(shift);
   if (others.flat) return compare_with_fixed(own, others.p, others.D, -steps);
   if (own.flat) return -compare_with_fixed(others, own.p, own.D, steps);
@@ -358,7 +359,7 @@ double TangentPoint::estimate_closely(Vec3 &off, double &level) {
     level = 0.5 * distance - balls_->r[curve_.base];
   };
   if (line.flat) {
-    // l^2 = -c / A, and P and Q are at right angles: nothing cancels.
+    // Here l^2 = -c / A, and P and Q are at right angles: nothing cancels.
     int up = 0, down = 0;
     const double above = std::fabs((-line.c).leading(up)), below = std::fabs(line.A.leading(down));
     const bool odd = ((up - down) & 1) != 0;
@@ -371,8 +372,8 @@ double TangentPoint::estimate_closely(Vec3 &off, double &level) {
         quotient(line.P.z, line.D) + height * number_of(line.Q.z), quotient(line.p, line.D));
     return tolerable + 0x1p-20;
   }
-  // z by halves: 2^bits z lies in [least, least + 2^size). Across the place where two balls touch a point goes much
-  // farther than z, which then needs more bits.
+  // z is found by bisection: 2^bits z lies in [least, least + 2^size). Near the place where two balls touch a point
+  // moves much farther than z changes: then z needs more bits.
   const double pace =
       longest_part({quotient(line.Q.x, line.D), quotient(line.Q.y, line.D), quotient(line.Q.z, line.D)});
   const int bits = pace > 32.0 ? 60 : 24;
@@ -388,7 +389,7 @@ double TangentPoint::estimate_closely(Vec3 &off, double &level) {
   return tolerable + 0x1p-20;
 }
 
-// Sign of t - halves unit / 2, for a power of two.
+// The sign of t - halves unit / 2; unit: a power of two.
 int TangentPoint::level_against_half(double halves, double unit) const {
   const double scale = 2.0 / unit, bound = 2.0 * scale * balls_->r[curve_.base] + 2.0 * halves;
   return sign_of([&]<class Number>() {
@@ -397,7 +398,7 @@ int TangentPoint::level_against_half(double halves, double unit) const {
   });
 }
 
-// How many units integers may move a level by: twice what it may be off.
+// By how many units integers may correct a level: twice its error bound.
 constexpr int most_units = 64;
 
 double TangentPoint::rounded_level(double level, double error, double unit) const {
@@ -407,7 +408,7 @@ double TangentPoint::rounded_level(double level, double error, double unit) cons
     return std::fabs(estimate / unit - multiple) + within / unit < 0.499;
   };
   if (is_certain(level, error)) return multiple * unit;
-  // By sharper bounds.
+  // The sharper bounds.
   const CurveRows<Bounded> rows(*balls_, curve_);
   const SteepLine<Bounded> line(rows, last_row(*balls_, curve_, rows, last_));
   Bounded z;
@@ -423,7 +424,7 @@ double TangentPoint::rounded_level(double level, double error, double unit) cons
 
 double TangentPoint::refine_from_base(Vec3 &off, double &level) {
   const double error = estimate_closely(off, level);
-  // 2^-40 of the largest radius, or 2^-20 of a step.
+  // The unit of levels: about 2^-40 of the largest radius, at least 2^-20 of a step.
   double unit = 0x1p-20;
   while (unit < 0x1p-41 * static_cast<double>(balls_->largest_radius)) unit *= 2.0;
   if (error <= 0.5 * most_units * unit && std::fabs(level) < 0x1p50 * unit) {
@@ -452,7 +453,7 @@ bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k) {
   return zero(normal.template operator()<Bounded>()) && zero(normal.template operator()<Integer>());
 }
 
-// By integers of a fixed length, as it is asked where doubles have no answer: differences are below 2^53.
+// Integers of a fixed length, as the question comes when doubles have no answer. Differences are below 2^53.
 bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint32_t l) {
   using Short = exact::WideInteger<exact::FastLimb, 64>;
   struct Difference {
@@ -511,7 +512,7 @@ int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t bal
 int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball) {
   const int off = side_of_centre(balls, curve, ball);
   if (off != 0) return -side * off;
-  // Of w - C.y - e z the part that grows with z, in the plane or line of the curve's centres.
+  // The part of w - C.y - e z that grows with z, in the plane or line of the curve's centres.
   return sign_of_number([&]<class Number>() {
     const CurveRows<Number> rows(balls, curve);
     const Row<Number> row = row_of<Number>(balls, curve.base, ball);

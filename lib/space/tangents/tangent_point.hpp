@@ -1,25 +1,28 @@
-// Points that are equally far from several balls, and the signs of what is asked of them, decided by integers.
+// Points that are equally far from several balls, and questions about them, each the sign of a number decided by
+// integers.
 //
-//        a           x has the distance t from the spheres of a, b and c, in their plane, where three balls leave a
-//         \  t       curve of such points, a branch of a conic: the plane cuts it in x, a fourth ball in two points.
+//        a           x has the distance t from the spheres of a, b and c. Such points of three balls are a curve, a
+//         \  t       branch of a conic. The plane of the centres cuts it in one point x, a fourth ball in two points.
 //          x         Is a ball d nearer to x than these three are? Is x inside their triangle, so that it is a gate?
-//       t / \ t      Which of two such points has the larger t? Each is the sign of a form at the root of a quadratic.
-//        b   c
+//       t / \ t      Which of two such points has the larger t? Each answer is the sign of a form at the root of a
+//        b   c       quadratic polynomial.
 //
-// One ball is the base: y = 2 (x - c), z = 2 (r + t) for a point x at the distance t from all balls of a set. With C
-// and e the differences of centre and radius from the base and w = |C|^2 - e^2, a ball is as near as the base iff
-//   C.y + e z = w,       and nearer, tied or farther by the sign of  w - C.y - e z :
-// linear, beside |y|^2 = z^2. This holds if no ball lies inside another one, touching from within included; then z > 0
-// makes all distances of centres positive, too.
+// One ball is the base, with centre c and radius r. A point x at the distance t from all balls of a set has the
+// coordinates y = 2 (x - c), z = 2 (r + t). For another ball let C and e be the differences of centre and radius from
+// the base, and w = |C|^2 - e^2. That ball is as near as the base if and only if
+//   C.y + e z = w,       and nearer, tied or farther by the sign of  w - C.y - e z .
+// These equations, the rows, are linear; the base gives |y|^2 = z^2. They hold if no ball lies inside another one,
+// touching from within included. Then z > 0 makes the distances from all centres positive, too.
 //
-// Two such rows, or one and a plane through the base's centre, leave a curve; a third leaves a line in (y, z):
+// Two such rows, or one and a plane through the base's centre, leave a curve; a third row leaves a line in (y, z):
 //   y = (P + Q l) / D,  z = (p + q l) / D,   on which  |y|^2 - z^2 = 0  is  W(l) = A l^2 + 2 b l + c = 0 .
-// As a rule l is z. Where the rows fix z, as those of four centres in one plane do, l is the height over that plane. Of
-// the two roots one has W' < 0, the other W' > 0. Only the first can be a maximum or a gate: filtration needs no other,
-// ways up do. Sign of a form F + G l at the root with W' < 0: by W and W' at its zero -F/G, never by a square root.
+// As a rule l is z. If the rows fix z, as those of four centres in one plane do, l is the height over that plane. One
+// of the two roots has W' < 0, the other W' > 0. Only a root with W' < 0 can be a maximum or a gate: these need no
+// other roots, but ways up do. The sign of a form F + G l at the root with W' < 0 follows from W and W' at its zero
+// -F/G, never from a square root.
 //
-// The filter stage has all of this in doubles with error bounds; the exact stage in integers. Lengths below 2^52, those
-// between any points of the lattice, give polynomials of degree 44 and below, less than 2330 bits:
+// The filter stage computes all of this in doubles with error bounds, the exact stage in integers. Lengths are below
+// 2^52, as between any points of the lattice: they give polynomials of degree 44 and below, of less than 2330 bits:
 //            D       P       Q       A, b, c       forms of degree       at the root
 //   4 balls  3       4       3       6, 7, 8       1 .. 5                up to 22
 //   3 balls  4       5       4       8, 9, 10      1 .. 5                up to 26
@@ -38,7 +41,7 @@ inline double longest_part(const Vec3 &v) {
   return x > y ? (x > z ? x : z) : y > z ? y : z;
 }
 
-// Where three balls are equally near; or two, in the plane of three.
+// The curve of points that are equally far from three balls; or from two, in the plane of three centres.
 struct TangentCurve {
   uint32_t base = no_id, second = no_id, third = no_id;
   bool in_plane = false;  // the third ball only gives the plane
@@ -49,7 +52,7 @@ struct NumberTriple {
   Number x, y, z;
 };
 
-// a.y + c z + k, of y and z as the ball `origin` has them.
+// The form a.y + c z + k, for y and z with the ball `origin` as base.
 template <class Number>
 struct AffineForm {
   NumberTriple<Number> a;
@@ -57,26 +60,26 @@ struct AffineForm {
   uint32_t origin;
 };
 
-// Memory of the exact stage, which is too large for a stack: the lines of the two points that were last asked for.
+// Memory of the exact stage, which is too large for a stack: the lines of the two points that were used last.
 class TangentLines {
  public:
-  // Of the rows, lines and forms, of degree 18 and below; of what is made of their products at a root.
+  // Integer: for rows, lines and forms, of degree 18 and below. Long: for products of these at a root.
   using Integer = LongInteger<1024>;
   using Long = LongInteger<2368>;
   struct Line {
-    uint64_t point = 0;  // whose line this is
+    uint64_t point = 0;  // the number of the point whose line this is
     NumberTriple<Integer> P, Q;
     Integer p, q, D;
     Long A, b, c;
     bool there = false, flat = false;
   };
 
-  // Numbers of points, so that none is taken for another one.
+  // A new number for each point, so that none is taken for another one.
   uint64_t next_point() { return ++points_; }
   // How many questions about points the exact stage has answered, for measurements.
   void count_question() { ++questions_; }
   uint64_t questions() const { return questions_; }
-  // The line of a point, or where it is to be put, with another number. The one before stays.
+  // The line of a point; if it is not here, the place for it, which has another number. The line used before stays.
   Line &line_of(uint64_t point) {
     if (line_[last_].point != point) last_ ^= 1;
     return line_[last_];
@@ -96,50 +99,53 @@ class TangentPoint {
   TangentPoint() = default;
   explicit TangentPoint(TangentLines &lines) : lines_(&lines) {}
 
-  // On a curve and as near to one more ball; or in the plane of the curve's three centres, without one (no_id), which
-  // is for curves of three balls. rising: with W' > 0. False if there is no such point, or if it has no z > 0.
+  // Finds a point of a curve: the one as near to a further ball `last`; or, for a curve of three balls and last =
+  // no_id, the one in the plane of their centres. rising: the root with W' > 0. False if there is no such point with z
+  // > 0.
   bool find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising);
-  // Both of them, the one with W' > 0 second.
+  // Finds both such points, the one with W' > 0 second.
   static void find_both(const BallSet &balls, const TangentCurve &curve, uint32_t last, TangentPoint (&points)[2],
                         bool (&there)[2]);
 
-  // The same point as doubles find it by four others that tie there, whose centres are in no plane; itself if they do
-  // not know which of the two points of these it is.
+  // The same point, computed in doubles from four other balls that tie there and whose centres are not in one plane. If
+  // doubles do not know which of the two points of these balls it is, returns this point.
   TangentPoint found_by(const uint32_t *four) const;
-  // The same with sharper bounds of what doubles know, as a rule.
+  // The same point, as a rule with smaller error bounds.
   TangentPoint sharpened() const;
 
-  // Sign of the distance of a ball less that of the point's balls: -1 nearer, 0 tied, +1 farther.
+  // The sign of the distance of a ball less that of the point's balls: -1 nearer, 0 tied, +1 farther.
   int nearness(uint32_t ball) const;
-  // On which side of the plane through three centres: +1 where they turn counter-clockwise, 0 in it.
+  // The side of the plane through three centres: +1 if they are seen counter-clockwise from the point, 0 in the plane.
   int side_of_plane(uint32_t i, uint32_t j, uint32_t k) const;
-  // For a point in the plane of three centres, and two of that plane: +1 if i, j and the point turn as the three do.
+  // For a point in the plane of three centres, and two centres in it: +1 if i, j and the point turn as the three do.
   int side_of_edge(const TangentCurve &plane, uint32_t i, uint32_t j) const;
-  // On which side a point of a curve is: of the plane of its three centres, or of the line of its two in their plane.
+  // The side of a point of a curve: of the plane of its three centres, or of the line of its two in their plane.
   int side_of_curve(const TangentCurve &curve) const;
-  // Going up a curve from this point of it, on the side that it is on, not 0: whether a tied ball gets farther
-  // (+1) or nearer (-1) at once, or not at once (0).
+  // The way goes up a curve from this point of it. side: the one that the point is on, not 0. Whether a tied ball gets
+  // farther (+1) or nearer (-1) at once, or neither at once (0).
   int departure(const TangentCurve &curve, int side, uint32_t ball) const;
-  // Sign of x - bound - part along an axis; part: below 2^40, of 2^-10 of a step.
+  // The sign of x - bound - part along an axis. part: below 2^40, a multiple of 2^-10 of a step.
   int against(uint32_t axis, int64_t bound, double part = 0.0) const;
-  // Sign of t - bound, and of t - t of another one.
+  // The sign of t - bound; the sign of t less the t of another point.
   int level_against(int64_t bound) const;
   int compare_levels(const TangentPoint &other) const;
 
-  // Of the filter stage, in steps; the error is infinite if it knows nothing.
+  // Estimates of the filter stage, in steps, with their errors; an error is infinite if nothing is known.
   double level_estimate() const { return 0.5 * z_.value - balls_->r[curve_.base]; }
   double level_error() const { return 0.5 * z_.error + unit_roundoff * std::fabs(level_estimate()); }
   Vec3 position_estimate() const;
   double position_error() const;
-  // The same, by sharper bounds or by the exact stage where the filter's error is large; returns how far the level may
-  // be off. The level is rounded to a power of two that depends on the largest radius alone, by integers where it is
-  // near the middle between two: symmetric points have the same, whatever balls they are computed from. It is 0 if that
-  // is what it is, and else has its sign.
+  // Position and level with smaller errors: by sharper bounds, or by the exact stage if the filter's error is large.
+  // Returns how far the level may be off. The level is rounded to a multiple of a power of two that depends on the
+  // largest radius alone; integers decide if it is near the middle between two multiples. So symmetric points have the
+  // same level, whatever balls they are computed from. The rounded level is 0 if and only if the level is, and has its
+  // sign.
   double refine(Vec3 &position, double &level);
-  // The same with the position as seen from the first ball of the curve.
+  // The same with the position relative to the first ball of the curve.
   double refine_from_base(Vec3 &off, double &level);
 
-  // True if four balls whose centres are in no plane certainly define it; then which of their two points it is.
+  // Whether four balls, whose centres are not in one plane, certainly define the point; and which of their two points
+  // it is.
   bool is_of_four() const { return is_steep_ && last_ != no_id && !curve_.in_plane; }
   bool is_rising() const { return rising_; }
 
@@ -165,23 +171,22 @@ class TangentPoint {
   bool rising_ = false, is_steep_ = false;
   NumberTriple<BoundedDouble> y_;
   BoundedDouble z_;
-  uint64_t number_ = 0;  // of its line
+  uint64_t number_ = 0;  // the number of its line
 };
 
 // Whether the centres of three balls are on one line; or, with four, in one plane.
 bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k);
 bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint32_t l);
 
-// Going up a curve of three balls, or of two in a plane, from the point nearest to their centres: whether a ball that
-// is tied there and whose centre is in the plane or on the line of those of the curve gets farther (+1) or nearer (-1),
-// or stays tied (0). The side is that which is gone up on, for a ball that is off the plane or the line.
+// The way goes up a curve of three balls, or of two in a plane, from the point of it that is nearest to their centres.
+// Whether a ball that is tied there gets farther (+1) or nearer (-1), or stays tied (0); its centre is in the plane, or
+// on the line, of the centres of the curve. side: the side on which the way goes, for a ball off the plane or line.
 int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball);
 
-// A curve in doubles: y = p + q z + h e with e across it and h^2 = -(A z^2 + 2 b z + c), seen from its base.
-// error_at(z, off): how far y may be off, if z may be off by that; infinite if nothing is known. error_up_to(z): as far
-// as z, and grows with it.
-// With h^2 off by d, h is off by d/(h + true h), hence by d/h at most, and by sqrt(d) at most, which is less near h = 0
-// alone.
+// A curve in doubles, relative to its base: y = p + q z + h e, with e the normal of its plane of symmetry and h^2 = -(A
+// z^2 + 2 b z + c). error_at(z, off): how far y may be off if z is off by at most `off`; infinite if nothing is known.
+// error_up_to(z): the same for all smaller z; it grows with z. If h^2 is off by d, h is off by d/(h + true h), hence by
+// at most d/h, and by at most sqrt(d), which is less only near h = 0.
 struct CurveShape {
   Vec3 p, q, e;
   double A, b, c;
@@ -204,7 +209,7 @@ struct CurveShape {
   double error_with(double z, double error_h) const { return 1.001 * (error_p + error_q * z + error_h) + 1e-12 * z; }
 };
 
-// A piece of a curve, between two z, and how far off its line it is there.
+// The piece of a curve between two z. low, high: the range of h on it.
 struct CurvePiece {
   CurvePiece(const CurveShape &shape, double from, double to);
   // Whether a ball is certainly farther than those of the curve on all of the piece.
@@ -218,16 +223,16 @@ struct CurvePiece {
 
   const CurveShape *shape;
   double from, to, low, high, error;
-  double span;  // of all lengths there
+  double span;  // a bound of all lengths on the piece
 };
 
-// Sign of det(v1, v2, C) of a curve and the centre of a ball.
+// The sign of det(v1, v2, C), v1 and v2 the rows of a curve and C the difference of a ball's centre from its base.
 int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball);
 
-// Whether the centres of two curves in one plane turn alike.
+// Whether the centres of two curves turn alike; all are in one plane.
 bool turn_alike(const BallSet &balls, const TangentCurve &a, const TangentCurve &b);
 
-// Whether a curve of that shape goes on for ever.
+// Whether a curve goes on for ever; shape: its shape.
 bool is_unbounded(const BallSet &balls, const TangentCurve &curve, const CurveShape &shape);
 
 }  // namespace hsp

@@ -1,5 +1,5 @@
-// The linear part of points that are equally far from several balls: rows, the lines that they leave, and forms, of
-// numbers of any kind.
+// The linear algebra of points that are equally far from several balls: rows, the lines that these leave, and forms,
+// for any type of number.
 #pragma once
 
 #include <type_traits>
@@ -81,7 +81,7 @@ struct CurveRows {
   Triple<Number> normal;  // of the plane or line through the centres
 };
 
-// The line that three rows leave, unless they fix z.
+// The line that three rows leave, if they do not fix z.
 template <class Number>
 struct SteepLine {
   SteepLine(const CurveRows<Number> &rows, const Row<Number> &third) {
@@ -102,10 +102,10 @@ struct SteepLine {
   Number D;
 };
 
-// The same in plain doubles with static bounds. Let the v have lengths up to l1, l2, l3, M be their product, S the sum
-// of those of balls, and u = 2^-53. Products of other v are wrong by 6 u of their length, so that a component of a
-// cross product N is by (3 + 24) u l l, D by l (27 sqrt(3) + 6 sqrt(3) + 4) u l l, below 80 u M; w by 10 u l^2, as |e|
-// < l, P by (27 + 10 + 5) u M S, below 64 u M S, and Q by 3 (27 + 5) u M, below 128 u M.
+// The same line in plain doubles with static error bounds. Let l1, l2, l3 be bounds of the lengths of the v, M their
+// product, S the sum of those that belong to balls, and u = 2^-53. A v that is a product of others is wrong by 6 u of
+// its length. So the errors are below: a component of a cross product N: (3 + 24) u l l; D: l (27 sqrt(3) + 6 sqrt(3) +
+// 4) u l l < 80 u M; w: 10 u l^2, as |e| < l; P: (27 + 10 + 5) u M S < 64 u M S; Q: 3 (27 + 5) u M < 128 u M.
 struct RoughLine {
   RoughLine(const BallSet &balls, const TangentCurve &curve, uint32_t last) {
     struct PlainRow {
@@ -145,7 +145,7 @@ struct RoughLine {
     Q = q;
     error_of_P = error_P;
     error_of_Q = error_Q;
-    // Sums of three products, of vectors whose components are wrong by the same: sqrt(3) < 1.75.
+    // Each is a sum of three products, of vectors all components of which have one error bound: sqrt(3) < 1.75.
     const double PP = dot(P, P), QQ = dot(Q, Q), size_P = std::sqrt(PP) + 2.0 * error_P,
                  size_Q = std::sqrt(QQ) + 2.0 * error_Q;
     const double rounding = 4 * unit_roundoff;
@@ -157,7 +157,7 @@ struct RoughLine {
   Bounded A() const { return square_Q - D * D; }
   Bounded b() const { return product; }
   Bounded c() const { return square_P; }
-  // (P + Q z) / D, all components with one bound.
+  // (P + Q z) / D, with one error bound for all components.
   Triple<Bounded> position_at(const Bounded &z) const {
     const double inverse = 1.0 / D.value;
     const Vec3 y = combine(inverse, P, inverse * z.value, Q);
@@ -179,7 +179,7 @@ Row<Number> last_row(const BallSet &balls, const TangentCurve &curve, const Curv
   return last == no_id ? plane_row(rows.normal) : row_of<Number>(balls, curve.base, last);
 }
 
-// The same balls seen from another one.
+// The same form with another ball as base.
 template <class Number>
 AffineForm<Number> moved(const BallSet &balls, const AffineForm<Number> &form, uint32_t base) {
   if (form.origin == base) return form;
