@@ -1,5 +1,5 @@
-// Which cells of free space are adjacent, each two of them once. A search for paths also gets a portal for each: a
-// point of the lattice near one that both cells have, outside all balls but for its rounding.
+// The pairs of adjacent cells of free space, each once. For paths each pair has a portal, too: a lattice point near one
+// that both cells have in common. It is outside all balls but for rounding.
 #pragma once
 
 #include "cells/cube_frame.hpp"
@@ -15,7 +15,7 @@ struct AdjacentCells {
 
 class CellContacts {
  public:
-  // Memory for as many portals as pairs, or for none if they are not asked for.
+  // Takes memory for pairs, and for as many portals if they are wanted.
   void carve(Workspace &workspace, uint32_t pairs, bool with_portals) {
     pairs_ = FixedVector<AdjacentCells>(workspace.take<AdjacentCells>(pairs));
     portals_ = workspace.take<exact::Vector>(with_portals ? pairs : 0);
@@ -23,15 +23,15 @@ class CellContacts {
 
   void clear() { pairs_.clear(); }
   bool has_portals() const { return !portals_.empty(); }
-  // Two runs: their portal depends on where one comes from.
+  // Adds two runs, without a portal: that depends on the point from which a path comes.
   void push(const AdjacentCells &pair) { pairs_.push(pair); }
-  // Two cells that have a position in a cube in common.
+  // Adds two cells with a portal: a position in a cube that both have in common.
   void push(const AdjacentCells &pair, const CubeFrame &frame, const Vec3 &at) {
     if (pairs_.required() < portals_.size()) portals_[static_cast<uint32_t>(pairs_.required())] = frame.rounded(at);
     pairs_.push(pair);
   }
 
-  // The portal of pair k becomes this position if that is farther from the centre of a ball.
+  // Sets the portal of pair k to this position if it is farther from the centre of a ball.
   void widen(uint32_t k, const CubeFrame &frame, const Vec3 &at, const exact::Vector &centre) {
     const exact::Vector other = frame.rounded(at);
     if ((squared_distance(other, centre) - squared_distance(portals_[k], centre)).sign() > 0) portals_[k] = other;
@@ -41,7 +41,7 @@ class CellContacts {
   bool overflowed() const { return pairs_.overflowed(); }
   uint32_t size() const { return pairs_.size(); }
   const AdjacentCells &operator[](uint32_t k) const { return pairs_[k]; }
-  // To be broken by tests.
+  // For tests, which damage it.
   AdjacentCells &operator[](uint32_t k) { return pairs_[k]; }
   void shrink(uint32_t count) { pairs_.shrink(count); }
   Span<const AdjacentCells> items() const { return pairs_.items(); }

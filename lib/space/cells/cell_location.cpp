@@ -16,13 +16,14 @@ I128 exact_power(const exact::LatticeBall &ball, const exact::Vector &point) {
   return exact::power(d, ball.radius);
 }
 
-// Rounded, but for the sum of squares.
+// The power of a point to a ball, in doubles.
 double power(const BallSet &balls, uint32_t ball, const Vec3 &point) {
   const Vec3 d = point - Vec3{balls.x[ball], balls.y[ball], balls.z[ball]};
   return dot(d, d) - balls.r[ball] * balls.r[ball];
 }
 
-// Of two balls that of less power; of equal ones that of lower rank, which is inflated more.
+// Whether a point has less power to ball a than to ball b; for equal powers the ball of lower rank has less, as it is
+// inflated more.
 bool has_less_power(const BallSet &balls, uint32_t a, uint32_t b, const exact::Vector &point) {
   const int sign = (exact_power(balls.ball(a), point) - exact_power(balls.ball(b), point)).sign();
   return sign != 0 ? sign < 0 : balls.ranks_before(a, b);
@@ -56,8 +57,8 @@ uint32_t cell_at(const BallSet &balls, const FreeSpace &space, const exact::Vect
   const Vec3 x = exact::to_double(point);
   const double side = static_cast<double>(space.side);
   const double error = 64 * unit_roundoff * side * side;
-  // The least and the second least, without a branch: in the one form in which compilers see a minimum and a maximum,
-  // and by a mask where g++ 12 makes a jump of a choice.
+  // The least and the second least power, without a branch: in the one form that compilers recognise as a minimum and a
+  // maximum, and with a mask where g++ 12 would make a jump.
   uint32_t best = 0;
   double least = power(balls, members[0], x), second = std::numeric_limits<double>::infinity();
   for (uint32_t k = 1; k < members.size(); ++k) {

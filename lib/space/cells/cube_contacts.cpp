@@ -42,11 +42,11 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
   }
   if (corners_.overflowed()) return Status::capacity;
 
-  // Of the corners that two parts have in common the one that is farthest from their balls is their portal. It has the
-  // same power to both, and the larger that is, the farther are both.
+  // Of the corners that two parts have in common the portal is the one farthest from their balls. It has the same power
+  // to both balls; the larger that is, the farther are both.
   const exact::Vector centre = balls.ball(cell.ball()).centre;
   const uint64_t first_contact = contacts.required();
-  // A known pair was added at an earlier corner, or only counted if there was no room.
+  // Adds a pair. A known pair was added at an earlier corner, or only counted if there was no room.
   const auto add_once = [&](const AdjacentCells &pair, uint32_t v, bool is_known) {
     const Vec3 at = contacts.has_portals() ? cell.position(v) : Vec3{};
     const uint64_t stored = contacts.size();
@@ -73,7 +73,7 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
       contacts.push({{other.first_cell, first_cell}});
       continue;
     }
-    // Around the facet. A free edge joins vertices of the same parts, on both sides of the facet.
+    // Walks around the facet. A free edge joins vertices of the same two parts.
     uint32_t v = first, back = previous_of_three(polytope[first].slot_of(plane));
     AdjacentCells pair{};
     bool is_joined = false;

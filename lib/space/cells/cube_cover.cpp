@@ -7,9 +7,9 @@
 namespace hsp {
 namespace {
 
-// Along one axis, the square of how far a position is from a cube. The centre of a ball of radius r < 2^30 is at most r
-// from cubes that the ball meets, and 3 r from one beside such a cube: squares are below 9 * 2^60, and their sums over
-// the axes below 11 * 2^60.
+// The squared distance of a position from a cube along one axis. The centre of a ball of radius r < 2^30 is at most r
+// away from cubes that the ball meets, and 3 r from a cube beside one of these. So squares are below 9 * 2^60, and
+// their sums over the axes below 11 * 2^60.
 uint64_t squared_gap(int64_t position, int64_t cube, int64_t side) {
   const int64_t before = cube * side - position, behind = -side - before;
   const int64_t gap = (before > 0 ? before : 0) + (behind > 0 ? behind : 0);
@@ -56,7 +56,7 @@ void CubeCover::carve(Workspace &workspace, uint32_t cubes, uint32_t entries) {
 bool CubeCover::build(const CubeGrid &grid, Patience &patience) {
   const BallSet &balls = grid.balls();
   const CubeAxis axis(grid.side());
-  // Those that there is no room for are counted once for every ball that meets them.
+  // A cube without room is counted once for every ball that meets it.
   uint64_t cubes = 0, entries = 0;
   table_.clear(capacity_);
   for (uint32_t i = 0; i < balls.n; ++i) {
@@ -82,7 +82,7 @@ bool CubeCover::build(const CubeGrid &grid, Patience &patience) {
     return patience.allows(30) && comes_before(a, b);
   });
   if (!patience.allows(0)) return false;
-  // How many balls meet each, in that order; there are no fewer entries than cubes.
+  // How many balls meet each cube, in the cubes' order; there are no fewer entries than cubes.
   for (uint32_t k = 0; k < needed_cubes_; ++k) {
     if (!patience.allows(200)) return false;
     entries_[k] = first_entry_[table_.find(sorted[k])];

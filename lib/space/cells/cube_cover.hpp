@@ -15,9 +15,9 @@ bool meets_cube(const exact::LatticeBall &ball, const CubeCoordinates &cube, int
 
 class CubeCover {
  public:
-  // At most so many cubes, and so many pairs of a cube and a ball that meets it.
+  // Takes memory for so many cubes, and so many entries: pairs of a cube and a ball that meets it.
   void carve(Workspace &workspace, uint32_t cubes, uint32_t entries);
-  // False if they do not suffice; needed_cubes() and needed_entries() then do.
+  // False if the memory does not suffice; needed_cubes() and needed_entries() then do.
   bool build(const CubeGrid &grid, Patience &patience);
 
   uint32_t needed_cubes() const { return needed_cubes_; }

@@ -1,12 +1,12 @@
 // One cube of the grid and the planes that bound power cells in it, in doubles with their error bounds.
 //
 // Positions are y = 2 (x - centre of the cube), so that the cube is |y_k| <= side. A plane is v.y = h with a unit
-// normal; its near side is v.y <= h. With u = 2^-53, s the side and balls of this cube or one next to it: centres and
-// radii are integers below 2^53, so differences are exact, and v is off by less than 8 u. h comes from (c_far -
-// c_near).(sum of both centres) less a difference of squared radii, factored; it is off by less than 100 u s + 8 u |h|,
-// where a plane that meets the cube has |h| < 4 s. So v.y - h is off by less than 512 u s at a point that is known
-// exactly. A point of three planes is y = H / B, where B is off by less than 32 u and each part of H by less than 1024
-// u s: y by less than 4096 u s / |B|, its error.
+// normal v; its near side is v.y <= h. Errors, with u = 2^-53 and s the side, for balls of this cube or one next to it:
+// centres and radii are integers below 2^53, so that differences are exact, and v is off by less than 8 u. h is
+// computed from (c_far - c_near).(c_far + c_near) less the factored difference of squared radii; it is off by less than
+// 100 u s + 8 u |h|. A plane that meets the cube has |h| < 4 s. So v.y - h is off by less than 512 u s at a point that
+// is known exactly. The common point of three planes is y = H / B, where B is off by less than 32 u and each part of H
+// by less than 1024 u s. So y is off by less than 4096 u s / |B|.
 #pragma once
 
 #include "core/decimal.hpp"
@@ -16,8 +16,9 @@
 
 namespace hsp {
 
-// The faces of a power cell: the points with equal powers to two balls, or a side of the cube. On the near side the
-// power to ball `near` is the smaller one. Side 2 k is the lower one in direction k, side 2 k + 1 the upper one.
+// The plane of a face of a power cell: the radical plane of two balls, or a side of the cube. On the near side of a
+// radical plane the power to ball `near` is the smaller one. Side 2 k is the lower one along axis k, side 2 k + 1 the
+// upper one.
 struct PowerPlane {
   uint32_t near, far;
   friend constexpr bool operator==(const PowerPlane &, const PowerPlane &) = default;
@@ -29,7 +30,7 @@ constexpr PowerPlane side_plane(uint32_t side) {
   return {no_id, side};
 }
 inline constexpr uint32_t cube_sides = 6;
-// The cube on the other side of one.
+// The cube beyond a side of a cube.
 constexpr CubeCoordinates beside(const CubeCoordinates &cube, uint32_t side) {
   const int64_t step = side % 2 == 0 ? -1 : 1;
   const uint32_t axis = side / 2;
@@ -41,7 +42,7 @@ struct UnitPlane {
   double h;
 };
 
-// A position and a bound for its error, which is huge where the planes are too close to each other.
+// A position and a bound of its error, which is no_certainty if the planes are nearly parallel.
 struct BoundedPoint {
   Vec3 y;
   double error;
@@ -59,7 +60,7 @@ class CubeFrame {
   const exact::Vector &low() const { return low_; }
   int64_t exact_side() const { return exact_side_; }
   double side() const { return side_; }
-  // The lattice point nearest to a position in the cube, but for the error of that; never one outside.
+  // The lattice point nearest to a position in the cube, up to the error of the position; never one outside the cube.
   exact::Vector rounded(const Vec3 &y) const {
     const auto along = [&](int64_t low, double at) {
       return low + (at <= -side_ ? 0 : at >= side_ ? exact_side_ : nearest(0.5 * (side_ + at)));
@@ -79,7 +80,7 @@ class CubeFrame {
     const double sign = side % 2 == 0 ? -1.0 : 1.0;
     return {{side / 2 == 0 ? sign : 0.0, side / 2 == 1 ? sign : 0.0, side / 2 == 2 ? sign : 0.0}, distance};
   }
-  // Of two balls with different centres, by their offsets and radii.
+  // The radical plane of two balls with different centres, from their offsets and radii.
   static UnitPlane between(const Vec3 &near, double near_radius, const Vec3 &far, double far_radius) {
     const Vec3 v = far - near;
     const double h = dot(v, near + far) - (far_radius - near_radius) * (far_radius + near_radius);
@@ -93,7 +94,7 @@ class CubeFrame {
     return plane.is_side() ? side_in_doubles(plane.side(), side_) : between(balls, plane.near, plane.far);
   }
 
-  // Where three planes meet.
+  // The common point of three planes.
   BoundedPoint common_point(const UnitPlane &P, const UnitPlane &Q, const UnitPlane &R) const {
     const Vec3 qr = cross(Q.v, R.v);
     const Vec3 rp = cross(R.v, P.v);
@@ -106,23 +107,24 @@ class CubeFrame {
     return {scale * H, 4096 * unit_roundoff * side_ / size};
   }
 
-  // On which side of a plane a point lies: +1 the near one, -1 the far one, 0 is not certain.
+  // The side of a plane on which a point lies: +1 the near side, -1 the far side, 0 not certain.
   int side_of(const BoundedPoint &point, const UnitPlane &S) const {
     const double beyond = dot(S.v, point.y) - S.h;
     const double error = point.error + plane_error();
     return beyond < -error ? 1 : beyond > error ? -1 : 0;
   }
-  // Whether points at a squared distance from a centre are outside its sphere, of squared diameter W: +1 outside, -1
-  // inside, 0 is not certain. The points lie in this cube or on its sides.
+  // Whether a point is outside a sphere of squared diameter W, from its squared distance to the centre: +1 outside, -1
+  // inside, 0 not certain. The point lies in this cube or on its sides.
   int outside(double squared_distance, double error, double W) const {
     const double excess = squared_distance - W;
     const double margin = sphere_error(error);
     return excess > margin ? 1 : excess < -margin ? -1 : 0;
   }
-  // How far the square of a distance may be off.
+  // A bound of the error of a squared distance, if positions are off by `error`.
   double sphere_error(double error) const { return side_ * (16 * error + 1024 * unit_roundoff * side_); }
-  // The same for the segment between two points outside, at these squared distances: it is off by no more than its ends
-  // are. The square of its distance is `from` less the square of what leads from there to the middle of the line.
+  // The same for a segment between two points outside, given with their squared distances: it is off by no more than
+  // its ends are. The squared distance of its line is from_squared less the square of the way from there to the nearest
+  // point.
   int segment_outside(const BoundedPoint &from, double from_squared, const BoundedPoint &to, double to_squared,
                       const Vec3 &centre, double W) const {
     const double error = from.error > to.error ? from.error : to.error;

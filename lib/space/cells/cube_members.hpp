@@ -1,5 +1,5 @@
-// The balls that meet one cube, as numbers side by side, for the questions about each of them and all others. For
-// registers of n doubles, which all find the same bits: power_cell.kernel.cpp compiles it.
+// The balls that meet one cube, as plain arrays, and kernels on each of them with all others. For registers of n
+// doubles; every n gives the same bits. power_cell.kernel.cpp compiles this file.
 #pragma once
 
 #include <limits>
@@ -10,16 +10,16 @@
 
 namespace hsp {
 
-// From the centre of the cube to that of a ball, its radius, and the square of the one less that of the other; 1, or 0
-// for a ball that is discarded. After the last ball there is room for a multiple of eight, and what is there is
-// discarded.
+// Of each ball: the vector from the centre of the cube to its centre, its radius, the square of that vector less that
+// of the radius; and 1, or 0 if it is discarded. Behind the last ball there is room up to a multiple of eight, with
+// entries that count as discarded.
 struct MemberArrays {
   const double *x, *y, *z, *radius, *power, *not_discarded;
   uint32_t count;
 };
-// The planes v.y = h between a ball and all others; the square of the distance of each from the ball's centre, with the
-// sign of that: negative if the centre is beyond. It is infinite for those that do not count any more, and behind the
-// last one, where there is room as above.
+// The radical planes v.y = h of a ball and all others. distance: the square of the plane's distance from the ball's
+// centre, with a sign: negative if the centre is beyond the plane. It is infinite for planes that do not count any
+// more, and behind the last one, where there is room up to a multiple of eight.
 struct PlaneOrder;
 struct PlaneArrays {
   double *x, *y, *z, *h, *distance;
@@ -27,9 +27,9 @@ struct PlaneArrays {
   PlaneOrder *order;
 };
 inline constexpr double done_with = std::numeric_limits<double>::infinity();
-// Of PlaneArrays::nearest, in which the nearest plane stands first and of equal ones the first one: those before number
-// `next` are done with. find_planes() puts up to most_ordered planes in order. Of up to most_sought planes `count` is 0,
-// and each next one is sought among all. Of more the caller puts some in order at a time.
+// The order of the planes in PlaneArrays::nearest: by distance, of equal ones the one with the lower number first. Those
+// before `next` are done with. find_planes() sorts up to most_ordered planes. Of up to most_sought planes `count` is 0,
+// and each next one is sought among all. Of more the caller sorts some at a time.
 inline constexpr uint32_t most_ordered = 24, most_sought = 160;
 struct PlaneOrder {
   uint32_t next, count;
@@ -46,7 +46,7 @@ HSP_KERNEL(uint64_t, find_dominance,
 
 namespace {
 
-// Puts planes in order by counting those before each, so that no branch depends on a distance.
+// Sorts planes by counting those before each: so no branch depends on a distance.
 template <uint32_t n>
 inline void order_planes(const PlaneArrays &planes, uint32_t count) {
   using L = Wide<double, n>;
@@ -72,8 +72,9 @@ inline void order_planes(const PlaneArrays &planes, uint32_t count) {
   }
 }
 
-// The planes between a ball and all others, as CubeFrame::between() has them. The distance is infinite, and nothing
-// else means anything, if its square is larger than a limit, or if the ball is discarded or the same.
+// Finds the planes between a ball and all others, as CubeFrame::between() does. If the square of a distance is larger
+// than the limit, or if the other ball is discarded or the same, the distance is set to infinity, and the rest is
+// undefined.
 template <uint32_t n>
 inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {
   using L = Wide<double, n>;
@@ -89,7 +90,7 @@ inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, doub
     const Real powers = (other - radius) * (other + radius);
     const Real own_h = length - powers;
     const Real distance = own_h * L::absolute(own_h) / length;
-    // That of the ball itself is not a number, and of balls with its centre only one may be in the game.
+    // The distance of the ball itself is NaN. Of balls with one centre at most one is not discarded.
     const typename L::Mask near = L::both(distance <= most, L::load(members.not_discarded + first) > zero);
     L::store(planes.distance + first, L::select(near, distance, never));
     const Real scale = one / L::square_root(length);
@@ -102,8 +103,8 @@ inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, doub
   order_planes<n>(planes, members.count);
 }
 
-// Whether a point, twice as far from the centre of the cube, has less power to a ball than to all others whose planes
-// are not done with, by more than a error. The value of a plane is as in PowerCell::drop_dominated().
+// Whether a point, as a position of cube_frame.hpp, has less power to a ball than to all others whose planes are not
+// done with, by more than an error. The value of a plane is the one of PowerCell::drop_dominated().
 template <uint32_t n>
 inline bool is_before_all_in_lanes(const MemberArrays &members, uint32_t own, const Vec3 &point, double error,
                                    const double *distance) {
@@ -122,8 +123,8 @@ inline bool is_before_all_in_lanes(const MemberArrays &members, uint32_t own, co
   return true;
 }
 
-// Of up to 64 balls from number `first` on a bit for each: whether one of it and ball a may have less power than the
-// other all over the cube of this side, or both have one centre.
+// A bit for each of up to 64 balls from number `first` on: whether one of it and ball a may have less power than the
+// other all over the cube of this side, or whether both have one centre.
 template <uint32_t n>
 inline uint64_t find_dominance_in_lanes(const MemberArrays &members, uint32_t a, uint32_t first, double side,
                                         double error) {

@@ -1,5 +1,5 @@
-// Where a plane crosses edges of a polytope, as far as doubles tell. For registers of n doubles, which all find the
-// same bits: power_cell.kernel.cpp compiles it.
+// A kernel that finds the points at which a plane crosses edges of a polytope, as far as doubles tell. For registers of
+// n doubles; every n gives the same bits. power_cell.kernel.cpp compiles this file.
 #pragma once
 
 #include "cells/cube_frame.hpp"
@@ -9,14 +9,15 @@
 
 namespace hsp {
 
-// An edge that is cut: from vertex `gone`, which is beyond, to `near`, a link, on planes a and b.
+// An edge that is cut. gone: its vertex beyond the plane; near: the other end, as a link (PolytopeVertex); a, b: the
+// planes that it is on.
 struct CrossedEdge {
   uint32_t gone, near, a, b;
 };
-// How many records are read behind the last one; their vertices must be there, and their positions have to be others.
+// So many records behind the last one are read; they must name vertices, and write to other vertices.
 inline constexpr uint32_t crossings_behind = 3;
 
-// With the centre that squares of distances are measured from.
+// The centre from which squared distances are measured, and error bounds.
 struct CrossingBounds {
   Vec3 centre;
   double least_rise, most_error, rounding, plane_error;
@@ -33,12 +34,12 @@ HSP_KERNEL(void, cross_edges,
 
 namespace {
 
-// Where a plane crosses an edge from a point p on its near side to q beyond it: y = p + t (q - p) with
-// t = f(p) / (f(p) - f(q)), f = v.y - h, the `value`. Let p and q be off by at most d, so that f is off by e = d + 512
-// u s. The point at t of the true edge differs from y by d, and f there is at most e. Along that edge f grows by
-// f(q) - f(p) - 2 e or more over at most |q - p| + 2 d. So y is off by less than d + 1.01 e |q - p| / (f(q) - f(p)) +
-// 64 u s, the last term for the roundings, as d < 2^-27 s and f(q) - f(p) > 2^-12 s. Doubts add up from cut to cut;
-// where they are larger, three planes have to be solved: `error` is no_certainty there.
+// A plane crosses the edge from a point p on its near side to q beyond it at y = p + t (q - p) with t = f(p) / (f(p) -
+// f(q)), where f = v.y - h is the `value`. Errors: let p and q be off by at most d, so that f is off by e = d + 512 u
+// s. The point at t of the true edge differs from y by d, and f there is at most e. Along the true edge f grows by f(q)
+// - f(p) - 2 e or more over at most |q - p| + 2 d. So y is off by less than d + 1.01 e |q - p| / (f(q) - f(p)) + 64 u
+// s, the last term for rounding, if d < 2^-27 s and f(q) - f(p) > 2^-12 s. Errors add up from cut to cut. If these
+// conditions do not hold, `error` becomes no_certainty, and the vertex has to be computed from its three planes.
 //
 // Edge k makes vertex to[k], which is no end of any later edge.
 template <uint32_t n>

@@ -1,5 +1,5 @@
-// The cubes that no ball meets, as O(cubes) boxes: runs along x between the others of a row, rows without any between
-// those of a layer, and layers without any. The outermost ones reach to infinity.
+// The cubes that no ball meets, as O(cubes) boxes, the runs: cubes along x between the other cubes of a row; empty rows
+// between the other rows of a layer; and empty layers. The outermost runs reach to infinity.
 #pragma once
 
 #include "cells/cube_cover.hpp"
@@ -16,12 +16,12 @@ class EmptyRuns {
   uint32_t count() const { return count_; }
   // The run that holds a cube that no ball meets.
   uint32_t find(const CubeCover &cover, const CubeCoordinates &cube) const;
-  // Calls visit(run, low, high) for each run, in any order: it is the cubes from low to before high, along axes where
-  // it has no end from -infinity or to infinity.
+  // Calls visit(run, low, high) for each run, in any order: the run is the cubes from low to before high. Along an axis
+  // on which it has no end, low is -infinity or high is infinity.
   static constexpr int64_t infinity = INT64_C(1) << 60;
   template <class Visit>
   void for_each_run(const CubeCover &cover, Visit visit) const;
-  // Calls visit(a, b) for each two runs with a common side, once.
+  // Calls visit(a, b) once for each pair of runs with a common side.
   template <class Visit>
   void for_each_contact(const CubeCover &cover, Visit visit) const;
 
@@ -36,7 +36,7 @@ class EmptyRuns {
     uint32_t first_row;
     uint32_t before, after;  // the run of layers before this one, if any; the run of rows behind its last row
   };
-  // Runs along one line and how far they reach, in their order.
+  // A run along one line, and how far it reaches.
   struct Stretch {
     int64_t low, high;
     uint32_t run;
@@ -49,20 +49,21 @@ class EmptyRuns {
   void for_each_in_row(const CubeCover &cover, uint32_t row, Visit visit) const;
   template <class Visit>
   void for_each_in_layer(uint32_t layer, Visit visit) const;
-  // A position on another line, among the cubes or rows that its runs end at, and where the run before it begins.
+  // A position on another line: a cube or row at which one of its runs ends, and `low`, where that run begins.
   struct OtherLine {
     uint32_t at, end;
     int64_t low;
   };
-  // For a stretch of one line those of the other that begin before it ends, from the first that does not end before it.
+  // Visits the runs of the other line beside a stretch of one line: those that begin before it ends, from the first
+  // that does not end before it begins.
   template <class HighAt, class RunAt, class Visit>
   static void visit_beside(const Stretch &stretch, OtherLine &line, HighAt high_at, RunAt run_at, Visit visit);
   template <class Visit>
   void contacts_of_rows(const CubeCover &cover, uint32_t row, uint32_t other, Visit visit) const;
   template <class Visit>
   void contacts_of_layers(const CubeCover &cover, uint32_t layer, Visit visit) const;
-  // The first of first .. last - 1 whose key is not below one that is wanted; last if there is none. Keys are integers
-  // that ascend, mostly in steps of one: then the answer is where it has to be.
+  // The first of first .. last - 1 whose key is not below `wanted`; last if there is none. Keys are ascending integers,
+  // mostly in steps of one: then the answer is found at once, else by bisection.
   template <class KeyAt>
   static uint32_t first_not_below(uint32_t first, uint32_t last, int64_t wanted, KeyAt key_at) {
     if (first == last || wanted <= key_at(first)) return first;
@@ -74,7 +75,7 @@ class EmptyRuns {
     }
     return first_index(first, last, [&](uint32_t k) { return key_at(k) >= wanted; });
   }
-  // The run of rows in a layer that holds y, or the row there: the first row that is not before it.
+  // The first row of a layer that is not before y: the row at y, or the one behind the run of rows that holds y.
   uint32_t first_row_at(uint32_t layer, int64_t y) const {
     return first_not_below(layers_[layer].first_row, end_of_layer(layer), y,
                            [&](uint32_t row) { return rows_[row].y; });
@@ -85,7 +86,7 @@ class EmptyRuns {
 
   Span<uint32_t> before_cube_;  // [cubes] the run before a cube in its row; no_id if there is none
   Span<Row> rows_;              // [rows + 1]
-  Span<Layer> layers_;          // [layers + 1]; the last one is behind all
+  Span<Layer> layers_;          // [layers + 1]; the last entry is behind all layers
   uint32_t row_count_ = 0, layer_count_ = 0, count_ = 0;
 };
 

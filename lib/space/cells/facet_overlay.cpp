@@ -9,7 +9,7 @@ bool same_pair(const PowerPlane &a, const PowerPlane &b) {
   return (a.near == b.near && a.far == b.far) || (a.near == b.far && a.far == b.near);
 }
 
-// The balls of two lines, each once; false if they are not three.
+// Sets the balls of two lines, each once. False if they are not three.
 bool three_balls(const PowerPlane &a, const PowerPlane &b, uint32_t ball[3]) {
   if (a.is_side() || b.is_side() || same_pair(a, b)) return false;
   const bool near_shared = b.near == a.near || b.near == a.far;
@@ -42,7 +42,7 @@ void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
   target_ = workspace.target();
 }
 
-// A corner lies on a line of the facet above, at its corner if it lies on two of them.
+// Notes that a corner lies on an edge of the facet above; if it lies on two edges, it is the corner between them.
 void FacetOverlay::lies_on(Corner &corner, uint32_t edge) const {
   if (corner.edge_of[1] == no_id) {
     corner.edge_of[1] = edge;
@@ -51,12 +51,12 @@ void FacetOverlay::lies_on(Corner &corner, uint32_t edge) const {
   }
 }
 
-// Whether all that may be found are two cells that touch.
+// Whether each of the two facets belongs to one cell: then there is at most one contact.
 bool FacetOverlay::have_one_cell_each() const {
   return polygon_[0].facet->cell != no_id && polygon_[1].facet->cell != no_id;
 }
 
-// How the corners of one facet lie to the edges of the other. Both see the same positions along the side.
+// Compares the corners of one facet with the edges of the other. Both have the same coordinates along the side.
 FacetSides FacetOverlay::compare(const Polygon &corners, const Polygon &lines) const {
   const SideFacet &of = *corners.facet, &around = *lines.facet;
   const double margin = of.error + 0x1p-21 * frame_.side();
@@ -65,9 +65,9 @@ FacetSides FacetOverlay::compare(const Polygon &corners, const Polygon &lines) c
   return compare_facets(target_, u, w, of.corners, edges, around.corners, margin);
 }
 
-// Whether one of the facets is certainly beyond an edge of the other, or both certainly have a piece in common: a
-// corner of one is in the other, or no edge of either has all of the other beyond it. Convex polygons without a common
-// piece have a line between them that an edge of one lies on.
+// Whether two facets are apart, or have a piece, or doubles do not know. They are apart if one is certainly beyond an
+// edge of the other. They have a piece if a corner of one is certainly in the other, or if certainly no edge of either
+// has all of the other beyond it: for two disjoint convex polygons are separated by the line of an edge of one of them.
 FacetOverlay::Meeting FacetOverlay::compare() const {
   const Polygon &below = polygon_[0], &above = polygon_[1];
   if (below.size() > 64 || above.size() > 64) return Meeting::unknown;
@@ -79,9 +79,9 @@ FacetOverlay::Meeting FacetOverlay::compare() const {
   return upper.inside != 0 || (lower.reached && upper.reached) ? Meeting::together : Meeting::unknown;
 }
 
-// Where two facets of one ball have the same lines they are one polygon, seen from two sides: every corner of the piece
-// is a corner of both. Adds its parts and returns true if that is so. These parts have no names, as no others lie in
-// these facets.
+// If two facets of one ball have the same lines, they are one polygon, seen from two sides, and every corner of the
+// piece is a corner of both. Then adds the parts of the piece and returns true. These parts need no names, as no other
+// parts lie in these facets.
 bool FacetOverlay::add_parts_of_equals(uint32_t below, uint32_t above) {
   const Polygon &lower = polygon_[0], &upper = polygon_[1];
   const uint32_t size = lower.size();
@@ -96,7 +96,7 @@ bool FacetOverlay::add_parts_of_equals(uint32_t below, uint32_t above) {
   bool from_free = lower.corner(size - 1).edge_free != 0;
   for (uint32_t k = 0, same = upper.next(at); k < size; ++k, same = upper.previous(same)) {
     const FacetCorner &corner = lower.corner(k);
-    // A part begins where the edge before it is not free.
+    // A part begins at a corner behind an edge that is not free.
     if (corner.cell != no_id && !from_free) {
       parts_.add(below, above, corner.cell, upper.corner(same).cell);
     }
@@ -113,7 +113,7 @@ BoundedPoint FacetOverlay::corner_below(uint32_t corner) const {
   return polygon_[0].facets->point(*polygon_[0].facet, corner, axes_along(side_.side() / 2), -frame_.side());
 }
 
-// The piece is the whole facet below, in the frame of the cube above.
+// Sets the piece to the whole facet below, in the frame of the cube above.
 void FacetOverlay::start() {
   const Polygon &below = polygon_[0], &above = polygon_[1];
   size_ = below.size();
@@ -142,7 +142,7 @@ int FacetOverlay::side_of(uint32_t corner, const PowerPlane &line, const UnitPla
   return PowerPredicates(*balls_, polygon_[0].facet->ball, frame_).side_of(a, b, side_, line);
 }
 
-// Cuts off the piece what is beyond an edge of the facet above. Returns whether anything is left.
+// Cuts from the piece the part beyond an edge of the facet above. Returns whether anything is left.
 bool FacetOverlay::cut(uint32_t edge) {
   const PowerPlane line = polygon_[1].line(edge);
   if (line.is_side()) return true;
@@ -194,7 +194,7 @@ bool FacetOverlay::cut(uint32_t edge) {
   return true;
 }
 
-// Which corners of a piece of two facets of one ball lie outside it.
+// Finds which corners of a piece of two facets of one ball lie outside the ball.
 void FacetOverlay::find_outside() {
   const uint32_t ball = polygon_[0].facet->ball;
   const Vec3 centre = frame_.centre_of(*balls_, ball);
@@ -255,14 +255,14 @@ uint32_t FacetOverlay::cell_of(uint32_t which, uint32_t corner) const {
   return exact.side_of(line, polygon.line(polygon.previous(edge)), side_, across) == covered ? to : from;
 }
 
-// Three balls make a corner that is the same in all pieces around it.
+// Names a corner by its three balls, which are the same in all pieces around it. False if it is not of three balls.
 bool FacetOverlay::name_of(uint32_t corner, FacetParts::Name &name) const {
   if (!three_balls(edges_[previous(corner)].line, edges_[corner].line, name.ball)) return false;
   sort_three(name.ball[0], name.ball[1], name.ball[2]);
   return true;
 }
 
-// Where a corner is: by integers where doubles do not know it, as lines that meet there are nearly parallel.
+// The position of a corner; by integers if doubles do not know it, as lines that meet there are nearly parallel.
 Vec3 FacetOverlay::position(uint32_t corner) const {
   const BoundedPoint &at = corners_[corner].at;
   if (at.error < no_certainty) return at.y;
@@ -271,8 +271,8 @@ Vec3 FacetOverlay::position(uint32_t corner) const {
          PowerPredicates(*balls_, ball, frame_).common_point(edges_[previous(corner)].line, edges_[corner].line, side_);
 }
 
-// A point of a part, for paths: the middle of the corners of a piece of two balls, which is free; else the corner
-// that is farthest from the ball.
+// The portal of a part: for two balls the mean of the corners of the piece, which is free; for one ball the corner that
+// is farthest from it.
 Vec3 FacetOverlay::portal_of(uint32_t first, uint32_t count) const {
   const uint32_t ball = polygon_[0].facet->ball;
   const bool is_convex = polygon_[1].facet->ball != ball;
@@ -322,7 +322,7 @@ void FacetOverlay::overlay(uint32_t below, uint32_t above, CellContacts &contact
     return add_part(below, above, 0, size_, contacts, first_contact);
   }
   find_outside();
-  // sides_[k]: the edge from corner k on joins it to the next one.
+  // sides_[k]: whether the edge from corner k to the next one joins both.
   bool any_gap = false;
   for (uint32_t k = 0; k < size_; ++k) {
     const bool joins = corners_[k].outside != 0 && corners_[next(k)].outside != 0 && edge_is_free(k);
@@ -338,12 +338,12 @@ void FacetOverlay::overlay(uint32_t below, uint32_t above, CellContacts &contact
   }
 }
 
-// The facets of a cube on a side that are not covered.
+// Lists the facets of a cube on a side that are not covered. Returns how many.
 uint32_t FacetOverlay::list(Span<Listed> out, const Side &side, uint32_t number) {
   Listed *const listed = out.data();
   uint32_t count = 0;
   for (const uint32_t k : side.range) {
-    listed[count].facet = k;  // and kept if it is on that side
+    listed[count].facet = k;  // written in any case, counted if it is on that side
     count += side.facets.facet(k).side == number ? 1 : 0;
   }
   for (uint32_t k = 0; k < count; ++k) {
@@ -353,8 +353,8 @@ uint32_t FacetOverlay::list(Span<Listed> out, const Side &side, uint32_t number)
   return count;
 }
 
-// Those below whose boxes meet that of one above, but for those of another ball if both balls meet both cubes. Nothing
-// foretells which these are, so no branch asks. Returns how many.
+// Lists the facets below whose boxes meet that of a facet above, without those of another ball if both balls meet both
+// cubes. Which these are cannot be predicted, so that no branch depends on it. Returns how many.
 uint32_t FacetOverlay::list_near(const Listed &over, uint32_t lower_count) {
   const Listed *const lowers = below_.data();
   uint32_t *const near = near_.data();
@@ -393,7 +393,7 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
       const bool one_contact = have_one_cell_each() && !contacts.has_portals();
       const uint32_t is_certain = (one_contact ? 1U : 0U) & (over.ball == under.ball ? 1U : 0U) &
                                   (polygon_[0].facet->has_covered_corner | polygon_[1].facet->has_covered_corner);
-      if (is_certain != 0) {  // one branch, as each of its parts is as likely as not
+      if (is_certain != 0) {  // one branch, as each of its conditions is as likely as not
         contacts.push(cells);
         continue;
       }

@@ -1,29 +1,30 @@
-// Where the cells of two cubes touch on their common side: the overlay of the facets that the power cells of both have
-// there.
+// Finds which cells of two cubes touch on their common side: the overlay of the facets that the power cells of both
+// cubes have there.
 //
-// A piece is what two facets have in common, a convex polygon. If they belong to two balls, neither covers any of the
-// piece: a point of it in one ball has the least power to that ball in the one cube, and to the other ball in the other
-// cube, but both balls then meet both cubes and the powers would have to be equal. So the piece is outside both balls;
-// and facets of two balls that meet both cubes have no piece in common. If the facets belong to one ball, the corners
-// of the piece outside it, joined by edges outside it, are the connected parts of the piece without the ball, as in
+// A piece is the intersection of two facets, one of each cube: a convex polygon. If the facets belong to two balls, the
+// piece is outside both. For a point of it in one ball has the least power to that ball in the one cube, and to the
+// other ball in the other cube; then both balls meet both cubes, and the powers would have to be equal. For the same
+// reason facets of two balls that meet both cubes have no piece. If the facets belong to one ball, the corners of the
+// piece outside it, joined by edges outside it, give the connected parts of the piece without the ball, as in
 // power_cell.hpp. Each such part joins a cell of one cube and a cell of the other.
 //
-// The facets are polygons of lines, each where the powers to two balls are equal, cut from each other by the exact side
-// of a corner, two lines, and a third line. Lines of three balls whose pairs make up a triangle have a common point for
-// all weights, and a line may be in both facets: such corners lie on the line, all others on one side of it.
+// The facets are polygons of lines, each of which is the radical line of two balls on the side. One polygon is cut by
+// the lines of the other: on which exact side of a third line is a corner of two lines? Lines of three balls whose
+// pairs make up a triangle have a common point for all weights, and a line may belong to both facets. Then the corner
+// lies on the line; any other corner lies on one side of it.
 //
-// Which cell a part belongs to is known by a corner of the facet, or by a point of an edge between two such corners. A
-// part that touches no border of a facet touches others in it, at corners that three facets of the other cube have in
-// common, and one of these parts reaches the border: every part of a facet outside a ball does.
+// The cell that a part belongs to is known from a corner of the facet, or from a point of an edge between two such
+// corners. A part that touches no border of a facet touches other parts in it, at corners that three facets of the
+// other cube have in common. One of these parts reaches the border, as every part of a facet outside a ball does.
 //
-// Most facets belong to one cell each. Then all that is asked of two of them is whether they have a piece, as that has
-// a point outside the balls. For two balls this was said above. Two facets of one ball have the same part in the ball:
-// another ball with less power at a point of that would hold the point, and so meet both cubes. If there is such a
-// part, the arc that bounds it inside the facets belongs to both, and so do the points near the arc outside the ball,
-// since a ball that does not meet the side has more power there. If there is none, all of both facets is outside. So
-// the cells of facets of one ball touch without further questions if one of the facets has a corner in the ball. Else
-// a corner of either facet that is certainly in the other answers it, or an edge of either that the other is certainly
-// beyond, or that there is none.
+// Most facets belong to one cell each. Then the only question about two facets is whether they have a piece, since a
+// piece has a point outside the balls. For two balls this was shown above. Two facets of one ball have the same part in
+// the ball: another ball with less power at a point of that part would contain the point, and so meet both cubes. If
+// there is such a part, the arc that bounds it inside the facets belongs to both. So do the points near the arc outside
+// the ball, since a ball that does not meet the side has more power there. If there is no such part, both facets are
+// outside. So the cells of facets of one ball touch without further questions if one of the facets has a corner in the
+// ball. Else the question is decided by a corner of one facet that is certainly in the other, by an edge of one that
+// the other is certainly beyond, or because there is no such edge.
 #pragma once
 
 #include "cells/facet_parts.hpp"
@@ -40,10 +41,10 @@ class FacetOverlay {
     const SideFacets &facets;
     IdRange range;
   };
-  // Finds the contacts of the facets on a side of a cube, those `above` with side 2 axis, with those of the cube below
-  // it in direction `axis`, with side 2 axis + 1. frame is that of the cube above. Facets on one side come in the order
-  // of their balls. Status::capacity: memory for needed_balls() per cube would have sufficed. Status::check cannot
-  // happen.
+  // Finds the contacts across the common side of two cubes that are neighbours along `axis`. above: the facets of the
+  // upper cube on its side 2 axis; below: those of the lower cube on its side 2 axis + 1. frame: that of the upper
+  // cube. Facets on one side come in the order of their balls. Status::capacity: memory for needed_balls() per cube
+  // would have sufficed. Status::check cannot happen.
   Status find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const Side &below, const Side &above,
               CellContacts &contacts);
   uint32_t needed_balls() const { return parts_.needed_balls(); }
@@ -51,15 +52,15 @@ class FacetOverlay {
  private:
   struct Edge {
     PowerPlane line;
-    uint32_t of[2];  // the edges of the two facets on which it lies, or no_id
+    uint32_t of[2];  // the edge of each of the two facets on which it lies, or no_id
   };
   struct Corner {
     BoundedPoint at;
-    uint32_t corner_of[2];  // the corners of the two facets that it is, or no_id
-    uint32_t edge_of[2];    // edges of the two facets on which it lies, or no_id
+    uint32_t corner_of[2];  // the corner of each of the two facets that it is, or no_id
+    uint32_t edge_of[2];    // an edge of each of the two facets on which it lies, or no_id
     uint32_t outside;
   };
-  // A facet of one of the two cubes, as lines.
+  // A facet of one of the two cubes, as a polygon of lines.
   struct Polygon {
     const SideFacets *facets;
     const SideFacet *facet;
@@ -72,7 +73,7 @@ class FacetOverlay {
     uint32_t corner_between(uint32_t a, uint32_t b) const { return next(a) == b ? b : next(b) == a ? a : no_id; }
   };
 
-  // A facet with a part outside its ball, whether that meets the other cube too, and the box around it.
+  // A facet with a part outside its ball; whether the ball meets the other cube too; and the box around the facet.
   struct Listed {
     uint32_t facet, ball, meets_both;
     float low_u, high_u, low_w, high_w;
@@ -108,16 +109,16 @@ class FacetOverlay {
   PowerPlane side_{};
   UnitPlane side_plane_{};
   Polygon polygon_[2]{};
-  // The piece: corner k and the edge from it to the next one. The others take what is left while it is cut.
+  // The piece: corner k, and edge k from it to the next corner. A cut writes what is left to the other arrays.
   Span<Corner> corners_, other_corners_;
   Span<Edge> edges_, other_edges_;
-  Span<UnitPlane> above_planes_;  // of the edges of the facet above
+  Span<UnitPlane> above_planes_;  // the planes of the edges of the facet above
   Span<int8_t> sides_;
   Span<Listed> below_, above_;
-  Span<uint32_t> near_;  // of those below, the ones that one above may have a piece with
+  Span<uint32_t> near_;  // the facets below with which one above may have a piece
   Target target_ = Target::baseline;
   uint32_t size_ = 0;
-  FacetParts parts_;  // whose cell on one of the sides is not known, or that may tell others theirs
+  FacetParts parts_;  // parts with an unknown cell on one side, and parts that may tell others theirs
 };
 
 }  // namespace hsp

@@ -1,7 +1,7 @@
-// Parts of pieces of facets on the side between two cubes (facet_overlay.hpp), whose cells become known by each other.
+// Parts of pieces of facets on the side between two cubes (facet_overlay.hpp), and the cells that they belong to.
 //
-// Parts of one facet that share a corner where three facets of the other cube meet belong to one cell. Cells are handed
-// on from part to part until all are known.
+// Parts of one facet that share a corner at which three facets of the other cube meet belong to one cell. Known cells
+// are handed on from part to part until all are known.
 #pragma once
 
 #include "cells/cell_contacts.hpp"
@@ -13,28 +13,28 @@ namespace hsp {
 
 class FacetParts {
  public:
-  // A corner that is the same in all pieces around it, by its three balls, ascending.
+  // The name of a corner, the same in all pieces around it: its three balls, ascending.
   struct Name {
     uint32_t ball[3];
     friend constexpr bool operator==(const Name &, const Name &) = default;
   };
 
-  // For power cells of so many planes.
+  // Takes memory for power cells of so many planes.
   void carve(Workspace &workspace, uint64_t planes);
   void clear() {
     parts_.clear();
     names_.clear();
   }
-  // A part of the facets below and above, in these cells; no_id where that is not known.
+  // Adds a part of the piece of two facets, with its cells in the lower and the upper cube; no_id for an unknown cell.
   void add(uint32_t below, uint32_t above, uint32_t lower_cell, uint32_t upper_cell, const Vec3 &portal = {}) {
     parts_.push({{below, above}, {lower_cell, upper_cell}, clamped_count(names_.required()), portal});
   }
-  // A corner of the last part.
+  // Adds a corner of the last part.
   void add_name(const Name &name) { names_.push(name); }
 
   uint64_t required() const { return parts_.required(); }
   bool overflowed() const { return parts_.overflowed() || names_.overflowed(); }
-  // Memory for planes of so many balls would have sufficed.
+  // For how many balls the memory of planes would have sufficed.
   uint32_t needed_balls() const;
   // Adds the contacts of all parts, each once. Status::check if a cell stays unknown, which cannot happen.
   Status resolve(const CubeFrame &frame, CellContacts &contacts);
@@ -43,7 +43,7 @@ class FacetParts {
   struct Part {
     uint32_t facet[2];
     uint32_t cell[2];
-    uint32_t first_name;  // those of a part are consecutive, and those of the next one follow
+    uint32_t first_name;  // names of a part are consecutive, those of the next part follow
     Vec3 portal;
   };
 

@@ -1,11 +1,11 @@
-// Free space, what no ball of a set covers, as simple cells (Theorem 2.4): in every cube of the grid that balls meet
-// the free parts of their power cells, each of which lies at one ball, and runs of cubes that no ball meets. All ids of
-// balls are the grid's.
+// Free space, the space that no ball of a set covers, cut into simple cells (Theorem 2.4). There are two kinds: runs of
+// cubes that no ball meets; and, in every other cube of the grid, the free parts of the power cells of its balls, each
+// of which lies at one ball. Ids of balls are in grid order. The order of cells:
 //
-//   cells   the runs, cell 0 below all balls | the free parts, by cubes, in each by balls, in each by parts
+//   the runs, cell 0 below all balls | the free parts, by cubes, in each by balls, in each by parts
 //
-// Cells are adjacent if they have a piece of a facet or of a side of cubes in common. Regions are what adjacent cells
-// make up, the components of free space; that of cell 0 is the outside, and has number 0.
+// Cells are adjacent if they have a piece of a facet or of a side of cubes in common. A region is a connected component
+// of free space, made up by adjacent cells. The region of cell 0 is the outside, and has number 0.
 #pragma once
 
 #include "cells/cell_contacts.hpp"
@@ -27,8 +27,8 @@ struct FreeSpaceLimits {
   uint32_t landmarks = 0;     // vertices of power cells with several free parts
   uint32_t facets = 0;        // of power cells on sides between cubes that balls meet
   uint32_t corners = 0;       // of these facets
-  uint32_t cube_balls = 0;    // that meet one cube
-  uint32_t cube_corners = 0;  // of all power cells of one cube
+  uint32_t cube_balls = 0;    // balls that meet one cube
+  uint32_t cube_corners = 0;  // corners of all power cells of one cube
 };
 
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.
@@ -47,19 +47,20 @@ enum class CellKind : uint32_t {
 };
 
 struct FreeCell {
-  uint32_t cube;  // of the cover, and its ball; no_id for a run
+  uint32_t cube;  // the number of its cube in the cover, and its ball; no_id for a run
   uint32_t ball;
   CellKind kind;
   uint32_t region;
-  uint32_t first_landmark;  // those of a cell are consecutive, and those of the next cell follow
+  uint32_t first_landmark;  // landmarks of a cell are consecutive, those of the next cell follow
 };
 
-// A vertex of a power cell outside its ball: the other balls or sides, as codes. It is in the cell that has it.
+// A vertex of a power cell outside its ball, named by the codes of the three other balls or sides. It tells which free
+// part is the cell that has this landmark.
 struct Landmark {
   uint32_t code[3];
 };
 
-// A code is a side of the cube, or a ball and six.
+// A code is the number of a side of the cube, or that of a ball plus six.
 constexpr PowerPlane plane_of_code(uint32_t code, uint32_t ball) {
   return code < cube_sides ? side_plane(code) : PowerPlane{ball, code - cube_sides};
 }
@@ -72,14 +73,14 @@ class FreeSpace {
   uint32_t adjacency_count() const { return contacts.size(); }
   uint32_t region_count() const { return regions; }
   const FreeCell &cell(uint32_t c) const { return cells[c]; }
-  // In ascending order.
+  // The adjacent cells, in ascending order.
   Span<const uint32_t> neighbours(uint32_t c) const {
     return neighbour.part(first_neighbour[c], first_neighbour[c + 1]);
   }
   IdRange landmarks_of(uint32_t c) const {
     return {cells[c].first_landmark, c + 1 < cells.size() ? cells[c + 1].first_landmark : landmarks.size()};
   }
-  // The free parts of the power cell of an entry of the cover.
+  // The cells that are the free parts of the power cell of an entry of the cover.
   IdRange parts_of(uint32_t entry) const { return {first_part[entry], first_part[entry + 1]}; }
 
   void carve(Workspace &workspace, const FreeSpaceLimits &limits, bool with_portals) {
@@ -105,7 +106,7 @@ class FreeSpace {
   Span<uint32_t> region_sets;      // [cells] scratch memory of the builder
   int64_t side = 1;
   uint32_t regions = 0;
-  uint32_t power_cells = 0;  // that are not empty
+  uint32_t power_cells = 0;  // how many are not empty
 };
 
 }  // namespace hsp

@@ -71,7 +71,7 @@ void FreeSpaceBuilder::add_runs(Patience &patience) {
   });
 }
 
-// To be asked of each cube in turn: as these come in order, so do those on one side of them.
+// The cube with its neighbours. Has to be called for each cube in turn: the neighbours on one side come in order, too.
 FreeSpaceBuilder::Cube FreeSpaceBuilder::surroundings(uint32_t number) {
   const CubeCover &cover = structure_.cover;
   const CubeCoordinates &at = cover.cube(number);
@@ -108,7 +108,7 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube, Patien
     const Status status = contacts_.add(balls, cell_, k, first_cell, space.contacts);
     if (status == Status::check) return status;
     if (status == Status::capacity) contacts_known_ = false;
-    // Which sides have free vertices cannot be foreseen.
+    // Which sides have free vertices cannot be predicted, so that no branch depends on it.
     uint32_t free_sides = 0;
     for (uint32_t side = 0; side < cube_sides; ++side)
       free_sides |= (cell_.first_free(side) != no_id ? 1U : 0U) << side;
@@ -129,7 +129,7 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube, Patien
   return contacts_known_ ? touch_cubes(balls, cube) : Status::ok;
 }
 
-// The free parts of a power cell as cells.
+// Adds the free parts of a power cell as cells.
 void FreeSpaceBuilder::add_parts(const Cube &cube) {
   FreeSpace &space = structure_;
   const PowerPolytope &polytope = cell_.polytope();
@@ -145,8 +145,8 @@ void FreeSpaceBuilder::add_parts(const Cube &cube) {
   }
 }
 
-// Beyond a side where no ball meets the cube there everything is outside all balls. Vertex `first` is the first that is
-// there and outside its ball.
+// Adds the contacts of a power cell with the run beyond a side: no ball meets the cube there, so that all of it is
+// free. `first` is the first vertex on that side outside the ball.
 void FreeSpaceBuilder::touch_run(const Cube &cube, uint32_t side, uint32_t first, uint32_t first_cell) {
   const PowerPolytope &polytope = cell_.polytope();
   for (uint32_t part = 0; part < cell_.parts(); ++part) touched_[part] = 0;
@@ -177,8 +177,8 @@ Status FreeSpaceBuilder::touch_cubes(const BallSet &balls, const Cube &cube) {
   return Status::ok;
 }
 
-// The neighbours of each cell, from the contacts: those before it, then those behind it. Cells that are entered into
-// the lists of others in ascending order stand in that order there, so no list is sorted.
+// Makes the lists of neighbours from the contacts: of each cell those before it, then those behind it. Cells are
+// entered into the lists of others in ascending order, so that no list has to be sorted.
 void FreeSpaceBuilder::link_cells(Patience &patience) {
   FreeSpace &space = structure_;
   const uint32_t cells = space.cells.size();
@@ -203,7 +203,8 @@ void FreeSpaceBuilder::link_cells(Patience &patience) {
     count += neighbours;
   }
   first[cells] = count;
-  // Those before each cell, in the order of contacts; then those behind it, in their order; then those before it anew.
+  // First the cells before each cell, in the order of contacts; then those behind it, in order; then those before it
+  // once more, in order.
   for (const AdjacentCells &pair : contacts) {
     if (!patience.allows(20)) return;
     const uint32_t low = lower_of(pair);
@@ -232,7 +233,7 @@ void FreeSpaceBuilder::find_regions(Patience &patience) {
 
   for (uint32_t c = 0; c < cells; ++c) {
     if (!patience.allows(30)) return;
-    const uint32_t root = sets.root(c);  // the smallest of its set
+    const uint32_t root = sets.root(c);  // the smallest cell of its set
     space.cells[c].region = root == c ? space.regions++ : space.cells[root].region;
   }
 }

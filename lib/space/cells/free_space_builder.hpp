@@ -13,21 +13,21 @@ class FreeSpaceBuilder : public Limited<FreeSpaceLimits> {
   void carve(Workspace &workspace, const FreeSpaceLimits &limits, bool with_portals = false);
 
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
-  // Status::check would mean that cells disagree, and cannot happen. Status::stopped if more is not allowed.
+  // Status::check would mean that cells disagree, and cannot happen. Status::stopped if patience has ended.
   Status build(const CubeGrid &grid, Patience patience = Patience());
 
   const FreeSpace &structure() const { return structure_; }
-  // To be broken by tests.
+  // For tests, which damage it.
   FreeSpace &structure() { return structure_; }
   FreeSpaceScratch scratch() { return {cell_, structure_.region_sets, touched_}; }
 
  private:
-  // A cube and what is on its six sides.
+  // A cube, and the cubes or runs on its six sides.
   struct Cube {
     uint32_t number;
     CubeFrame frame;
     uint32_t neighbour[cube_sides];  // a cube of the cover, or no_id
-    uint32_t run[cube_sides];        // the run there if there is no such cube
+    uint32_t run[cube_sides];        // the run on that side if there is no such cube
   };
 
   void add_runs(Patience &patience);
@@ -48,8 +48,8 @@ class FreeSpaceBuilder : public Limited<FreeSpaceLimits> {
   SideFacets kept_;                // facets on upper sides, for the cubes that follow
   SideFacets open_;                // facets of one cube on its lower sides
   Span<uint32_t> first_kept_;      // [cubes + 1]
-  Span<uint8_t> touched_;          // [corners of one cell] parts that a run touches
-  uint32_t beside_[cube_sides]{};  // the first cube that is not before the one on a side of the last cube
+  Span<uint8_t> touched_;          // [corners of one cell] marks the parts that a run touches
+  uint32_t beside_[cube_sides]{};  // for each side the first cube that is not before the last cube's neighbour there
   bool contacts_known_ = true;
 };
 

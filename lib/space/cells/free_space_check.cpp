@@ -17,7 +17,7 @@ class FreeSpaceCheck : FirstViolation<FreeSpaceInvariant> {
   }
 
  private:
-  // The record of a cell must be that of its position.
+  // The record of a cell must be the one that belongs at its number.
   bool records() {
     const uint32_t cells = space_.cell_count(), runs = space_.run_count(), entries = space_.cover.entries();
     if (runs == 0 || space_.first_part[0] != runs || space_.first_part[entries] != cells)
@@ -76,7 +76,7 @@ class FreeSpaceCheck : FirstViolation<FreeSpaceInvariant> {
     return true;
   }
 
-  // From the lists, where the build takes the pairs.
+  // Uses the lists of neighbours, whereas the build uses the pairs.
   bool regions() {
     const uint32_t cells = space_.cell_count();
     DisjointSets sets(sets_.part(0, cells));
@@ -131,7 +131,7 @@ class FreeSpaceCheck : FirstViolation<FreeSpaceInvariant> {
     }
   }
 
-  // Three planes at each vertex, two on each edge, which is one from both ends; and Euler's relation, with 3 V / 2
+  // Three planes at each vertex and two on each edge, which both its ends name; and Euler's relation, with 3 V / 2
   // edges.
   bool is_polytope(uint32_t members) {
     const PowerPolytope &polytope = cell_.polytope();

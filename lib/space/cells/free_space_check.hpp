@@ -1,4 +1,4 @@
-// The invariants of cells of free space, checked from their tables and from power cells that are cut once more. A
+// The invariants of the cells of free space, checked from their tables and from power cells that are cut once more. A
 // correct build violates none of them for any input.
 #pragma once
 
@@ -12,14 +12,14 @@ namespace hsp {
 enum class FreeSpaceInvariant : uint32_t {
   none = 0,
   records = 1,      // runs come first, then the free parts of each ball in each cube
-  neighbours = 2,   // lists ascend, and each two cells see each other or do not
-  regions = 3,      // are the connected components, numbered by their first cells
-  power_cells = 4,  // are simple polytopes with V - E + F = 2, with as many free parts as there are cells
-  facets = 5,       // a cell has neighbours just across what it has facets on
-  complement = 6,   // regions are as many as the cells of the complement
+  neighbours = 2,   // lists ascend, and adjacency is mutual
+  regions = 3,      // they are the connected components, numbered in the order of their first cells
+  power_cells = 4,  // they are simple polytopes with V - E + F = 2, with as many free parts as there are cells
+  facets = 5,       // a cell has neighbours exactly across the planes on which it has facets
+  complement = 6,   // there are as many regions as cells of the complement
 };
 
-// Where: the number of a cell or cube.
+// `where` is the number of a cell or cube.
 using FreeSpaceViolation = Violation<FreeSpaceInvariant>;
 
 // Scratch memory of the builder.
@@ -29,7 +29,7 @@ struct FreeSpaceScratch {
   Span<uint8_t> planes;  // [planes of one power cell]
 };
 
-// Invariants 1 to 5. About as much work as the build.
+// Checks invariants 1 to 5. About as much work as the build.
 FreeSpaceViolation check_free_space(const BallSet &balls, const FreeSpace &space, FreeSpaceScratch scratch);
 
 }  // namespace hsp

@@ -11,7 +11,7 @@ void PowerCell::carve(Workspace &workspace, uint32_t balls) {
   polytope_.carve(workspace, balls);
   const auto take_numbers = [&] {
     const Span<double> numbers = workspace.take<double>(static_cast<uint64_t>(balls) + 7);
-    for (double &number : numbers) number = 0.0;  // eight are read at once, and some may not be those of balls
+    for (double &number : numbers) number = 0.0;  // eight are read at once, some of them behind the last ball
     return numbers;
   };
   for (Span<double> *numbers : {&x_, &y_, &z_, &radius_, &power_, &in_game_}) *numbers = take_numbers();
@@ -54,14 +54,14 @@ void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const u
   for (uint32_t k = members.size(); k < members.size() + 7; ++k) in_game_[k] = 0.0;
 }
 
-// As find_dominance() has it.
+// Calls the kernel find_dominance().
 uint64_t PowerCell::dominance(uint32_t a, uint32_t first, double error) const {
   return hsp::find_dominance(target_, numbers(), a, first, frame_.side(), error);
 }
 
-// The power to ball j less that to ball i is, but for a factor, g_j - g_i - (c_j - c_i).y with g = |c|^2 - r^2 and
-// centres from that of the cube. Its mean over the cube is that at y = 0, and nowhere in the cube does it differ from
-// that by more than the side times the sum of the parts of c_j - c_i.
+// The power to ball j less that to ball i is, up to a factor, g_j - g_i - (c_j - c_i).y with g = |c|^2 - r^2 and
+// centres relative to that of the cube. Its mean over the cube is its value at y = 0. In the cube it differs from that
+// by at most the side times the sum of |components| of c_j - c_i.
 void PowerCell::drop_dominated() {
   const double error = 64 * unit_roundoff * frame_.side() * frame_.side();
   const uint32_t members = members_.size();
@@ -80,7 +80,8 @@ void PowerCell::drop_dominated() {
   }
 }
 
-// The planes of all others in the game that come as near to the ball's centre as any point of the cube.
+// Finds the planes of all members that are not discarded and that are as near to the ball's centre as some point of the
+// cube.
 void PowerCell::find_member_planes() {
   const double side = frame_.side();
   const Vec3 corner{side + std::fabs(centre_.x), side + std::fabs(centre_.y), side + std::fabs(centre_.z)};
@@ -122,20 +123,21 @@ bool PowerCell::order_next_planes() {
   return order.count > 0;
 }
 
-// As find_cut() has it.
+// Calls the kernel find_cut().
 uint32_t PowerCell::find_next_cut(const CutMargins &margins) {
   return find_cut(target_, polytope_.to_cut(), of_planes_, members_.size(), margins);
 }
 
-// Whether the middle of the polytope is certainly on the near side of the planes that may still cut it. The distance of
-// two centres is below 4 sides.
+// Whether the middle of the polytope is certainly on the near side of all planes that may still cut it: then the cell
+// is not empty. The distance of two centres is below 4 sides.
 bool PowerCell::has_certain_point() const {
   const double side = frame_.side();
   const double error = (8 * polytope_.most_error() + 512 * unit_roundoff * side) * side;
   return is_before_all(target_, numbers(), member_, polytope_.middle(), error, of_planes_.distance);
 }
 
-// The planes that cut most come first, and none follows that is farther than all that is left.
+// Cuts the power cell out of the cube. The nearest planes come first, as they cut most; when the next one is farther
+// than all that is left, the cell is done.
 void PowerCell::cut_out(uint32_t k, bool unless_covered) {
   member_ = k;
   parts_ = cutter_count_ = 0;
@@ -192,7 +194,7 @@ bool PowerCell::is_outside(uint32_t v) const {
       .is_outside(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]));
 }
 
-// Both ends are outside.
+// Whether an edge whose ends are outside the ball is outside as a whole, by integers.
 bool PowerCell::edge_is_free(uint32_t v, uint32_t k) const {
   const PolytopeVertex &from = polytope_[v];
   const uint32_t w = from.neighbour(k);
@@ -210,7 +212,7 @@ SquareSides PowerCell::compare_with_ball(uint32_t first, double limit, double ma
   return compare_squares(target_, polytope_.arrays().squared + first, count, limit, margin);
 }
 
-// Which vertices are outside the ball. Returns how many.
+// Finds the vertices outside the ball. Returns how many.
 uint32_t PowerCell::find_free_vertices(double limit, double error) {
   const uint32_t size = polytope_.size();
   const PolytopeVertex *const vertices = &polytope_[0];
@@ -223,7 +225,7 @@ uint32_t PowerCell::find_free_vertices(double limit, double error) {
     part[v] = no_id;
   }
   uint32_t count = 0;
-  // From the last ones on, so that the first one on a plane is what remains there.
+  // From the last vertices to the first, so that first_free_ ends as the first vertex on each plane.
   for (uint32_t word = (size + 63) / 64; word-- > 0;) {
     const SquareSides sides = compare_with_ball(64 * word, limit, error);
     uint64_t outside = sides.above;
@@ -253,7 +255,7 @@ uint32_t PowerCell::list_edges() {
       const uint32_t v = 64 * word + static_cast<uint32_t>(std::countr_zero(left));
       for (uint32_t k = 0; k < 3; ++k) {
         const uint32_t link = vertices[v].link[k], w = link / 4;
-        edges[count] = {4 * v + k, link};  // and kept if it is one of them
+        edges[count] = {4 * v + k, link};  // written in any case, counted if the edge is to be listed
         count += static_cast<uint32_t>(outside[w / 64] >> w % 64 & (v < w ? 1U : 0U));
       }
     }
@@ -262,12 +264,12 @@ uint32_t PowerCell::list_edges() {
   return count;
 }
 
-// As compare_edges() has it.
+// Calls the kernel compare_edges().
 EdgeSides PowerCell::compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double error) const {
   return compare_edges(target_, polytope_.arrays(), edges, count, limit, error);
 }
 
-// Calls visit(edge) for each edge that is outside the ball as a whole, and notes these.
+// Calls visit(edge) for each edge that is outside the ball as a whole, and notes it in free_edges_.
 template <class Visit>
 void PowerCell::for_each_free_edge(double limit, double error, Visit visit) {
   uint8_t *const free_edges = free_edges_.data();
@@ -303,7 +305,8 @@ void PowerCell::find_free_parts() {
   }
 }
 
-// Free parts of up to 64 vertices: what free edges lead to from the first vertex without a part, as bits.
+// Finds the free parts of up to 64 vertices, with bits for vertices: those that free edges lead to from the first
+// vertex without a part.
 void PowerCell::gather_few(double limit, double error) {
   uint32_t *const part = part_.data();
   const uint64_t outside = outside_[0];
@@ -326,7 +329,7 @@ void PowerCell::gather_few(double limit, double error) {
   }
 }
 
-// The same of any number of vertices, one after another.
+// The same for any number of vertices, one after another.
 void PowerCell::gather_many(uint32_t free_vertices) {
   uint32_t *const part = part_.data(), *const waiting = waiting_.data();
   uint32_t known = 0;
@@ -349,10 +352,10 @@ void PowerCell::gather_many(uint32_t free_vertices) {
   }
 }
 
-// Whether the part of a plane in the ball lies in a facet whose border is outside the ball. The middle of that disc is
-// sought by its distance from the centre of the ball, which is off by less than 8 plane errors, as in
-// has_centre_before(). If the plane meets the ball, that is no more than about a side, so that v adds less than 16 u s,
-// and the roundings less than 64 u s: the middle is off by less than 16 plane errors.
+// Whether a facet whose border is outside the ball contains the disc in which its plane meets the ball. The middle of
+// the disc is computed from its distance to the centre of the ball, which is off by less than 8 plane errors, as in
+// has_centre_before(). If the plane meets the ball, the distance is not larger than about a side, so that v adds less
+// than 16 u s, and rounding less than 64 u s: the middle is off by less than 16 plane errors.
 bool PowerCell::contains_disc(uint32_t number) const {
   const PowerPredicates exact(*balls_, ball(), frame_);
   const double r = balls_->r[ball()];
@@ -380,7 +383,7 @@ bool PowerCell::has_centre_before(uint32_t number) const {
   return PowerPredicates(*balls_, ball(), frame_).side_of_centre(plane(number)) >= 0;
 }
 
-// Without vertices in the ball, each plane with a facet has a first vertex that is outside.
+// As no vertex is in the ball, first_free_ has a vertex for each plane with a facet.
 bool PowerCell::meets_ball() const {
   for (uint32_t v = 0; v < polytope_.size(); ++v) {
     if (part_[v] == no_id || free_edges_[v] != 7) return true;

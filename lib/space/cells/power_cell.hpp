@@ -1,9 +1,9 @@
-// The power cell of one ball in one cube: the points of the cube whose power to no other ball that meets the cube is
-// smaller. Its part outside its ball falls into free parts.
+// The power cell of one ball in one cube: the points of the cube that have no smaller power to another ball that meets
+// the cube. Its part outside the ball consists of connected free parts.
 //
-// Theorem. The components of a convex polytope K without a ball B correspond to the components of the graph of the
-// vertices of K outside B, joined by the edges of K that lie outside B as a whole. Proof: from a common point q of K
-// and B every ray leaves the convex B once and K once, so K without B retracts to the boundary of K without B; in the
+// Theorem. The components of K \ B, for a convex polytope K and a ball B, correspond to the components of this graph:
+// the vertices of K outside B, joined by the edges of K that lie outside B as a whole. Proof: from a common point q of
+// K and B every ray leaves the convex B once and K once. So K \ B retracts to its part of the boundary of K. In the
 // same way every facet retracts to its border, and an edge, of which B covers an interval, to its ends. If K and B have
 // no common point, all vertices and edges are outside and connected.
 #pragma once
@@ -19,42 +19,42 @@ class PowerCell {
  public:
   void carve(Workspace &workspace, uint32_t balls);
 
-  // The cube whose power cells follow, and the balls that meet it.
+  // Sets the cube whose power cells follow, and its members, the balls that meet it.
   void enter(const BallSet &balls, const CubeFrame &frame, Span<const uint32_t> members);
-  // Balls whose power cells are certainly empty, as another ball has less power all over the cube, are
-  // discarded from then on; so are those that are found to be empty.
+  // Discards the balls whose power cells are certainly empty, as another ball has less power all over the cube. From
+  // then on a ball whose power cell is found to be empty is discarded, too.
   void drop_dominated();
 
   // The power cell of member number k, which may be empty.
   void build(uint32_t k) { cut_out(k, false); }
-  // The same, but a cell that is not empty and lies in its ball may stay larger than it is: it has no free parts.
+  // The same. But a cell that lies in its ball and is not empty may be left not cut to the end: it has no free parts.
   void build_unless_covered(uint32_t k) { cut_out(k, true); }
-  // Which of its vertices are outside the ball, which edges, and its free parts.
+  // Finds the vertices outside the ball, the edges outside it, and the free parts.
   void find_free_parts();
 
   const CubeFrame &frame() const { return frame_; }
   bool empty() const { return polytope_.size() == 0; }
   uint32_t ball() const { return members_[member_]; }
   const PowerPolytope &polytope() const { return polytope_; }
-  // Where a vertex is: by integers where doubles do not know it, as planes that meet there are nearly parallel.
+  // The position of a vertex; by integers if doubles do not know it, as planes that meet there are nearly parallel.
   Vec3 position(uint32_t vertex) const;
   uint32_t parts() const { return parts_; }
   // The free part of a vertex; no_id for a vertex inside the ball.
   uint32_t part_of(uint32_t vertex) const { return part_[vertex]; }
   // Whether the edge opposite to plane k of a vertex is outside the ball as a whole.
   bool is_free_edge(uint32_t vertex, uint32_t k) const { return (free_edges_[vertex] >> k & 1) != 0; }
-  // Whether the ball and its power cell have a common point. Only asked for cells without vertices in the ball.
+  // Whether the ball and its power cell have a common point. Only for cells without vertices in the ball.
   bool meets_ball() const;
 
   // Plane numbers: sides, then members.
   PowerPlane plane(uint32_t number) const {
     return number < cube_sides ? side_plane(number) : PowerPlane{ball(), members_[number - cube_sides]};
   }
-  // In doubles, of a plane on which the cell has a vertex.
+  // The plane in doubles, if the cell has a vertex on it.
   const UnitPlane &unit_plane(uint32_t number) const { return planes_[number]; }
-  // A number without regard to the members: a side, or a ball and six.
+  // The code of a plane, which does not depend on the members: a side, or a ball plus six.
   uint32_t code_of(uint32_t number) const { return codes_[number]; }
-  // The members whose planes have cut the cell, each once; of some no facet is left.
+  // The members whose planes have cut the cell, each once; some may have no facet left.
   uint32_t cutters() const { return cutter_count_; }
   uint32_t cutter(uint32_t k) const { return cutters_[k]; }
   // The first vertex outside the ball on a side, or on the plane of a cutter; no_id if there is none.

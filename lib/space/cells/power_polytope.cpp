@@ -5,8 +5,8 @@
 namespace hsp {
 namespace {
 
-// Bit k of a corner's number says on which of the sides normal to axis k it lies. Corners with an odd number of such
-// bits are mirror images of the others, hence their planes come in the order of axes 0, 2, 1.
+// Bit k of a corner's number says on which of the two sides normal to axis k it lies. Corners with an odd number of set
+// bits are mirror images of the others: their planes come in the order of axes 0, 2, 1.
 constexpr PolytopeVertex cube_corner(uint32_t v) {
   const uint32_t odd = (v ^ v >> 1 ^ v >> 2) & 1;
   const uint32_t second = 1 + odd, third = 2 - odd;
@@ -24,7 +24,7 @@ void PowerPolytope::carve(Workspace &workspace, uint32_t balls) {
   for (double **numbers :
        {&to_cut_.at.x, &to_cut_.at.y, &to_cut_.at.z, &to_cut_.at.error, &to_cut_.at.squared, &to_cut_.at.value}) {
     const Span<double> taken = workspace.take<double>(most + 7);
-    for (double &number : taken) number = 0.0;  // eight are read at once, and some may not be vertices
+    for (double &number : taken) number = 0.0;  // eight are read at once, some of them behind the last vertex
     *numbers = taken.data();
   }
   beyond_ = workspace.take<uint64_t>(most / 64 + 1);
@@ -33,7 +33,7 @@ void PowerPolytope::carve(Workspace &workspace, uint32_t balls) {
   to_cut_.unsure = unsure_.data();
   holes_ = workspace.take<uint32_t>(most + 1);
   crossings_ = workspace.take<CrossedEdge>(most + crossings_behind);
-  for (CrossedEdge &edge : crossings_) edge = {0, 0, 0, 0};  // some are read that may not have been written
+  for (CrossedEdge &edge : crossings_) edge = {0, 0, 0, 0};  // kernels read some behind the last one
   made_ = workspace.take<uint32_t>(most + crossings_behind);
   ends_ = workspace.take<uint32_t>(most_planes(balls));
   count_ = 0;
@@ -74,8 +74,8 @@ Vec3 PowerPolytope::middle() const {
   return (1.0 / static_cast<double>(count_)) * sum;
 }
 
-// Lists the vertices beyond the plane, and the edges from these to one that is not: is_near(v) is 1 for such a vertex,
-// else 0. Returns how many edges. Around a hole these are as many as the new facet has corners.
+// Lists the vertices beyond the plane, and the edges from these to vertices that are not: is_near(v) is 1 for such a
+// vertex, else 0. Returns the number of these edges, which is that of the corners of the new facet.
 template <class IsNear>
 uint32_t PowerPolytope::find_crossings(IsNear is_near) {
   const PolytopeVertex *const vertices = vertices_.data();
@@ -89,7 +89,7 @@ uint32_t PowerPolytope::find_crossings(IsNear is_near) {
       holes[hole] = v;
       const PolytopeVertex vertex = vertices[v];
       for (const uint32_t plane : vertex.plane) ends[plane] = 0;
-      // Written in any case, and kept if the other end stays.
+      // Written without a branch, and kept if the other end stays.
       const auto list = [&](uint32_t near, uint32_t a, uint32_t b) {
         *at = {v, near, a, b};
         at += is_near(near / 4);
@@ -113,12 +113,12 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
   const uint32_t *const holes = holes_.data();
   const CrossedEdge *const crossings = crossings_.data();
   uint32_t *const ends = ends_.data(), *const made = made_.data();
-  // New vertices take the slots of those that are cut off, once these have no more edges to be cut, and then slots
-  // behind the last one.
+  // New vertices take the slots of vertices that are cut off, when these have no more edges to be cut; then slots
+  // behind the last vertex.
   uint32_t filled = 0, end = count_;
   for (uint32_t c = 0; c < count; ++c) {
     const uint32_t near = crossings[c].near, a = crossings[c].a, b = crossings[c].b;
-    // One or the other, which cannot be foreseen, without a branch.
+    // Which of the two cannot be predicted: chosen without a branch.
     const uint32_t hole = holes[filled], reuse = hole < crossings[c + 1].gone ? 1 : 0;
     const uint32_t to = end ^ ((end ^ hole) & (0 - reuse));
     filled += reuse;
@@ -149,17 +149,17 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
     solve_uncertain(count, planes, frame);
   }
   count_ = end;
-  // The last vertices take the slots that are left, from the last one on.
+  // The last vertices are moved into the slots that are left.
   for (uint32_t hole = hole_count_; hole > filled; --hole) move(--count_, holes[hole - 1]);
   clear_squares_behind();
 }
 
-// As cross_edges() has it.
+// Calls the kernel cross_edges().
 void PowerPolytope::cross(uint32_t count) const {
   cross_edges(target_, to_cut_.at, crossings_.data(), made_.data(), count, bounds_);
 }
 
-// New vertices in too much doubt are where their three planes meet.
+// Computes new vertices with too large an error from their three planes.
 void PowerPolytope::solve_uncertain(uint32_t count, const UnitPlane *planes, const CubeFrame &frame) {
   for (const uint32_t v : made_.part(0, count)) {
     if (to_cut_.at.error[v] >= no_certainty) {
@@ -176,13 +176,13 @@ void PowerPolytope::solve_uncertain(uint32_t count, const UnitPlane *planes, con
   }
 }
 
-// Of as many as are read.
+// Sets the squares behind the last vertex to 0, as many as kernels read.
 void PowerPolytope::clear_squares_behind() {
   double *const squared = to_cut_.at.squared + count_;
   for (uint32_t k = 0; k < 7; ++k) squared[k] = 0.0;
 }
 
-// Moves a vertex, unless it is there, and tells its neighbours.
+// Moves a vertex to another slot, and updates the links of its neighbours.
 void PowerPolytope::move(uint32_t from, uint32_t to) {
   if (from == to) return;
   const PolytopeVertex vertex = vertices_[from];

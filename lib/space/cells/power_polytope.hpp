@@ -1,7 +1,7 @@
-// A convex polytope that planes cut out of a cube, as a graph: vertices of three planes each, joined by edges of two.
-// A cutter says which vertices lie beyond a plane; everything else is combinatorial. Under the symbolic perturbation no
-// four planes have a common point, so every polytope stays simple. Coordinates serve the filter stage of predicates
-// alone.
+// A convex polytope that planes cut out of a cube, as a graph: each vertex is on three planes, each edge on two. The
+// caller says which vertices lie beyond a plane; everything else is combinatorial. Under the symbolic perturbation no
+// four planes have a common point, so that every polytope is simple. Coordinates are used only by the filter stage of
+// predicates.
 #pragma once
 
 #include <bit>
@@ -13,12 +13,12 @@
 
 namespace hsp {
 
-// Its planes come in one order around every vertex, seen from outside. So a walk around a facet in that order gets
-// to a vertex along the edge opposite to plane[k], finds the facet as plane[k + 1], and goes on along the edge opposite
-// to plane[k + 2], modulo 3.
+// Seen from outside, the planes come in the same sense of rotation around every vertex. So a walk around a facet in
+// that sense reaches a vertex along the edge opposite to plane[k], has the facet as plane[k + 1], and goes on along the
+// edge opposite to plane[k + 2], indices modulo 3.
 struct PolytopeVertex {
   uint32_t plane[3];
-  uint32_t link[3];  // [k]: the other end of the edge opposite to plane[k], and its own k, as 4 vertex + k
+  uint32_t link[3];  // [k]: the vertex at the other end of the edge opposite to plane[k], and its k, as 4 vertex + k
 
   uint32_t neighbour(uint32_t k) const { return link[k] / 4; }
   uint32_t back(uint32_t k) const { return link[k] % 4; }
@@ -39,23 +39,23 @@ class PowerPolytope {
  public:
   // Planes 0 .. 5 are the sides of the cube, the others those of up to so many balls.
   static uint64_t most_planes(uint32_t balls) { return static_cast<uint64_t>(balls) + cube_sides; }
-  // A simple polytope of f facets has 2 f - 4 vertices, and while it is cut the old and the new ones are there.
+  // A simple polytope of f facets has 2 f - 4 vertices. During a cut there are the old and the new vertices.
   static uint64_t most_vertices(uint32_t balls) { return 2 * most_planes(balls); }
   void carve(Workspace &workspace, uint32_t balls);
 
-  // The whole cube, for a ball with this centre.
+  // Starts with the whole cube, for a ball with this centre.
   void start(const CubeFrame &frame, const Vec3 &centre);
-  // For find_cut().
+  // The vertices for find_cut().
   const CutVertices &to_cut() {
     to_cut_.count = count_;
     return to_cut_;
   }
-  // After find_cut(), which said what it knows: which vertices are beyond plane S. exact_side(vertex), +1 near or -1
-  // beyond, is asked where doubles do not tell. Returns how much is beyond.
+  // After find_cut(), which has noted what doubles tell: decides which vertices are beyond plane S. exact_side(vertex),
+  // +1 near or -1 beyond, is asked for the others. Returns how much of the polytope is beyond.
   template <class ExactSide>
   CutOff decide_sides(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side);
-  // Cuts off the vertices beyond plane number `plane`, that of the last decide_sides(), which are some of them;
-  // `planes` are all planes. The part beyond a plane is connected, and so is the rest.
+  // Cuts off the vertices beyond plane number `plane`, for which decide_sides() has returned CutOff::some. planes: all
+  // planes, by number. The part beyond a plane is connected, and so is the rest.
   void cut(uint32_t plane, const UnitPlane *planes, const CubeFrame &frame);
   void make_empty() { count_ = 0; }
 
@@ -63,12 +63,12 @@ class PowerPolytope {
   const PolytopeVertex &operator[](uint32_t v) const { return vertices_[v]; }
   Vec3 position(uint32_t v) const { return {to_cut_.at.x[v], to_cut_.at.y[v], to_cut_.at.z[v]}; }
   BoundedPoint at(uint32_t v) const { return {position(v), to_cut_.at.error[v]}; }
-  // Of the distance of a vertex from the centre of the ball.
+  // The squared distance of a vertex from the centre of the ball.
   double squared(uint32_t v) const { return to_cut_.at.squared[v]; }
   const VertexArrays &arrays() const { return to_cut_.at; }
-  // The mean of its vertices, which is in it: off by no more than they are, but for roundings.
+  // The mean of the vertices, a point of the polytope. It is off by no more than they are, but for rounding.
   Vec3 middle() const;
-  // No vertex is more in doubt.
+  // A bound of the errors of all vertices.
   double most_error() const { return most_error_; }
 
  private:
@@ -80,17 +80,17 @@ class PowerPolytope {
   void move(uint32_t from, uint32_t to);
 
   Span<PolytopeVertex> vertices_;
-  CutVertices to_cut_{};   // [vertices + 7] where they are
-  Span<uint64_t> beyond_;  // [vertices / 64] a bit for each
+  CutVertices to_cut_{};   // [vertices + 7] the positions of vertices
+  Span<uint64_t> beyond_;  // [vertices / 64] a bit for each vertex
   Span<uint64_t> unsure_;  // [vertices / 64]
-  // Those that are beyond, ascending; they leave their slots to others. Then the number of vertices.
+  // The vertices that are beyond, ascending; their slots are used again. Behind them the number of vertices.
   Span<uint32_t> holes_;         // [vertices + 1]
   Span<CrossedEdge> crossings_;  // [vertices + crossings_behind]
-  Span<uint32_t> made_;          // [vertices + crossings_behind] the vertices that are made there
-  Span<uint32_t> ends_;  // [planes] of the edge on it and the new plane: the exclusive or of both ends, as links
+  Span<uint32_t> made_;          // [vertices + crossings_behind] the new vertex of each crossing
+  Span<uint32_t> ends_;  // [planes] of the edge on this plane and the new one: the exclusive or of both ends, as links
   uint32_t count_ = 0, hole_count_ = 0;
   CrossingBounds bounds_{};
-  double most_error_ = 0.0;  // of all vertices that there have been
+  double most_error_ = 0.0;  // the largest error of all vertices so far, also those cut off
   Target target_ = Target::baseline;
 };
 

@@ -40,11 +40,11 @@ Integer<out> dot(const LongVector<a_bits> &a, const LongVector<b_bits> &b) {
   return exact::product<out>(a.x, b.x) + exact::product<out>(a.y, b.y) + exact::product<out>(a.z, b.z);
 }
 
-// A linear form in the perturbations of weights: what decides the linear predicates where their value is 0.
+// A linear form in the perturbations of weights. It decides the linear predicates whose value is 0.
 template <int bits>
 class Inflations {
  public:
-  // A plane's h times a coefficient.
+  // Adds the perturbation of a plane's h times a coefficient.
   void add(const PowerPlane &plane, const Integer<bits> &coefficient) {
     if (plane.is_side()) return;
     add(plane.near, coefficient);
@@ -80,7 +80,7 @@ class Inflations {
 
 }  // namespace
 
-// Planes as integers, seen from the origin, and what is made of three of them.
+// Planes as integers, relative to the origin, and numbers computed from three of them.
 struct PowerPredicates::Numbers {
   struct Plane {
     Vector v;
@@ -113,7 +113,7 @@ struct PowerPredicates::Numbers {
     const int64_t r = static_cast<int64_t>(p.balls_.r[p.origin_]);
     return 4 * r * r;
   }
-  // The ball of lowest rank of the origin and those behind up to three planes; the origin for the origin itself.
+  // The ball of lowest rank among the origin and the other balls of up to three planes.
   uint32_t lowest(const PowerPlane &P, const PowerPlane &Q, const PowerPlane &R) const {
     uint32_t best = p.origin_;
     for (const PowerPlane *plane : {&P, &Q, &R}) {

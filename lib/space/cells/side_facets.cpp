@@ -3,7 +3,7 @@
 namespace hsp {
 namespace {
 
-// By the axis that a side is normal to, so that no branch depends on it.
+// Tables by the axis that a side is normal to, so that no branch depends on it.
 constexpr SideAxes axes_of[3] = {axes_along(0), axes_along(1), axes_along(2)};
 constexpr double *VertexArrays::*numbers_along_u[3] = {&VertexArrays::y, &VertexArrays::x, &VertexArrays::x};
 constexpr double *VertexArrays::*numbers_along_w[3] = {&VertexArrays::z, &VertexArrays::z, &VertexArrays::y};
@@ -28,10 +28,11 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
   double *const us = u_.data() + at, *const ws = w_.data() + at;
   double low_u = all_u[first], high_u = low_u, low_w = all_w[first], high_w = low_w;
   double most_error = 0.0;
-  // The lowest cell of a corner, and the highest one and 1. As no_id is the largest number, both pass over it.
+  // The lowest cell of a corner, and the highest one plus 1. no_id, the largest number, changes neither.
   uint32_t lowest = no_id, above_highest = 0;
   uint32_t count = 0, covered = 0;
-  // Vertex v, to which the edge opposite to its plane number `back` leads: the border goes on along that plane.
+  // The walk is at vertex v, which it has reached along the edge opposite to plane[back]. The next edge of the border
+  // is on that plane.
   uint32_t v = first, back = previous_of_three(vertices[first].slot_of(side));
   do {
     const PolytopeVertex &vertex = vertices[v];
@@ -45,7 +46,7 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
       ws[count] = w;
       lines[count] = {static_cast<float>(plane.v.*axes.u), static_cast<float>(plane.v.*axes.w),
                       static_cast<float>(plane.h - plane.v.*axes.across * there)};
-      // Rounded up.
+      // The error is rounded up.
       const float rounded = error < 1e29 ? static_cast<float>(error * (1.0 + 0x1p-20)) : huge_error;
       corners[count] = {rounded, in_cell, cell.code_of(line), cell.is_free_edge(v, opposite) ? 1U : 0U};
     }
@@ -62,7 +63,7 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
     back = vertex.link[opposite] % 4;
   } while (v != first && count < most);
   corners_.set_count(first_corner + count);
-  // As floats are off by less than 2^-23 of the side.
+  // The box is widened: its floats are off by less than 2^-23 of the side.
   const double spread = (most_error < 1e29 ? most_error : 1e29) + 0x1p-22 * cell.frame().side();
   facets_.push({cell.ball(), side, clamped_count(first_corner), count, lowest + 1 == above_highest ? lowest : no_id,
                 meets_both ? 1U : 0U, most_error, covered, static_cast<float>(low_u - spread),

@@ -1,8 +1,8 @@
-// The facets that power cells have on a side of their cube, as polygons: what is compared with those of the cube on the
-// other side. Positions on a side are (u, w), the coordinates along it, the earlier one first.
+// The facets of power cells on a side of their cube, as polygons, to be compared with the facets of the cube on the
+// other side. Positions on a side are (u, w), the coordinates along it, the axis with the lower number first.
 //
-// The lines around a facet are kept in floats: v is a unit vector, |h| < 4 s before and < 5 s after the part across the
-// side is taken off, so that a u + b w - h is off by less than 2^-24 (2 s + 5 s) + 512 u s < 2^-21 s at a point that is
+// The lines around a facet are kept in floats. v is a unit vector; |h| is < 4 s, and < 5 s after the term across the
+// side is subtracted. So a u + b w - h is off by less than 2^-24 (2 s + 5 s) + 512 u s < 2^-21 s at a point that is
 // known exactly.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace hsp {
 
-// The coordinates along a side that is normal to an axis, and that across it.
+// The two coordinates along a side that is normal to an axis, and the one across it.
 struct SideAxes {
   double Vec3::*u, Vec3::*w, Vec3::*across;
 };
@@ -39,8 +39,8 @@ struct SideFacet {
   uint32_t first_corner, corners;
   uint32_t cell;                       // the cell of all corners outside the ball; no_id if there are several
   uint32_t meets_both;                 // whether its ball meets the cube on the other side too, 1 or 0
-  double error;                        // the largest of its corners
-  uint32_t has_covered_corner;         // whether one is in the ball, 1 or 0
+  double error;                        // the largest error of its corners
+  uint32_t has_covered_corner;         // whether a corner is in the ball, 1 or 0
   float low_u, high_u, low_w, high_w;  // a box around the facet
 };
 
@@ -60,15 +60,15 @@ class SideFacets {
     facets_.clear();
     corners_.clear();
   }
-  // The facet of a power cell on a side, where `first` is a vertex of the cell outside the ball; first_cell is that of
-  // the cell's free part 0; meets_both: whether the ball meets the cube on the other side too.
+  // Adds the facet of a power cell on a side. first: a vertex of the facet outside the ball; first_cell: the cell that
+  // is free part 0; meets_both: whether the ball meets the cube on the other side too.
   void add(const PowerCell &cell, uint32_t side, uint32_t first, uint32_t first_cell, bool meets_both);
 
   const FixedVector<SideFacet> &facets() const { return facets_; }
   const FixedVector<FacetCorner> &corners() const { return corners_; }
   const SideFacet &facet(uint32_t k) const { return facets_[k]; }
   const FacetCorner &corner(const SideFacet &facet, uint32_t k) const { return corners_[facet.first_corner + k]; }
-  // Where a corner is, on a side that is there along its axis.
+  // The position of a corner. there: the coordinate of the side along its axis.
   BoundedPoint point(const SideFacet &facet, uint32_t k, const SideAxes &axes, double there) const {
     const uint32_t corner = facet.first_corner + k;
     BoundedPoint at;
@@ -78,7 +78,7 @@ class SideFacets {
     at.error = corners_[corner].error < huge_error ? static_cast<double>(corners_[corner].error) : no_certainty;
     return at;
   }
-  // Of the corners of a facet, with room for three more behind the last one, and of its edges.
+  // The coordinates of a facet's corners, readable for three more behind the last one; and the lines of its edges.
   const double *u(const SideFacet &facet) const { return u_.data() + facet.first_corner; }
   const double *w(const SideFacet &facet) const { return w_.data() + facet.first_corner; }
   const FlatLine *lines(const SideFacet &facet) const { return lines_.data() + facet.first_corner; }

@@ -1,5 +1,5 @@
-// Which edges of a polytope are outside a sphere, as far as doubles tell. For registers of n doubles,
-// which all find the same bits: power_cell.kernel.cpp compiles it.
+// A kernel that finds which edges of a polytope are outside a sphere, as far as doubles tell. For registers of n
+// doubles; every n gives the same bits. power_cell.kernel.cpp compiles this file.
 #pragma once
 
 #include "cells/vertex_sides.hpp"
@@ -8,16 +8,16 @@
 
 namespace hsp {
 
-// An edge by its ends, each as 4 vertex + k with the plane k that it is opposite to.
+// An edge by its two ends. An end is 4 vertex + k, if the edge is opposite to plane k of the vertex.
 struct EdgeEnds {
   uint32_t from, to;
 };
 // A bit for each of up to 64 edges, the first one lowest: whether it is outside a sphere as a whole by more than a
-// margin, and whether it is within the margin. Their ends are outside, or within a margin.
+// margin, and whether that is within the margin. The ends of edges are outside, or within a margin.
 struct EdgeSides {
   uint64_t outside, unsure;
 };
-// How many records are read behind the last one; they must name vertices.
+// So many records behind the last one are read; they must name vertices.
 inline constexpr uint32_t edges_behind = 3;
 
 HSP_KERNEL(EdgeSides, compare_edges,
@@ -26,18 +26,18 @@ HSP_KERNEL(EdgeSides, compare_edges,
 
 namespace {
 
-// Where n vertices are.
+// The positions of n vertices.
 template <uint32_t n>
 inline VectorOf<typename Wide<double, n>::Real> positions(const VertexArrays &of, const uint32_t *v) {
   using L = Wide<double, n>;
   return {L::gather(of.x, v), L::gather(of.y, v), L::gather(of.z, v)};
 }
 
-// With squared lengths A and B from the centre to the ends and L from end to end, the line is nearest to the centre at
-// t = (A - B + L) / 2 of L, and at t of L the squared distance is A - t (2 (A - B + L) / 2 - t) / L. Positions and
-// centre are below 3 s from each other along each axis, so that A, B and L are below 27 s^2 and off by less than
-// 135 u s^2 for their roundings, t by less than 230 u s^2, and L times the excess, as t <= L, by less than 800 u s^2 L,
-// besides the error of positions: CubeFrame::sphere_error() has 1024.
+// Let A and B be the squared distances from the centre to the ends, and L the squared length of the edge. The line is
+// nearest to the centre at the fraction t / L with t = (A - B + L) / 2; at a fraction t / L the squared distance is A -
+// t (2 (A - B + L) / 2 - t) / L. Errors: positions and centre are less than 3 s apart along each axis. So A, B and L
+// are below 27 s^2 and off by less than 135 u s^2 by rounding, t by less than 230 u s^2, and L times the excess, as t
+// <= L, by less than 800 u s^2 L, besides the error of positions. CubeFrame::sphere_error() has 1024.
 template <uint32_t n>
 inline EdgeSides compare_edges_in_lanes(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit,
                                         double error) {

@@ -1,6 +1,6 @@
-// Which plane is the next one that cuts a power cell, and on which side of it, or of the lines around a facet, up to 64
-// points lie, as far as doubles tell. For registers of n doubles, which all find the same bits:
-// power_cell.kernel.cpp compiles it.
+// Kernels that find the next plane to cut a power cell, and on which side of a plane, or of the lines around a facet,
+// up to 64 points lie, as far as doubles tell. For registers of n doubles; every n gives the same bits.
+// power_cell.kernel.cpp compiles this file.
 #pragma once
 
 #include "cells/cube_members.hpp"
@@ -10,39 +10,40 @@
 
 namespace hsp {
 
-// The vertices of a polytope: where they are, a bound for the error of that, the squares of their distances from the
-// centre of the ball, and what v.y - h of the plane is found to be that they were held against last. Behind the last
-// one there is room for a multiple of eight; squares there are 0.
+// The vertices of a polytope: their positions, bounds of the errors of these, their squared distances from the centre
+// of the ball, and the value v.y - h of the plane with which they were compared last. Behind the last vertex there is
+// room up to a multiple of eight; squares there are 0.
 struct VertexArrays {
   double *x, *y, *z, *error, *squared, *value;
 };
-// How many there are, at least four; and of that plane a bit for each, the first one lowest: whether it is beyond by
-// more than a margin, and whether it is within the margin.
+// The vertices, at least four, compared with a plane. A bit for each, the first one lowest: whether it is beyond the
+// plane by more than a margin, and whether it is within the margin.
 struct CutVertices {
   VertexArrays at;
   uint64_t *beyond, *unsure;
   uint32_t count;
 };
 struct CutMargins {
-  double side;     // of v.y - h
-  double reach;    // of the square of the distance of the farthest vertex from the centre
-  double covered;  // find_cut() ends if that square is smaller
+  double side;     // the margin of v.y - h
+  double reach;    // the margin of the squared distance of the farthest vertex from the centre
+  double covered;  // find_cut() returns is_covered if that squared distance is smaller
 };
-// The result of find_cut() for no plane; wants_more: of many planes more are to be put in order first.
+// Results of find_cut() that are no plane. wants_more: the planes that have been sorted are done with, and there may be
+// more.
 inline constexpr uint32_t none_cuts = no_id, is_covered = no_id - 1, wants_more = no_id - 2;
 
-// A line in the plane of a facet, u a + w b = h; the near side has less. In floats, as facets are many.
+// A line u a + w b = h in the plane of a facet; its near side is u a + w b <= h. In floats, as facets are many.
 struct FlatLine {
   float u, w, h;
 };
-// Of points in that plane those that are on the near side of all lines, by more than a margin; whether all of them are
-// beyond one line, by more than that; and whether each line has some of them on its near side, by more than that.
+// Points in that plane compared with lines, all by more than a margin. inside: bits of the points on the near side of
+// all lines; apart: whether all points are beyond one line; reached: whether each line has a point on its near side.
 struct FacetSides {
   uint64_t inside;
   bool apart, reached;
 };
-// A bit for each of up to 64 vertices, the first one lowest: whether the square of its distance is larger than a limit
-// by more than a margin, and whether it is within the margin.
+// A bit for each of up to 64 vertices, the first one lowest: whether its squared distance is larger than a limit by
+// more than a margin, and whether it is within the margin.
 struct SquareSides {
   uint64_t above, unsure;
 };
@@ -59,7 +60,7 @@ HSP_KERNEL(FacetSides, compare_facets,
 
 namespace {
 
-// The first one of the nearest planes, of which there are some.
+// The nearest plane, of which there is one; of equally near ones the first.
 template <uint32_t n>
 inline uint32_t nearest_plane(const double *distances, uint32_t plane_count) {
   using L = Wide<double, n>;
@@ -78,9 +79,9 @@ inline uint32_t nearest_plane(const double *distances, uint32_t plane_count) {
   }
 }
 
-// The nearest plane that is no farther than the farthest vertex and has vertices beyond, or near enough to be; nearer
-// planes and this one are done with then. none_cuts if there is no such plane. is_covered, before any is done with, if
-// there are planes but no vertex is as far as is asked.
+// Returns the nearest plane that is no farther than the farthest vertex and has vertices that are, or may be, beyond
+// it. This plane and nearer ones are done with then. none_cuts if there is no such plane. is_covered, before any plane
+// is done with, if there are planes but no vertex is as far away as `covered`.
 template <uint32_t n>
 inline uint32_t find_cut_in_lanes(const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count,
                                   const CutMargins &margins) {

@@ -35,7 +35,7 @@ bool is_outside_exactly(const exact::LatticeBall &ball, const Vector &a, const V
   return (exact::product<256>(excess, length) - exact::product<256>(along, along)).sign() > 0;
 }
 
-// The part of a segment that is in the box around all cubes, by its distances from a; empty if last < first.
+// The part of a segment in the box around all cubes, by parameters that are 0 at a and 1 at b; empty if last < first.
 struct Stretch {
   double first, last;
 };
