@@ -6,7 +6,7 @@
 namespace hsp {
 namespace {
 
-// The power of two in the largest of them; 0 if that is not a normal number.
+// The power of two in the largest component; 0 if that is not a normal number.
 double scale_of(const double vector[9]) {
   double largest = 0.0;
   for (int k = 0; k < 9; ++k) {
@@ -16,13 +16,14 @@ double scale_of(const double vector[9]) {
   return std::bit_cast<double>(std::bit_cast<uint64_t>(largest) & UINT64_C(0x7FF0000000000000));
 }
 
-// v without its part along a unit vector. Twice: once leaves roundings of v, which may be most of the rest.
+// v without its part along a unit vector. Subtracted twice: the first time leaves the rounding of v, which may be most
+// of the rest.
 Vec3 beside(const Vec3 &v, const Vec3 &unit) {
   const Vec3 rest = combine(1.0, v, -dot(v, unit), unit);
   return combine(1.0, rest, -dot(rest, unit), unit);
 }
 
-// Divides each component, so that axes of the caller stay what they are.
+// Makes a vector one of length 1. Divides each component, so that axes of the caller stay exact.
 bool make_unit(Vec3 &v) {
   const double length = std::sqrt(dot(v, v));
   v = {v.x / length, v.y / length, v.z / length};

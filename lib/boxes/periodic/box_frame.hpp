@@ -1,10 +1,10 @@
 // The axes of a periodic box in the frame of the caller: a along x, b in the plane of x and y.
 //
-//          b            x = a/|a|, y what b has beside it, z = x x y, each of length 1 up to a few roundings. A vector
-//          |    /       is turned in by three products with them, and turned back by their sum. Never mirrored: what is
-//      y   |  / c       counter-clockwise stays so. The axes depend on the three vectors alone and not on the lattice,
-//      |   |/           bit for bit; turns that exchange axes of the caller are exact. Vectors that lie so already are
-//      '-- '--- a  x    not turned: everything has the bits that it was given.
+//          b            x = a/|a|, y along the part of b across x, z = x x y; of length 1 up to a few roundings.
+//          |    /       A vector is turned in by its products with the axes, and turned back by their sum. Nothing is
+//      y   |  / c       mirrored. The axes depend on the three vectors alone and not on the lattice, bit for bit; turns
+//      |   |/           that exchange axes of the caller are exact. Vectors that lie so already are not turned:
+//      '-- '--- a  x    everything keeps its bits.
 #pragma once
 
 #include "core/vec3.hpp"
@@ -14,20 +14,20 @@ namespace hsp {
 
 class BoxFrame {
  public:
-  // Of a, b, c as rows, finite. False if they are too small, or a and b span no plane.
+  // vector: a, b, c as rows, finite. False if they are too small, or if a and b span no plane.
   bool set(const double vector[9]);
 
-  // Whether the axes are not those of the caller.
+  // Whether the axes differ from those of the caller.
   bool turns() const { return turns_; }
   const Vec3 &axis(int k) const { return axis_[k]; }
   bool operator==(const BoxFrame &other) const;
 
-  // From the caller's frame to that of the box.
+  // Turns a vector from the caller's frame to that of the box.
   Vec3 turned_in(const double v[3]) const {
     const Vec3 given{v[0], v[1], v[2]};
     return turns_ ? Vec3{dot(axis_[0], given), dot(axis_[1], given), dot(axis_[2], given)} : given;
   }
-  // And to the caller's.
+  // Turns a vector from the frame of the box to the caller's.
   Vec3 turned_back(const Vec3 &v) const {
     return turns_ ? combine(1.0, combine(v.x, axis_[0], v.y, axis_[1]), v.z, axis_[2]) : v;
   }
@@ -37,9 +37,9 @@ class BoxFrame {
     v[1] = own.y;
     v[2] = own.z;
   }
-  // Of each row by itself, as derivatives by vectors are.
+  // Turns back each row, as of derivatives by vectors.
   Strain rows_turned_back(const Strain &rows) const;
-  // Of rows and columns, as derivatives by a strain or by two centres are.
+  // Turns back rows and columns, as of derivatives by a strain or by two centres.
   Strain strain_turned_back(const Strain &strain) const;
 
  private:

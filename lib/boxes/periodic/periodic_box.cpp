@@ -26,7 +26,7 @@ Status PeriodicBox::set(const exact::Lattice &lattice, const double vector[9]) {
     for (const double length : steps) {
       if (!(std::fabs(length) <= longest)) return Status::range;
     }
-    // Off its axis or plane a turned vector is by much less than half a step.
+    // A turned vector is off its axis or plane by much less than half a step.
     wanted[row] = {nearest(steps[0]), nearest(steps[1]), nearest(steps[2])};
   }
   const int64_t along[3] = {wanted[0].x, wanted[1].y, wanted[2].z};
@@ -36,7 +36,7 @@ Status PeriodicBox::set(const exact::Lattice &lattice, const double vector[9]) {
     upright[row] = along[row] < 0 ? less({0, 0, 0}, 1, wanted[row]) : wanted[row];
   }
   auto [a, b, c] = upright;
-  // How many of `whole` are nearest to a length.
+  // The multiple of `whole` that is nearest to a length.
   const auto nearest_multiple = [](int64_t length, int64_t whole) {
     return floored_quotient(2 * length + whole, 2 * whole);
   };
@@ -105,7 +105,7 @@ BoxShift PeriodicBox::centre(Vec3 &difference) const {
   return shift;
 }
 
-// With b = B - p A and c = C - q b - r A, where A, B, C are the given ones, or less these.
+// By b = B - p A and c = C - q b - r A, where A, B, C are the given vectors, or reversed ones.
 BoxShift PeriodicBox::in_given_vectors(const BoxShift &shift) const {
   const auto [p, q, r] = skew_;
   const auto [i, j, k] = shift.k;

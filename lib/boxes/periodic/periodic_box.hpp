@@ -1,12 +1,13 @@
-// A box whose copies fill space, on the lattice of the balls. Its three vectors may be any: they are turned so that a
-// is along x and b in the plane of x and y (box_frame.hpp), with all that lies in it, and then rounded.
+// A box whose copies fill space, on the lattice of the balls. Its three vectors are arbitrary. They are turned, with
+// all that lies in the box, so that a is along x and b in the plane of x and y (box_frame.hpp), and then rounded.
 //
-// One that points to the other side of its axis is reversed, which leaves the copies where they are: so a left-handed
-// set of vectors is none inside, and nothing is mirrored. Shifts that callers get count this vector backwards.
+// A vector that points to the other side of its axis is reversed, which leaves the set of copies as it is: so a
+// left-handed set of vectors becomes right-handed, and nothing is mirrored. The caller's shifts count this vector
+// backwards.
 //
-// Every point has one place in the brick of 0 .. a.x, 0 .. b.y, 0 .. c.z: like those of the box its copies fill space.
-// Inside, b and c are reduced by whole multiples of the vectors before them, to |b.x|, |c.x| <= a.x/2 and |c.y| <=
-// b.y/2. Shifts of images are multiples of the reduced vectors; callers get multiples of the given ones.
+// Every point has one place in the brick 0 .. a.x, 0 .. b.y, 0 .. c.z, whose copies by the vectors fill space, too.
+// Here b and c are reduced by whole multiples of the vectors before them, to |b.x|, |c.x| <= a.x/2 and |c.y| <= b.y/2.
+// Shifts of images are multiples of the reduced vectors; callers get multiples of the given ones.
 #pragma once
 
 #include "core/status.hpp"
@@ -17,7 +18,7 @@
 
 namespace hsp {
 
-// Multiples of the three vectors of a box.
+// A shift: multiples of the three vectors of a box.
 struct BoxShift {
   int32_t k[3] = {0, 0, 0};
 
@@ -31,7 +32,7 @@ constexpr BoxShift operator+(const BoxShift &p, const BoxShift &q) {
 constexpr BoxShift operator-(const BoxShift &p, const BoxShift &q) {
   return {{p.k[0] - q.k[0], p.k[1] - q.k[1], p.k[2] - q.k[2]}};
 }
-// Lexicographic.
+// Lexicographic order.
 constexpr bool comes_before(const BoxShift &p, const BoxShift &q) {
   for (int axis = 0; axis < 2; ++axis) {
     if (p.k[axis] != q.k[axis]) return p.k[axis] < q.k[axis];
@@ -49,20 +50,21 @@ constexpr bool visited_before(const BoxShift &p, const BoxShift &q) {
 
 class PeriodicBox {
  public:
-  static constexpr double longest = 0x1p44;          // components of vectors, in steps
-  static constexpr int32_t largest_shift = 127;      // of images that are near balls in the box
-  static constexpr int64_t largest_skew = 64;        // multiples that reduction may subtract
-  static constexpr int64_t farthest_copy = 1 << 17;  // from the box, along each vector
+  static constexpr double longest = 0x1p44;          // limit of components of vectors, in steps
+  static constexpr int32_t largest_shift = 127;      // limit of shifts of images that are near balls in the box
+  static constexpr int64_t largest_skew = 64;        // limit of multiples that reduction may subtract
+  static constexpr int64_t farthest_copy = 1 << 17;  // limit of a shift from the box, along each vector
 
-  // Turns the vectors, in the caller's unit, and snaps them to the lattice. Status::range if one of the three lengths
-  // along the axes is 0 there, or anything too large.
+  // Turns the vectors, given in the caller's unit, and rounds them to the lattice. Status::range if one of the three
+  // lengths along the axes is 0 then, or if a number is too large.
   Status set(const exact::Lattice &lattice, const double vector[9]);
-  // Whether shifts of the images that may meet balls in the brick have room, for balls up to this radius. With t twice
-  // the radius over the shortest of its sides multiples are at most 1 + t of c, half as many more of b, and for each of
-  // these half a multiple more of a: at most 9/4 (1 + t).
+  // Whether the shifts of all images that may meet balls in the brick are within largest_shift, for balls up to this
+  // radius. Let t be twice the radius over the shortest side. Multiples of c are at most 1 + t; those of b half as many
+  // more; and for each of these those of a half a multiple more: at most 9/4 (1 + t).
   bool suits(int64_t largest_radius) const;
 
-  // Moves a point into the brick by whole vectors: it was `shift` away from there. Status::range if too far.
+  // Moves a point into the brick by whole vectors. shift: from its place in the brick to where it was. Status::range if
+  // it is too far away.
   Status wrap(exact::Vector &point, BoxShift &shift) const {
     const auto &[a, b, c] = reduced_;
     shift = {};
@@ -70,15 +72,16 @@ class PeriodicBox {
     if (is_inside(point.x, a.x) && is_inside(point.y, b.y) && is_inside(point.z, c.z)) return Status::ok;
     return wrap_outside(point, shift);
   }
-  // The sum of so many vectors; must not be far beyond what images need.
+  // The vector of a shift, which must not be far larger than those of images.
   exact::Vector translation(const BoxShift &shift) const;
-  // Moves a difference to within half of the three lengths along the axes: it was the sum of so many vectors away.
+  // Moves a difference by whole vectors to within half of the three lengths along the axes. Returns the shift from
+  // there to where it was.
   BoxShift centre(Vec3 &difference) const;
-  // In multiples of the given vectors.
+  // The same shift in multiples of the given vectors.
   BoxShift in_given_vectors(const BoxShift &shift) const;
 
-  // Calls sink(shift) for every image but itself, in the order of visited_before, of a point of the box that is no
-  // farther than `reach` from the brick of all places, and perhaps for some that are hardly farther.
+  // For a point of the brick: calls sink(shift) for every image of it, without itself, that is within `reach` of the
+  // brick, in the order of visited_before(); perhaps also for some that are hardly farther.
   template <class Sink>
   void visit_images(const exact::Vector &point, int64_t reach, Sink sink) const {
     const auto &[a, b, c] = reduced_;
@@ -104,17 +107,17 @@ class PeriodicBox {
     }
   }
 
-  // Of the three lengths along the axes.
+  // The shortest of the three lengths along the axes.
   int64_t shortest_side() const {
     const auto &[a, b, c] = reduced_;
     const int64_t shorter = a.x < b.y ? a.x : b.y;
     return shorter < c.z ? shorter : c.z;
   }
-  // In cubic steps, rounded thrice.
+  // The volume of the box in cubic steps, rounded thrice.
   double volume() const { return to_double(reduced_[0]).x * to_double(reduced_[1]).y * to_double(reduced_[2]).z; }
   // The given vectors on the lattice, turned: one of them may point to the other side of its axis.
   const exact::Vector &given(uint32_t k) const { return given_[k]; }
-  // From the caller's axes to those of all points here.
+  // The frame of all points here, relative to the caller's axes.
   const BoxFrame &frame() const { return frame_; }
 
  private:
@@ -144,11 +147,11 @@ class PeriodicBox {
   static constexpr bool is_deep(int64_t at, int64_t side, int64_t reach) { return at > reach && side - at > reach; }
 
   static constexpr int64_t floored_quotient(int64_t a, int64_t b) {
-    if (a >= 0 && a < b) return 0;  // as most often
+    if (a >= 0 && a < b) return 0;  // most often
     const int64_t quotient = a / b;
     return a % b < 0 ? quotient - 1 : quotient;
   }
-  // From a coordinate to 0 .. side.
+  // The squared distance of a coordinate from 0 .. side.
   static double square_of_gap(int64_t at, int64_t side) {
     const double gap = static_cast<double>(at < 0 ? -at : at > side ? at - side : 0);
     return gap * gap;
@@ -158,7 +161,7 @@ class PeriodicBox {
   exact::Vector given_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   exact::Vector reduced_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   int32_t skew_[3] = {0, 0, 0};  // how often a was subtracted from b, b from c, a from c
-  int32_t side_[3] = {1, 1, 1};  // -1: of a vector that was reversed before that
+  int32_t side_[3] = {1, 1, 1};  // -1 for a vector that was reversed before the reduction
 };
 
 }  // namespace hsp

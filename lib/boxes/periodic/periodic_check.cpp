@@ -14,9 +14,10 @@ class PeriodicCheck {
   explicit PeriodicCheck(const PeriodicUnion &periodic)
       : periodic_(periodic), balls_(periodic.balls()), images_(periodic.images()) {}
 
-  // With c_i the places in the box and N_i the vector areas of faces, the divergence theorem in the share of each ball
-  // leaves 3 V = sum of r_i A_i + c_i.N_i and what the contacts of its share say. Those of two balls in the box cancel;
-  // of one with an image, t away from its ball, t.u times its area is left, half of it at each of its two places.
+  // Let c_i be the places in the box and N_i the vector areas of faces. The divergence theorem in the share of each
+  // ball gives 3 V = sum of r_i A_i + c_i.N_i, plus terms of the contacts. The terms of a contact of two balls in the
+  // box cancel. A contact with an image, t away from its ball, leaves t.u times its area, half of it at each of its two
+  // places.
   PeriodicViolation run() {
     for (uint32_t i = 0; i < images_.balls(); ++i) {
       if (const PeriodicViolation found = check_ball(i); found.invariant != PeriodicInvariant::none) return found;
@@ -66,7 +67,7 @@ class PeriodicCheck {
     return {};
   }
 
-  // The same contact at the other ball's place in the box, of which those of a ball ascend.
+  // Whether the same contact is there at the other ball's place in the box. The contacts of a ball ascend.
   bool is_there_from(const PeriodicContact &contact) const {
     const uint32_t other = periodic_.grid().grid_index(images_.ball_of(contact.other));
     const uint32_t back = images_.find(contact.ball, BoxShift{} - images_.shift_of(contact.other));

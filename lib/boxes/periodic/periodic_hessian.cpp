@@ -7,7 +7,7 @@
 namespace hsp {
 namespace {
 
-// The balls of which others share free pieces of circles with one ball in the box.
+// The balls that share free pieces of circles with one ball in the box, themselves or by images.
 class BallsOfRow {
  public:
   explicit BallsOfRow(const PeriodicUnion &periodic)
@@ -17,10 +17,10 @@ class BallsOfRow {
         boundary_(periodic.boundary()),
         frame_(images_.box().frame()) {}
 
-  // Of the grid's ball or image.
+  // The ball of the input that a ball or image of the grid belongs to.
   uint32_t owner(uint32_t grid_ball) const { return images_.ball_of(grid_.balls().caller[grid_ball]); }
-  // Calls sink(j) for every ball j of the input but i, once, if it or an image of it has a circle there. In the order
-  // of the first of these on the ball.
+  // Calls sink(j) once for every ball j of the input but i that, itself or by an image, has a circle on ball i. In the
+  // order of the first such circle on the ball.
   template <class Sink>
   void visit_others(uint32_t i, Sink sink) const {
     const uint32_t place = grid_.grid_index(i);
@@ -39,7 +39,7 @@ class BallsOfRow {
   const BoxFrame &frame_;
 
  private:
-  // Whether of ball j and its images none before `number` has a circle on a ball.
+  // Whether `number` is the first of ball j and its images that has a circle on a ball.
   bool is_first_of(uint32_t j, uint32_t number, uint32_t place) const {
     if (number == j) return true;
     if (has_circle_of(place, grid_.grid_index(j))) return false;
@@ -57,7 +57,7 @@ class BallsOfRow {
     for (const ClosedHalfEdge e : from_place ? own : others) {
       if (boundary_.neighbour(e) == wanted) return true;
     }
-    // They are in the order of the ranks of their neighbours.
+    // Half-edges of a ball are in the order of the ranks of its neighbours.
     const IdRange all = boundary_.half_edges(place);
     const uint32_t first = first_index(all.first, all.last, [&](uint32_t e) {
       return !grid_.balls().ranks_before(boundary_.half_edge(e).circle, other);
@@ -71,7 +71,7 @@ class RowsInBox : private BallsOfRow {
   RowsInBox(const PeriodicUnion &periodic, const EnergyTerms &terms, const HessianRows &rows)
       : BallsOfRow(periodic), terms_(terms), rows_(rows) {}
 
-  // The columns of row i, and the parts of its blocks that its own arcs decide.
+  // Finds the columns of row i, and the parts of its blocks that are computed on its own arcs.
   void find_parts(uint32_t i) const {
     if (rows_.flags != nullptr) rows_.flags[i] = 0;
     if (rows_.length(i) == 0) return;
@@ -91,8 +91,8 @@ class RowsInBox : private BallsOfRow {
     if (rows_.flags != nullptr) rows_.flags[i] = arcs.flags();
   }
 
-  // The blocks of row i above the diagonal: both parts, turned to the caller's frame. Rows read of each other what none
-  // writes meanwhile, here and in complete().
+  // Adds both parts of the blocks of row i above the diagonal, turned to the caller's frame. Here and in complete()
+  // rows read from each other only blocks that no task writes meanwhile.
   void add_up(uint32_t i) const {
     for_each_column(i, [&](uint32_t j, double *own) {
       if (j <= i) return;
@@ -104,7 +104,7 @@ class RowsInBox : private BallsOfRow {
     });
   }
 
-  // Those below it, and the diagonal.
+  // Fills the blocks of row i below the diagonal, and the diagonal.
   void complete(uint32_t i) const {
     if (rows_.length(i) == 0) return;
     for_each_column(i, [&](uint32_t j, double *own) {
@@ -158,7 +158,7 @@ bool find_hessian_row_starts_in_box(const Executor &executor, const PeriodicUnio
 bool find_hessian_rows_in_box(const Executor &executor, const PeriodicUnion &periodic, const EnergyTerms &terms,
                               const HessianRows &rows) {
   const uint32_t n = periodic.images().balls();
-  // The set has its lengths in steps.
+  // Lengths of the set are in steps.
   EnergyTerms in_steps = terms;
   in_steps.pressure = periodic.images().lattice().length(terms.pressure);
   const RowsInBox builder(periodic, in_steps, rows);

@@ -64,7 +64,7 @@ Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint
       BoxShift home;
       static_cast<void>(place(rounding, input, i, ball, home));
     }
-    // All that meets a ball in the box is that near to it.
+    // Any image that meets a ball in the box is as near as that.
     box_.visit_images(ball.centre, ball.radius + largest_radius, [&](const BoxShift &shift) {
       if (input.n <= room && counted_ < shift_.size()) {
         const uint32_t image = static_cast<uint32_t>(counted_);
@@ -84,7 +84,7 @@ Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint
   return Status::ok;
 }
 
-// A number may be too large once it is turned.
+// Status::range: a coordinate may become too large when it is turned.
 Status PeriodicImages::place(const BallRounding &rounding, const BallInput &input, uint32_t i, exact::LatticeBall &ball,
                              BoxShift &home) const {
   Status status = Status::ok;

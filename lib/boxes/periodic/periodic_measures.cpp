@@ -36,7 +36,7 @@ Strain area_by_strain(const PeriodicUnion &periodic, const AreaWeights &weights)
   return sum.total();
 }
 
-// With vectors as columns h is upper triangular, and row p of the result solves h y = row p of the strain's.
+// With the vectors as columns h is upper triangular; row p of the result is the y with h y = row p of the strain's.
 Strain by_box(const PeriodicBox &box, const Strain &strain) {
   const Vec3 a = to_double(box.given(0));
   const Vec3 b = to_double(box.given(1));

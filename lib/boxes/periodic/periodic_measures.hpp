@@ -1,11 +1,12 @@
-// Numbers of a union in a periodic box: areas, volume, what of the box is free, and derivatives by the balls and by the
-// box. Lengths in steps unless said.
+// Measures of a union in a periodic box: areas, volume, the free volume of the box, and derivatives by the balls and by
+// the box. Lengths are in steps unless said.
 //
-// Under a strain x -> x + eps x of everything, box and centres but not radii,
-//   dV/d eps = sum over contacts of C d u (x) u,  C its area, d the distance of the two centres, u the unit vector
+// Under a strain x -> x + eps x of box and centres, but not of radii,
+//   dV/d eps = sum over contacts of C d u (x) u,  C the area, d the distance of the centres, u the unit vector
 //   dS/d eps = sum over balls i and free arcs of (w_i dA_i/dc_j) (x) (c_j - c_i)
-// (the divergence theorem in each ball's share; only relative positions count). With the box's vectors as columns of h
-// and positions as multiples of them held fixed, the derivative by h is X h^-T for X that by the strain.
+// (the divergence theorem in each ball's share; only relative positions count). Let the vectors of the box be the
+// columns of h, and hold positions fixed as multiples of these. Then the derivative by h is X h^-T, with X the one by
+// the strain.
 #pragma once
 
 #include "curvature/strain.hpp"
@@ -24,11 +25,11 @@ struct PeriodicTotals {
   double contact_area = 0.0;
 };
 
-// Area of ball i of the input, and the volume of its share.
+// The area of ball i of the input, and the volume of its share.
 BallMeasure measure_in_box(const PeriodicUnion &periodic, uint32_t i);
 
-// In the caller's unit. Calls sink(i, measure) for every ball of the input with its area and the volume of its share.
-// Without contacts there is nothing of volumes.
+// Sums, in the caller's unit. Calls sink(i, measure) for every ball of the input with its area and the volume of its
+// share. Without contacts all volumes are 0, except that of the box.
 template <class Sink>
 PeriodicTotals measure_periodic(const PeriodicUnion &periodic, Sink sink) {
   const exact::Lattice &lattice = periodic.images().lattice();
@@ -48,7 +49,7 @@ PeriodicTotals measure_periodic(const PeriodicUnion &periodic, Sink sink) {
   totals.area = total.area;
   totals.box_volume = lattice.volume(periodic.images().box().volume());
   if (periodic.has_areas_alone()) return totals;
-  // Where nothing bounds the union, it is everything or nothing.
+  // A union without faces is the whole box, or empty.
   const bool is_filled = periodic.images().balls() > 0 && periodic.counts().faces == 0;
   totals.volume = is_filled ? totals.box_volume : total.volume;
   totals.free_volume = totals.box_volume > totals.volume ? totals.box_volume - totals.volume : 0.0;
@@ -56,28 +57,28 @@ PeriodicTotals measure_periodic(const PeriodicUnion &periodic, Sink sink) {
   return totals;
 }
 
-// Of the volume, in cubic steps.
+// The derivative of the volume by the strain, in cubic steps.
 Strain volume_by_strain(const PeriodicUnion &periodic);
 
-// Of the weighted area, in square steps. weights: weights_in_box.
+// The derivative of the weighted area by the strain, in square steps. weights: weights_in_box().
 Strain area_by_strain(const PeriodicUnion &periodic, const AreaWeights &weights);
 
-// From derivatives by the strain to those by the vectors of the box: [3 k + p] is by component p of vector k. The
-// vectors are those given, turned and on the lattice; the result is per step. Both in the frame of the box.
+// Converts derivatives by the strain to derivatives by the vectors of the box: [3 k + p] is by component p of vector k.
+// The vectors are the given ones, turned and on the lattice; the result is per step. Both are in the frame of the box.
 Strain by_box(const PeriodicBox &box, const Strain &strain);
 
-// Weights for what gradient_of_ball asks: those of images are their balls'.
+// Weights for gradient_of_ball(): an image has the weight of its ball.
 inline AreaWeights weights_in_box(const PeriodicUnion &periodic, const double *weight, TouchingBalls touching) {
   return {weight, touching, periodic.images().balls_of_all()};
 }
 
-// Of ball i of the input, in steps: of its centre, where all its images move with it, and of its radius.
+// The derivatives by ball i of the input, in steps: by its centre, with which all its images move, and by its radius.
 inline BallGradient gradient_in_box(const PeriodicUnion &periodic, const AreaWeights &weights, uint32_t i) {
   return gradient_of_ball(periodic.balls(), periodic.boundary(), weights, periodic.grid().grid_index(i));
 }
 
 // Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor, all in the caller's unit and
-// frame. The volume is the sum of the shares. terms: with weights_in_box. False if the executor fails.
+// frame. The volume is the sum of the shares. terms: with weights_in_box(). False if the executor fails.
 template <class Sink>
 bool differentiate_in_box(const Executor &executor, const PeriodicUnion &periodic, const EnergyTerms &terms,
                           Energy &energy, Sink sink) {
@@ -96,17 +97,17 @@ bool differentiate_in_box(const Executor &executor, const PeriodicUnion &periodi
   return sum_energy(executor, periodic.images().balls(), lattice, terms, visit, energy);
 }
 
-// Of the energy by the strain and by the vectors of the box, in the caller's unit and frame.
+// The derivatives of an energy by the strain and by the vectors of the box, in the caller's unit and frame.
 struct BoxGradient {
   Strain strain;
-  Strain vectors;  // as by_box
+  Strain vectors;  // as of by_box()
 };
 BoxGradient differentiate_by_box(const PeriodicUnion &periodic, const EnergyTerms &terms);
 
-// Balls that touch others from inside, of which the boundary holds nothing: derivatives are one-sided there.
+// Balls that touch others from inside. They are not in the boundary, but derivatives are one-sided there.
 //
-// Calls visit(i, j) for every ball i of the input inside others and every ball j that it, or an image of it, touches
-// freely from inside, if moving one of them would bare a part of it. All that is seen of a ball is seen of its images.
+// Calls visit(i, j) for every ball i of the input that is inside others and every ball j that it, or an image of it,
+// touches from inside at a free point, if moving one of them would uncover a part of ball i.
 template <class Visit>
 void for_each_inner_tangency_in_box(const PeriodicUnion &periodic, Visit visit) {
   const BallSet &balls = periodic.balls();

@@ -7,8 +7,8 @@
 namespace hsp {
 
 // Calls sink(i, gradient) for every ball i of the input, whose images move and grow with it, from the tasks of the
-// executor, all in the caller's unit and frame. The volume is the sum of the shares. weights: weights_in_box. False if
-// the executor fails.
+// executor, all in the caller's unit and frame. The volume is the sum of the shares. weights: weights_in_box(). False
+// if the executor fails.
 template <class Sink>
 bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUnion &periodic,
                                       const AreaWeights &weights, const MorphometricFactors &factors,
@@ -29,10 +29,10 @@ bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUn
   return terms.sum(executor, periodic.images().balls(), periodic.counts().euler(), visit, energy);
 }
 
-// Of the weighted mean curvature, in steps and in the frame of the box.
+// The derivative of the weighted mean curvature by the strain, in steps and in the frame of the box.
 Strain curvature_by_strain(const PeriodicUnion &periodic, const AreaWeights &weights);
 
-// Of the energy, in the caller's unit and frame. The Gaussian curvature does not change.
+// The derivatives of the energy, in the caller's unit and frame. The Gaussian curvature does not change.
 BoxGradient box_gradient_of_morphometry(const PeriodicUnion &periodic, const AreaWeights &weights,
                                         const MorphometricFactors &factors);
 

@@ -1,4 +1,4 @@
-// Which balls of a periodic box, and which images of them, meet a ball in the box.
+// Queries in a periodic box: which balls, and which images of them, meet a ball in the box.
 #pragma once
 
 #include "model/queries.hpp"
@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-// Query balls are no larger than so many of the shortest of the box's three lengths along the axes.
+// The largest radius of a query ball, in units of the shortest of the box's three lengths along the axes.
 inline constexpr int64_t widest_query = 64;
 
 // Calls sink(j) for the balls of a range of the grid that meet a ball.
@@ -19,8 +19,8 @@ void visit_meeting(const BallSet &set, const BallRange &range, const exact::Vect
   }
 }
 
-// Calls sink(k) for every ball or image that meets the ball around a point of the box, in the grid's order. Its radius
-// must not be larger than that of the largest ball: images that are farther away are not there.
+// Calls sink(k) for every ball or image that meets the query ball around a point of the box, in the grid's order. Its
+// radius must not be larger than that of the largest ball: the set has no images that are farther away.
 template <class Sink>
 void visit_balls_at(const CubeGrid &grid, const exact::Vector &point, int64_t radius, Sink sink) {
   const BallSet &set = grid.balls();
@@ -30,7 +30,7 @@ void visit_balls_at(const CubeGrid &grid, const exact::Vector &point, int64_t ra
   }
 }
 
-// Calls sink(i) for every ball in the box, but no image, that meets a ball anywhere near it.
+// Calls sink(i) for every ball in the box, but no image, that meets a query ball, which may be outside the box.
 template <class Sink>
 void visit_own_balls_at(const PeriodicUnion &periodic, const exact::Vector &point, int64_t radius, Sink sink) {
   const CubeGrid &grid = periodic.grid();
@@ -39,7 +39,7 @@ void visit_own_balls_at(const PeriodicUnion &periodic, const exact::Vector &poin
   const CubeCoordinates low = grid.cube_at({point.x - reach, point.y - reach, point.z - reach});
   const CubeCoordinates high = grid.cube_at({point.x + reach, point.y + reach, point.z + reach});
   const auto visit_row = [&](const BallRange &row) {
-    // Images come behind all balls in the box.
+    // Images are numbered behind all balls in the box.
     const BallRange own{row.first, row.last < grid.own_balls() ? row.last : grid.own_balls()};
     visit_meeting(set, own, point, radius, [&](uint32_t j) { sink(set.caller[j]); });
   };
@@ -51,9 +51,9 @@ void visit_own_balls_at(const PeriodicUnion &periodic, const exact::Vector &poin
   }
 }
 
-// Calls sink(i, shift) for every ball i and every image of it, so many boxes away from its place, that meets the ball
-// around a point of the box. Where its radius is larger than that of every ball, copies of it meet the balls in the box
-// instead of images that are not in the set.
+// Calls sink(i, shift) for every ball i and every image of it, `shift` from its place, that meets the query ball around
+// a point of the box. If its radius is larger than that of every ball, the set lacks images: then copies of the query
+// ball are compared with the balls in the box.
 template <class Sink>
 void visit_images_at(const PeriodicUnion &periodic, const exact::Vector &point, int64_t radius, Sink sink) {
   const PeriodicImages &images = periodic.images();
@@ -71,7 +71,8 @@ void visit_images_at(const PeriodicUnion &periodic, const exact::Vector &point, 
   box.visit_images(point, radius + images.largest_radius(), visit_copy);
 }
 
-// The balls that meet the caller's ball i, without itself; its own images may be among them.
+// Calls sink(k) for every ball or image that meets the caller's ball i, without itself; its own images may be among
+// them.
 template <class Sink>
 void visit_neighbours_in_box(const PeriodicUnion &periodic, uint32_t i, Sink sink) {
   const exact::LatticeBall own = periodic.balls().ball(periodic.grid().grid_index(i));
@@ -80,7 +81,7 @@ void visit_neighbours_in_box(const PeriodicUnion &periodic, uint32_t i, Sink sin
   });
 }
 
-// The same for all of them, cube by cube: calls sink(i, block) for every ball i of the input, with what is around it.
+// Calls sink(i, block) for every ball i of the input with the block of cubes around it, cube by cube.
 template <class Sink>
 void visit_blocks_in_box(const PeriodicUnion &periodic, Sink sink) {
   const CubeGrid &grid = periodic.grid();
@@ -91,13 +92,13 @@ void visit_blocks_in_box(const PeriodicUnion &periodic, Sink sink) {
   }
 }
 
-// The balls and images in a block that meet a ball around a point of the box, but for ball `excluded`. Its radius must
-// not be larger than that of the largest ball.
+// Finds the balls and images in a block that meet a query ball around a point of the box, without ball `excluded`. Its
+// radius must not be larger than that of the largest ball.
 void find_in_block(const CubeGrid &grid, const CubeBlock &block, const exact::Vector &point, int64_t radius,
                    uint32_t excluded, QueryHits &hits);
 
-// Hits that have all been kept, ascending by their balls: first the ball in the box, then its images as they are
-// numbered.
+// Hits of which none was dropped, ascending by their balls: of each first the ball in the box, then its images by their
+// numbers.
 struct OrderedHits {
   uint32_t ids[QueryHits::room + 8];
   uint32_t count;

@@ -5,7 +5,7 @@
 namespace hsp {
 namespace {
 
-// How far the ball or image of the grid is from its place in the box.
+// The shift from a ball's place in the box to this ball or image of the grid.
 BoxShift shift_of_grid_ball(const PeriodicUnion &periodic, uint32_t grid_ball) {
   return periodic.images().shift_of(periodic.balls().caller[grid_ball]);
 }
@@ -18,7 +18,7 @@ ClosedHalfEdge circle_across(const PeriodicUnion &periodic, ClosedHalfEdge own) 
 
 }  // namespace
 
-// Where its first ball has its place the same vertex is seen on that ball.
+// The listed vertex is the same one as seen on its first ball, at the place of that ball.
 MovedRecord listed_vertex(const PeriodicUnion &periodic, uint32_t vertex) {
   const RankedBits &listed = periodic.listed_vertices();
   if (listed.has(vertex)) return {listed.rank(vertex), {}};

@@ -51,8 +51,8 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], cons
   return status == Status::ok ? count(patience) : status;
 }
 
-// The boundary has joined each ball in the box to those that meet it, the images as balls of their own. So an image
-// leads from the set that it is in to that of its ball, as many boxes away.
+// The boundary has joined each ball in the box to those that meet it, with images as balls of their own. So an image
+// joins the set that it is in to the set of its ball, at the image's shift.
 Status PeriodicUnion::join_balls(Patience &patience) {
   const Span<const uint32_t> root = boundary_.joined_balls();
   windings_.reset(root.part(0, images_.balls()), balls().caller.part(0, images_.balls()));
@@ -77,7 +77,7 @@ Status PeriodicUnion::count(Patience &patience) {
     half_edges += b.half_edges(own).size();
     closed += b.circles(own).size();
   }
-  uint32_t across = 0;  // contacts with images: there is one from each side
+  uint32_t across = 0;  // contacts with images: one from each side
   in_parts(patience, IdRange{0, contacts().contact_count()}, 10, [&](IdRange some) {
     for (const uint32_t id : some) across += is_in_box(contacts().contact(id).ball[1]) ? 0U : 1U;
   });
@@ -97,9 +97,9 @@ uint32_t PeriodicUnion::grid_index_moved(uint32_t grid_ball, const BoxShift &shi
   return ImagesInGrid(grid_, images_).moved(grid_ball, shift);
 }
 
-// The other ball's copy in the box has the same half-edges about its own place. The one that is meant lies on the
-// circle of the first ball, moved likewise, and begins where the circle of the vertex's third ball ends: of the two
-// points of three spheres one is such a beginning.
+// The other ball, at its place in the box, has the same half-edges, moved. The wanted one lies on the circle with the
+// first ball, moved likewise, and begins at the vertex with the same third ball. Of the two points of three spheres
+// only one is such a beginning.
 uint32_t PeriodicUnion::half_edge_across(uint32_t ball, uint32_t half_edge) const {
   const Boundary &b = boundary();
   const uint32_t other = b.half_edge(half_edge).circle;
@@ -133,7 +133,8 @@ bool PeriodicUnion::find_across(ClosedHalfEdge own, ClosedHalfEdge &across) cons
   return false;
 }
 
-// One whose balls are all in the box is there once. They are in ascending order.
+// Lists each vertex once. A vertex all of whose balls are in the box is there only once. Its balls are in ascending
+// order.
 bool PeriodicUnion::list_vertices(Patience &patience) {
   const Boundary &b = boundary();
   listed_vertices_.clear(b.vertex_count());
@@ -147,8 +148,8 @@ bool PeriodicUnion::list_vertices(Patience &patience) {
   return patience.allows(0);
 }
 
-// The faces at a vertex share arcs there, so those of balls in the box are of one shell. So are those on both sides of
-// an arc across a face of the box, and of a circle.
+// Joins faces to shells. The faces at a vertex share arcs there, so that those of balls in the box are of one shell. So
+// are the faces on both sides of an arc, or a circle, across a face of the box.
 Status PeriodicUnion::join_faces(Patience &patience) {
   const Boundary &b = boundary();
   const Span<const uint32_t> caller = balls().caller;

@@ -1,11 +1,11 @@
-// The union of balls in a periodic box: balls that leave it through one face come in through the opposite one.
+// The union of balls in a periodic box: a ball that leaves it through one face comes in through the opposite one.
 //
-// The ordinary boundary and the ordinary contacts are computed, of the balls in the box alone, with all images near
-// them as their halo. They are those of endless copies of the box: only balls that meet cut a ball's sphere, its
-// contacts and its share, and the symbolic perturbation depends on relative positions and on an order that all copies
-// share (periodic_images.hpp). Vertices, arcs and contacts across a face of the box are found once from each side.
+// The ordinary boundary and contacts are computed for the balls in the box alone, with all images near them as their
+// halo. The result is that of endless copies of the box: a ball's sphere, contacts and share are cut only by balls that
+// meet it, and the symbolic perturbation depends on relative positions and on an order that all copies share
+// (periodic_images.hpp). Vertices, arcs and contacts across a face of the box are found from each side.
 //
-// Numbers without "grid" are the caller's balls, or images behind them. Lengths are in steps.
+// Numbers without "grid" are the caller's balls, or images numbered behind them. Lengths are in steps.
 #pragma once
 
 #include "boundary/boundary_builder.hpp"
@@ -20,7 +20,7 @@ namespace hsp {
 
 struct PeriodicLimits {
   uint32_t balls = 0, images = 0, neighbours = 0;
-  uint32_t vertices = 0;  // once for each side of the box that their balls are on
+  uint32_t vertices = 0;  // a vertex across faces of the box counts once for each side
   uint32_t circles = 0;
   uint32_t contacts = 0;
   uint32_t workers = 0;  // of the boundary; 0 is 1
@@ -34,7 +34,8 @@ constexpr Status default_limits(uint32_t balls, PeriodicLimits &limits) {
   return Status::ok;
 }
 
-// How many parts the boundary in the box has. Each vertex, arc and circle counts once, whatever images it is seen on.
+// How many parts the boundary in the box has. Each vertex, arc and circle counts once, on however many images it is
+// seen.
 struct PeriodicCounts {
   uint32_t vertices = 0;
   uint32_t arcs = 0;
@@ -48,14 +49,14 @@ struct PeriodicCounts {
   int64_t euler() const { return int64_t{vertices} - arcs + 2 * int64_t{faces} - loops; }
 };
 
-// A contact, as seen from its first ball in the box.
+// A contact, as seen from a ball in the box.
 struct PeriodicContact {
   uint32_t ball;   // the caller's
   uint32_t other;  // the caller's ball, or an image
   const ContactRecord *record;
 };
 
-// The images by their numbers in the grid, for the search for contacts.
+// Images by their numbers in the grid, for the search for contacts.
 class ImagesInGrid {
  public:
   ImagesInGrid(const CubeGrid &grid, const PeriodicImages &images) : grid_(grid), images_(images) {}
@@ -64,7 +65,7 @@ class ImagesInGrid {
   bool comes_before_its_ball(uint32_t image) const { return visited_before(shift_of(image), {}); }
   uint32_t ball_of(uint32_t image) const { return grid_.grid_index(images_.ball_of(number(image))); }
   uint32_t moved_back(uint32_t other, uint32_t image) const { return moved(other, BoxShift{} - shift_of(image)); }
-  // Ball or image, moved by a shift; no_id if it is not in the set.
+  // The ball or image at which a ball or image is, when it is moved by a shift; no_id if that is not in the set.
   uint32_t moved(uint32_t ball, const BoxShift &shift) const {
     const uint32_t k = number(ball);
     const uint32_t moved = images_.find(images_.ball_of(k), images_.shift_of(k) + shift);
@@ -83,10 +84,10 @@ class PeriodicUnion : public Limited<PeriodicLimits> {
  public:
   void carve(Workspace &workspace, const PeriodicLimits &limits);
 
-  // Rounds balls and box to the lattice and computes everything, or with areas_alone no more than areas and their
-  // derivatives take. vector: a, b, c. The executor shares the search for the boundary. first_bad names a ball that is
-  // to blame, or is no_id. Status::capacity if a limit is too small; needed() then reports what suffices of what was
-  // reached. Status::executor if that fails.
+  // Rounds balls and box to the lattice and computes everything; with areas_alone only as much as areas and their
+  // derivatives need. vector: a, b, c. The executor shares the search for the boundary. first_bad names a ball that is
+  // to blame, or is no_id. Status::capacity if a limit is too small; needed() then reports what suffices, as far as the
+  // work got. Status::executor if the executor fails.
   Status build(const BallInput &input, const double vector[9], const Executor &executor, bool areas_alone,
                uint32_t &first_bad);
 
@@ -97,13 +98,13 @@ class PeriodicUnion : public Limited<PeriodicLimits> {
   const BallSet &balls() const { return grid_.balls(); }
   const Boundary &boundary() const { return boundary_.boundary(); }
   const Contacts &contacts() const { return contacts_.contacts(); }
-  // Whether there are no contacts, components and counts.
+  // Whether build() was called with areas_alone: there are no contacts, components and counts.
   bool has_areas_alone() const { return areas_alone_; }
-  // Of the grid's ball in the box; 0 without contacts.
+  // The volume of the share of a grid's ball in the box; 0 without contacts.
   double share_volume(uint32_t ball) const { return areas_alone_ ? 0.0 : contacts().share_volume(ball); }
   // Whether the grid's ball is in the box, and not an image.
   bool is_in_box(uint32_t grid_ball) const { return grid_ball < images_.balls(); }
-  // Of the grid's ball or image.
+  // Whether a grid's ball or image has a face.
   bool is_exposed(uint32_t grid_ball) const {
     return boundary().is_exposed(grid_.grid_index(images_.ball_of(balls().caller[grid_ball])));
   }
@@ -117,25 +118,26 @@ class PeriodicUnion : public Limited<PeriodicLimits> {
       sink(PeriodicContact{i, balls().caller[record.other(own)], &record});
     }
   }
-  // Balls come in the caller's order, and images of one ball by where they are: lower ones first, by z, then y, then x.
-  // Every basis of the box has this order.
+  // The order of balls and images: balls in the caller's order, images of one ball by position, lower ones first, by z,
+  // then y, then x. The order does not depend on the basis of the box.
   bool comes_first(uint32_t k, uint32_t other) const {
     const uint32_t own = images_.ball_of(k), ball = images_.ball_of(other);
     return own != ball ? own < ball : visited_before(images_.shift_of(k), images_.shift_of(other));
   }
-  // Whether what ball i has in common with another one, or an image, is listed at ball i: at one of the two, the first.
+  // Whether a part that ball i has in common with ball or image k is listed at ball i: it is listed at the first of the
+  // two.
   bool is_listed(uint32_t i, uint32_t k) const { return comes_first(i, k); }
   bool is_listed(const PeriodicContact &contact) const { return is_listed(contact.ball, contact.other); }
 
-  // Contacts between groups of the caller's balls; images belong to those of their balls. Until they are asked for
-  // again, in memory of this union.
+  // Contacts between groups of the caller's balls; an image belongs to the group of its ball. The result is in memory
+  // of this union, and valid until the next call.
   ContactGroups group_contacts(const uint32_t *group) {
-    // Behind these are those with images as seen from the other side.
+    // Further records are contacts with images as seen from the other side.
     return {balls(), contacts(), counts_.contacts, {group, images_.balls_of_all()}, contacts_.scratch()};
   }
 
-  // Each vertex, arc and circle in the box is listed once, where the first of its balls is in the box; an arc as its
-  // half-edge on that ball. Its rank among those of its kind is its number.
+  // Each vertex, arc and circle in the box is listed once, as it is when the first of its balls is in the box; an arc
+  // as its half-edge on that ball. Its number is its rank among the listed ones of its kind.
   const RankedBits &listed_vertices() const { return listed_vertices_; }
   const RankedBits &listed_half_edges() const { return listed_half_edges_; }
   const RankedBits &listed_circles() const { return listed_circles_; }
@@ -144,11 +146,13 @@ class PeriodicUnion : public Limited<PeriodicLimits> {
     const Span<const uint32_t> caller = balls().caller;
     return in_order(vertex, [&](uint32_t p, uint32_t q) { return comes_first(caller[p], caller[q]); });
   }
-  // Ball or image of the grid, moved by a shift; no_id if it is not in the set.
+  // The ball or image of the grid at which a ball or image is, when it is moved by a shift; no_id if that is not in the
+  // set.
   uint32_t grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const;
-  // The half-edge of the same arc on the copy in the box of its other ball; no_id if there is none, which cannot be.
+  // The half-edge of the same arc on its other ball, at the place of that ball in the box; no_id if there is none,
+  // which cannot happen.
   uint32_t half_edge_across(uint32_t ball, uint32_t half_edge) const;
-  // The same of a whole circle. False if there is none.
+  // The same for a whole circle. False if there is none.
   bool find_across(ClosedHalfEdge own, ClosedHalfEdge &across) const;
 
  private:
@@ -166,7 +170,7 @@ class PeriodicUnion : public Limited<PeriodicLimits> {
   bool areas_alone_ = false;
 };
 
-// As that of a grid (model/set_digest.hpp), of the box and of where the caller has put the balls, too.
+// The digest of a grid (model/set_digest.hpp), together with the box and the places where the caller has put the balls.
 uint64_t digest_of(const PeriodicUnion &periodic);
 
 }  // namespace hsp

@@ -43,12 +43,13 @@ BallMeasure SurfaceVolume::measure(uint32_t face, uint32_t origin) const {
 }
 
 double SurfaceVolume::reduced(double sum, double most) const {
-  // Less so many boxes that it is nearest to the middle of what volumes can be.
+  // Whole boxes are subtracted so that the volume is nearest to the middle of its range.
   const double volume = sum - static_cast<double>(nearest((sum - 0.5 * most) / box_volume_)) * box_volume_;
   return volume > 0.0 ? volume : 0.0;
 }
 
-// Coordinates as `own` has them, `away` from its place, less those that the other ball's copy has.
+// The difference of coordinates across an arc: those of a face on a ball that is `away` from its place, less those of
+// the copy of the face on the other ball.
 BoxShift SurfaceVolume::shift_across(uint32_t other, uint32_t origin, const BoxShift &away) const {
   const PeriodicImages &images = periodic_.images();
   const uint32_t k = periodic_.balls().caller[other];
@@ -56,13 +57,13 @@ BoxShift SurfaceVolume::shift_across(uint32_t other, uint32_t origin, const BoxS
   return images.shift_of(k) + images.box().centre(difference) - away;
 }
 
-// With w = -u the axis about which the arc runs counter-clockwise on the face's left, C the centre of its circle, m the
-// radius vector from there, t = w x m and H = -C.u, for two vectors p and q
+// Let w = -u be the axis about which the arc runs counter-clockwise, with the face on its left; C the centre of its
+// circle, m the radius vector from there, t = w x m and H = -C.u. Then for two vectors p and q
 //   3 integral over the face of (n.p)(n.q) = p.q area - sum over arcs of integral of (n.p)(q.nu) ds
 // (divergence of (n.p)(q - (n.q) n) on the sphere; nu points out of the face), where times r^3
 //   (n.p)(q.nu) ds = [H^2 (w.p)(m.q) - H R^2 (w.p)(w.q) + H (m.p)(m.q) - R^2 (w.q)(m.p)] dphi,
 //   m dphi = -dt,   m m^T dphi = R^2/2 (1 - w w^T) dphi - d(m t^T + t m^T)/4,
-//   m t^T dphi = d(m m^T)/2 + what turns (m x t) = R^2 w
+//   m t^T dphi = d(m m^T)/2 + an antisymmetric matrix, with m x t = R^2 w
 void SurfaceVolume::add_piece(const ArcBatch &batch, uint32_t s, uint32_t own, uint32_t origin, const Vec3 &centre,
                               const BoxShift &away, Seam &seam) const {
   const Vec3 axis{-batch.ux[s], -batch.uy[s], -batch.uz[s]};

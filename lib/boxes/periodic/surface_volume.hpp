@@ -1,15 +1,15 @@
-// The volume beside a closed surface in a periodic box, from the surface alone, up to whole boxes.
+// The volume on one side of a closed surface in a periodic box, from the surface alone, up to whole boxes.
 //
-// With u, v, w the coordinates of a point as multiples of the three vectors, the box's part of a region R is
+// Let u, v, w be the coordinates of a point as multiples of the three vectors. The volume of a region R, in boxes, is
 //   integral over R of du dv dw = integral over the surface of R of u dv dw
-// if R has an end on all sides. Where it goes on for ever u jumps on its surface, wherever one looks from: each face is
-// taken as seen from one of its copies, so that u, v, w of two neighbours f, g differ by whole numbers n_u, n_v, n_w.
-// Three sums are the same up to whole numbers for any choice of copies, and so are right up to these:
+// if R is bounded on all sides. If R goes on for ever, u cannot be continuous on its surface. Each face is taken as one
+// of its copies, so that u, v, w of two neighbouring faces f, g differ by whole numbers n_u, n_v, n_w. The sum of these
+// three sums is the same, up to whole numbers, for any choice of copies; so it is right up to whole numbers:
 //   faces      integral over f of u dv dw
 //   arcs       - n_u(f,g) integral of v_g dw along the arc, f on its left
 //   vertices   n_u(f,g) n_v(g,h) w, if the arc of f and g with f on its left ends there; less that, if it begins there
 // with f, g, h in an order that all copies of the box share. (These are the steps of a product of three phases in the
-// cohomology of Deligne and Beilinson. A change of f's copy changes each sum by what the next one takes back.)
+// cohomology of Deligne and Beilinson. If another copy of f is taken, the change of each sum is cancelled by the next.)
 #pragma once
 
 #include "measure/areas.hpp"
@@ -21,18 +21,18 @@ class SurfaceVolume {
  public:
   explicit SurfaceVolume(const PeriodicUnion &periodic);
 
-  // Of a face, as seen near the centre of the grid's ball `origin`: its area, and its term of the volume on its free
-  // side. All faces of a region need one origin. If the region ends on all sides and is small beside the box,
-  // the sum is its volume at once.
+  // The area of a face, and its term of the volume on its free side, for the copy of the face near the centre of the
+  // grid's ball `origin`. All faces of a region need the same origin. If the region is bounded on all sides and small
+  // beside the box, the sum of the terms is its volume.
   BallMeasure measure(uint32_t face, uint32_t origin) const;
-  // The volume that a sum of terms stands for, of a region whose volume is above 0 and up to `most`.
+  // The volume of a region from the sum of its terms, reduced by whole boxes to above 0 and up to `most`.
   double reduced(double sum, double most) const;
   double box_volume() const { return box_volume_; }
 
  private:
   struct Seam {
-    double moment = 0.0;  // three times what the second moments of the face lack of its area's part
-    double sum = 0.0;     // of arcs and vertices
+    double moment = 0.0;  // the part of three times the second moments of the face that comes from its border
+    double sum = 0.0;     // the terms of arcs and vertices
   };
   void add_piece(const ArcBatch &batch, uint32_t s, uint32_t own, uint32_t origin, const Vec3 &centre,
                  const BoxShift &away, Seam &seam) const;

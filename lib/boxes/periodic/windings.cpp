@@ -3,7 +3,7 @@
 namespace hsp {
 namespace {
 
-// Numbers up to here have products that sum up below 2^63.
+// Numbers up to this have products whose sums are below 2^63.
 constexpr int64_t largest_entry = INT32_MAX;
 
 bool is_small(const int64_t (&v)[3]) {
@@ -33,8 +33,8 @@ constexpr uint64_t magnitude(int64_t x) {
 
 }  // namespace
 
-// Rows have their pivots in columns that ascend. Where the generator has a number in a column with a pivot, Euclid's
-// algorithm makes that 0.
+// The columns of pivots ascend from row to row. In each column with a pivot Euclid's algorithm makes the generator's
+// number 0.
 bool WindingLattice::add(const int64_t (&generator)[3]) {
   int64_t v[3] = {generator[0], generator[1], generator[2]};
   if (!is_small(v)) return false;
@@ -88,7 +88,7 @@ bool WindingLattice::add(const int64_t (&generator)[3]) {
   return true;
 }
 
-// The greatest common divisor of the minors of the highest order.
+// The index is the greatest common divisor of the minors of the highest order.
 uint64_t WindingLattice::copies() const {
   if (rank == 0) return 1;
   uint64_t divisor = 0;
@@ -127,7 +127,7 @@ void Windings::reset(uint32_t balls) {
 
 void Windings::reset(Span<const uint32_t> root, Span<const uint32_t> ball) {
   reset(root.size());
-  const Span<uint32_t> lowest = component_;  // for the time being: of each set
+  const Span<uint32_t> lowest = component_;  // first used for the lowest ball of each set
   for (uint32_t k = 0; k < n_; ++k) lowest[k] = no_id;
   for (uint32_t k = 0; k < n_; ++k) {
     if (ball[k] < lowest[root[k]]) lowest[root[k]] = ball[k];
@@ -135,7 +135,7 @@ void Windings::reset(Span<const uint32_t> root, Span<const uint32_t> ball) {
   for (uint32_t k = 0; k < n_; ++k) parent_[ball[k]] = lowest[root[k]];
 }
 
-// With path halving: a root's offset is 0, so that a parent's may always be added.
+// Uses path halving. The offset of a root is 0, so that the offset of a parent may always be added.
 uint32_t Windings::find(uint32_t ball, Offset &offset) {
   offset = {{0, 0, 0}};
   while (parent_[ball] != ball) {
@@ -154,8 +154,8 @@ bool Windings::join(uint32_t i, uint32_t j, const BoxShift &shift) {
   Offset of_i, of_j;
   const uint32_t p = find(i, of_i);
   const uint32_t q = find(j, of_j);
-  // If the root of i is in its place, ball i is of_i away, ball j as far as the shift from there, and the root of j so
-  // far from its place.
+  // If the root of i is at its place, ball i is at of_i, ball j at of_i + shift, and the root of j at `apart` from its
+  // place.
   int64_t apart[3];
   for (int axis = 0; axis < 3; ++axis) apart[axis] = of_i.k[axis] + shift.k[axis] - of_j.k[axis];
   if (p == q) return (apart[0] | apart[1] | apart[2]) == 0 || lattice_[p].add(apart);

@@ -7,7 +7,8 @@
 namespace hsp {
 namespace {
 
-// Of the curves: arcs between an owned ball and one of another brick, each as the half-edge on the owned one.
+// Finds the curves: chains of arcs between an owned ball and one of another brick, each as the half-edge on the owned
+// one.
 class SeamCurves {
  public:
   SeamCurves(const BrickModel &model, Patience &patience, Span<uint32_t> passed, Span<const uint32_t> piece,
@@ -16,7 +17,7 @@ class SeamCurves {
 
   bool run() {
     for (uint32_t &word : passed_) word = 0;
-    // First from the ends of curves that have some; what is left over are closed ones.
+    // First the curves with ends, from their ends; the arcs left over are of closed curves.
     return take_curves(false) && take_curves(true);
   }
 
@@ -68,7 +69,7 @@ class SeamCurves {
     return !goes_on(third_ball(half_edge.vertex, ball, half_edge.circle), model_.owner[half_edge.circle]);
   }
 
-  // Along a curve, in the direction of its half-edges on owned balls, to its end or to where it has passed.
+  // Walks along a curve, in the direction of its half-edges on owned balls, to its end or to an arc already passed.
   void walk(uint32_t ball, uint32_t first) {
     const uint32_t other = model_.owner[boundary_.half_edge(first).circle];
     Name lowest = name_of(boundary_.half_edge(first).vertex);
@@ -112,7 +113,7 @@ class SeamCurves {
   SeamList<ShellSeam> &seams_;
 };
 
-// Foreign balls that meet the same owned ball, and belong to the same brick, are joined.
+// Finds the seams of components: foreign balls that meet the same owned ball, and belong to the same brick, are joined.
 class SeamContacts {
  public:
   SeamContacts(const BrickModel &model, Span<const uint32_t> component, Span<uint32_t> joined,
@@ -149,7 +150,7 @@ class SeamContacts {
   static constexpr uint32_t of_several = UINT32_C(1) << 31;  // a ball that meets some of several other bricks
 
   uint32_t component_of(uint32_t ball) const { return component_[model_.boundary.component(ball)]; }
-  // In the grid's order of numbers, not sorted.
+  // The balls that meet a ball, as numbers of the grid, not sorted.
   Span<uint32_t> neighbours_of(uint32_t ball) {
     QueryResult result{neighbours_.data(), neighbours_.size(), 0};
     find_neighbours(model_.grid, ball, result);
@@ -157,7 +158,7 @@ class SeamContacts {
     for (uint32_t &each : near) each = model_.grid.grid_index(each);
     return near;
   }
-  // Contacts of a ball of another brick. Each owned ball remembers the first that it meets.
+  // Takes the contacts of a ball of another brick. Each owned ball remembers the first foreign ball that it meets.
   void take_foreign(uint32_t ball, Span<const uint32_t> near) {
     uint32_t lowest = no_id;
     for (const uint32_t own : near) {
@@ -185,7 +186,7 @@ class SeamContacts {
       if (model_.owner[others[k - 1]] == model_.owner[others[k]]) joined_.join(others[k - 1], others[k]);
     }
   }
-  // One seam for each set of foreign balls, by the lowest of these and of the owned ones that they meet.
+  // Pushes one seam for each set of foreign balls, named by the lowest of these and of the owned balls that they meet.
   void emit(SeamList<ComponentSeam> &seams) {
     const uint32_t n = model_.balls().n;
     for (uint32_t ball = 0; ball < n; ++ball) {
@@ -205,7 +206,8 @@ class SeamContacts {
   const BrickModel &model_;
   Span<const uint32_t> component_;
   DisjointSets joined_;
-  // By ball: of owned ones the first contact, of others the lowest index of a contact of theirs.
+  // first_contact_ of an owned ball: the first foreign ball that it meets. lowest_ of a foreign ball: the lowest index
+  // of a contact.
   Span<uint32_t> first_contact_, neighbours_, lowest_;
 };
 

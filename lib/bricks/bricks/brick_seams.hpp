@@ -1,12 +1,13 @@
-// Where a brick joins others: found in its boundary, and named so that both sides find the same names.
+// The seams at which a brick joins others: found in its boundary, and named so that both bricks find the same names.
 //
-// A brick and another one see the same arcs between balls of the one and of the other. Two of these hang together at a
-// vertex whose third ball belongs to either: then both ends are on one piece of each. So they make curves, closed ones
-// and such as end where a third brick begins, and each is named by its lowest vertex. In the same way both see the
-// same pairs of balls that meet, one of each brick; what hangs together in these is named by its lowest ball.
+// Two bricks see the same arcs between balls of the one and balls of the other. Two such arcs are linked at a vertex
+// whose third ball belongs to one of both bricks: then both are on one piece of each brick. So arcs make up curves. A
+// curve is closed, or ends where a third brick begins; it is named by its lowest vertex. In the same way both bricks
+// see the same pairs of balls that meet, one of each brick. Linked pairs make up a seam of components, named by its
+// lowest ball.
 //
-// As an example two bricks that cut a torus of balls: two curves, both closed, and two seams of components, of which
-// the second joins what the first has joined.
+// Example: two bricks that cut a torus of balls have two curves, both closed, and two seams of components, of which the
+// second joins what the first has joined.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -27,7 +28,7 @@ struct BrickModel {
   const BallSet &balls() const { return grid.balls(); }
   bool owns(uint32_t ball) const { return owner[ball] == brick; }
   uint64_t id_of(uint32_t ball) const { return id[balls().caller[ball]]; }
-  // The same with the bricks' numbers and without a label.
+  // A seam between this brick and another one, with the bricks' numbers and nothing else.
   template <class Record>
   Record seam_to(uint32_t other) const {
     Record seam;
@@ -37,7 +38,7 @@ struct BrickModel {
   }
 };
 
-// Seams that are found, in memory that may be too small for them: they are counted all the same.
+// The seams found, in memory that may be too small: seams without room are counted.
 template <class Record>
 class SeamList {
  public:
@@ -55,17 +56,18 @@ class SeamList {
   uint32_t count_ = 0;
 };
 
-// Bits in words; for half-edges.
+// The number of words for so many bits, one for each half-edge.
 inline uint64_t words_of_bits(uint64_t count) {
   return count / 32 + 1;
 }
 
-// Whether it was not stopped. passed: a bit for each half-edge; piece: [faces] the labels.
+// Finds the seams of shells. False if patience ends. passed: scratch memory, a bit for each half-edge; piece: [faces]
+// the labels of pieces.
 bool find_shell_seams(const BrickModel &model, Patience &patience, Span<uint32_t> passed, Span<const uint32_t> piece,
                       SeamList<ShellSeam> &seams);
 
-// Whether it was not stopped. component: [components of the boundary] the labels, no_id for those without an owned
-// ball; the others are scratch memory, [n].
+// Finds the seams of components. False if patience ends. component: [components of the boundary] the labels, no_id for
+// components without an owned ball; the other arrays are scratch memory, [n].
 bool find_component_seams(const BrickModel &model, Patience &patience, Span<const uint32_t> component,
                           Span<uint32_t> joined, Span<uint32_t> first_contact, Span<uint32_t> neighbours,
                           SeamList<ComponentSeam> &seams);

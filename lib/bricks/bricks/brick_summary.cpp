@@ -76,7 +76,7 @@ void BrickSummary::take_words() {
   model_.owner = owner_;
 }
 
-// Joins faces of owned balls where they meet, and counts what can be counted by the way.
+// Joins faces of owned balls that meet, and counts half circles, corners and the like on the way.
 void BrickSummary::join_pieces() {
   const Boundary &boundary = model_.boundary;
   DisjointSets pieces(piece_);
@@ -185,7 +185,8 @@ bool BrickSummary::measure() {
   return true;
 }
 
-// The highest of all balls that the brick knows counts, so that the highest owned one is free there if it is that.
+// Updates the highest ball of a component with one of all balls that the brick knows, also balls of others: if the
+// highest is an owned one, its highest point is free.
 void BrickSummary::look_at_top(uint32_t ball, uint32_t label) {
   const BallSet &balls = model_.balls();
   uint32_t &top = top_[label];
@@ -233,7 +234,7 @@ SummaryResult BrickSummary::run() {
   header.lattice = {std::bit_cast<uint64_t>(balls.lattice.step()), balls.probe_steps, model_.grid.side() / 2};
   header.all_bricks = question_.bricks;
   header.bricks = 1;
-  // Before anything is counted, there is a guess at records that most bricks stay below.
+  // Before anything is counted, the records are guessed, at a number that most bricks do not exceed.
   constexpr uint64_t guess_for_a_ball = 32, guess_beyond = 4096;
   const uint64_t scratch = DraftWords::bytes(words());
   if (size_ < scratch + header.bytes()) {

@@ -1,7 +1,7 @@
 // The summary of one brick, from the boundary of its own balls and of those of others that meet them.
 //
-// Of the brick's boundary all that lies on owned balls is as in the whole; what lies on others alone is not, and no
-// shell of it is looked at. Pieces are joined anew, from faces of owned balls.
+// On owned balls the brick's boundary is that of the whole set. On other balls it is not, so that its shells are not
+// used: pieces are joined again, from faces of owned balls.
 #pragma once
 
 #include "bricks/brick_seams.hpp"
@@ -18,8 +18,8 @@ struct BrickQuestion {
 
 struct SummaryResult {
   Status status;
-  uint64_t bytes = 0;  // of the summary; with Status::capacity more than there are, and with as many as once were a
-                       // result of Status::capacity some that suffice
+  uint64_t bytes = 0;  // of the summary. With Status::capacity more than were given; if that many are given next, they
+                       // suffice, or the next number returned does
 };
 
 SummaryResult summarise_brick(const CubeGrid &grid, const Boundary &boundary, const BrickQuestion &question,

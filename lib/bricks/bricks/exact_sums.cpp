@@ -24,7 +24,7 @@ AreaQuantum::AreaQuantum(int64_t largest_radius) {
 AreaSum AreaQuantum::round(double square_steps) const {
   const double quanta = square_steps * quanta_;
   if (std::fabs(quanta) < 0x1p62) return AreaSum::from(nearest(quanta));
-  // An integer already: 53 bits of it, and zeros behind, as it is below 2^85.
+  // The double is an integer already, below 2^85: 53 bits, and zeros behind.
   const uint64_t bits = std::bit_cast<uint64_t>(quanta);
   const auto size = static_cast<int64_t>((bits & ((uint64_t{1} << mantissa_bits) - 1)) | uint64_t{1} << mantissa_bits);
   const uint32_t zeros = static_cast<uint32_t>(bits >> mantissa_bits & 0x7FF) - exponent_bias - mantissa_bits;

@@ -24,12 +24,12 @@ Integer load_little(const uint8_t *from) {
 template <class Integer>
 void store_little(Integer value, uint8_t *to) {
   static_assert(sizeof value == 4 || sizeof value == 8);
-  // To turn its bytes around is to turn them back.
+  // Storing reverses bytes as loading does.
   const Integer turned = load_little<Integer>(reinterpret_cast<const uint8_t *>(&value));
   std::memcpy(to, &turned, sizeof turned);
 }
 
-// One list of fields serves for both directions: `visit(io, record)` of a record hands each of its fields to io.
+// A record has one list of fields for both directions: visit(io, record) passes each of its fields to io.
 class LittleReader {
  public:
   explicit LittleReader(const uint8_t *from) : at_(from) {}

@@ -5,7 +5,8 @@
 namespace hsp {
 namespace {
 
-// Each seam joins what is here to one brick that is not, and has a label; names ascend.
+// Whether each seam joins one brick that is in the summary and one that is not, and has a valid label; and names
+// ascend.
 template <class SeamAt>
 bool are_seams(const SummaryBlock &block, uint32_t count, uint32_t labels, SeamAt seam_at) {
   Seam before;

@@ -3,16 +3,16 @@
 //
 //   header | bricks | pieces | components | shell seams | component seams | check sum
 //
-// Bricks ascend; so do seams, by their names, each of which stands there once.
+// Bricks ascend, and so do seams, by their names; each name is there once.
 #pragma once
 
 #include "bricks/summary_records.hpp"
 
 namespace hsp {
 
-// The same for all bricks of one set.
+// Numbers that are the same for all bricks of one set.
 struct SharedLattice {
-  uint64_t step = 0;  // the bits of the double
+  uint64_t step = 0;  // the length of a lattice step, as the bits of a double
   int64_t probe_steps = 0;
   int64_t largest_radius = 0;
   bool operator==(const SharedLattice &) const = default;
@@ -27,8 +27,8 @@ struct SummaryHeader {
   uint32_t version = newest;
   uint32_t flags = 0;
   SharedLattice lattice;
-  uint32_t all_bricks = 0;                                                                // that make the whole
-  uint32_t bricks = 0, pieces = 0, components = 0, shell_seams = 0, component_seams = 0;  // records
+  uint32_t all_bricks = 0;                                                                // of the whole set
+  uint32_t bricks = 0, pieces = 0, components = 0, shell_seams = 0, component_seams = 0;  // how many records there are
   SummaryTotals totals;
 
   template <class Io, class Header>
@@ -40,7 +40,7 @@ struct SummaryHeader {
   }
   bool keeps() const { return (flags & keeps_shells) != 0; }
 
-  // Where the lists begin.
+  // The offsets of the lists, in bytes.
   uint64_t bricks_at() const { return little_bytes<SummaryHeader>; }
   uint64_t pieces_at() const { return bricks_at() + uint64_t{sizeof(uint32_t)} * bricks; }
   uint64_t components_at() const { return pieces_at() + uint64_t{little_bytes<ShellPiece>} * pieces; }
@@ -50,17 +50,17 @@ struct SummaryHeader {
   uint64_t bytes() const { return check_at() + sizeof(uint64_t); }
 };
 
-// Of a multiple of 4 bytes. Every change of up to 4 bytes that belong to one number of 4 bytes changes it.
+// The check sum of bytes, a multiple of 4. A change of one number of 4 bytes always changes it.
 uint64_t check_sum(const uint8_t *bytes, uint64_t count);
 
 enum class SummaryFault : uint32_t {
   none,
-  damaged,  // no summary, or not as it was written
-  newer     // of a version that is not known here
+  damaged,  // the bytes are no summary, or not as they were written
+  newer     // the version is not known here
 };
 
-// A summary that is read where it lies. All numbers of records are in range then, wherever the
-// bytes come from.
+// A summary that is read in place. After a success all numbers of its records are in range, wherever the bytes come
+// from.
 class SummaryBlock {
  public:
   SummaryFault read(const uint8_t *bytes, uint64_t count);

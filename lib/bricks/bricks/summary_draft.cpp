@@ -7,9 +7,9 @@
 namespace hsp {
 namespace {
 
-// Known of a piece or component before it gets its number in the finished summary.
+// Flags of a piece or component before it gets its number in the finished summary.
 constexpr uint32_t is_open = 1;  // it has a seam, or is kept
-constexpr uint32_t is_top = 2;   // the highest point of its component is on it
+constexpr uint32_t is_top = 2;   // the highest point of its component is on this piece
 
 // A record as it lies in memory, so that records can be sorted there.
 template <class Record>
@@ -53,8 +53,8 @@ void SummaryDraft::mark_open(Span<uint32_t> of_piece, Span<uint32_t> of_componen
   }
 }
 
-// Adds up all that is complete. A piece without seams that is not the top of an open component is the shell of a void,
-// whatever else is open: the outer shell of a component has its highest point.
+// Adds up the complete pieces. The outer shell of a component has its highest point. So a piece without seams that is
+// not the top of an open component is the shell of a void, whatever else of the component is open.
 uint32_t SummaryDraft::add_up_pieces(Span<uint32_t> of_piece, Span<const uint32_t> of_component) {
   uint32_t kept = 0;
   for (uint32_t k = 0; k < header.pieces; ++k) {

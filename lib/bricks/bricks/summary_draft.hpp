@@ -1,5 +1,5 @@
-// A summary while it is written: at first with all pieces and components, in their final place or behind it. To finish
-// it is to add up what is complete, and to move the rest together.
+// A summary while it is written. At first it has all pieces and components, in their final place or behind it. finish()
+// adds up those that are complete, and moves the rest together.
 //
 //   memory   header | bricks | pieces | components | seams ..          .. words of scratch memory |
 #pragma once
@@ -9,10 +9,10 @@
 
 namespace hsp {
 
-// Numbers at the end of the memory that a summary is written to. It need not be aligned, and they are.
+// Scratch words at the end of the memory to which a summary is written. The words are aligned, the memory need not be.
 class DraftWords {
  public:
-  // Bytes that suffice for so many.
+  // So many bytes suffice for `count` words.
   static constexpr uint64_t bytes(uint64_t count) { return sizeof(uint32_t) * (count + 1); }
 
   DraftWords(uint8_t *memory, uint64_t size) : end_(memory + size) {
@@ -28,7 +28,7 @@ class SummaryDraft {
  public:
   explicit SummaryDraft(uint8_t *memory) : memory_(memory) {}
 
-  // Numbers of records are those of the draft until it is finished.
+  // The header. Until finish() its numbers of records are those of the draft.
   SummaryHeader header;
 
   void put_brick(uint32_t k, uint32_t brick) { store_little(brick, memory_ + header.bricks_at() + 4 * uint64_t{k}); }
@@ -42,8 +42,8 @@ class SummaryDraft {
   }
   void sort_seams();
 
-  // Scratch memory: a word for each piece and for each component. False if pieces and components contradict each other;
-  // else the block is complete, and has header.bytes() bytes.
+  // Finishes the summary, which then has header.bytes() bytes. False if pieces and components contradict each other.
+  // of_piece, of_component: scratch memory, a word for each piece and for each component.
   bool finish(Span<uint32_t> of_piece, Span<uint32_t> of_component);
 
  private:

@@ -7,8 +7,8 @@ namespace {
 
 constexpr uint32_t instructions_for_a_record = 500;
 
-// Goes over the seams of two lists in the order of their names: both(i, j) of a name that stands in both, else
-// alone(seam, from_a). False once it is stopped.
+// Goes through the seams of two lists in the order of their names: calls both(i, j) for a name that is in both lists,
+// else alone(seam, from_a). False if patience ends.
 template <class Record, class SeamAt, class Both, class Alone>
 bool match(const SummaryBlock &a, uint32_t in_a, const SummaryBlock &b, uint32_t in_b, Patience &patience,
            SeamAt seam_at, Both both, Alone alone) {
@@ -53,7 +53,7 @@ class Merge {
   template <class Put>
   MergeResult list_bricks(Put put) const;
   MergeResult check();
-  // False once it is stopped, also below.
+  // These return false if patience ends.
   bool join();
   bool put_pieces();
   bool put_components();
@@ -64,7 +64,7 @@ class Merge {
   SummaryDraft draft_;
   uint8_t *const memory_;
   const uint64_t size_;
-  // Of what a has, then of what b has: disjoint sets, then numbers in the draft.
+  // For the pieces, or components, of a and then of b: first disjoint sets, then numbers in the draft.
   Span<uint32_t> piece_, component_;
 };
 
@@ -84,7 +84,7 @@ MergeResult Merge::list_bricks(Put put) const {
   return {Status::ok};
 }
 
-// Whether they are parts of one set; how many seams are left.
+// Checks that both are parts of one set, and counts the seams that are left.
 MergeResult Merge::check() {
   const SummaryHeader &a = a_.header(), &b = b_.header();
   if (a.lattice != b.lattice || a.all_bricks != b.all_bricks || a.flags != b.flags) {
@@ -133,7 +133,8 @@ bool Merge::join() {
   return done;
 }
 
-// The first of those that become one is put, and others are added to it: numbers of the draft ascend with the first.
+// Puts a record, or adds it to the record of its set: the first record of a set is put, the others are added. Numbers
+// of the draft ascend with the first records.
 template <class Record, class RecordAt>
 void add_record(SummaryDraft &draft, uint32_t k, const Record &record, RecordAt record_at, uint32_t &known) {
   if (k < known) {

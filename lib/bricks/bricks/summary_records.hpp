@@ -46,8 +46,8 @@ struct ShellPiece {
   }
   // Six times the Euler characteristic, of all faces of a shell: V - E + sum of (2 - loops), with corners as above.
   uint64_t six_euler() const { return 12 * faces - 6 * loops - corners; }
-  // Three times the volume enclosed, in quanta times steps: about the lowest corner of the box, which is near, so that
-  // what rounding leaves of N does no harm. Negative for a void.
+  // Three times the volume enclosed, in quanta times steps; negative for a void. Computed about the lowest corner of
+  // the box, which is near, so that the rounding of N does no harm.
   VolumeSum thrice_volume() const {
     VolumeSum sum = radial + moment;
     for (uint32_t k = 0; k < 3; ++k) sum = sum - times(normal[k], low[k]);
@@ -73,7 +73,7 @@ struct ComponentPart {
   uint64_t balls = 0;  // owned ones
   uint64_t voids = 0;  // its shells that are complete and cannot be the outer one
   uint64_t lowest_id = ~uint64_t{0};
-  // The ball that reaches highest, and the piece with its highest point; no_id if that ball is not an owned one.
+  // The ball that reaches highest, and the piece with its highest point; no_id if that ball is not owned.
   uint32_t top_piece = no_id;
   int64_t height = 0;
   GlobalRank top{};
@@ -96,14 +96,15 @@ struct ComponentPart {
   }
 };
 
-// Where bricks a < b join, named alike by both. Between pieces of shells: by the lowest vertex of a curve on which
-// balls of the one meet balls of the other, three ids and the sign, or by a free circle, two ids and sign 0. Between
-// parts of components: by the lowest id among balls that hang together in pairs of one of a and one of b that meet.
+// A seam, at which bricks a < b join. Both bricks find the same name for it. A seam between pieces of shells is a curve
+// on which balls of a meet balls of b. It is named by its lowest vertex: three ids and the sign; or by a free circle:
+// two ids and sign 0. A seam between parts of components is named by the lowest id among balls that are linked by pairs
+// that meet, one of a and one of b.
 struct Seam {
   uint32_t a = 0, b = 0;
   uint64_t id[3] = {0, 0, 0};
   int32_t sign = 0;
-  uint32_t label = 0;  // of the piece or component
+  uint32_t label = 0;  // the number of the piece or component
 
   bool is_before(const Seam &other) const {
     if (a != other.a) return a < other.a;

@@ -19,7 +19,7 @@ WholeSet::WholeSet(const SummaryBlock &summary)
       quantum_(summary.header().lattice.largest_radius),
       lattice_(exact::Lattice::with_step(std::bit_cast<double>(summary.header().lattice.step))) {
   if (!summary.header().keeps()) return;
-  // Only with all bricks in it are these shells and components.
+  // Pieces are whole shells, and parts whole components, only if all bricks are in the summary.
   for (uint32_t k = 0; k < summary_.header().pieces; ++k) {
     const ShellPiece piece = summary_.piece(k);
     sums_.add_shell(piece, !is_outer(piece, k));

@@ -1,4 +1,4 @@
-// The answers of a summary once all bricks are in it.
+// The results of a summary that has all bricks.
 #pragma once
 
 #include "bricks/summary_block.hpp"
@@ -17,7 +17,7 @@ struct WholeShell {
   uint64_t component;  // the lowest id of its balls
   uint64_t faces;
   int64_t euler;
-  double area, volume;  // in the caller's unit; of what it encloses
+  double area, volume;  // the area, and the volume that it encloses, in the caller's unit
   bool is_void;
 };
 
@@ -25,14 +25,14 @@ class WholeSet {
  public:
   explicit WholeSet(const SummaryBlock &summary);
 
-  // The first brick that is not in it; no_id if all are.
+  // The first brick that is not in the summary; no_id if all are.
   uint32_t first_missing() const;
-  // Whether what is there makes a union: each component has one outer shell. It does unless bricks lacked balls that
-  // meet their own, or the sets are not parts of one. All bricks are in it.
+  // Whether the shells make a union: each component has one outer shell. They do unless some brick lacked balls that
+  // meet its own, or the bricks are not parts of one set. Only for a summary with all bricks.
   bool is_sound() const;
-  // Of what is complete.
+  // The sums over complete shells and components.
   WholeTotals totals() const;
-  // How many there are that are kept, and one of them.
+  // The shells that were kept.
   uint32_t shells() const { return summary_.header().pieces; }
   WholeShell shell(uint32_t k) const;
 
@@ -42,7 +42,7 @@ class WholeSet {
   }
 
   const SummaryBlock &summary_;
-  SummaryTotals sums_;  // with what is kept
+  SummaryTotals sums_;  // with the shells and components that are kept
   AreaQuantum quantum_;
   exact::Lattice lattice_;
 };

@@ -20,7 +20,7 @@ bool has_tied_vertex(const Boundary &boundary, uint32_t k) {
   return tied;
 }
 
-// The part of a weighted M that the edges and vertices of ball k have.
+// The part of a weighted M that belongs to the edges and vertices of ball k.
 class MeanCurvature {
  public:
   MeanCurvature(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k,
@@ -48,11 +48,11 @@ class MeanCurvature {
   }
   void add_area(double steradians) {
     result.mean += weight_ * balls_.r[k_] * steradians;
-    // d(A/r) = 2 A/r^2 - A/r^2 and what the arcs say.
+    // d(A/r)/dr = 2 A/r^2 - A/r^2, plus the terms of the arcs.
     result.radius += weight_ * steradians;
   }
 
-  // The terms of add(), each times the offset that it acts at (edge_kernel.hpp has their formulas).
+  // Adds the terms of add(), each times the offset at which it acts (edge_kernel.hpp has their formulas).
   void add_strain(const ArcBatch &batch, StrainSum &sum) {
     EdgeBatch edges;
     fill(batch, edges);
@@ -88,7 +88,7 @@ class MeanCurvature {
     const Vec3 X{batch.Xx[s], batch.Xy[s], batch.Xz[s]};
     sum.add(-0.25 * (weight_ - other_weight) * inverse, X, v);
     const auto add_end = [&](uint32_t slot, double sign) {
-      if (!(batch.root_discriminant[slot] > 0.0)) return;  // it counts as unmoved
+      if (!(batch.root_discriminant[slot] > 0.0)) return;  // the vertex counts as unmoved
       const Vec3 x{batch.px[slot], batch.py[slot], batch.pz[slot]};
       sum.add(sign * 0.125 * pull * other_h, cross(x, u), x);
     };
@@ -105,8 +105,8 @@ class MeanCurvature {
     return differentiate_edges(boundary_.target(), balls_.r[k_], batch, weight_, edges);
   }
 
-  // Where D = 0 the vertex has no derivative and counts as unmoved. So nothing of its balls' motion may count there
-  // either: M would change when all balls move together.
+  // A vertex with D = 0 has no derivative, and counts as unmoved. So the motion of its balls must not count there
+  // either: else M would change when all balls move together.
   void release_unmoved_ends(const ArcBatch &batch, const EdgeBatch &edges) {
     for (uint32_t s = 0; s < batch.count; ++s) {
       if (batch.arc[s] == 0) continue;
@@ -130,8 +130,8 @@ class MeanCurvature {
   const bool has_plain_squares_, has_tied_vertex_;
 };
 
-// In multiples of the unit no sum of two radii is above 2^26, so its square is at most 2^52; and the distance of
-// spheres that meet is no more than that sum.
+// In multiples of the unit no sum of two radii is above 2^26, so that its square is at most 2^52. The distance of
+// spheres that meet is at most that sum.
 bool has_plain_squares(const BallSet &balls, Target target) {
   double unit = 1.0;
   while (static_cast<double>(balls.largest_radius) > 0x1p25 * unit) unit *= 2;

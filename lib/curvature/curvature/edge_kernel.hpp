@@ -1,5 +1,5 @@
-// The kernels of edge_sums.hpp for registers of n doubles. Like everything in kernels they have internal
-// linkage. The formulas are those of curvature.hpp.
+// The kernels of edge_sums.hpp for registers of n doubles. As all code of kernels they have internal linkage. The
+// formulas are those of curvature.hpp.
 #pragma once
 
 #include "core/small_code.hpp"
@@ -11,9 +11,9 @@
 namespace hsp {
 namespace {
 
-// The square of an integer, exactly, as the sum of a multiple of 2^30 and of a rest below 2^48 in magnitude, for
-// integers up to 2^33. Sums and differences of a dozen of these are exact in both parts, so that their sum is rounded
-// once, whatever cancels. L: Wide or WidePairs.
+// The exact square of an integer up to 2^33, as the sum of a multiple of 2^30 and a rest below 2^48 in magnitude. Sums
+// and differences of up to a dozen such squares are exact in both parts. So the final sum is rounded once, whatever
+// cancels. L: Wide or WidePairs.
 template <class L>
 struct ExactSquare {
   using Real = typename L::Real;
@@ -31,19 +31,19 @@ struct ExactSquare {
   Real rounded() const { return high + low; }
 };
 
-// Of two spheres of radii a and b that meet at an angle beta, with centres d apart: g = a b cos(beta) = (a^2 + b^2 -
-// d^2)/2 and
-//   rho d = a b sin(beta) = sqrt((a b + g)(a b - g)),  2 (a b + g) = (a + b)^2 - d^2,  2 (a b - g) = d^2 - (a - b)^2,
-// so all that cancels does so between integers, and the rest is products. L: Wide or WidePairs.
+// The angle beta at which two spheres of radii a and b meet, with centres d apart. With g = a b cos(beta) = (a^2 + b^2
+// - d^2)/2 there is
+//   rho d = a b sin(beta) = sqrt((a b + g)(a b - g)),  2 (a b + g) = (a + b)^2 - d^2,  2 (a b - g) = d^2 - (a - b)^2.
+// So only integers are subtracted, which is exact, and the rest is products. L: Wide or WidePairs.
 template <class L>
 struct EdgeAngle {
   using Real = typename L::Real;
   using Mask = typename L::Mask;
 
-  Mask is_proper;  // else the spheres touch, product and beta are 0
-  Real product, cosine, beta;
+  Mask is_proper;              // false if the spheres touch: product and beta are 0
+  Real product, cosine, beta;  // rho d, g and the angle
 
-  // a b + g, a b - g and g, each rounded once.
+  // outer, inner, g: a b + g, a b - g and g, each rounded once.
   HSP_INLINE_UNLESS_SMALL EdgeAngle(const Real &outer, const Real &inner, const Real &g)
       : is_proper(L::both(outer > 0.0, inner > 0.0)),
         product(L::square_root(L::kept(is_proper, outer * inner))),
@@ -90,7 +90,7 @@ struct EdgeKernel {
     return {L::kept(mask, a.x), L::kept(mask, a.y), L::kept(mask, a.z)};
   }
 
-  // The sum x + M has the last place of the unit.
+  // The last place of the sum x + M, M the number added, is the unit: x is a multiple of the unit if nothing is lost.
   static bool are_multiples(const double *numbers, uint32_t count, double unit) {
     const double to_multiples = 0x1.8p52 * unit;
     Mask others{};
@@ -101,7 +101,7 @@ struct EdgeKernel {
     return !L::any(others);
   }
 
-  // Of n lanes: the mean curvature and the derivatives by the centre, and that by the radius.
+  // Sums of n lanes: the mean curvature, the derivatives by the centre, and the one by the radius.
   struct Sums {
     FourSums<n> mean_and_centre;
     Real radius = L::all(0.0);
@@ -159,10 +159,10 @@ struct EdgeKernel {
     return phi * beta * (product * inverse_distance);
   }
 
-  // The edge of a slot, and the third edge of the vertex where the arc starts. In parallel, as neither waits for the
-  // other.
+  // The edge of a slot, and the third edge of the vertex at which the arc starts. They are computed in parallel, as
+  // neither needs the other.
   struct Edges {
-    Real r_a, r_b;  // of the other ball of either edge
+    Real r_a, r_b;  // the radii of the balls a and b of VertexEdges
     Real distance;
     EdgeAngle<Pairs> own_and_third;
     Real g_before = L::all(0.0);  // of the edge of the slot before, unless that is known only later
@@ -183,7 +183,7 @@ struct EdgeKernel {
               {{own.outer, other.outer}, {own.inner, other.inner}, {own.g, other.g}}};
     }
   };
-  // The same of H = 2 h d = v.v + r^2 - w, with w the square of the other radius, and of v.v_before.
+  // The same computed from H = 2 h d = v.v + r^2 - w, with w the square of the other radius, and from v.v_before.
   struct PlainEdges {
     static constexpr bool have_g_before = true;
     HSP_INLINE_UNLESS_SMALL static Edges at(double radius, const ArcBatch &arcs, uint32_t s) {
@@ -205,9 +205,9 @@ struct EdgeKernel {
     }
   };
 
-  // Areas of the two balls, each over its radius; rho beta; and what ball k's centre moves of the ends of its arcs:
-  // with f = s beta (h_j/d) v/(rho d) half of (x_end - x_start) x f, which is -(s beta/(rho d)) h_j X/4 for the batch's
-  // X.
+  // The terms of edges: areas of the two balls, each over its radius; rho beta; and the motion of the ends of arcs with
+  // ball k's centre. With f = s beta (h_j/d) v/(rho d) the last is half of (x_end - x_start) x f, which is -(s
+  // beta/(rho d)) h_j X/4 for the batch's X.
   template <class EdgesOf>
   static void add_edges(double radius, const ArcBatch &all_arcs, double weight, uint32_t lane, EdgeBatch &edges,
                         Sums &sums) {
@@ -249,9 +249,9 @@ struct EdgeKernel {
     }
   }
 
-  // The vertex where the slot's arc starts, of ball k with balls a and b: the loop comes in along the edge with b and
-  // leaves along that with a. As c_l.c_l = (rho d)^2, c_a.c_k = g_ab g_kb - g_ka w_b, and so on, with g the products of
-  // cosines of the three edges and w the squares of the radii.
+  // The vertex of balls k, a and b at which the slot's arc starts: the loop comes in along the edge with b and leaves
+  // along the one with a. Here c_l.c_l = (rho d)^2, c_a.c_k = g_ab g_kb - g_ka w_b, and so on, with g = r r cos(beta)
+  // of the three edges and w the squares of the radii.
   struct VertexEdges {
     Real r_a, r_b, g_a, g_b, g_ab, pull, third_force;
   };

@@ -31,7 +31,7 @@ class RowBuilder {
   RowBuilder(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, const HessianRows &rows)
       : balls_(grid.balls()), boundary_(boundary), terms_(terms), rows_(rows) {}
 
-  // The columns of row i, and blocks of pairs that ball `place`, the grid's index of i, decides.
+  // Finds the columns of row i, and the blocks of pairs that are computed on this ball. place: the grid's index of i.
   void find_blocks(uint32_t i, uint32_t place) const {
     if (rows_.flags != nullptr) rows_.flags[i] = 0;
     if (rows_.length(i) == 0) return;
@@ -48,8 +48,8 @@ class RowBuilder {
     if (rows_.flags != nullptr) rows_.flags[i] = arcs.flags();
   }
 
-  // The other blocks of row i, and the diagonal. Sums run in the order of the circles on the ball, which is that of the
-  // grid: the caller's order of the balls does not change their last bits.
+  // Fills the other blocks of row i, and the diagonal. Sums run in the order of the circles on the ball, which is the
+  // grid's: so the caller's order of balls does not change their last bits.
   void complete(uint32_t i, uint32_t place) const {
     if (rows_.length(i) == 0) return;
     double sum[9] = {};

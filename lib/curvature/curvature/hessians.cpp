@@ -6,7 +6,7 @@ namespace hsp {
 
 namespace {
 
-// A sum of products of two vectors, left right^T; of each row two entries at a time, and the third.
+// A sum of products left right^T of two vectors. Of each row two entries are in one register, and the third by itself.
 class ProductSum {
  public:
   void add(double factor, const Vec3 &left, const Vec3 &right) {
@@ -35,7 +35,7 @@ class ProductSum {
 
  private:
   using Pair = Wide<double, 2>::Real;
-  static constexpr double nothing = -0.0;  // which no sum shows: 0 would take the sign of a zero
+  static constexpr double nothing = -0.0;  // changes no sum; +0 would change the sign of a sum that is -0
 
   Pair xy_[3] = {};
   double z_[3] = {};
@@ -112,7 +112,7 @@ HessianBlock HessianArcs::block() const {
   };
   const bool has_ends = batch.arc[s] != 0 && (!batch.any_touching || batch.touching[s] == Touching::no);
   const Vec3 p = has_ends ? end(batch.next[s]) : Vec3{0.0, 0.0, 0.0}, q = has_ends ? end(s) : Vec3{0.0, 0.0, 0.0};
-  // It is divided by, so it comes from an end: of a small circle on a large ball R - h has hardly a digit.
+  // A divisor, so it is computed from an end of the arc: for a small circle on a large ball R - h has hardly a digit.
   const double square_of_radius = has_ends ? dot(q, q) : (R - h) * (R + h);
 
   // The sum is along u u^T + first u X^T + second X u^T + across (1 - u u^T) + ends (X Y^T - (u x X)(u x Y)^T).

@@ -10,8 +10,8 @@
 // A patch of ball j that moves outward sweeps over the face of ball i along the arc, hence
 //   d2V/dc_i dc_j = -(1/d) int a b^T dphi
 // The weighted area is the derivative of V along the radii, R' = sigma, so its second derivatives are the same integral
-// differentiated: h' = (R_i sigma_i - R_j sigma_j)/d is the speed of the circle's plane, Q = R_i sigma_i - h_i h' is
-// rho rho', and an end x of balls i, j, k, seen from c_i, with v and w to c_j and c_k, moves by
+// differentiated: h' = (R_i sigma_i - R_j sigma_j)/d is the speed of the circle's plane, and Q = R_i sigma_i - h_i h'
+// is rho rho'. An end x of balls i, j, k, with x, v and w the vectors from c_i to it, to c_j and to c_k, moves by
 //   [ g v x w + g_j w x x + g_k x x v ]/det,  g = R_i sigma_i, g_j = g - R_j sigma_j, g_k = g - R_k sigma_k,
 // where det = x . (v x w) = -sqrt(D)/2 has the root discriminant of the vertex. The integrals themselves:
 //   int e dphi = X,   int e e^T dphi = (rho^2 phi (1 - u u^T) + (X Y^T - (u x X)(u x Y)^T)/2)/2
@@ -27,10 +27,10 @@ struct HessianBlock {
   double entry[9];
 };
 
-// How the vertices of a batch move as all radii grow by their weights, each seen from the ball's centre.
+// The velocities of the vertices of a batch as all radii grow by their weights, relative to the ball's centre.
 class VertexRates {
  public:
-  // False if an arc begins at a vertex in the plane of its three centres. There is no such rate: it becomes 0.
+  // False if an arc begins at a vertex in the plane of its three centres. That vertex has no velocity: it is set to 0.
   bool find(const BallSet &balls, const AreaWeights &weights, uint32_t ball, const ArcBatch &batch);
   Vec3 at(uint32_t slot) const { return {x_[slot], y_[slot], z_[slot]}; }
 
@@ -38,20 +38,20 @@ class VertexRates {
   double x_[ArcBatch::room], y_[ArcBatch::room], z_[ArcBatch::room];
 };
 
-// The flag of a ball with a vertex in the plane of its three centres, where areas have no second derivatives.
+// The flag of a ball with a vertex in the plane of its three centres: areas have no second derivatives there.
 inline constexpr uint32_t singular_flag = 2;
 
-// The free arcs and circles on one ball that count, one after the other, in the order of ArcBatches.
+// The free arcs and circles on one ball, one after the other, in the order of ArcBatches.
 class HessianArcs {
  public:
   HessianArcs(const BallSet &balls, const Boundary &boundary, const EnergyTerms &terms, uint32_t ball);
 
-  // Moves to the first, or to the next one; false if there is none.
+  // Moves to the first or the next arc; false if there is none.
   bool next();
   uint32_t other() const { return arcs_.batch().other[slot_]; }
-  // Its part of the block of the two balls, in the unit of E over the square of the caller's.
+  // The arc's part of the block of the two balls, in the unit of E over the square of the caller's unit of length.
   HessianBlock block() const;
-  // Of all that have been passed: one_sided_flag, singular_flag.
+  // The flags of all arcs so far: one_sided_flag, singular_flag.
   uint32_t flags() const { return flags_; }
 
  private:
@@ -65,7 +65,7 @@ class HessianArcs {
   const double growth_;    // R sigma
   ArcBatches arcs_;
   VertexRates rates_;
-  uint32_t slot_ = 0, count_ = 0;  // the next slot of the batch once it is passed
+  uint32_t slot_ = 0, count_ = 0;  // the slot of this arc, and how many slots the batch has
   uint32_t flags_ = 0;
 };
 

@@ -12,13 +12,13 @@ struct CurvatureTotals {
   double gauss = 0.0;
 };
 
-// The Gaussian curvature of so many thirds of pi.
+// The Gaussian curvature from its number of thirds of pi.
 inline double gauss_of_thirds(int64_t thirds) {
   return static_cast<double>(thirds) * (pi / 3);
 }
 
-// Calls sink(i, curvature) for every ball i of the input that is not in the halo, in the unit of this lattice,
-// as are the sums. Not of all if the executor has stopped it.
+// Sums curvatures, in the unit of this lattice. Calls sink(i, curvature) for every ball i of the input that is not in
+// the halo, in the same unit. Not for all balls if the executor stops.
 template <class Sink>
 CurvatureTotals sum_curvatures(const CubeGrid &grid, const Boundary &boundary, const exact::Lattice &lattice, Sink sink,
                                const Executor &executor = Executor()) {
@@ -40,15 +40,15 @@ struct MorphometricFactors {
   double pressure = 0.0, tension = 0.0, bending = 0.0, gaussian = 0.0;
 };
 
-// In the caller's unit.
+// An energy and its parts, in the caller's unit.
 struct MorphometricEnergy {
   double value = 0.0, volume = 0.0, area = 0.0, mean = 0.0, gauss = 0.0, by_probe = 0.0;
 };
 
 // The terms of one ball in a morphometric energy.
 struct MorphometryShare {
-  EnergyShare measures;  // by_probe: with that of the mean curvature
-  double mean;           // in lattice steps
+  EnergyShare measures;  // its by_probe includes that of the mean curvature
+  double mean;           // the mean curvature, in lattice steps
 };
 
 class MorphometrySum {
@@ -67,7 +67,7 @@ class MorphometrySum {
   TreeSum mean_;
 };
 
-// The energy of balls whose lengths in steps are lengths on this lattice.
+// The terms of an energy of balls on a lattice.
 struct MorphometryTerms {
   const exact::Lattice &lattice;
   AreaWeights weights;
@@ -85,8 +85,8 @@ struct MorphometryTerms {
     sum.add({share_of_energy(balls, terms, ball, own.measures, gradient), curved.mean});
     return gradient;
   }
-  // From the sums of all shares; visit(range, sum) adds those of a range of the balls. euler: of the boundary. False if
-  // the executor fails.
+  // Sums the shares and sets the energy. visit(range, sum) adds the shares of a range of balls. euler: that of the
+  // boundary. False if the executor fails.
   template <class Visit>
   bool sum(const Executor &executor, uint32_t count, int64_t euler, Visit visit, MorphometricEnergy &result) const {
     MorphometryShare sums{};

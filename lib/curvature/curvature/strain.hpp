@@ -1,5 +1,5 @@
-// Derivatives by the strain of everything, x -> x + eps x of all centres but not of radii: for pieces of balls whose
-// derivatives by their centres sum to zero, so that only relative positions count.
+// Derivatives by a strain x -> x + eps x of all centres, but not of radii. They are sums of terms whose derivatives by
+// the centres of their balls sum to zero, so that only relative positions count.
 #pragma once
 
 #include "core/summation.hpp"
@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-// Rows: [3 p + q] is by eps_pq, of x_p by x_q.
+// by[3 p + q]: the derivative by eps_pq, with which x_p changes in proportion to x_q.
 struct Strain {
   double by[9] = {};
 

@@ -36,8 +36,8 @@ void BallCells::insert(uint32_t ball, const exact::Vector &centre) {
   }
 }
 
-// Instead of a first ball comes another one of its cube; of a cube that has none, one from below in the tree that has
-// nothing below itself: what is below any ball shares the bits that lead to it.
+// A first ball is replaced by another one of its cube. If there is none, it is replaced by a leaf of the tree below it:
+// all balls below share the bits that lead to it.
 void BallCells::remove(uint32_t ball) {
   uint32_t &first = link_to(cube_[ball]);
   if (first != ball) {

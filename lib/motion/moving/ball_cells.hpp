@@ -1,6 +1,6 @@
-// Balls in cubes, for balls that come and go: those of a cube are a chain. The first balls of cubes with the same hash
-// are a digital search tree (cube_slots.hpp), mostly of one: however the cubes are chosen, no way to a chain is longer
-// than a cube has bits.
+// Balls sorted by cubes, for balls that come and go. The balls of a cube are a chain. The first balls of cubes with the
+// same hash are a digital search tree (cube_slots.hpp), as a rule of one cube. So for any choice of cubes the way to a
+// chain is no longer than the number of bits of a cube's coordinates.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -13,15 +13,15 @@ namespace hsp {
 class BallCells {
  public:
   void carve(Workspace &workspace, uint32_t balls);
-  // No balls, of at most so many; cubes of such a side.
+  // Removes all balls. From now on there are at most so many, with ids below that, and cubes of this side.
   void clear(uint32_t balls, int64_t side);
 
   void insert(uint32_t ball, const exact::Vector &centre);
-  void remove(uint32_t ball);  // that is there
+  void remove(uint32_t ball);  // a ball that is there
   int64_t side() const { return side_; }
 
-  // Calls visit(ball) for every ball of the cubes that a box meets, each once; of a box with more cubes than there are
-  // balls, for every ball.
+  // Calls visit(ball) once for every ball in the cubes that a box meets. If the box has more cubes than there are
+  // balls, calls it for every ball.
   template <class Visit>
   void visit_box(const exact::Vector &low, const exact::Vector &high, Visit visit) const {
     const CubeAxis axis(side_);
@@ -43,10 +43,10 @@ class BallCells {
       }
     }
   }
-  // The most first balls that are looked at on the way to those of a cube.
+  // The largest number of first balls that are looked at on the way to the chain of a cube.
   uint32_t longest_way() const;
 
-  // The same for every ball that may meet or touch the given one.
+  // Calls visit(other) for every ball that may meet or touch the given one.
   template <class Visit>
   void visit_around(const exact::LatticeBall &ball, Visit visit) const {
     const int64_t reach = ball.radius + side_ / 2;
@@ -60,7 +60,7 @@ class BallCells {
       if (is_met(balls, ball, j)) visit(j);
     });
   }
-  // The same for two balls at once, which cost less than one after the other if they are near each other:
+  // The same for two balls at once, which costs less than one after the other if they are near each other. Calls
   // visit(other, whether it meets the first one).
   template <class Visit>
   void visit_meeting(const BallSet &balls, const exact::LatticeBall &a, const exact::LatticeBall &b,
@@ -98,8 +98,8 @@ class BallCells {
   bool is_there(uint32_t ball) const { return next_[ball] != ball; }
 
   Span<uint32_t> first_;  // [buckets] the root of the tree
-  Span<uint32_t> link_;   // [2 balls] of first balls of their cubes, to what is below in the tree
-  Span<uint32_t> next_;   // [balls] in the same cube; the ball itself if it is not there
+  Span<uint32_t> link_;   // [2 balls] of the first ball of a cube: both balls below it in the tree
+  Span<uint32_t> next_;   // [balls] the next ball of the same cube; the ball itself if it is in none
   Span<CubeCoordinates> cube_;
   uint32_t used_ = 1;
   uint32_t balls_ = 0;

@@ -5,12 +5,13 @@
 namespace hsp {
 namespace {
 
-// Balls that are computed together, and how far they reach: what is around them is gathered once for all.
+// How many balls are computed together, and how large the box around them may be, in sides of cubes: the balls around
+// them are gathered once for the group.
 constexpr uint32_t most_in_group = 64;
 constexpr int64_t most_sides = 3;
 
-// On a sphere with m caps, at most 6 m - 12 vertices are free (Kedem and others 1986), and m circles. More room is for
-// groups: it saves halving them.
+// A sphere with m caps has at most 6 m - 12 free vertices (Kedem and others 1986), and m circles. More room is for
+// groups: so they are seldom halved.
 BoundaryLimits limits_of_part(uint32_t balls, uint32_t neighbours) {
   const uint64_t m = neighbours;
   return {balls, neighbours, clamped_count(6 * m + 16 * most_in_group), clamped_count(m + 4 * most_in_group), 0};
@@ -36,7 +37,8 @@ void BallGroup::clear(const exact::Lattice &lattice, uint32_t n) {
   for (uint8_t &each : in_group_.part(0, n)) each = 0;
 }
 
-// If there is no room for all neighbours of a ball, the rest is done to learn how many others have.
+// If there is no room for all neighbours of a ball, the other balls are computed all the same, to learn how many
+// neighbours they have.
 uint32_t BallGroup::compute(MovingRecords &records, const BallCells &cells, uint32_t affected, AreaWeights weights,
                             Patience &patience) {
   uint32_t needed = 0;
@@ -63,7 +65,7 @@ Status BallGroup::compute_chosen(MovingRecords &records, const BallCells &cells,
   return status;
 }
 
-// Takes balls of the journal from `first` on into near_, as many as lie together. Returns their number.
+// Takes balls of the journal from `first` on into near_, as long as they are close together. Returns their number.
 uint32_t BallGroup::choose(const MovingRecords &records, const BallCells &cells, uint32_t first, uint32_t last) {
   const BallSet &balls = records.balls;
   const int64_t most = most_sides * cells.side();
@@ -85,7 +87,7 @@ uint32_t BallGroup::choose(const MovingRecords &records, const BallCells &cells,
   return count;
 }
 
-// Behind the group in near_, all balls that meet one of it, and some more.
+// Puts behind the group in near_ all balls that meet one of its balls, and some more.
 void BallGroup::gather_around(const MovingRecords &records, const BallCells &cells, uint32_t count) {
   const BallSet &balls = records.balls;
   const auto middle = [](int64_t a, int64_t b) { return 0.5 * static_cast<double>(a + b); };
@@ -138,8 +140,6 @@ void BallGroup::store(MovingRecords &records, uint32_t count, AreaWeights weight
   }
 }
 
-// A ball inside others that touches one of them at a free point: both have one-sided derivatives. Whether it does
-// depends on balls alone that meet either.
 void BallGroup::flag_inner_contacts(MovingRecords &records, const BallCells &cells, uint32_t affected) {
   for (uint32_t first = 0; first < affected;) {
     const uint32_t count = choose(records, cells, first, affected);

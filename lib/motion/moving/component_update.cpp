@@ -76,7 +76,7 @@ void ComponentUpdate::apply(MovingRecords &records, const BallCells &cells, uint
     link(records, pair);
   }
 
-  // Balls that moved, and whole pieces, leave their components before they are put together anew.
+  // Balls that moved, and whole pieces, leave their components first; then components are put together.
   list_count_ = 0;
   const Span<const uint32_t> touched = touched_.part(0, touched_count_);
   for (const uint32_t i : touched) {
@@ -105,8 +105,8 @@ void ComponentUpdate::touch(const MovingRecords &records, uint32_t ball) {
   unite(ball, tree);
 }
 
-// A ball that stands for all that are known to be connected with the given one as trees were left by this update: the
-// root of its tree, or the origin of a component that has lost no edge.
+// The ball that stands for all balls that are known to be connected with the given one after trees have lost edges: the
+// root of its tree; or the origin of its component if that has lost no edge.
 uint32_t ComponentUpdate::tree_of(const MovingRecords &records, uint32_t ball) const {
   const uint32_t origin = records.ball[ball].origin;
   if ((flags_[origin] & wounded) == 0) return origin;
@@ -114,7 +114,7 @@ uint32_t ComponentUpdate::tree_of(const MovingRecords &records, uint32_t ball) c
   return ball;
 }
 
-// Makes two sets one, with the queues of both, one after the other. False if they are one already.
+// Unites two sets, and appends the queue of one to that of the other. False if they are one set already.
 bool ComponentUpdate::unite(uint32_t a, uint32_t b) {
   a = sets_.find(a);
   b = sets_.find(b);
@@ -128,7 +128,7 @@ bool ComponentUpdate::unite(uint32_t a, uint32_t b) {
   return true;
 }
 
-// Two trees become one. Of that where the ball is nearer to the root, the way there is turned round.
+// Joins two trees to one. In the tree in which the ball is nearer to the root, the way from ball to root is reversed.
 void ComponentUpdate::link(MovingRecords &records, Link link) {
   const Span<uint32_t> parent = records.parent;
   uint32_t a = link.a, b = link.b;
@@ -147,8 +147,8 @@ void ComponentUpdate::link(MovingRecords &records, Link link) {
   }
 }
 
-// Every piece of a component has a ball that met one that moved. So there are no more pieces than sets with such balls,
-// and where one set is left there is one.
+// Finds the pieces of components. Every piece has a ball that has met a ball that moved. So there are no more pieces
+// than sets with such balls, and if one set is left there is one piece.
 void ComponentUpdate::find_pieces(const MovingRecords &records, const BallCells &cells, uint32_t former,
                                   Patience &patience) {
   searching_ = false;
@@ -165,8 +165,8 @@ void ComponentUpdate::find_pieces(const MovingRecords &records, const BallCells 
   }
 }
 
-// Sets that may be pieces of one component and are not known as a whole: their number, 0 if no component has two of
-// them. They are in list_.
+// Lists in list_ the sets that may be pieces of one component and are not completely known. Returns their number; 0 if
+// no component has two of them.
 uint32_t ComponentUpdate::find_rivals(const MovingRecords &records, uint32_t former) {
   list_count_ = 0;
   const auto visit = [&](auto with) {
@@ -195,7 +195,8 @@ uint32_t ComponentUpdate::find_rivals(const MovingRecords &records, uint32_t for
   return list_count_;
 }
 
-// First of balls near those that moved, then of roots of trees. All that balls that moved meet is known.
+// Fills the queues: first with balls near those that moved, then with roots of trees. The neighbours of balls that
+// moved are known.
 void ComponentUpdate::begin_search(const MovingRecords &records) {
   searching_ = true;
   const Span<const uint32_t> touched = touched_.part(0, touched_count_);
@@ -217,8 +218,8 @@ void ComponentUpdate::push(uint32_t ball) {
   last_[root] = ball;
 }
 
-// Asks for the neighbours of a few balls of a set that may have been joined to another one meanwhile. Few, as these
-// neighbours cost far more than finding out whether there are rivals left.
+// Finds the neighbours of a few balls of a set, which may have been joined to another one meanwhile. Only a few, as
+// neighbours cost far more than to find out whether there are rivals left.
 void ComponentUpdate::search_further(const MovingRecords &records, const BallCells &cells, uint32_t root) {
   constexpr uint32_t a_few = 2;
   root = sets_.find(root);
@@ -240,7 +241,7 @@ bool ComponentUpdate::leaves(const MovingRecords &records, uint32_t ball) {
   return records.is_moved(ball) || (searching_ && (flags_[sets_.find(ball)] & closed) != 0);
 }
 
-// Out of its ring. For its component, named by its origin, of_ is any ball that is left there.
+// Takes a ball out of its ring. of_ of its component, which is named by its origin, becomes any ball left in the ring.
 void ComponentUpdate::take_out(MovingRecords &records, uint32_t ball) {
   records.note(ball);
   MovingBall &own = records.ball[ball];
@@ -261,7 +262,7 @@ void ComponentUpdate::take_out(MovingRecords &records, uint32_t ball) {
   own.next = own.previous = ball;
 }
 
-// Components whose origin has left get another one.
+// Finds the new origin of each component whose origin has left.
 void ComponentUpdate::renew_origins(MovingRecords &records) {
   for (const uint32_t component : list_.part(0, list_count_)) {
     const uint32_t left = of_[component];
@@ -280,7 +281,7 @@ void ComponentUpdate::renew_origins(MovingRecords &records) {
   }
 }
 
-// The components of the balls of each set become one. That with the lowest origin takes in the others.
+// Makes one component of those of the balls of each set. The one with the lowest origin takes in the others.
 void ComponentUpdate::merge_sets(MovingRecords &records, Patience &patience) {
   const Span<const uint32_t> touched = touched_.part(0, touched_count_);
   const auto before = [&records](uint32_t a, uint32_t b) { return records.balls.ranks_before(a, b); };

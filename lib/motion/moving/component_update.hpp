@@ -1,7 +1,7 @@
-// Connected components of the union while balls move. The balls of a component are a ring of links, and each knows the
-// ball of lowest rank among them. Trees of balls that meet span the components. As long as balls that move still meet
-// those next to them in their trees, no component comes apart. Where they do not, its pieces are searched side by side,
-// until all of them are joined again or all of them but one are known as a whole.
+// Connected components of the union while balls move. The balls of a component are linked to a ring, and each knows the
+// ball of lowest rank among them, the origin. Trees of balls that meet span the components. As long as balls that move
+// still meet the balls next to them in their trees, no component comes apart. If one may come apart, its pieces are
+// searched side by side, until all of them are joined again, or all but one are completely known.
 #pragma once
 
 #include "core/disjoint_sets.hpp"
@@ -14,21 +14,21 @@ namespace hsp {
 class ComponentUpdate {
  public:
   void carve(Workspace &workspace, uint32_t balls);
-  // Of so many balls nothing is known.
+  // Begins with n balls of which nothing is known.
   void clear(uint32_t n);
-  // The first update: trees that span the components of balls that have none.
-  // Not of all if it is stopped: then abandon() follows.
+  // The first update: makes trees for balls that have none. If patience ends not all have one: then abandon() has to
+  // follow.
   void span(MovingRecords &records, const BallCells &cells, Patience &patience);
 
-  // Any other update. The first `former` balls of the journal are those that moved, at their new positions, and
-  // what these met before.
+  // Begins any other update. The first `former` balls of the journal are those that moved, at their new positions, and
+  // the balls that these met before.
   void begin(MovingRecords &records, uint32_t former);
-  // Then, for each ball that moved, all that it meets now.
+  // To be called then for each ball that moved, with each ball that it meets now.
   void connect(const MovingRecords &records, uint32_t moved, uint32_t other);
-  // In the end one of the two: apply brings origins, rings and trees up to date, and notes what it changes, also if it
-  // is stopped;
+  // One of the next two ends the update. apply() brings origins, rings and trees up to date, and notes in the journal
+  // the balls that it changes, also if patience ends.
   void apply(MovingRecords &records, const BallCells &cells, uint32_t former, Patience &patience);
-  // abandon forgets the update.
+  // abandon() forgets the update.
   void abandon(const MovingRecords &records, uint32_t former);
 
  private:
@@ -52,19 +52,20 @@ class ComponentUpdate {
   void renew_origins(MovingRecords &records);
   void merge_sets(MovingRecords &records, Patience &patience);
 
-  // Bits of a ball: its component's tree has lost an edge; its set is a component as a whole.
+  // Flags of a ball. wounded: the tree of its component has lost an edge; closed: its set is a whole component; rival:
+  // its set may be one of several pieces of a component (find_rivals()).
   static constexpr uint8_t wounded = 1;
   static constexpr uint8_t closed = 2;
   static constexpr uint8_t rival = 4;
   static constexpr uint32_t nobody = no_id - 1;
 
-  // Of balls that take part: those that are connected now, as far as that is known. With each ball a whole tree is.
+  // Sets of balls that take part and are known to be connected. Each ball stands for its whole tree.
   DisjointSets sets_;
   Span<uint32_t> set_;  // no_id for balls that take no part
   Span<uint32_t> touched_, list_;
-  Span<Link> links_;                         // pairs that meet by which sets became one
-  Span<uint32_t> first_, last_, following_;  // of each set, the balls whose neighbours are not known yet
-  Span<uint32_t> of_;                        // of some balls: a set, or a ball of a ring
+  Span<Link> links_;                         // pairs of balls that meet, by which two sets became one
+  Span<uint32_t> first_, last_, following_;  // of each set a queue of the balls whose neighbours are not known yet
+  Span<uint32_t> of_;                        // for some balls: a set, or a ball of a ring
   Span<uint8_t> flags_;
   uint32_t touched_count_ = 0, list_count_ = 0, link_count_ = 0;
   bool cut_ = false, searching_ = false;

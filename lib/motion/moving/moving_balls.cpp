@@ -79,7 +79,7 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms, Patience
   return Status::ok;
 }
 
-// Of no balls.
+// Forgets all balls, and returns the status.
 Status MovingBalls::forget(Status status) {
   records_.clear(0);
   sums_.resize(0);
@@ -160,8 +160,8 @@ void MovingBalls::place_again(uint32_t i, const exact::LatticeBall &ball) {
   cells_.insert(i, ball.centre);
 }
 
-// Notes what the balls that are noted meet where they are, places all that move anew, and notes what these meet then.
-// Returns how many had been noted before that.
+// Notes the balls that those noted meet at their old places; moves the balls; and notes the balls that these meet at
+// their new places. Returns how many were noted before the last step.
 uint32_t MovingBalls::place_all(const BallMoves &moves) {
   const uint32_t moved = records_.noted();
   for (uint32_t k = 0; k < moved; ++k) note_meeting(records_.entry(k).placed);
@@ -172,7 +172,7 @@ uint32_t MovingBalls::place_all(const BallMoves &moves) {
   return former;
 }
 
-// The same for the only ball that moves, whose neighbours are looked up once if it does not go far.
+// The same for a single ball that moves. If it does not go far, its neighbours are searched once for both places.
 uint32_t MovingBalls::place_one(uint32_t caller) {
   const uint32_t i = slot_[caller];
   const exact::LatticeBall before = records_.balls.ball(i);
@@ -204,7 +204,7 @@ void MovingBalls::note_meeting(const exact::LatticeBall &ball) {
   cells_.visit_meeting(records_.balls, ball, [this](uint32_t j) { records_.note(j); });
 }
 
-// The same for a ball at its new position.
+// Notes the balls that ball i meets at its new place.
 void MovingBalls::note_what_meets(uint32_t i) {
   cells_.visit_meeting(records_.balls, records_.balls.ball(i), [this, i](uint32_t j) {
     records_.note(j);
@@ -212,7 +212,7 @@ void MovingBalls::note_what_meets(uint32_t i) {
   });
 }
 
-// Computes the balls in the journal again. The first `former` of them are as for ComponentUpdate.
+// Computes the balls in the journal again. former: as for ComponentUpdate.
 Status MovingBalls::update(uint32_t former, Patience &patience) {
   const uint32_t affected = records_.noted();
   needed_.neighbours = group_.compute(records_, cells_, affected, weights(), patience);
@@ -228,7 +228,7 @@ Status MovingBalls::update(uint32_t former, Patience &patience) {
   return Status::ok;
 }
 
-// Counts and sums, once everything else is known.
+// Updates counts and sums, after everything else.
 void MovingBalls::sum_up(uint32_t affected, Patience &patience) {
   const BallSet &balls = records_.balls;
   changed_count_ = 0;
@@ -237,7 +237,7 @@ void MovingBalls::sum_up(uint32_t affected, Patience &patience) {
     const JournalEntry &entry = records_.entry(k);
     const uint32_t i = entry.ball;
     MovingBall &ball = records_.ball[i];
-    // Terms of the volume are about the component's origin, which may be another one, or elsewhere.
+    // The term of the volume is about the component's origin: that may be another ball, or may have moved.
     if (k < affected || ball.origin != entry.before.origin || records_.is_moved(ball.origin)) {
       records_.list(k);
       ++changed_count_;
@@ -252,7 +252,7 @@ void MovingBalls::sum_up(uint32_t affected, Patience &patience) {
   if (patience.allows(50 * uint64_t{records_.noted()})) sums_.update();
 }
 
-// As before all that is in the journal.
+// Restores all balls of the journal.
 void MovingBalls::put_back() {
   for (uint32_t k = 0; k < records_.noted(); ++k) {
     const JournalEntry &entry = records_.entry(k);
@@ -263,7 +263,7 @@ void MovingBalls::put_back() {
   }
 }
 
-// With counts and sums.
+// Restores the balls, counts and sums.
 void MovingBalls::take_back() {
   put_back();
   counts_ = counts_before_;

@@ -1,8 +1,7 @@
-// A set of balls of which some move at a time, with area, volume and an energy and their derivatives. Only the balls
-// that moved and those that they met before or meet now are computed again: what lies on the others has not changed.
-// So all numbers are, bit for bit, those of a boundary that is computed of the balls as they are: what lies on a ball
-// does not depend on ids or cubes, and sums are trees whose shape depends on the number of terms alone. The boundary's
-// records are not kept.
+// A set of balls of which some move at a time, with area, volume, an energy and their derivatives. Only the balls that
+// moved, and those that they met before or meet now, are computed again: the boundary on the others has not changed.
+// All numbers have the bits of a fresh computation: those of one ball do not depend on ids or cubes, and sums are trees
+// whose shape depends on the number of terms alone. The records of the boundary are not kept.
 #pragma once
 
 #include "measure/energy.hpp"
@@ -25,7 +24,7 @@ constexpr Status default_limits(uint32_t balls, MovingLimits &limits) {
   return Status::ok;
 }
 
-// Balls that get new positions or radii: number k is ball ball[k] of the caller's.
+// Balls that get new positions or radii: move k is of the caller's ball ball[k].
 struct BallMoves {
   uint32_t count = 0;
   const uint32_t *ball = nullptr;
@@ -33,7 +32,7 @@ struct BallMoves {
   const double *radius = nullptr;  // [count], without the probe; null for radii that stay
 };
 
-// How many of everything lies on the boundary.
+// The numbers of the parts of the boundary.
 struct MovingCounts {
   uint32_t exposed = 0, contained = 0, components = 0;
   uint64_t half_edges = 0, circle_sides = 0, loops = 0, faces = 0;
@@ -43,13 +42,13 @@ class MovingBalls : public Limited<MovingLimits> {
  public:
   void carve(Workspace &workspace, const MovingLimits &limits);
 
-  // Takes the balls of a grid, and what energy is to be known; computes everything. Radii may grow up to half the side
-  // of its cubes. On failure there are no balls. Status::capacity if a limit is too small: needed() reports what
-  // suffices. Status::stopped if more is not allowed.
+  // Takes the balls of a grid, and the terms of the energy; computes everything. Radii may grow up to half the side of
+  // the grid's cubes. On failure there are no balls. Status::capacity if a limit is too small: needed() reports what
+  // suffices. Status::stopped if patience has ended.
   Status set(const CubeGrid &grid, const EnergyTerms &terms, Patience patience = Patience());
-  // Moves some balls. Refused moves change nothing; then first_bad is the number of the first move that is to blame, or
-  // no_id. Status::id: no such ball, or the same again; not_finite, negative, range: as for a grid, and range for a
-  // radius above half the side of the cubes; capacity and stopped as above.
+  // Moves some balls. On failure nothing changes, and first_bad is the number of the first move that is to blame, or
+  // no_id. Status::id: a ball does not exist, or moves twice; not_finite, negative, range: as for a grid, and range for
+  // a radius above half the side of the cubes; capacity and stopped as for set().
   Status move(const BallMoves &moves, uint32_t &first_bad, Patience patience = Patience());
   // Takes the last move back; Status::state if there is none, or it has been taken back.
   Status undo();
@@ -60,17 +59,17 @@ class MovingBalls : public Limited<MovingLimits> {
   const exact::Lattice &lattice() const { return records_.balls.lattice; }
   int64_t probe_steps() const { return records_.balls.probe_steps; }
 
-  // Of all balls, in the caller's unit.
+  // Sums over all balls, in the caller's unit.
   BallMeasure totals() const;
   Energy energy() const;
   const MovingCounts &counts() const { return counts_; }
-  // Of one ball of the caller's.
+  // The ball on the lattice, the record, the measures and the derivatives of one of the caller's balls.
   exact::LatticeBall placed(uint32_t caller) const { return records_.balls.ball(slot_[caller]); }
   const MovingBall &record(uint32_t caller) const { return records_.ball[slot_[caller]]; }
   BallMeasure measure(uint32_t caller) const;
   EnergyGradient gradient(uint32_t caller) const;
-  // The balls of which anything may have changed by the last move: those that moved, those that they met or meet, and
-  // those whose component has another origin, or one that moved.
+  // How many balls may have other numbers since the last move: those that moved, those that they met or meet, and those
+  // whose component has another origin, or one that moved.
   uint32_t changed_count() const { return changed_count_; }
   // Calls visit(caller) for each of them, in any order.
   template <class Visit>
@@ -80,11 +79,11 @@ class MovingBalls : public Limited<MovingLimits> {
     }
   }
 
-  // The balls as they are as a grid of the same cubes: what a fresh computation begins with. Status::capacity, and the
-  // grid stays as it is, if it has no room for them.
+  // Writes the balls at their present places to a grid with the same cubes, from which a fresh computation can begin.
+  // Status::capacity if the grid has no room for them; then it stays as it is.
   Status write(CubeGrid &grid) const;
 
-  // For tests that do without the code for wide registers.
+  // For tests without the code for wide registers.
   BoundaryPart &part() { return group_.part(); }
 
  private:
@@ -114,9 +113,9 @@ class MovingBalls : public Limited<MovingLimits> {
   bool may_undo_ = false;
   uint32_t changed_count_ = 0;
 
-  Span<uint32_t> slot_;                // [balls] of the caller's balls
+  Span<uint32_t> slot_;                // [balls] the number here of each of the caller's balls
   Span<exact::LatticeBall> new_ball_;  // [moves]
-  Span<double> weight_;                // [balls] of the caller's balls
+  Span<double> weight_;                // [balls] in the caller's order
   bool weighted_ = false;
   TouchingBalls touching_balls_ = TouchingBalls::meet;
   double tension_ = 0.0, pressure_ = 0.0;

@@ -1,25 +1,25 @@
-// Balls with what is known of each of them, and a journal of those that an update changes: what they were before. With
-// it an update is taken back, whether it could not be finished or the caller does not like it.
+// Balls with the record of each, and a journal of the balls that an update changes, with their former records. With the
+// journal an update is taken back: because it failed, or because the caller rejects it.
 #pragma once
 
 #include "measure/gradients.hpp"
 
 namespace hsp {
 
-// One ball's part of everything.
+// The record of one ball.
 struct MovingBall {
-  BallGradient own;  // in lattice steps; the term of the volume is that about the origin of its component
+  BallGradient own;  // in lattice steps; the term of the volume is about the origin of its component
   uint32_t half_edges, circles, loops, faces;
-  // The ball of lowest rank of its component, and its neighbours in the ring of the component's balls.
+  // The ball of lowest rank in its component; the next and the previous ball in the ring of the component's balls.
   uint32_t origin, next, previous;
   bool contained;
-  bool one_sided;  // its derivatives: it touches another ball at a free point
+  bool one_sided;  // its derivatives are one-sided: it touches another ball at a free point
 };
 
 struct JournalEntry {
   uint32_t ball;
   bool moved;
-  bool listed;  // as one of which numbers may have changed, and not links of its component alone
+  bool listed;  // whether its numbers may have changed, and not only links of its component
   exact::LatticeBall placed;
   MovingBall before;
   uint32_t parent;
@@ -32,14 +32,14 @@ class MovingRecords {
     workspace.take_each(capacity, ball, parent, journal_, entry_);
   }
 
-  // Everything that knows of no ball and no change.
+  // Begins with n balls and an empty journal.
   void clear(uint32_t n) {
     balls.n = n;
     count_ = 0;
     for (uint32_t &entry : entry_.part(0, n)) entry = no_id;
   }
 
-  // To be called before anything of ball i changes.
+  // Enters ball i in the journal. To be called before anything of it changes.
   void note(uint32_t i) {
     if (entry_[i] != no_id) return;
     entry_[i] = count_;
@@ -52,7 +52,7 @@ class MovingRecords {
   void list(uint32_t k) { journal_[k].listed = true; }
   bool is_noted(uint32_t i) const { return entry_[i] != no_id; }
   bool is_moved(uint32_t i) const { return entry_[i] != no_id && journal_[entry_[i]].moved; }
-  // Those noted, in this order.
+  // The entries of the journal, in the order in which they were made.
   uint32_t noted() const { return count_; }
   const JournalEntry &entry(uint32_t k) const { return journal_[k]; }
   // Forgets the journal.
@@ -63,7 +63,7 @@ class MovingRecords {
 
   BallSet balls;          // any order
   Span<MovingBall> ball;  // [n]
-  // [n] a ball that meets this one: these are trees that span the components, whose roots have none, no_id.
+  // [n] the parent of each ball in a tree that spans its component: a ball that it meets; no_id for the root.
   Span<uint32_t> parent;
 
  private:

@@ -1,5 +1,5 @@
-// The sums of summation.hpp when single terms change: the same tree of additions, with all its nodes stored, so that a
-// term changes as many of them as the tree has levels.
+// The sums of summation.hpp for terms that change one by one: the same tree of additions, with all nodes stored. A
+// changed term changes one node on each level of the tree.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -23,7 +23,7 @@ class SumTree {
     marked_ = workspace.take<uint8_t>(2 * static_cast<uint64_t>(capacity));
   }
 
-  // From now on there are so many terms, all to be set before the next total.
+  // From now on there are so many terms. All have to be set before the next total().
   void resize(uint32_t terms) {
     terms_ = terms;
     change_count_ = 0;
@@ -33,9 +33,9 @@ class SumTree {
     nodes_[k] = term;
     mark(k, k);
   }
-  // To be called after terms were set and before total().
+  // Has to be called between set() and total().
   void update() {
-    uint32_t children = 0;  // where their level begins
+    uint32_t children = 0;  // the first node of their level
     uint32_t count = terms_;
     while (change_count_ != 0) {
       const uint32_t parents = children + count;
@@ -46,7 +46,7 @@ class SumTree {
         const uint32_t child = changed_[c];
         marked_[children + child] = 0;
         const uint32_t k = child / 2;
-        if (k >= parent_count || marked_[parents + k] != 0) continue;  // the last one may have no parent
+        if (k >= parent_count || marked_[parents + k] != 0) continue;  // the last child may have no parent
         const Term &left = nodes_[children + 2 * k];
         const Term &right = nodes_[children + 2 * k + 1];
         for (uint32_t s = 0; s < sums; ++s) nodes_[parents + k].of[s] = left.of[s] + right.of[s];
@@ -56,7 +56,7 @@ class SumTree {
       count = parent_count;
     }
   }
-  // Complete subtrees are added from the last one, which is the smallest, to the first.
+  // The sum of all terms. Complete subtrees are added from the last one, the smallest, to the first.
   Term total() const {
     Term total{};
     uint32_t level = 0;
@@ -68,7 +68,7 @@ class SumTree {
   }
 
  private:
-  // Number k of its level, which is `node` of all.
+  // Marks node k of its level, which has the number `node` among all.
   void mark(uint32_t k, uint32_t node) {
     if (marked_[node] != 0) return;
     marked_[node] = 1;
@@ -76,8 +76,8 @@ class SumTree {
   }
 
   Span<Term> nodes_;        // level after level, the terms first
-  Span<uint32_t> changed_;  // numbers in their level
-  Span<uint8_t> marked_;    // nodes among them
+  Span<uint32_t> changed_;  // the changed nodes of one level, numbered in that level
+  Span<uint8_t> marked_;    // [nodes] whether a node is in changed_
   uint32_t terms_ = 0;
   uint32_t change_count_ = 0;
 };

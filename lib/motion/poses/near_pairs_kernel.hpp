@@ -16,7 +16,7 @@ class PairWalker {
 
   uint32_t find() {
     while (walk_.waiting > 0) {
-      // Member by member, as pairs are written: a wider load would wait for these stores.
+      // Loaded member by member, as pairs are stored: a wider load would wait for these stores.
       const SpherePair &last = walk_.pair[--walk_.waiting];
       const SpherePair pair{{last.moving[0], last.moving[1], last.moving[2], last.moving[3]},
                             last.fixed_node,
@@ -41,7 +41,7 @@ class PairWalker {
   struct Spheres {
     Eight x, y, z, r;
   };
-  // Spheres in memory, by turns.
+  // Spheres in memory, to be read one by one.
   struct StoredSpheres {
     alignas(32) float x[8], y[8], z[8], r[8];
 
@@ -62,7 +62,7 @@ class PairWalker {
   static Spheres load(const SphereBlock &eight) {
     return {L::load(eight.x), L::load(eight.y), L::load(eight.z), L::load(eight.r)};
   }
-  // Where the spheres of a block are, with the slack.
+  // The images of the spheres of a block, their radii larger by the slack.
   Spheres image(const SphereBlock &eight) const {
     const Spheres s = load(eight);
     const auto along = [&](int axis) {
@@ -82,14 +82,14 @@ class PairWalker {
     return near(s, eight.x[lane], eight.y[lane], eight.z[lane], eight.r[lane]);
   }
 
-  // Whether the sphere at rest is not much larger than the moving one, so that the latter is opened: what that costs
-  // serves all spheres below the former.
+  // Whether the sphere at rest is not much larger than the moving one. Then the moving one is opened: its cost is
+  // shared by all spheres below the one at rest.
   bool is_small(const SpherePair &pair) const {
     const float radius = block(fixed_, pair.fixed_level, pair.fixed_node / 8).r[pair.fixed_node % 8];
     return radius <= 1.5F * pair.moving[3];
   }
 
-  // Pairs wait so that those of lower ranks come first.
+  // Pairs are stacked so that those of lower ranks come first.
   void open_moving(const SpherePair &pair) {
     const Spheres images = image(block(moving_, pair.moving_level - 1, pair.moving_node));
     uint32_t bits = near(images, block(fixed_, pair.fixed_level, pair.fixed_node / 8), pair.fixed_node % 8);
@@ -119,7 +119,8 @@ class PairWalker {
     }
   }
 
-  // The balls of a moving leaf against those of all leaves below a sphere of level 2, or of the root if it is a leaf.
+  // Compares the balls of a moving leaf with those of all leaves below a sphere of level 2, or below the root if that
+  // is lower.
   uint32_t compare_leaves(const SpherePair &pair) {
     const SphereBlock &leaves = block(fixed_, 1, pair.fixed_node);
     const uint32_t first_leaf = 8 * pair.fixed_node;

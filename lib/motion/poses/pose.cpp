@@ -33,8 +33,8 @@ Status quaternion_of_rotation(const double *matrix, double *quaternion) {
     for (int j = 0; j <= i; ++j)
       if (!(std::fabs(dot(row[i], row[j]) - (i == j ? 1.0 : 0.0)) <= tolerance)) return Status::range;
   if (dot(cross(row[0], row[1]), row[2]) < 0) return Status::range;
-  // Four times the squares of the components, and from the largest one the others by its products with them (Shepperd
-  // 1978).
+  // Four times the squares of the components. The largest component gives the others, from its products with them
+  // (Shepperd 1978).
   const double xx = row[0].x, yy = row[1].y, zz = row[2].z;
   const double squares[4] = {1.0 + ((xx + yy) + zz), 1.0 + ((xx - yy) - zz), 1.0 + ((yy - xx) - zz),
                              1.0 + ((zz - xx) - yy)};

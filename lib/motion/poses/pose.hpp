@@ -1,9 +1,9 @@
 // A rigid motion of a molecule: x goes to R x + t, R the rotation of a quaternion.
 //
-// Moved centres are snapped: to the lattice point nearest to their image, which is computed in doubles. As long as
-// coordinates are below 2^40 steps that is within 0.87 steps of the ideal image. So what integers decide about snapped
-// balls holds for the ideal ones wherever the gap between two of them is more than a step from 0. A pose gives the same
-// snapped balls on every machine.
+// Moved centres are snapped: they go to the lattice point nearest to their image, which is computed in doubles. For
+// coordinates below 2^40 steps that point is within 0.87 steps of the exact image. So a decision of integers about two
+// snapped balls holds for the exact images, too, if the gap between the two balls is more than a step from 0. A pose
+// gives the same snapped balls on every machine.
 #pragma once
 
 #include "core/status.hpp"
@@ -20,31 +20,32 @@ inline Vec3 snapped(const Vec3 &p) {
 
 class Pose {
  public:
-  // At rest.
+  // The pose at rest.
   Pose() = default;
 
-  // quaternion: w, x, y, z, of any length but 0; translation: lengths. Status::not_finite for what is no number,
-  // Status::range for a quaternion of length 0 or beyond 2^-300 to 2^300, or a translation beyond the lattice.
+  // quaternion: w, x, y, z, of any length but 0; translation: lengths. Status::not_finite for numbers that are not
+  // finite, Status::range for a quaternion of length 0 or beyond 2^-300 to 2^300, or a translation beyond the lattice.
   static Status make(const double *quaternion, const double *translation, const exact::Lattice &lattice, Pose &pose);
 
-  // In steps, not rounded to the lattice.
+  // The image of a point, in steps, not rounded to the lattice.
   Vec3 image(const Vec3 &p) const {
     return {(row_[0].x * p.x + row_[0].y * p.y + row_[0].z * p.z) + translation_.x,
             (row_[1].x * p.x + row_[1].y * p.y + row_[1].z * p.z) + translation_.y,
             (row_[2].x * p.x + row_[2].y * p.y + row_[2].z * p.z) + translation_.z};
   }
-  // The lattice point nearest to it, of a point within `reach` of the origin that has_room_for accepts.
+  // The lattice point nearest to the image of a point, which is within a `reach` of the origin that has_room_for
+  // accepts.
   Vec3 snapped(const Vec3 &p) const { return hsp::snapped(image(p)); }
-  // Whether images of points within `reach` of the origin are on the lattice: differences of their coordinates and
-  // those of other lattice points are exact doubles then.
+  // Whether images of points within `reach` of the origin are on the lattice. Then differences between their
+  // coordinates and those of other lattice points are exact in doubles.
   bool has_room_for(double reach) const { return reach + largest_shift() <= exact::query_radius_limit; }
-  // More than a snapped point can be away from its ideal image, and than distances of such points are rounded by.
+  // More than the distance of a snapped point from its exact image, plus the rounding of distances of such points.
   double slack(double reach) const { return 1.0 + 0x1p-48 * (reach + largest_shift()); }
 
   double largest_shift() const {
     return std::fabs(translation_.x) + std::fabs(translation_.y) + std::fabs(translation_.z);
   }
-  // Of the rotation's matrix.
+  // A row of the rotation's matrix.
   const Vec3 &row(uint32_t k) const { return row_[k]; }
   // Rounds the translation to the lattice, and returns it.
   Vec3 snap_translation() {

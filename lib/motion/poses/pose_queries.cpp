@@ -7,31 +7,32 @@
 namespace hsp {
 namespace {
 
-// Every step of a walk replaces a pair of nodes by two pairs with children of the one or the other.
+// The stack of a walk: every step replaces a pair of nodes by two pairs, with the children of one of the nodes.
 constexpr uint32_t most_waiting = 2 * SphereTree::largest_height + 2;
 
-// Before they are squared differences and sums are rounded, too: that is no more than as much again.
+// Differences and sums are rounded before they are squared, too: at most as much again.
 constexpr double error = 2 * meeting_doubt;
 
-// Whether the walk goes on from the children of the node at rest: of the larger sphere, so that both shrink alike.
+// Whether the walk goes on with the children of the node at rest. The larger sphere is opened, so that both shrink
+// alike.
 bool opens_fixed(const TreeNode &fixed, const TreeNode &moving) {
   return moving.is_leaf() || (!fixed.is_leaf() && fixed.radius > moving.radius);
 }
 
-// Where the balls of a snapped pose are, and what is decided about them.
+// The positions of balls in a snapped pose, and the decisions about them.
 class SnappedBalls {
  public:
   SnappedBalls(const SphereTree &fixed, const SphereTree &moving, const Pose &pose)
       : pose_(&pose), slack_(pose.slack(fixed.reach() + moving.reach())) {}
 
-  // Of a ball of the moving molecule, or of a node: at most slack() from where it is.
+  // The image of a centre of the moving molecule, of a ball or a node: at most slack() from its place.
   Vec3 image(const Vec3 &p) const { return pose_->image(p); }
   const Pose &rounded() const { return *pose_; }
   double slack() const { return slack_; }
-  // Where a ball is whose image has been found.
+  // The place of a ball, from its image.
   Vec3 place(const Vec3 &image) const { return snapped(image); }
 
-  // Whether a ball at rest about c and the ball about p meet; `between`: from c to the position of p.
+  // Whether a ball at rest about c and the moved ball about p meet. between: from c to the place of p.
   bool meet(const Vec3 &, const Vec3 &, const Vec3 &between, double sum) const {
     return hsp::meet(between.x, between.y, between.z, sum);
   }
@@ -42,7 +43,7 @@ class SnappedBalls {
   double slack_;
 };
 
-// The same of a rational pose: doubles say where a ball is up to the slack.
+// The same for a rational pose: in doubles, the place of a ball is known up to the slack.
 class RationalBalls {
  public:
   RationalBalls(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose)
@@ -67,8 +68,8 @@ class RationalBalls {
   double slack_;
 };
 
-// Whether the root spheres are within a margin of each other; if so the walk for pairs that are begins, with the pose
-// relative to their centres. The margin is one more slack of all positions.
+// Whether the root spheres are within a margin of each other. If so, begins the walk for pairs within the margin, with
+// the pose relative to the centres of the roots. The margin is added to the slack of all positions.
 template <class Balls>
 bool start_walk(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, double margin, FloatPose &floats,
                 PairWalk &walk) {
@@ -83,7 +84,7 @@ bool start_walk(const SphereTree &fixed, const SphereTree &moving, const Balls &
   };
   for (uint32_t k = 0; k < 3; ++k) store(balls.rounded().row(k), floats.row[k]);
   store(between, floats.shift);
-  // Of a position, of the shift, and of all floats.
+  // The slack of a position, that of the shift, the margin, and the rounding of all floats.
   floats.slack = static_cast<float>((2 * balls.slack() + margin) + 0x1p-19 * sum);
   SpherePair &roots = walk.pair[0];
   store(between, roots.moving);
@@ -99,8 +100,8 @@ uint32_t go_on(const SphereTree &fixed, const SphereTree &moving, const FloatPos
   return find_near_pairs(fixed.target(), fixed.levels(), moving.levels(), floats, walk);
 }
 
-// Calls visit(ball at rest, moving ball, vector between their centres), in an order that depends on the trees and the
-// pose alone, for all pairs that meet, until it returns true: whether it did.
+// Calls visit(ball at rest, moving ball, vector between their centres) for all pairs that meet, until it returns true;
+// returns whether it did. The order depends on the trees and the pose alone.
 template <class Balls, class Visit>
 bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, Visit visit) {
   if (fixed.empty() || moving.empty()) return false;
@@ -139,11 +140,11 @@ bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &ba
          });
 }
 
-// Whether no ball of the molecule goes as far as the budget between a pose and this one. From the centre of the root
-// sphere it goes as that does, and in addition by no more than the difference R - S of the rotations lengthens its
-// radius: R S^T - 1 lengthens vectors across the axis of R S^T by one factor and no other ones, so that this factor is
-// the root of half the sum of squares of the entries. Each centre and each entry is within a slack, or 2^-50, of where
-// it would be without rounding, and so is the sum.
+// Whether no ball of the molecule goes as far as the budget from a pose to this one. A ball goes as far as the centre
+// of the root sphere does, plus at most the length of (R - S) y, with R and S the two rotations and y the vector from
+// that centre to the ball's, |y| <= radius of the root. R S^T - 1 multiplies the length of every vector across the axis
+// of R S^T by one factor, and maps the axis to 0: the factor is the root of half the sum of the squares of its entries.
+// Each centre is within a slack, and each entry within 2^-50, of its exact value, and so is the sum.
 template <class Balls>
 bool stays_within(double budget, const SphereTree &moving, const Pose &from, const Balls &balls) {
   const TreeNode &root = moving.node(0);
@@ -163,7 +164,7 @@ bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &ba
   if (still_meet(fixed, moving, balls, known.witness)) return true;
   const TreeNode &a = fixed.node(0), &b = moving.node(0);
   const double slack = balls.slack(), sum_of_roots = a.radius + b.radius;
-  // Beyond the size of both molecules a margin would only lose what floats can tell apart.
+  // A margin larger than both molecules would only lose precision of the floats.
   double gap = known.margin < sum_of_roots ? known.margin : sum_of_roots;
   FloatPose floats;
   PairWalk walk;
@@ -188,7 +189,7 @@ bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &ba
     const Vec3 between = balls.image(b.centre) - a.centre;
     gap = std::sqrt(dot(between, between)) - sum_of_roots;
   }
-  // The gap is of rounded positions, and so is what is compared with the budget.
+  // The gap is one of rounded positions, and so are the lengths compared with the budget.
   known.from = balls.rounded();
   known.budget = gap - 4 * slack;
   return false;
@@ -239,7 +240,7 @@ PairGap find_least_gap(const SphereTree &fixed, const SphereTree &moving, const 
   const auto compare = [&](uint32_t i, uint32_t j, const Vec3 &between) {
     const Vec3 c = fixed.centre(i);
     const double sum = fixed.radius(i) + moving.radius(j);
-    // Nothing nearer than this can be better, with more room than all roundings take.
+    // A pair whose centres are farther apart than this cannot be better; the slack is more than all rounding.
     const double enough = best.gap + sum + (slack + 0x1p-46 * sum);
     if (enough < 0 || dot(between, between) > enough * enough) return;
     const PairGap found{balls.distance(c, moving.centre(j), between) - sum, fixed.caller(i), moving.caller(j)};
@@ -252,9 +253,9 @@ PairGap find_least_gap(const SphereTree &fixed, const SphereTree &moving, const 
     compare(witness.fixed, witness.moving,
             balls.place(balls.image(moving.centre(witness.moving))) - fixed.centre(witness.fixed));
   struct Task {
-    double bound;  // no gap below these nodes is less
+    double bound;  // a lower bound of all gaps below these nodes
     uint32_t fixed, moving;
-    Vec3 image;  // of the moving node's centre
+    Vec3 image;  // of the centre of the moving node
   };
   const auto task_of = [&](uint32_t f, uint32_t m, const Vec3 &image) -> Task {
     const TreeNode &a = fixed.node(f);

@@ -1,8 +1,8 @@
-// A moving molecule against one at rest: does any ball of the one meet one of the other, which pairs meet, and how far
-// apart are they. Both are prepared as trees on lattices of the same step; the pose must have room for the reach of the
-// moving one. All decisions are made in integers, as brute force would, about the snapped balls of a pose
-// (pose.hpp) or about the ideal ones of a rational pose (rational_pose.hpp); trees only leave out what is certainly
-// apart. Balls that touch meet. Nothing is written to, so that many threads may ask at once.
+// Questions about a moving molecule and one at rest: whether any two balls meet, which pairs meet, how far apart the
+// molecules are. Both are prepared as trees on lattices of the same step; the pose must have room for the reach of the
+// moving one. Integers decide, with the result of testing all pairs, about the snapped balls of a pose (pose.hpp), or
+// the exact images of a rational pose (rational_pose.hpp). Trees only leave out balls that are certainly apart. Balls
+// that touch meet. Trees and poses are only read, so that many threads may ask at once.
 #pragma once
 
 #include "poses/pose.hpp"
@@ -11,22 +11,22 @@
 
 namespace hsp {
 
-// The pose of the numbers of Pose::make, for these molecules. Status::argument if their lattices have different steps,
-// Status::range if the pose has no room for the moving one, or what Pose::make says.
+// Makes a pose for these molecules as Pose::make() does. Status::argument if their lattices have different steps,
+// Status::range if the pose has no room for the moving one, or the status of Pose::make().
 Status make_pose(const SphereTree &fixed, const SphereTree &moving, const double *quaternion, const double *translation,
                  Pose &pose);
-// Likewise, of the numbers of RationalPose::make.
+// The same with RationalPose::make().
 Status make_pose(const SphereTree &fixed, const SphereTree &moving, const int32_t *quaternion,
                  const double *translation, RationalPose &pose);
 
-// Two balls, by their ranks in the trees: those that decided the last answer. A caller that asks about one pose after
-// the other hands them on; they are tried first, and where poses change little nothing else may be needed. Answers do
-// not depend on them, and any numbers will do.
+// Two balls, by their ranks in the trees: the pair that decided the last answer. A caller that asks about many poses
+// passes it on. The pair is tried first; if poses change little, it may decide alone. Answers do not depend on it, and
+// any numbers are allowed.
 struct PairRanks {
   uint32_t fixed = no_id, moving = no_id;
 };
 
-// Whether any two balls meet. If so the witness becomes a pair that does, else it stays as it is.
+// Whether any two balls meet. If so the witness becomes a pair that meets, else it stays as it is.
 bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness);
 bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness);
 inline bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
@@ -34,19 +34,19 @@ inline bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, co
   return any_balls_meet(fixed, moving, pose, none);
 }
 
-// Bounds from earlier poses for the next one, besides the witness. Only `margin` is the caller's. The walk about a free
-// pose looks farther by `margin`, in steps, and so learns how far apart the molecules are. Until a ball may have come
-// that far, poses are free without a walk. Answers do not depend on it.
+// Bounds from earlier poses for the next one, besides the witness. The caller sets only `margin`, in steps. The walk at
+// a free pose looks farther by `margin`, and so finds how far apart the molecules are. As long as no ball can have gone
+// that far since, poses are free without a walk. Answers do not depend on it.
 struct GapBudget {
   explicit GapBudget(double steps) : margin(steps) {}
 
   double margin;
   PairRanks witness;
-  Pose from;           // a pose that is free,
-  double budget = -1;  // and stays free while no ball goes as far as this, in steps; below 0 if there is none
+  Pose from;           // a free pose
+  double budget = -1;  // poses are free while no ball is as far as this from its place in `from`, in steps; < 0: none
 };
 
-// As any_balls_meet, of the same two molecules as all poses before with this budget.
+// As any_balls_meet() above. The two molecules are the same in all calls with one budget.
 bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, GapBudget &known);
 bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, GapBudget &known);
 
@@ -54,8 +54,8 @@ struct MeetingPair {
   uint32_t fixed, moving;  // the caller's indices
 };
 
-// Writes the pairs that meet, as many as there is room for, and returns how many there are. Ascending if all fit, else
-// in no order that means anything.
+// Writes the pairs that meet, as many as there is room for, and returns how many there are. They are ascending if all
+// fit, else in an arbitrary order.
 uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Pose &pose,
                             Span<MeetingPair> pairs);
 uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose,
@@ -64,10 +64,10 @@ uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, c
 struct Overlap {
   uint64_t pairs = 0;
   double volume =
-      0;  // of the intersections of the pairs, in cubic steps: where three balls meet it counts more than once
+      0;  // the sum of the volumes of all pairs' intersections, in cubic steps: a point counts once for each pair
 };
 
-// The penalty that docking codes want.
+// The sum over all pairs that meet: the penalty of docking codes.
 Overlap sum_overlaps(const SphereTree &fixed, const SphereTree &moving, const Pose &pose);
 
 struct PairGap {
@@ -75,8 +75,8 @@ struct PairGap {
   uint32_t fixed = no_id, moving = no_id;                // the caller's indices
 };
 
-// The least distance between two balls, less than 0 for the pair that overlaps deepest; its error is at most 2^-51 of
-// the distance of the centres or of the sum of the radii, whichever is more. Of equal ones the first, by the ball at
+// The least distance between two balls; below 0 for the pair that overlaps deepest. Its error is at most 2^-51 times
+// the distance of the centres or the sum of the radii, whichever is larger. Of equal pairs the first, by the ball at
 // rest. Infinite if one molecule has no balls. The witness becomes the pair.
 PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness);
 PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness);

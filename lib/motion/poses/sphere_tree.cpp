@@ -17,7 +17,7 @@ double length(const Vec3 &v) {
   return std::sqrt(dot(v, v));
 }
 
-// The levels of so many balls, without their spheres.
+// The levels for so many balls, without the spheres.
 SphereLevels shape_of_levels(uint32_t balls) {
   SphereLevels levels{};
   uint32_t spheres = balls;
@@ -30,8 +30,8 @@ SphereLevels shape_of_levels(uint32_t balls) {
   return levels;
 }
 
-// Where the second child of more balls than a leaf has begins: groups of as many balls as possible, of the sizes 4, 8,
-// 64, 512, .., stay together, and the first child has as many of them as the second one or one more.
+// The first ball of the second child, for a node with more balls than a leaf. Groups of the largest possible size of 4,
+// 8, 64, 512, .. stay together; the first child has as many groups as the second one, or one more.
 uint32_t second_part_of(uint32_t first, uint32_t last) {
   const uint32_t balls = last - first;
   uint32_t group = SphereTree::leaf_size;
@@ -67,7 +67,7 @@ Status SphereTree::build(const BallSet &balls, Patience patience) {
   start_levels(balls.n);
   struct Task {
     uint32_t first, last;
-    uint32_t parent;  // whose second child it is, or no_id
+    uint32_t parent;  // the node whose second child this is, or no_id
   };
   Task tasks[largest_height + 1];
   uint32_t count = 0;
@@ -102,7 +102,7 @@ Status SphereTree::build(const BallSet &balls, Patience patience) {
   return Status::ok;
 }
 
-// All slots of the blocks hold spheres that are far from all others.
+// Fills all slots of the blocks with spheres that are far from all others.
 void SphereTree::start_levels(uint32_t balls) {
   levels_ = shape_of_levels(balls);
   levels_.blocks = blocks_.data();
@@ -115,7 +115,7 @@ void SphereTree::start_levels(uint32_t balls) {
   }
 }
 
-// A node is the sphere of all levels in which its balls have one.
+// Stores a node as sphere of all levels on which its balls have one.
 void SphereTree::store_node(const TreeNode &node) {
   const uint32_t balls = nodes_[0].last;
   uint64_t size = 8;
@@ -152,8 +152,8 @@ void SphereTree::sort_axes(const BallSet &balls, Patience &patience) {
   }
 }
 
-// A sphere nearly as small as it can be: from the middle of the box some steps, ever smaller, towards the ball that
-// sticks out most (Badoiu and Clarkson 2003).
+// A node whose sphere is nearly as small as possible: its centre goes from the middle of the box in some steps, ever
+// smaller ones, towards the ball that sticks out most (Badoiu and Clarkson 2003).
 TreeNode SphereTree::node_around(const BallSet &balls, uint32_t first, uint32_t last, Patience &patience) const {
   const auto middle_of = [&](int axis) {
     return (along(balls, axis, along_[axis][first]) + along(balls, axis, along_[axis][last - 1])) / 2;
@@ -181,8 +181,8 @@ TreeNode SphereTree::node_around(const BallSet &balls, uint32_t first, uint32_t 
   return {centre, radius * (1 + 0x1p-48) + 1, first, last, 0};
 }
 
-// The balls [first, last) of all three orders fall apart into those before and those from the middle along the widest
-// axis, each part in order.
+// Splits the balls [first, last) along the widest axis into those before `middle` and the others, in all three orders,
+// and keeps each part in order.
 void SphereTree::split(const BallSet &balls, uint32_t first, uint32_t middle, uint32_t last) {
   int widest = 0;
   double width = -1;

@@ -1,9 +1,10 @@
-// A molecule prepared for meeting another one: a binary tree of spheres, each around the balls below it. Children share
-// the balls of their parent along the axis on which the centres are spread most (Quinlan 1994), evenly as far as groups
-// of 8^k balls, k as large as possible, stay together. So every eight, 64, 512 and so on of the balls in order have a
-// sphere of their own, and the same tree can be walked eight spheres at a time (near_pairs.hpp).
+// A molecule prepared for questions about another one: a binary tree of spheres, each around the balls below it. The
+// balls of a node are divided between its children along the axis on which the centres are spread most (Quinlan 1994):
+// evenly, except that groups of 8^k balls, k as large as possible, stay together. So every 8, 64, 512 and so on of the
+// balls in the order of the tree have a sphere of their own, and the tree can also be walked eight spheres at a time
+// (near_pairs.hpp).
 //
-// The tree depends on the balls alone, not on their order, but for balls that are equal.
+// The tree depends on the balls alone and not on their order, except for equal balls.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -16,7 +17,7 @@ namespace hsp {
 
 struct TreeNode {
   Vec3 centre;
-  double radius;         // somewhat more than enough for all balls below
+  double radius;         // a little more than enough for all balls below
   uint32_t first, last;  // balls [first, last) in the order of the tree
   uint32_t second;       // the second child, 0 for leaves; the first one follows its parent
 
@@ -26,12 +27,12 @@ struct TreeNode {
 class SphereTree {
  public:
   static constexpr uint32_t leaf_size = 4;
-  // Dividing the largest number of balls until they fit a leaf.
+  // The height of a tree of the largest number of balls.
   static constexpr uint32_t largest_height = 27;
 
   void carve(Workspace &workspace, uint32_t balls);
-  // Status::capacity if there is room for fewer balls; the tree is empty then. Status::stopped if that is no longer
-  // allowed; it is of no use then.
+  // Status::capacity if there is no room for so many balls; the tree is empty then. Status::stopped if patience has
+  // ended; the tree must not be used then.
   Status build(const BallSet &balls, Patience patience = Patience());
   void clear() { nodes_.clear(); }
 
@@ -42,12 +43,12 @@ class SphereTree {
   Vec3 centre(uint32_t i) const { return {x_[i], y_[i], z_[i]}; }
   double radius(uint32_t i) const { return r_[i]; }
   uint32_t caller(uint32_t i) const { return caller_[i]; }
-  // For walks eight at a time; of a tree that is not empty.
+  // The levels for walks eight spheres at a time. The tree must not be empty.
   const SphereLevels &levels() const { return levels_; }
   Target target() const { return target_; }
   // For tests that compare kernels.
   void use(Target target) { target_ = target; }
-  // No centre of a ball or of a node is farther from the origin.
+  // An upper bound of the distances of all centres, of balls and nodes, from the origin.
   double reach() const { return reach_; }
   const exact::Lattice &lattice() const { return lattice_; }
 
@@ -62,7 +63,7 @@ class SphereTree {
   FixedVector<TreeNode> nodes_;
   Span<double> x_, y_, z_, r_;
   Span<uint32_t> caller_;
-  // While the tree is built: the balls of each node ascending along each axis.
+  // Used by build(): the balls of each node, ascending along each axis.
   Span<uint32_t> along_[3];
   Span<uint32_t> waiting_;
   Span<uint8_t> in_second_;

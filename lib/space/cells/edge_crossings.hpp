@@ -14,7 +14,7 @@ namespace hsp {
 struct CrossedEdge {
   uint32_t gone, near, a, b;
 };
-// So many records behind the last one are read; they must name vertices, and write to other vertices.
+// So many records behind the last one are read: they must name vertices, and a slot behind all vertices for the result.
 inline constexpr uint32_t crossings_behind = 3;
 
 // The centre from which squared distances are measured, and error bounds.

@@ -1,8 +1,9 @@
-// A double and a bound of its distance from the exact number that it stands for: the filter stage of predicates whose
-// values have too many sizes for one static bound. The bound follows every operation (running error analysis: Higham,
-// Accuracy and Stability of Numerical Algorithms, section 3.3).
+// A double with a bound of its error: of its distance from the exact number that it stands for. It is the filter stage
+// of predicates whose values differ too much in size for one static bound. Every operation updates the bound (running
+// error analysis: Higham, Accuracy and Stability of Numerical Algorithms, section 3.3).
 //
-// Each bound is itself rounded a few times; a relative 2^-50 and the smallest normal double cover that.
+// The bound is itself rounded a few times. It is enlarged by a relative 2^-50 and the smallest normal double to cover
+// that.
 #pragma once
 
 #include <bit>
@@ -24,7 +25,7 @@ struct BoundedDouble {
   // +1 or -1 if that is certain, else 0.
   int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
 
-  // In memory of so many words, whatever the width, as wide floats have it.
+  // How many words store() writes; the argument, a width, is there because wide floats have one.
   static constexpr uint32_t words_of(uint32_t) { return 2; }
   void store(uint64_t *to) const {
     to[0] = std::bit_cast<uint64_t>(value);
@@ -51,7 +52,7 @@ struct BoundedDouble {
     return {product, covered((std::fabs(a.value) + a.error) * b.error + std::fabs(b.value) * a.error +
                              unit_roundoff * std::fabs(product))};
   }
-  // Nothing is certain of a quotient whose divisor may be 0.
+  // If the divisor may be 0, the error of the quotient is infinite.
   friend BoundedDouble operator/(const BoundedDouble &a, const BoundedDouble &b) {
     const double least = std::fabs(b.value) - b.error;
     if (!(least > 0.0)) return uncertain();
@@ -59,7 +60,8 @@ struct BoundedDouble {
     return {quotient, covered((a.error + std::fabs(quotient) * b.error) / (least * (1.0 - 0x1p-52)) +
                               unit_roundoff * std::fabs(quotient))};
   }
-  // Of a number that is certainly positive: |sqrt(a) - sqrt(b)| = |a - b| / (sqrt(a) + sqrt(b)).
+  // For a number that is certainly positive, else the error is infinite. |sqrt(a) - sqrt(b)| = |a - b| / (sqrt(a) +
+  // sqrt(b)).
   friend BoundedDouble square_root(const BoundedDouble &a) {
     if (!(a.value > a.error)) return uncertain();
     const double root = std::sqrt(a.value);

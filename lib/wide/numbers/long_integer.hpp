@@ -1,6 +1,6 @@
-// Signed integers of up to so many bits as sign and magnitude: for polynomials of high degree, most of whose values are
-// far shorter than their bounds, and products cost no more than what their factors have. No heap, no exceptions; the
-// bounds in tangent_point.hpp say that values fit.
+// Signed integers of up to a fixed number of bits, as sign and magnitude of variable length. They are for polynomials
+// of high degree: most values are far shorter than their bounds, and the cost of a product depends on the actual
+// lengths. No heap, no exceptions. Overflow is not detected: the bounds in tangent_point.hpp prove that values fit.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,7 @@ class LongInteger {
     trim();
   }
   LongInteger(const LongInteger &other) { *this = other; }
-  // A shorter one.
+  // From an integer of fewer bits.
   template <uint32_t fewer>
   requires(fewer < bits) LongInteger(const LongInteger<fewer> &other)
       : length_(other.length_), negative_(other.negative_) {
@@ -65,8 +65,8 @@ class LongInteger {
     return result;
   }
 
-  // mantissa 2^exponent, rounded once: the leading 64 bits, of which the last one stands for all that follow. The same
-  // for limbs of any width; 0 for 0.
+  // The value as mantissa 2^exponent; returns the mantissa, rounded once from the leading 64 bits, the last of which is
+  // set if any bit behind them is. The same for limbs of any width; 0 for 0.
   double leading(int &exponent) const {
     exponent = 0;
     if (length_ == 0) return 0.0;
@@ -101,7 +101,7 @@ class LongInteger {
     while (length_ > 0 && limb_[length_ - 1] == 0) --length_;
     if (length_ == 0) negative_ = false;
   }
-  // Of magnitudes.
+  // Compares magnitudes.
   static bool less(const LongInteger &a, const LongInteger &b) {
     if (a.length_ != b.length_) return a.length_ < b.length_;
     for (uint32_t k = a.length_; k-- > 0;) {
@@ -109,7 +109,7 @@ class LongInteger {
     }
     return false;
   }
-  // a + b, the sign of b given.
+  // The sum of a and of b with the given sign.
   [[gnu::noinline]] static LongInteger sum(const LongInteger &a, const LongInteger &b, bool negative) {
     LongInteger result;
     const bool swapped = less(a, b);

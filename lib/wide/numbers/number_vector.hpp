@@ -1,4 +1,4 @@
-// Vectors of numbers that know their error: doubles, or floats of some width.
+// Vectors of numbers with error bounds: BoundedDouble or WideFloat.
 #pragma once
 
 #include "core/vec3.hpp"
@@ -10,8 +10,8 @@ template <class Number>
 struct NumberVector {
   Number x, y, z;
 };
-// Apart, and into what is there, as each of these is long in wide floats: what stands between them is mostly calls, and
-// a frame holds no more than it has names for.
+// Not inlined, and with the result in an operand, since these operations are long code for wide floats. So the code
+// between them is mostly calls, and a stack frame holds only named numbers.
 template <class Number>
 [[gnu::noinline]] void operator+=(NumberVector<Number> &a, const NumberVector<Number> &b) {
   a.x = a.x + b.x;

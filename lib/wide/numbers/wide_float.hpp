@@ -1,9 +1,9 @@
-// Binary floats of many bits, each with a bound of its distance from the exact number that it stands for: what decides
-// where doubles do not. How many bits is chosen at run time, up to a capacity, so that one piece of code serves several
-// widths. No heap, no exceptions. Limbs of any width give the same bits.
+// Binary floats of many bits, each with a bound of its distance from the exact number that it stands for. They decide
+// questions that doubles leave open. The number of bits is chosen at run time, up to a capacity, so that one piece of
+// code serves several widths. No heap, no exceptions. Limbs of any width give the same bits.
 //
-// A number is sign * mantissa * 2^exponent, the mantissa an integer of exactly `bits` bits whose highest one is set.
-// Results are cut off behind the last bit, never rounded up. Bounds are powers of two: |error| <= 2^error_exponent.
+// A number is sign * mantissa * 2^exponent; the mantissa is an integer of exactly `bits` bits with its highest bit set.
+// Results are truncated behind the last bit, never rounded up. Bounds are powers of two: |error| <= 2^error_exponent.
 #pragma once
 
 #include <bit>
@@ -20,7 +20,7 @@ class WideFloatOf {
   static constexpr uint32_t most_bits = 2048;
 
   WideFloatOf() {}  // 0, exactly
-  // value * 2^exponent, exactly, in so many bits: a multiple of 64, and the same for all numbers of one expression.
+  // value * 2^exponent, exactly. bits: the width, a multiple of 64, the same for all numbers of one expression.
   WideFloatOf(int64_t value, uint32_t bits, int32_t exponent = 0)
       : exponent_(exponent),
         bits_(static_cast<uint16_t>(bits)),
@@ -46,7 +46,7 @@ class WideFloatOf {
   // +1 or -1 if that is certain, else 0.
   int sign() const { return sign_ != 0 && top() - 1 > error_ ? sign_ : 0; }
 
-  // The mantissa, 64 bits at a time, the highest first; none of 0.
+  // The mantissa in words of 64 bits, the highest first; 0 has none.
   uint32_t words() const { return sign_ != 0 ? bits_ / 64 : 0; }
   uint64_t word(uint32_t k) const {
     uint64_t word = 0;
@@ -73,18 +73,19 @@ class WideFloatOf {
     }
   }
 
-  // Of the value without its error: mantissa 2^exponent with 1/2 <= |mantissa| <= 1; 0 and the least exponent for 0.
+  // The value without its error as mantissa 2^exponent; returns the mantissa, 1/2 <= |mantissa| <= 1. For 0: 0 and the
+  // least exponent.
   double leading(int32_t &exponent) const {
     exponent = sign_ != 0 ? top() : exact;
     if (sign_ == 0) return 0.0;
     const double mantissa = static_cast<double>(word(0)) * 0x1p-64;
     return sign_ < 0 ? -mantissa : mantissa;
   }
-  // |error| <= 2^this; `exact` or less if there is none.
+  // The exponent e of the bound: |error| <= 2^e; `exact` or less if there is no error.
   int32_t error_exponent() const { return error_; }
   static constexpr int32_t exact = -(INT32_C(1) << 28);
 
-  // The nearest double and what it may be off by; lengths far outside of the range of doubles are 0 or uncertain.
+  // The nearest double with its error bound. A value far below the range of doubles becomes 0, one far above uncertain.
   explicit operator BoundedDouble() const {
     int32_t exponent;
     const double mantissa = leading(exponent);
@@ -106,7 +107,7 @@ class WideFloatOf {
     return result;
   }
 
-  // The same number with more or fewer bits, without its error: for those that are exact.
+  // The same number with more or fewer bits, and without error: for numbers that are exact.
   WideFloatOf exact_in(uint32_t bits) const {
     WideFloatOf result;
     result.copy_scale(*this);
@@ -123,12 +124,12 @@ class WideFloatOf {
     return sum(a, b, static_cast<int8_t>(-b.sign_));
   }
   friend WideFloatOf operator*(const WideFloatOf &a, const WideFloatOf &b) { return product(a, b); }
-  // Nothing is certain of a quotient whose divisor may be 0.
+  // If the divisor may be 0, nothing is known of the quotient.
   friend WideFloatOf operator/(const WideFloatOf &a, const WideFloatOf &b) {
     if (b.sign() == 0) return uncertain();
     return product(a, inverse(b));
   }
-  // Nothing is certain of the root of what may not be positive.
+  // If the number may be 0 or negative, nothing is known of the root.
   friend WideFloatOf square_root(const WideFloatOf &a) {
     if (a.sign() <= 0) return uncertain();
     return root(a);
@@ -138,7 +139,8 @@ class WideFloatOf {
   using Wide = typename exact::DoubleLimb<Limb>::type;
   static constexpr uint32_t limb_bits = sizeof(Limb) * 8, limbs_of_word = 64 / limb_bits;
   static constexpr int32_t hopeless = INT32_C(1) << 28;
-  // So many bits are right where Newton's method starts, and so many may be wrong after its last step, with room.
+  // How many bits are right at the start of Newton's method; and how many of the last bits may be wrong after its last
+  // step, with room to spare.
   static constexpr uint32_t bits_of_start = 50;
   static constexpr int32_t bits_of_iteration = 12;
 
@@ -166,7 +168,7 @@ class WideFloatOf {
     return value * std::bit_cast<double>(static_cast<uint64_t>(exponent + 1023) << 52);
   }
 
-  // To the left by whole limbs and bits, until the highest bit is set.
+  // Shifts the mantissa to the left, by whole limbs and bits, until its highest bit is set.
   void normalise() {
     uint32_t highest = limbs();
     while (highest > 0 && limb_[highest - 1] == 0) --highest;
@@ -189,8 +191,9 @@ class WideFloatOf {
     return bits == 0 ? high : static_cast<Limb>(high << bits | low >> (limb_bits - bits));
   }
 
-  // a + b, the sign of b given. Errors: those of both, and less than the last bit of the larger one for what is cut off
-  // of the smaller one, and again if the sum is longer: together less than 4 times the largest.
+  // The sum of a and of b with the given sign. Errors: those of both; less than the last bit of the larger one for the
+  // bits cut off the smaller one; and as much again if the sum is longer. Together less than 4 times the largest of
+  // these.
   [[gnu::noinline]] static WideFloatOf sum(const WideFloatOf &a, const WideFloatOf &b, int8_t sign_of_b) {
     const int32_t inherited = larger(a.error_, b.error_);
     if (a.sign_ == 0 || sign_of_b == 0) {
@@ -208,7 +211,7 @@ class WideFloatOf {
     result.error_ = in_range(larger(inherited, large.exponent_ + 1) + 2);
     const uint32_t shift = static_cast<uint32_t>(large.exponent_ - small.exponent_);
     const uint32_t whole = shift / limb_bits, bits = shift % limb_bits;
-    // Subtracted is the complement, and one. If that is more than there was, the difference is negated.
+    // To subtract is to add the complement and 1. If the difference is negative, it is negated below.
     const uint32_t n = large.limbs(), reaching = whole < n ? n - whole : 0;
     const Limb flip = subtract ? static_cast<Limb>(~Limb{0}) : Limb{0};
     Wide carry = subtract ? 1 : 0;
@@ -247,9 +250,9 @@ class WideFloatOf {
     return result;
   }
 
-  // Errors: |a| db, |b| da, da db, and little more than the last bit for what is cut off: products of words whose
-  // places are too low are left out, together less than 2^-58 of that. Where da is as large as a, |b| da is far more
-  // than the last bit, else da db is at most half of |a| db: together less than 4 times the largest.
+  // Errors: |a| db, |b| da, da db, and little more than the last bit for the part cut off: products of words whose
+  // places are too low are left out, together less than 2^-58 of the last bit. If da is as large as |a|, |b| da is far
+  // more than the last bit; else da db is at most half of |a| db. Together less than 4 times the largest of these.
   [[gnu::noinline]] static WideFloatOf product(const WideFloatOf &a, const WideFloatOf &b) {
     WideFloatOf result;
     const int32_t inherited = larger(larger(a.size(), a.error_) + b.error_, b.size() + a.error_);
@@ -265,7 +268,7 @@ class WideFloatOf {
     while (b.limb_[first] == 0) ++first;
     for (uint32_t i = 0; i < n; ++i) {
       const Limb factor = a.limb_[i];
-      if (factor == 0) continue;  // most of an integer's
+      if (factor == 0) continue;  // as are most limbs of an integer
       const uint32_t lower = (i / limbs_of_word + 2) * limbs_of_word, least = lower < n ? n - lower : 0;
       Limb *const to = twice + i;
       Limb carry = 0;
@@ -285,17 +288,18 @@ class WideFloatOf {
     return result;
   }
 
-  // A double between 1/2 and 2.
+  // From a double between 1/2 and 2.
   static WideFloatOf of_double(double value, uint32_t bits) {
     return WideFloatOf(static_cast<int64_t>(value * 0x1p60), bits, -60);
   }
-  // A step of Newton's method doubles the bits that are right, but for what it rounds; so many its numbers need.
+  // A step of Newton's method doubles the number of right bits, but for rounding. bits_of_step(): the bits that its
+  // numbers need.
   static uint32_t bits_after_step(uint32_t right) { return 2 * right - 2; }
   static uint32_t bits_of_step(uint32_t right, uint32_t bits) {
     const uint32_t more = (2 * right / 64 + 1) * 64;
     return more < bits ? more : bits;
   }
-  // Cut to its own size: c 2^exponent with 1/2 <= c < 1 has the exponent -bits.
+  // 1 / b by Newton's method for the mantissa c, 1/2 <= c < 1, which as a number has the exponent -bits.
   [[gnu::noinline]] static WideFloatOf inverse(const WideFloatOf &b) {
     int32_t size;
     const double mantissa = b.leading(size);
@@ -317,7 +321,7 @@ class WideFloatOf {
     x.error_ = in_range(larger(own, b.error_ - 2 * (size - 1) + 1) + 1);
     return x;
   }
-  // a = c 4^half with 1/2 <= c < 2, and sqrt(c) = c / sqrt(c).
+  // sqrt(a) for a = c 4^half with 1/2 <= c < 2: Newton's method finds 1 / sqrt(c), and sqrt(c) = c / sqrt(c).
   [[gnu::noinline]] static WideFloatOf root(const WideFloatOf &a) {
     int32_t size;
     double mantissa = a.leading(size);
