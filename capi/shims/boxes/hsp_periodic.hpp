@@ -45,7 +45,7 @@ inline int32_t round_point(const PeriodicImages &images, const double *xyz, exac
   return round_point(images.lattice(), own, point) == HSP_OK ? HSP_OK : why_off_lattice(xyz);
 }
 
-// Each array may be null.
+// Writes a gradient to the caller's arrays, each of which may be null.
 inline void put_box_gradient(const BoxGradient &gradient, double *d_strain, double *d_box) {
   for (int k = 0; k < 9; ++k) {
     if (d_strain != nullptr) d_strain[k] = gradient.strain.by[k];

@@ -7,7 +7,7 @@ using namespace hsp::capi;
 
 namespace {
 
-// Each record once, with its first ball at its place in the box. The set has its lengths in steps.
+// Each record is listed once, with its first ball at its place in the box. Lengths of the set are in steps.
 struct Listing {
   explicit Listing(const hsp_periodic &handle)
       : periodic(handle.builder), boundary(periodic.boundary()), balls(periodic.balls()) {}
@@ -27,11 +27,11 @@ struct Listing {
       }
     }
   }
-  // 0 on the ball that a record has first, 1 on the other one.
+  // 0 if ball `own` is the first ball of a record, 1 if it is the other one.
   uint32_t side(uint32_t own, uint32_t other) const {
     return periodic.is_listed(balls.caller[own], balls.caller[other]) ? 0 : 1;
   }
-  // Of the grid, or an image, from where the caller has put it.
+  // A ball or image of the grid, with its shift from where the caller has put the ball.
   hsp_image ball(uint32_t grid_ball) const {
     const hsp::PeriodicImages &images = periodic.images();
     const uint32_t k = balls.caller[grid_ball];

@@ -11,7 +11,7 @@ int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *tot
   const CurvatureArrays arrays{totals, mean, gauss_thirds};
   if (!fits(arrays.any(), capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
   const hsp::PeriodicUnion &structure = periodic->builder;
-  // The set has its lengths in steps.
+  // Lengths of the set are in steps.
   return arrays.put(structure.grid(), structure.boundary(), structure.images().lattice());
 }
 

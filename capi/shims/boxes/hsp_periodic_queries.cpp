@@ -8,7 +8,7 @@ using namespace hsp::capi;
 
 namespace {
 
-// Most rows are in order already.
+// Sorts a row of images. Most rows are in order already.
 void sort_images(hsp_image *out, uint32_t count) {
   uint32_t at = 1;
   while (at < count && image_comes_before(out[at - 1], out[at])) ++at;
@@ -24,8 +24,8 @@ void put_image(const hsp::PeriodicImages &images, const hsp::BoxShift &from, uin
   put_shift(images.box().in_given_vectors(shift - images.home(ball) + from), image.shift);
 }
 
-// Hits that have all been kept and are wanted(k), in their order; returns how many. from: how far the place that they
-// are seen from has been moved into the box.
+// Writes those of the hits for which wanted(k) is true, in their order; returns how many. None of the hits was dropped.
+// from: the shift by which the query point was moved into the box.
 template <class Wanted>
 uint32_t put_hits(const hsp::PeriodicUnion &periodic, const hsp::QueryHits &hits, const hsp::BoxShift &from,
                   hsp_image *out, Wanted wanted) {
@@ -45,7 +45,7 @@ uint32_t put_hits(const hsp::PeriodicUnion &periodic, const hsp::QueryHits &hits
   return written;
 }
 
-// Balls and images into an array that the program gives: counted, then written, then in their order. visit(sink) calls
+// Writes balls and images to an array of the program: counts them, writes them, and sorts them. visit(sink) calls
 // sink(ball, shift) for each.
 template <class Visit>
 int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from, hsp_image *out, uint32_t capacity,
@@ -61,7 +61,7 @@ int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from,
   return HSP_OK;
 }
 
-// The balls that meet one around a point of the box, but for ball `excluded`.
+// Writes the balls that meet a query ball around a point of the box, without ball `excluded`.
 int32_t put_meeting(const hsp::PeriodicUnion &periodic, const hsp::exact::Vector &centre, int64_t radius,
                     uint32_t excluded, const hsp::BoxShift &from, hsp_image *out, uint32_t capacity, uint32_t *needed) {
   const hsp::PeriodicImages &images = periodic.images();
@@ -82,7 +82,7 @@ int32_t put_meeting(const hsp::PeriodicUnion &periodic, const hsp::exact::Vector
   });
 }
 
-// A place in the box, so many boxes away from where it was given, and a radius.
+// A query ball in the box: its centre, the shift from there to where it was given, and its radius.
 struct QueryInBox {
   hsp::exact::Vector centre;
   int64_t radius = 0;
@@ -175,7 +175,7 @@ int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, u
       [&](uint32_t i, uint32_t k) {
         put_image(images, images.home(i), images.ball_of(k), images.shift_of(k), out[begins[i]++]);
       });
-  // Rows have been filled to their ends, which is where the next ones begin.
+  // Rows have been filled: each entry is the end of its row, which is the beginning of the next one.
   uint32_t begin = 0;
   for (uint32_t i = 0; i < n; ++i) {
     const uint32_t end = begins[i];

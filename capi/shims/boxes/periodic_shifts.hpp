@@ -1,4 +1,4 @@
-// How shifts in a periodic box come to the caller.
+// The conversion of shifts in a periodic box for the caller.
 #pragma once
 
 #include "hardsphere.h"
@@ -18,7 +18,7 @@ inline void put_lattice(const WindingLattice &lattice, hsp_winding &winding) {
     put_shift({{lattice.row[r][0], lattice.row[r][1], lattice.row[r][2]}}, winding.row + 3 * r);
 }
 
-// Lexicographic.
+// Lexicographic order.
 inline bool shift_comes_before(const int32_t (&p)[3], const int32_t (&q)[3]) {
   return comes_before({{p[0], p[1], p[2]}}, {{q[0], q[1], q[2]}});
 }

@@ -25,7 +25,7 @@ int32_t check_balls(const hsp_brick_request &asked, uint32_t n, uint32_t *first_
   return HSP_OK;
 }
 
-// How many bytes there are now: a result, or what to try again with; no more than a size_t holds.
+// Hands back the bytes of a result, or those to try again with; at most as many as a size_t holds.
 int32_t hand_back_bytes(hsp::Status status, uint64_t count, size_t *bytes) {
   if (status == hsp::Status::ok || status == hsp::Status::capacity) {
     *bytes = count < SIZE_MAX ? static_cast<size_t>(count) : SIZE_MAX;
@@ -42,7 +42,7 @@ void name(uint32_t brick, uint32_t *out) {
   if (out != nullptr) *out = brick;
 }
 
-// Of a summary that is to be of the whole.
+// Checks that a summary has all bricks.
 int32_t check_whole(const hsp::SummaryBlock &block, const hsp::WholeSet &whole, bool shells, uint32_t *brick) {
   const uint32_t missing = whole.first_missing();
   name(missing, brick);
@@ -56,7 +56,7 @@ hsp_brick_shell to_c(const hsp::WholeShell &shell) {
           {0, 0, 0}};
 }
 
-// An order that does not depend on how summaries were merged: those that tie are equal.
+// An order of shells that does not depend on how summaries were merged: shells that tie are equal.
 bool is_before(const hsp_brick_shell &a, const hsp_brick_shell &b) {
   if (a.component != b.component) return a.component < b.component;
   if (a.kind != b.kind) return a.kind < b.kind;

@@ -1,5 +1,5 @@
-// Records of a boundary, of a union in free space or in a periodic box, each listed once. A listing says which are
-// listed, in which order of their balls, and what they have for a ball, a vertex, a circle, a face.
+// Records of a boundary, of a union in free space or in a periodic box, each listed once. A class Listing says which
+// records are listed, in which order their balls are, and how balls, vertices, circles and faces are written.
 #pragma once
 
 #include "conversion.hpp"
@@ -29,7 +29,7 @@ void for_each_half_edge(const Boundary &boundary, uint32_t loop, Visit visit) {
   } while (half_edge != start.half_edge());
 }
 
-// Common to arcs and circles: the circle of balls a and b, whose record has its balls in `ball`.
+// The part common to arcs and circles: the circle of balls a and b. ball: the record's field for its balls.
 template <class Listing, class Record, class Ball>
 void put_circle(const Listing &list, uint32_t a, uint32_t b, Record &record, Ball *ball) {
   const CirclePosition position = position_of_circle(list.balls, a, b);
@@ -54,8 +54,8 @@ void put_vertices(const Listing &list, Record *out) {
   }
 }
 
-// A half-edge runs clockwise about the axis away from its own ball, the arc counter-clockwise about that away from its
-// first ball: so it starts where the half-edge on that ends.
+// A half-edge runs clockwise about the axis that leads away from its own ball. An arc runs counter-clockwise about the
+// axis that leads away from its first ball: so it starts where the half-edge on that ball ends.
 template <class Listing, class Record>
 void put_arcs(const Listing &list, Record *out) {
   const Boundary &boundary = list.boundary;

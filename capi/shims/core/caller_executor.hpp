@@ -1,4 +1,4 @@
-// Work that threads of the caller's share.
+// Executors: work that is shared by threads of the caller.
 #pragma once
 
 #include "conversion.hpp"
@@ -8,17 +8,18 @@
 
 namespace hsp::capi {
 
-// An executor of the caller's, or null for none. Its loop runs in the caller's floating-point environment, each task in
-// the library's: a thread has registers of its own. So has that which asks whether to go on.
+// An executor of the caller, or none, for null. Its loop runs in the caller's floating-point environment, and each task
+// in the library's, as every thread has registers of its own. The caller's question whether to go on runs in the
+// caller's.
 class Executor : public hsp::Executor {
  public:
   explicit Executor(LibraryArithmetic &arithmetic) : arithmetic_(arithmetic) {}
-  // A loop has its address.
+  // Not copied: a loop has its address.
   Executor(const Executor &) = delete;
   Executor &operator=(const Executor &) = delete;
 
   int32_t read(const hsp_executor *given);
-  // The status of what this has failed or stopped.
+  // The status of the work that this executor has failed or stopped.
   int32_t status() const { return static_cast<int32_t>(failure()); }
 
  private:
@@ -29,14 +30,14 @@ class Executor : public hsp::Executor {
   hsp_executor given_;
 };
 
-// A request, or null for defaults, with an executor in it.
+// Reads a request with an executor in it; null means defaults.
 template <class Request>
 int32_t read_request(const Request *given, Request &request, Executor &executor) {
   if (const int32_t status = read_request(given, request); status != HSP_OK) return status;
   return request.reserved != 0 ? HSP_E_VERSION : executor.read(request.executor);
 }
 
-// The same of a question to the results of a handle.
+// The same for a question to the results of a handle.
 template <class Handle, class Request>
 int32_t read_for_results(const Handle *handle, const Request *given, Request &request, Executor &executor) {
   if (const int32_t status = check_handle(handle); status != HSP_OK) return status;

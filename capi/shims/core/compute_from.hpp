@@ -1,4 +1,4 @@
-// Handles that are computed from another one.
+// Handles that are computed from another handle, their source.
 #pragma once
 
 #include "caller_executor.hpp"
@@ -6,8 +6,8 @@
 
 namespace hsp::capi {
 
-// Computes what the request asks for by build(asked, executor), which names the source. check(asked) is the status of
-// further arguments. The handle is without results where that fails.
+// Computes the results that a request asks for by build(asked, executor), which notes the source. check(asked): the
+// status of further arguments. If that fails the handle has no results.
 template <class Handle, class Source, class Request, class Check, class Build>
 int32_t compute_from(LibraryArithmetic &arithmetic, Handle *handle, const Source *source, const Request *request,
                      typename Handle::Given *limits, Check check, Build build) {
@@ -31,7 +31,7 @@ int32_t compute_from(Handle *handle, const Source *source, const Request *reques
       arithmetic, handle, source, request, limits, [](const Request &) { return HSP_OK; }, build);
 }
 
-// From a boundary alone.
+// Computes from a boundary alone.
 template <class Handle, class Request>
 int32_t compute_from_boundary(Handle *handle, const hsp_boundary *boundary, const Request *request,
                               typename Handle::Given *limits) {
@@ -42,7 +42,7 @@ int32_t compute_from_boundary(Handle *handle, const hsp_boundary *boundary, cons
   });
 }
 
-// From a model alone.
+// Computes from a model alone.
 template <class Handle, class Request>
 int32_t compute_from_model(Handle *handle, const hsp_model *model, const Request *request,
                            typename Handle::Given *limits) {

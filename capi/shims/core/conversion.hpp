@@ -1,4 +1,4 @@
-// How values cross the C interface: statuses, vectors, output arrays, violations.
+// The conversion of values at the C interface: statuses, vectors, output arrays, violations.
 #pragma once
 
 #include <limits>
@@ -35,13 +35,13 @@ constexpr int32_t first_failure(int32_t first, int32_t second, int32_t third = H
   return second != HSP_OK ? second : third;
 }
 
-// Of what is wrong with two structs or arguments: their versions come before all else.
+// The status for two structs or arguments: a wrong version comes before all else.
 constexpr int32_t versions_first(int32_t first, int32_t second) {
   return second == HSP_E_VERSION ? second : first_failure(first, second);
 }
 
-// The check of a handle in every function: null is an argument as bad as others, anything else that is
-// no live handle of this kind has a status of its own. `bad`: whether other arguments are.
+// The check of a handle in every function. Null is a bad argument like others; any other pointer that is no live handle
+// of this kind has a status of its own. bad: whether other arguments are bad.
 template <class Handle>
 int32_t check_handle(const Handle *handle, bool bad = false) {
   if (handle == nullptr) return HSP_E_ARGUMENT;
@@ -49,14 +49,14 @@ int32_t check_handle(const Handle *handle, bool bad = false) {
   return bad ? HSP_E_ARGUMENT : HSP_OK;
 }
 
-// The same of a handle whose results are asked for.
+// The same for a handle whose results are asked for.
 template <class Handle>
 int32_t check_results(const Handle *handle, bool bad = false) {
   const int32_t status = check_handle(handle, bad);
   return status == HSP_OK && !handle->has_results() ? HSP_E_STATE : status;
 }
 
-// The volume where only some balls were looked at.
+// Stands for the volume if only some balls were looked at.
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 inline void to_array(const Vec3 &v, double out[3]) {
@@ -65,32 +65,32 @@ inline void to_array(const Vec3 &v, double out[3]) {
   out[2] = v.z;
 }
 
-// Row i of an array [n][3], which may be left out.
+// Writes row i of an array [n][3], which may be null.
 inline void put_vector(const double vector[3], double *array, uint32_t i) {
   if (array == nullptr) return;
   for (size_t axis = 0; axis < 3; ++axis) array[3 * static_cast<size_t>(i) + axis] = vector[axis];
 }
 
-// The part every (out, capacity, needed) function shares: HSP_OK means that exactly `count` records are to be written.
-// `needed` may be null. That there is an array for a capacity has been checked.
+// The part that all (out, capacity, needed) functions share. HSP_OK: exactly `count` records have to be written. needed
+// may be null. It has been checked that there is an array if the capacity is above 0.
 inline int32_t check_output(uint32_t capacity, uint32_t count, uint32_t *needed) {
   if (needed != nullptr) *needed = count;
   return count > capacity ? HSP_E_CAPACITY : HSP_OK;
 }
 
-// The same for functions of several arrays, all of which may be left out, and with them the capacity.
+// The same for functions with several arrays, all of which may be null; then the capacity does not count.
 inline bool fits(bool wanted, uint32_t capacity, uint32_t count, uint32_t *needed) {
   if (needed != nullptr) *needed = count;
   return !wanted || capacity >= count;
 }
 
-// first_bad, which may be null, names nothing yet. A handle that is refused leaves it as it is.
+// Sets first_bad, which may be null, to HSP_NONE. It stays as it is if the handle is refused.
 inline int32_t name_none(int32_t status, uint32_t *first_bad) {
   if (first_bad != nullptr && status != HSP_E_HANDLE) *first_bad = HSP_NONE;
   return status;
 }
 
-// Names the first weight of a range that is not a number; weights and first_bad may be null.
+// Names the first weight of a range that is not finite; weights and first_bad may be null.
 inline int32_t check_weights(const double *sigma, IdRange range, uint32_t *first_bad) {
   if (first_bad != nullptr) *first_bad = HSP_NONE;
   for (uint32_t i = range.first; sigma != nullptr && i < range.last; ++i) {
@@ -110,8 +110,8 @@ int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, 
   return check_output(capacity, count(*handle), needed);
 }
 
-// The same for functions that write the records `first` to `first + count - 1` of number(*handle). `out` is null if
-// there is nowhere to write.
+// The same for functions that write the records `first` to `first + count - 1` of number(*handle). out: null if the
+// caller gave no array.
 template <class Handle, class Number>
 int32_t check_range(const Handle *handle, uint32_t first, uint32_t count, const void *out, Number number) {
   if (const int32_t status = check_results(handle, out == nullptr && count > 0); status != HSP_OK) return status;
@@ -119,7 +119,7 @@ int32_t check_range(const Handle *handle, uint32_t first, uint32_t count, const 
   return first > there || count > there - first ? HSP_E_ID : HSP_OK;
 }
 
-// The end of every check of a computed handle: the first violated invariant and where it fails.
+// The end of every check of a computed handle: hands back the first violated invariant and the id at which it fails.
 template <class Invariant>
 int32_t report(const Violation<Invariant> &violation, uint32_t *invariant, uint32_t *id) {
   *invariant = static_cast<uint32_t>(violation.invariant);

@@ -3,7 +3,7 @@
 namespace hsp {
 namespace {
 
-// Radii are in hundredths of an angstrom, 0 where there is none.
+// Radii are in hundredths of an angstrom; 0: there is none.
 
 // Van der Waals radii.
 //   Main group: Mantina, Chamberlin, Valero, Cramer, Truhlar, "Consistent van der Waals radii for the whole main
@@ -32,7 +32,7 @@ constexpr uint16_t bondi[] = {
 };
 static_assert(sizeof bondi / sizeof bondi[0] == element_count);
 
-// Of Halperin and Overmars, Section 2, who took them from the modelling package Chem3D Plus.
+// The radii of Halperin and Overmars, Section 2, which come from the modelling package Chem3D Plus.
 uint32_t chem3d(uint32_t atomic_number) {
   switch (atomic_number) {
     case 1:  // H
@@ -83,7 +83,7 @@ constexpr uint32_t sigma(uint32_t distance) {
 
 constexpr uint32_t substitute = 200;
 
-// Division rounds correctly: the double nearest to the radius as it is printed.
+// Division rounds correctly: the result is the double nearest to the printed radius.
 constexpr double angstrom(uint32_t hundredths) {
   return hundredths / 100.0;
 }

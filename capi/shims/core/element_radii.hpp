@@ -1,4 +1,4 @@
-// Radii by element, published ones. Chemistry: geometry knows nothing of it.
+// Published radii by element. This is chemistry, which lib knows nothing of.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@ namespace hsp {
 
 enum class RadiiSet : uint32_t { bondi = 0, chem3d = 1, uff = 4 };
 
-// Atomic numbers are 1 to this.
+// The largest atomic number; the least is 1.
 inline constexpr uint32_t element_count = 118;
 
 struct ElementRadius {

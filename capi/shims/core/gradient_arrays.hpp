@@ -1,4 +1,4 @@
-// How derivatives of areas and volume cross the C interface.
+// The conversion of derivatives of areas and volume at the C interface.
 #pragma once
 
 #include "caller_executor.hpp"
@@ -16,7 +16,8 @@ constexpr TouchingBalls to_touching_balls(uint32_t tangency) {
 
 static_assert(one_sided_flag == HSP_GRADIENT_ONE_SIDED);
 
-// How many entries the arrays for balls need, and whether the weights are numbers. `wanted`: whether there are arrays.
+// Checks that arrays for balls have room for n entries, and that the weights are finite. wanted: whether there are
+// arrays.
 template <class Outputs>
 int32_t check_outputs(uint32_t n, const double *sigma, bool are_finite, bool wanted, Outputs &outputs) {
   if (const int32_t status = check_weights(sigma, {0, n}, &outputs.first_bad); status != HSP_OK) return status;
@@ -24,14 +25,14 @@ int32_t check_outputs(uint32_t n, const double *sigma, bool are_finite, bool wan
   return fits(wanted, outputs.capacity, n, &outputs.needed) ? HSP_OK : HSP_E_CAPACITY;
 }
 
-// Reads what is asked of a handle, and where outputs go; `asked` has the request and reads it.
+// Reads the question to a handle and the struct of outputs. asked: holds the request, and reads it.
 template <class Handle, class Asked, class Request, class Outputs>
 int32_t read_parts(const Handle *handle, const Request *request, Asked &asked, const Outputs *outputs, Outputs &out) {
   if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
   return versions_first(asked.read(request), read_struct(outputs, {}, out));
 }
 
-// The same of a handle's results.
+// The same for the results of a handle.
 template <class Handle, class Asked, class Request, class Outputs>
 int32_t read_question(const Handle *handle, const Request *request, Asked &asked, const Outputs *outputs,
                       Outputs &out) {
@@ -39,7 +40,7 @@ int32_t read_question(const Handle *handle, const Request *request, Asked &asked
   return status == HSP_OK && !handle->has_results() ? HSP_E_STATE : status;
 }
 
-// A request in which balls that touch are as it says.
+// A request that says how balls that touch count.
 template <class Request>
 struct TangentRequest {
   explicit TangentRequest(LibraryArithmetic &arithmetic) : executor(arithmetic) {}
@@ -55,7 +56,7 @@ struct TangentRequest {
 };
 using DerivativesRequest = TangentRequest<hsp_derivatives_request>;
 
-// The questions about an energy of areas and volume.
+// The request for derivatives of an energy of areas and volume.
 struct GradientRequest : TangentRequest<hsp_gradient_request> {
   using TangentRequest::TangentRequest;
 
@@ -72,7 +73,7 @@ struct GradientRequest : TangentRequest<hsp_gradient_request> {
   }
 };
 
-// Where gradients go; each may be null.
+// The caller's arrays for gradients; each may be null.
 struct GradientArrays {
   double *d_centre, *d_radius;
   uint32_t *flags;
@@ -83,7 +84,7 @@ struct GradientArrays {
     if (area != nullptr) area[i] = lattice.area(gradient.area);
     put(i, gradient);
   }
-  // The same for several balls, whose flags the caller clears.
+  // Writes the same gradient for several balls; the caller clears their flags.
   void put(IdRange run, const EnergyGradient &gradient, const exact::Lattice &lattice) const {
     const double own_area = lattice.area(gradient.area);
     for (uint32_t i = run.first; area != nullptr && i < run.last; ++i) area[i] = own_area;

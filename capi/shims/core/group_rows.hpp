@@ -1,4 +1,4 @@
-// How contacts between groups cross the C interface, of unions in free space and in boxes.
+// The conversion of contacts between groups at the C interface, for unions in free space and in boxes.
 #pragma once
 
 #include "contacts/contact_groups.hpp"

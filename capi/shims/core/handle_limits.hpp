@@ -7,7 +7,7 @@
 
 namespace hsp::capi {
 
-// All fields of Given but struct_size, by their offsets in the order of those of Limits.
+// The fields of Given without struct_size, by their offsets, in the order of the fields of Limits.
 template <class Limits, class Given, size_t... offset>
 struct LimitFields {
   using InLibrary = Limits;

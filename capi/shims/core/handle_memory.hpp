@@ -1,8 +1,8 @@
-// Common to all handles: they lie at the start of the caller's memory, with what their builder carves behind
-// them, and they hold results or none.
+// The memory of all handles: a handle lies at the start of the caller's memory, and the arrays that its builder carves
+// lie behind it. A handle holds results or none.
 //
-// A handle is a struct with a tag (handle_tag.hpp), then its builder, named by its member type Builder, and default
-// values for the rest. Where limits fix its memory they are its member type Limits (handle_limits.hpp).
+// A handle is a struct with a tag (handle_tag.hpp), then its builder, whose type is the member type Builder, and then
+// members with default values. If limits fix its memory, their type is the member type Limits (handle_limits.hpp).
 #pragma once
 
 #include "conversion.hpp"
@@ -12,7 +12,7 @@
 
 namespace hsp::capi {
 
-// Once for each handle: a function of its own, and short, as it is compiled for every kind of them.
+// Called once for each handle: not inlined, and short, as it is compiled for every kind of handle.
 template <class Handle, class Limits>
 [[gnu::noinline, gnu::cold]] Handle *carve(Workspace &workspace, const Limits &limits,
                                            typename Handle::Builder &builder) {
@@ -93,8 +93,8 @@ int32_t init_by_limits(void *memory, size_t bytes, const typename Handle::Limits
   }                                                                                   \
   HSP_HANDLE_MEMORY(X)
 
-// `limits` may be null. It becomes what was needed, or after a lack of capacity what to retry with: no limit is smaller
-// than the handle's, and one at least is larger. Returns the status as the caller gets it.
+// Sets `limits`, which may be null, to the limits that were needed; after a lack of capacity to those to retry with:
+// none is smaller than the handle's, and at least one is larger. Returns the status for the caller.
 template <class Handle>
 int32_t hand_back_limits(const Handle &handle, Status status, typename Handle::Limits::InHeader *limits) {
   if (limits != nullptr && (status == Status::ok || status == Status::capacity)) {

@@ -1,5 +1,5 @@
-// The first word of every handle, by which a pointer to something else is refused instead of followed. A handle is a
-// struct that begins with `uintptr_t tag` and has a constant `kind`, which no other one has.
+// The first word of every handle, its tag. By the tag a pointer to something else is refused and not followed. A handle
+// is a struct that begins with `uintptr_t tag` and has a constant `kind`, which no other type of handle has.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace hsp::capi {
 
-// Small numbers: they stay apart in a word of any width.
+// Small numbers, so that tags differ in a word of any width.
 enum class HandleKind : uint8_t {
   body,
   boundary,
@@ -26,8 +26,8 @@ enum class HandleKind : uint8_t {
   view,
 };
 
-// The first word of a live handle: what it is and where. Memory that holds something else, another kind of
-// handle or one that was copied from elsewhere does not say that.
+// The tag of a live handle, which depends on its kind and its address. Memory with other contents, another kind of
+// handle, or a handle copied from elsewhere does not have it.
 template <class Handle>
 uintptr_t tag_of(const Handle *handle) {
   constexpr uintptr_t of_handles = 0x68737021;  // "hsp!" in ASCII
@@ -35,8 +35,8 @@ uintptr_t tag_of(const Handle *handle) {
          reinterpret_cast<uintptr_t>(handle) * static_cast<uintptr_t>(0x9E3779B97F4A7C15U);
 }
 
-// Languages without pointer types pass anything for a handle, so its memory is not read as one before this. A
-// misaligned address does not hold its own tag either.
+// Whether a pointer is a live handle. Languages without pointer types may pass anything, so that nothing else of the
+// memory is read before. A misaligned address cannot hold its own tag.
 template <class Handle>
 bool is_live(const Handle *handle) {
   if (handle == nullptr) return false;

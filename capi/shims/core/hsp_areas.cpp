@@ -55,7 +55,7 @@ int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, double pr
     if (status == HSP_OK) status = hsp_boundary_init(behind, needed.boundary, &limits, &boundary);
     if (status == HSP_OK) status = hsp_boundary_compute(boundary, model, &limits);
     if (status == HSP_OK) return hsp_boundary_measure(boundary, nullptr, totals, area, nullptr, n, nullptr);
-    if (status == HSP_E_CAPACITY) status = HSP_OK;  // again, if there is room for such limits
+    if (status == HSP_E_CAPACITY) status = HSP_OK;  // try again, if there is room for the larger limits
   }
   return status;
 }

@@ -59,7 +59,7 @@ struct Listing {
       visit(boundary.ball_of(own), own);
     });
   }
-  // Which of two balls a < b of the caller's order `ball` is: 0 or 1.
+  // Which of the two balls comes first in the caller's order: 0 if it is `ball`, else 1.
   uint32_t side(uint32_t ball, uint32_t other) const { return balls.given_before(ball, other) ? 0 : 1; }
   uint32_t ball(uint32_t grid_ball) const { return balls.caller[grid_ball]; }
   template <class Record>
@@ -74,7 +74,7 @@ struct Listing {
   }
   static uint32_t circle(hsp::ClosedHalfEdge own) { return own.circle(); }
   static constexpr hsp_loop no_loop{0, HSP_NONE, 0, 0, 0};
-  // Of the half-edge with the lower id, so that it is the same from both.
+  // The angle of the half-edge with the lower id of both, so that both have the same.
   double angle(uint32_t, uint32_t half_edge) const {
     const uint32_t twin = boundary.twin(half_edge);
     return hsp::angle_of_arc(balls, boundary, half_edge < twin ? half_edge : twin);
@@ -118,7 +118,7 @@ int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_count
   counts->faces = structure.face_count();
   counts->loops = structure.loop_count();
   counts->shells = structure.shell_count();
-  // One look at each ball and vertex, here and not at the end of each computation: few callers ask for it.
+  // Each ball and vertex is looked at here, and not at the end of each computation, as few callers ask for counts.
   for (uint32_t i = 0; i < counts->balls; ++i) {
     counts->contained_balls += structure.is_contained(i) ? 1U : 0U;
     counts->exposed_balls += structure.is_exposed(i) ? 1U : 0U;
@@ -176,7 +176,8 @@ int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *o
       for_each_half_edge(structure, loop, [&](uint32_t half_edge) { visit(out[position++], half_edge); });
     }
   };
-  // No memory but the output tells the arc of a half-edge: out[e].vertex holds that of half-edge e for a while.
+  // There is no memory for the arc of each half-edge but the output: at first out[e].vertex holds the arc of half-edge
+  // e.
   for_each_arc(structure, [out](uint32_t arc, uint32_t half_edge, uint32_t twin) {
     out[half_edge].vertex = arc;
     out[twin].vertex = arc;

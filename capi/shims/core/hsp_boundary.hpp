@@ -19,15 +19,15 @@ struct hsp_boundary {
 
   uintptr_t tag;
   Builder builder;
-  hsp::capi::Source<hsp_model> model{};  // of what was computed last
-  bool complete = false;                 // the boundary is there
-  bool of_some = false;                  // of some balls alone, of which there are areas and their gradients
+  hsp::capi::Source<hsp_model> model{};  // the source of the last computation
+  bool complete = false;                 // whether there is a boundary
+  bool of_some = false;                  // whether it is that on some balls alone, with areas and gradients only
 
-  // Whether the model is as it was.
+  // Whether the model is unchanged.
   bool has_model() const { return model.is_unchanged(); }
   // Whether results may be read: computed, and the model unchanged since.
   bool has_results() const { return has_areas() && !of_some; }
-  // Whether areas may be, of the balls that were selected.
+  // Whether areas of the selected balls may be read.
   bool has_areas() const { return complete && has_model(); }
   uint64_t version() const { return model.version(); }
   const hsp::Boundary &structure() const { return builder.boundary(); }

@@ -126,7 +126,7 @@ int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, d
     if (share_volume != nullptr) share_volume[i] = balls.lattice.volume(structure.share_volume(ball));
     if (contact_area != nullptr) contact_area[i] = balls.lattice.area(structure.contact_area(ball));
   }
-  // A contact is one of two balls.
+  // Each contact is counted for both of its balls: hence half of the area.
   if (totals != nullptr)
     *totals = {balls.lattice.area(0.5 * area.total()), balls.lattice.volume(volume.total()), {0, 0}};
   return HSP_OK;
@@ -154,7 +154,7 @@ int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *coun
     counts->regular[d] = simplices.of[d][HSP_SIMPLEX_REGULAR];
     counts->interior[d] = simplices.of[d][HSP_SIMPLEX_INTERIOR];
   }
-  // Components, and by Alexander duality voids; the rest follows from Euler's formula.
+  // Components are counted; voids follow by Alexander duality, and the rest from Euler's formula.
   counts->euler = simplices.euler();
   counts->betti[0] = boundary.component_count();
   counts->betti[2] = boundary.shell_count() - boundary.component_count();

@@ -12,9 +12,9 @@ struct hsp_model {
   uintptr_t tag;
   Builder grid;
   uint64_t digest = 0;   // of the grid
-  bool complete = true;  // whether the grid holds what was asked for; without balls if not
+  bool complete = true;  // whether the grid holds the balls that were set; if not it has none
 
-  // To be called whenever the grid is another one.
+  // To be called whenever the grid has changed.
   void take_digest() {
     digest = hsp::digest_of(grid);
     complete = true;

@@ -18,7 +18,7 @@ int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *id
 
 namespace {
 
-// The pairs of a model, once arguments have been checked.
+// Lists the pairs of a model. Arguments have been checked.
 int32_t list_pairs(const hsp_model *model, uint32_t flags, hsp::Patience patience, uint32_t *first, uint32_t *ids,
                    uint32_t capacity, uint32_t *needed) {
   const uint32_t n = model->balls().n;

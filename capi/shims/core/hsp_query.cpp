@@ -5,7 +5,7 @@ using namespace hsp::capi;
 
 namespace {
 
-// Rounds the query, asks, and reports as every output array is reported.
+// Rounds the query ball, finds the balls that meet it, and reports them as all output arrays are reported.
 int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity,
             uint32_t *needed) {
   if (const int32_t status = check_results(model, xyz == nullptr || (ids == nullptr && capacity > 0)); status != HSP_OK)

@@ -9,7 +9,7 @@ using namespace hsp::capi;
 
 namespace {
 
-// The checks of every list of one region, before it counts.
+// The checks of every list of one region, before anything is counted.
 int32_t check_list(const hsp_topology *topology, uint32_t region, const uint32_t *out, uint32_t capacity) {
   const int32_t status = check_results(topology, out == nullptr && capacity > 0);
   return status == HSP_OK && region >= topology->structure().region_count ? HSP_E_ID : status;
@@ -142,7 +142,7 @@ int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uin
   if (const int32_t status = check_results(topology, xyz == nullptr || region == nullptr); status != HSP_OK)
     return status;
   const hsp::CubeGrid &grid = topology->boundary->model->grid;
-  // As a query of radius 0, which is there: on microcontrollers round_point would be code of its own.
+  // Rounded as a query of radius 0, as that code is there: on microcontrollers round_point() would be additional code.
   hsp::LatticeQuery point;
   const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);
   if (status != hsp::Status::ok) return to_c(status);

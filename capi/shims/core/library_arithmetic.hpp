@@ -7,8 +7,8 @@
 //     ..
 //   }                                        // the caller's environment again, with the flags that it had
 //
-// A function without any of it has no arithmetic that could raise, round or flush; copies of doubles have not. A test
-// reads the code that the compiler has made of them (tests/packaging/floating_point.sh).
+// A function without it has no arithmetic that could raise, round or flush; copies of doubles do not. A test reads the
+// compiled code of these functions (tests/packaging/floating_point.sh).
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@
 
 namespace hsp::capi {
 
-// Of each processor: how its registers are read and set, and which of their bits are controls, of rounding, flushing
-// and traps; set in the library's environment; and results of comparisons and of the last operation, which are
-// not kept.
+// For each processor: how the registers are read and set, and three masks of their bits. controls: rounding, flushing
+// and traps; of_library: the bits set in the library's environment; passing: results of comparisons and of the last
+// operation, which are not kept.
 #if defined(__SSE2__)
 struct FloatingPointRegisters {
   using Word = uint32_t;
@@ -83,7 +83,7 @@ struct FloatingPointRegisters {
   static void set(Word word) { asm volatile("mtfsf 255, %0" : : "d"(__builtin_bit_cast(double, word)) : "memory"); }
 };
 #else
-// WebAssembly and arithmetic in software have nothing that could be set.
+// WebAssembly and arithmetic in software have no settings.
 struct FloatingPointRegisters {
   using Word = uint32_t;
   static constexpr Word controls = 0, of_library = 0, passing = 0;
@@ -92,11 +92,11 @@ struct FloatingPointRegisters {
 };
 #endif
 
-// The library's environment, for as long as this lives.
+// The library's environment, as long as this object lives.
 class LibraryArithmetic {
  public:
-  // Doubles that the caller has passed by value: nothing is computed of them before this. Compilers do not know that
-  // operations depend on the environment, but they do not move what is in memory.
+  // by_value: doubles that the caller has passed by value. Nothing is computed of them before this: compilers do not
+  // know that operations depend on the environment, but they do not move accesses to memory across it.
   template <class... Double>
   explicit LibraryArithmetic(Double &...by_value) {
     begin();
@@ -117,7 +117,7 @@ class LibraryArithmetic {
     Registers::read(word);
     return word & ~Registers::passing;
   }
-  // Most programs have the default environment: then nothing is written.
+  // If the program has the default environment, as most have, nothing is written.
   HSP_APART_IF_SMALL void begin() {
     callers_ = now();
     const Word own = (callers_ & ~Registers::controls) | Registers::of_library;
@@ -131,7 +131,8 @@ class LibraryArithmetic {
   Word callers_;
 };
 
-// The caller's environment again, while a function of the caller's runs. Flags that it raises, and what it sets, stay.
+// The caller's environment again, while a function of the caller runs. Flags that it raises, and settings that it
+// makes, stay.
 class CallersArithmetic {
  public:
   explicit CallersArithmetic(LibraryArithmetic &library) : library_(library) { library_.leave(); }
@@ -143,7 +144,8 @@ class CallersArithmetic {
   LibraryArithmetic &library_;
 };
 
-// A copy of it, in any thread of an executor, while the caller is asked something: what is left there is lost.
+// A copy of the caller's environment, in any thread of an executor, while a question to the caller runs. Flags and
+// settings of the copy are lost afterwards.
 class CallersQuestion {
  public:
   explicit CallersQuestion(const LibraryArithmetic &library) : own_(LibraryArithmetic::now()) {

@@ -1,4 +1,4 @@
-// The options by which balls are read, for a model and for a periodic box.
+// The options for reading balls, of a model and of a periodic box.
 #pragma once
 
 #include "conversion.hpp"
@@ -11,7 +11,7 @@ constexpr hsp_model_options default_model_options() {
   return {sizeof(hsp_model_options), 0, 0.0, 0.0, 0.0};
 }
 
-// It ended with `step` in version 0.1.
+// In version 0.1 the struct ended with `step`.
 template <>
 inline constexpr uint32_t earlier_bytes<hsp_model_options> = 24;
 

@@ -1,10 +1,10 @@
-// The source of a handle's results, and whether that is still as it was: the same handle at the same
-// place, which holds the same.
+// The source of a handle's results, and whether it is unchanged: the same handle at the same address with the same
+// contents.
 //
-// A count of computations would not tell, as a handle that is made anew in the same memory begins to count anew. So a
-// version stands for what a handle holds: that of a model is a digest of 64 bits (model/set_digest.hpp, which says why
-// these are enough), that of a boundary the one of its model, from which all of a boundary follows, whatever its limits
-// and workers. Results computed again from the same balls are therefore as they were.
+// A count of computations would not suffice, as a handle made again in the same memory begins to count again. So a
+// version stands for the contents of a handle. The version of a model is a digest of 64 bits (model/set_digest.hpp says
+// why that is enough). A boundary has the version of its model, since all of it follows from the model, whatever its
+// limits and workers. So a source is unchanged if it was computed again from the same balls.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace hsp::capi {
 
-// The source has has_results() and, where these are there, version().
+// The source has has_results(), and version() if it has results.
 template <class Handle>
 class Source {
  public:
@@ -21,7 +21,7 @@ class Source {
     handle_ = handle;
     version_ = handle->version();
   }
-  // Whether it lives, has results, and they are the ones of then.
+  // Whether the source is a live handle with the same results as when it was noted.
   bool is_unchanged() const { return is_live(handle_) && handle_->has_results() && version_ == handle_->version(); }
   uint64_t version() const { return version_; }
   bool is(const Handle *handle) const { return handle_ == handle; }

@@ -2,7 +2,7 @@
 
 namespace hsp::capi {
 
-// More than this is no size of a struct, but memory that was never initialised.
+// A larger size is no size of a struct, but comes from memory that was never initialised.
 constexpr uint32_t largest_struct = 1024;
 
 bool is_struct_size(StructSize known, uint32_t struct_size) {

@@ -1,4 +1,4 @@
-// How curvatures and morphometric energies cross the C interface, of unions in free space and in boxes.
+// The conversion of curvatures and morphometric energies at the C interface, for unions in free space and in boxes.
 #pragma once
 
 #include "curvature/morphometry.hpp"
@@ -8,7 +8,7 @@ namespace hsp::capi {
 
 static_assert(one_sided_flag == HSP_CURVATURE_ONE_SIDED);
 
-// Where curvatures go; each may be null.
+// The caller's arrays for curvatures; each may be null.
 struct CurvatureArrays {
   hsp_curvatures *totals;
   double *mean;
@@ -29,7 +29,7 @@ struct CurvatureArrays {
   }
 };
 
-// The questions about a morphometric energy.
+// The request for a morphometric energy.
 struct MorphometryRequest {
   explicit MorphometryRequest(LibraryArithmetic &arithmetic) : executor(arithmetic) {}
 

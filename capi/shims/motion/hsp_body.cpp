@@ -17,7 +17,7 @@ int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const hsp_ration
   return to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
 }
 
-// The poses that numbers make.
+// The type of pose that is made of the numbers of a type.
 template <class Numbers>
 struct PoseOf;
 template <>
@@ -94,7 +94,7 @@ int32_t list_pairs(const hsp_body *fixed, const hsp_body *posed, const Numbers *
   if (const int32_t refused = check_bodies(fixed, posed, bad); refused != HSP_OK) return refused;
   typename PoseOf<Numbers>::type at;
   if (const int32_t status = make_pose(fixed, posed, *pose, at); status != HSP_OK) return status;
-  // Two walks, as nothing is written to `pair` unless all fit.
+  // Two walks: the first counts, as nothing is written to `pair` unless all pairs fit.
   const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, posed->tree, at, {}));
   if (count == hsp::no_id) return HSP_E_RANGE;
   const int32_t status = check_output(capacity, count, needed);

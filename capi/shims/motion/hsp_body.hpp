@@ -10,7 +10,7 @@ struct hsp_body {
 
   uintptr_t tag;
   Builder tree;
-  bool complete = true;  // whether the tree holds what was asked for; without balls if not
+  bool complete = true;  // whether the tree holds the balls that were set; if not it has none
 
   bool has_results() const { return complete; }
 };

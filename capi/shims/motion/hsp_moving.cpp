@@ -31,7 +31,8 @@ hsp_moving_ball to_record(const hsp::MovingBalls &balls, uint32_t i) {
   return result;
 }
 
-// Without a request nothing of one is linked: both ways are whole. asked: what is wrong with the request.
+// Inlined, so that a program that passes no request does not link the code for requests. asked: the status of the
+// request.
 [[gnu::always_inline]] inline int32_t set(hsp_moving *moving, const hsp_model *model, int32_t asked,
                                           const hsp_gradient_request &given, hsp::Patience patience,
                                           hsp_moving_limits *limits, uint32_t *first_bad) {

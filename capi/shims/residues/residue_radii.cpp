@@ -5,7 +5,8 @@
 namespace hsp {
 namespace {
 
-// One line of a published table: all atoms of these names in all residues of these names, blanks between names.
+// One line of a published table: all atoms with one of these names in all residues with one of these names. Names are
+// separated by blanks.
 struct Rule {
   const char *residues;
   const char *atoms;
@@ -243,7 +244,7 @@ uint32_t list_residue_radii(ResidueSet set, hsp_residue_atom *out) {
       hsp_residue_atom listed;
       put_name(residue, residue_length, listed.residue);
       listed.radius = rule.radius;
-      // The rule's atoms are read once: further residues copy those of the first.
+      // The atoms of a rule are read once, for its first residue; further residues copy them.
       for (uint32_t k = 0; k < atoms; ++k) {
         std::memcpy(listed.atom, out[first + k].atom, sizeof listed.atom);
         out[count++] = listed;

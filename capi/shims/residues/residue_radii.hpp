@@ -1,4 +1,4 @@
-// Radii by the names of residues and atoms, published ones. Chemistry: geometry knows nothing of it.
+// Published radii by the names of residues and atoms. This is chemistry, which lib knows nothing of.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace hsp {
 
 enum class ResidueSet : uint32_t { protor = HSP_RADII_PROTOR, naccess = HSP_RADII_NACCESS };
 
-// False: the set has no such atom.
+// Finds a radius. False: the set has no such atom.
 bool find_residue_radius(ResidueSet set, const char *residue, const char *atom, double &radius);
 
-// All of a set, line by line of the publication; `out` may be null. How many there are comes back.
+// Lists all radii of a set, in the order of the publication's lines; out may be null. Returns their number.
 uint32_t list_residue_radii(ResidueSet set, hsp_residue_atom *out);
 
 }  // namespace hsp

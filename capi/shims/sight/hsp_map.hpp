@@ -10,7 +10,7 @@ struct hsp_map : hsp::capi::FromModel<hsp::MapBuilder> {
   using Limits = hsp::capi::LimitFields<hsp::MapLimits, Given, offsetof(Given, balls), offsetof(Given, neighbours),
                                         offsetof(Given, edges)>;
 
-  // As of sticks (map_records.hpp).
+  // The same names as in hsp_sticks, for map_records.hpp.
   bool has_map() const { return has_results(); }
   const hsp::VisibilityMap &map() const { return structure(); }
   const auto &sight() const { return builder.discs(); }

@@ -122,7 +122,7 @@ hsp::PictureOptions from_c(const hsp_picture_options &options) {
           {options.ink_colour[0], options.ink_colour[1], options.ink_colour[2]}};
 }
 
-// Of one call: all but where its paths are from.
+// The arguments of one call, without the source of its paths.
 struct Call {
   LibraryArithmetic &arithmetic;
   const uint32_t *colour;
@@ -133,7 +133,7 @@ struct Call {
   void *context;
   uint64_t *bytes;
 
-  // A sink, whose context is the call: the caller's, in the caller's floating-point environment.
+  // A sink whose context is the call. It calls the caller's sink in the caller's floating-point environment.
   static int32_t hand_on(void *call, const char *bytes, size_t count) {
     const Call &of = *static_cast<const Call *>(call);
     const CallersArithmetic callers(of.arithmetic);
@@ -141,7 +141,7 @@ struct Call {
   }
 };
 
-// Ink, if there is any, is of a map that shows what a handle with results shows.
+// Checks that the map of the ink, if there is one, shows the same scene as a handle with results.
 template <class Handle, class Map>
 int32_t check_map_of_ink(const Handle &handle, const Map *map) {
   if (map == nullptr) return HSP_OK;
@@ -161,7 +161,7 @@ int32_t check_ink(const hsp_sticks &sticks, const hsp_picture_options &options) 
   return map->map().exist && map->has_same_sticks(sticks) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
-// The content of a picture but its paths.
+// The contents of a picture without its paths.
 struct Contents {
   const hsp::BallSet &balls;
   const Call &call;
@@ -211,7 +211,7 @@ int32_t write_checked(const Handle *handle, const Call &call, Write write) {
 
 namespace hsp::capi {
 
-// It ended with `reserved` in version 0.1.
+// In version 0.1 the struct ended with `reserved`.
 template <>
 inline constexpr uint32_t earlier_bytes<hsp_picture_options> = 72;
 

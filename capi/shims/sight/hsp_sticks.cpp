@@ -49,7 +49,7 @@ hsp::StickStrands strands_of(uint32_t flags) {
   }
 }
 
-// The sticks of one call, and whether a map is wanted also where there is an order.
+// The sticks of one call, and whether a map is wanted even if there is a drawing order.
 struct Given {
   const hsp_stick *stick;
   uint32_t count;

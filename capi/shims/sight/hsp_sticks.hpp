@@ -13,7 +13,7 @@ struct hsp_sticks : hsp::capi::FromModel<hsp::StickViewBuilder> {
   bool has_map() const { return has_results() && map().exist; }
   const hsp::StickMap &map() const { return builder.map(); }
   auto sight() const { return builder.sight(); }
-  // Balls, and two halves of each stick.
+  // The number of balls, and of halves of sticks, two for each.
   uint32_t bodies() const { return balls().n + 2 * structure().sticks.size(); }
   // The caller's number of a ball or half of a stick.
   uint32_t caller(uint32_t body) const {
@@ -37,7 +37,7 @@ struct hsp_sticks : hsp::capi::FromModel<hsp::StickViewBuilder> {
     }
     return true;
   }
-  // The other way. Of a whole stick the second half is nothing that is seen.
+  // The body with a number of the caller's. The second half of a whole stick is not seen.
   uint32_t body(uint32_t number) const {
     const uint32_t n = balls().n;
     if (number < n) return model->grid.grid_index(number);

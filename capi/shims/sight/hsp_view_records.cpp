@@ -51,7 +51,7 @@ int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
   return HSP_OK;
 }
 
-// The library keeps loops and arcs in the order of the grid; here they come in the order of the pieces.
+// lib keeps loops and arcs in the grid order of their balls; here they are written in the order of the pieces.
 int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
   const int32_t status = check_request(view, out, capacity, needed,

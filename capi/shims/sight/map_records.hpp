@@ -1,5 +1,5 @@
-// Answers from maps, of balls alone or with sticks: handle.map() is the map if handle.has_map(), caller(id) the number
-// that the caller has for a body, of which there are bodies().
+// Results from maps, of balls alone or of balls and sticks. A handle has has_map(), map(), bodies(), the number of
+// bodies, and caller(id), the caller's number of a body.
 #pragma once
 
 #include "maps/edge_geometry.hpp"
@@ -9,14 +9,14 @@
 
 namespace hsp::capi {
 
-// bad: whether an argument is.
+// Checks that a handle has a map. bad: whether an argument is bad.
 template <class Handle>
 int32_t check_map_of(const Handle *handle, bool bad) {
   const int32_t status = check_handle(handle, bad);
   return status == HSP_OK && !handle->has_map() ? HSP_E_STATE : status;
 }
 
-// Calls put(*handle, id, record) for some records of a list of the map.
+// Calls put(*handle, id, record) for the records first .. first + count - 1 of a list of the map.
 template <class Handle, class List, class Record, class Put>
 int32_t get_map_records(const Handle *handle, uint32_t first, uint32_t count, Record *out, List list, Put put) {
   LibraryArithmetic arithmetic;
@@ -27,7 +27,7 @@ int32_t get_map_records(const Handle *handle, uint32_t first, uint32_t count, Re
   return HSP_OK;
 }
 
-// All but how many balls are seen.
+// Sets all fields of the info but the number of balls that are seen.
 template <class Handle>
 int32_t get_map_info(const Handle *handle, hsp_map_info *info) {
   if (const int32_t status = check_map_of(handle, info == nullptr); status != HSP_OK) return status;
@@ -93,7 +93,7 @@ int32_t get_faces(const Handle *handle, uint32_t first, uint32_t count, hsp_map_
   return get_map_records(handle, first, count, out, &MapRecords::faces, put);
 }
 
-// The part of each body that is seen.
+// Writes the visible area of each body.
 template <class Handle>
 int32_t get_areas(const Handle *handle, double *area, uint32_t capacity, uint32_t *needed) {
   LibraryArithmetic arithmetic;
@@ -106,7 +106,7 @@ int32_t get_areas(const Handle *handle, double *area, uint32_t capacity, uint32_
   return HSP_OK;
 }
 
-// A directed edge of every loop around the faces of a ball or half of a stick.
+// Writes one directed edge of every loop around the faces of a ball or half of a stick.
 template <class Handle>
 int32_t get_outline(const Handle *handle, uint32_t body, uint32_t *h, uint32_t capacity, uint32_t *needed) {
   if (const int32_t status = check_map_of(handle, h == nullptr && capacity > 0); status != HSP_OK) return status;

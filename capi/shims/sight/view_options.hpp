@@ -1,4 +1,5 @@
-// Common to views and maps: where to look from, and how their coordinates come back in the caller's unit.
+// The part common to views and maps: the direction of view, and the conversion of view coordinates to the caller's
+// unit.
 #pragma once
 
 #include "caller_executor.hpp"

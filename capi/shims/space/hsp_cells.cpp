@@ -29,7 +29,7 @@ static_assert(number_of(FreeSpaceInvariant::records) == 1 && number_of(FreeSpace
 static_assert(number_of(FreeSpaceInvariant::regions) == 3 && number_of(FreeSpaceInvariant::power_cells) == 4);
 static_assert(number_of(FreeSpaceInvariant::facets) == 5 && number_of(FreeSpaceInvariant::complement) == 6);
 
-// The corner of cubes as a length.
+// The coordinate of a corner of a cube along one axis, as a length.
 double corner(const hsp_cells &cells, int64_t cube) {
   if (cube <= -hsp::EmptyRuns::infinity) return -std::numeric_limits<double>::infinity();
   if (cube >= hsp::EmptyRuns::infinity) return std::numeric_limits<double>::infinity();
@@ -146,7 +146,8 @@ int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, h
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(model, scratch == nullptr && words > 0); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = model->grid;
-  // Neighbours alone, first: nothing is written to `of_ball` unless the scratch memory suffices for all balls.
+  // At first only neighbours are counted: nothing is written to `of_ball` unless the scratch memory suffices for all
+  // balls.
   uint64_t needed = 0;
   for (uint32_t i = 0; i < grid.balls().n; ++i) {
     uint64_t own = 0;
@@ -164,7 +165,7 @@ int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, h
     sum.faces += own.faces;
     if (of_ball != nullptr) of_ball[grid.balls().caller[i]] = {own.vertices, own.edges, own.faces};
   }
-  // Three spheres see each vertex and two each edge.
+  // Each vertex is counted on three spheres, each edge on two.
   if (totals != nullptr) *totals = {sum.vertices / 3, sum.edges / 2, sum.faces};
   return HSP_OK;
 }

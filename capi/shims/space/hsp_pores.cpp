@@ -23,14 +23,14 @@ using namespace hsp::capi;
 
 namespace {
 
-// Of other pores, or none, from which points may be taken.
+// Checks other pores from which points may be taken; null: there are none.
 int32_t check_before(const hsp_pores &pores, const hsp_pores *before) {
   if (before == nullptr) return HSP_OK;
   if (before == &pores) return HSP_E_ARGUMENT;
   return check_results(before, false);
 }
 
-// In steps, rounded down, and no farther than points can be.
+// The floor in steps, rounded down, and within the range of coordinates.
 int64_t floor_in_steps(const hsp::exact::Lattice &lattice, double floor) {
   constexpr double limit = hsp::exact::query_radius_limit;
   const double steps = lattice.steps(floor);
@@ -39,7 +39,7 @@ int64_t floor_in_steps(const hsp::exact::Lattice &lattice, double floor) {
   return truncated - static_cast<int64_t>(static_cast<double>(truncated) > near);
 }
 
-// Whether there is such a maximum, or the outside.
+// Whether a number is that of a maximum, or of the outside.
 bool is_class(const hsp_pores &pores, uint32_t maximum) {
   return maximum == HSP_PORE_OUTSIDE || maximum < pores.maxima().size();
 }
@@ -57,7 +57,7 @@ struct TiedImages {
   }
 };
 
-// The nearest balls of maxima or gates, which are in the order of positions, ascending.
+// Writes the nearest balls of a maximum or gate ascending; in the records they are in the order of positions.
 template <class Records>
 int32_t get_tied(const hsp_pores *pores, uint32_t record, uint32_t *balls, uint32_t capacity, uint32_t *needed,
                  Records records) {
@@ -76,7 +76,7 @@ int32_t get_tied(const hsp_pores *pores, uint32_t record, uint32_t *balls, uint3
   return status;
 }
 
-// The same as images.
+// Writes the same balls as images.
 template <class Records>
 int32_t get_images(const hsp_pores *pores, uint32_t record, hsp_image *images, uint32_t capacity, uint32_t *needed,
                    Records records) {
@@ -96,7 +96,7 @@ int32_t get_images(const hsp_pores *pores, uint32_t record, hsp_image *images, u
   return status;
 }
 
-// From a model or a box, which build(options, patience) notes.
+// Computes pores from a model or a box; build(options, patience) notes the source.
 template <class Source, class Build>
 int32_t compute(hsp_pores *pores, const Source *source, const hsp_pores_options *options, hsp_pores_limits *limits,
                 Build build) {
@@ -124,14 +124,14 @@ hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined,
   return channel;
 }
 
-// Where a point is; of a handle with results.
+// Locates a point. The handle has results.
 int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PoreLocation &place) {
   hsp::exact::Vector point;
   if (const int32_t status = round_point(pores, xyz, point); status != HSP_OK) return status;
   return to_c(hsp::locate(pores.builder.pores(), pores.balls_around(), point, pores.builder.floor(), place));
 }
 
-// The best tunnel, by width or by cost.
+// Finds the best tunnel, by width or by cost.
 int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided, uint32_t count,
                     const hsp_tunnel_request *request, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
   LibraryArithmetic arithmetic;

@@ -19,7 +19,7 @@ struct hsp_pores {
   hsp::capi::Source<hsp_model> model{};
   hsp::capi::Source<hsp_periodic> periodic{};
   bool complete = false;
-  bool in_box = false;       // of a periodic box, not a model
+  bool in_box = false;       // whether the pores are those of a periodic box, else of a model
   int64_t narrow_steps = 0;  // the narrow probe of the pockets, rounded up
 
   // Whether results may be read: computed, and the model or box unchanged since.
@@ -32,11 +32,11 @@ struct hsp_pores {
   hsp::BallsAround balls_around() const {
     return in_box ? hsp::BallsAround(periodic->builder) : hsp::BallsAround(model->grid);
   }
-  // In multiples of the vectors of the box as they were given; 0 without one.
+  // A shift in multiples of the given vectors of the box; 0 without a box.
   hsp::BoxShift given(const hsp::BoxShift &shift) const {
     return in_box ? periodic->builder.images().box().in_given_vectors(shift) : shift;
   }
-  // Of an image: how far the caller's ball is to be moved.
+  // For an image the shift by which the caller's ball has to be moved.
   hsp::BoxShift image_shift(uint32_t ball, const hsp::BoxShift &shift) const {
     return in_box && ball != hsp::no_id ? given(shift - periodic->builder.images().home(ball)) : hsp::BoxShift{};
   }

@@ -8,7 +8,7 @@ using namespace hsp::capi;
 
 namespace {
 
-// The least number of steps that is not narrower than `radius`, of this level.
+// The least number of steps that is not less than `radius` in the caller's unit. level: the radius in steps, rounded.
 int64_t steps_not_below(const hsp_pores &pores, double level, double radius) {
   int64_t steps = hsp::nearest(level) - 1;
   while (pores.lattice().length(static_cast<double>(steps)) < radius) ++steps;
@@ -52,13 +52,13 @@ void forget_pockets(hsp_pores &pores) {
   pores.narrow_steps = 0;
 }
 
-// Whether a boundary is given where there is no box.
+// Checks a boundary, which may be null only for pores in a box.
 int32_t check_boundary(const hsp_pores &pores, const hsp_boundary *boundary) {
   if (boundary == nullptr) return pores.in_box ? HSP_OK : HSP_E_ARGUMENT;
   return check_handle(boundary);
 }
 
-// Whether regions of pores can be found beside a boundary.
+// Checks that regions of the pores can be found from a boundary.
 int32_t check_surface(const hsp_pores &pores, const hsp_boundary *boundary) {
   if (pores.in_box != (boundary == nullptr)) return HSP_E_ARGUMENT;
   if (!pores.in_box) {
@@ -68,7 +68,7 @@ int32_t check_surface(const hsp_pores &pores, const hsp_boundary *boundary) {
   return pores.builder.floor() > 0 ? HSP_E_RANGE : HSP_OK;
 }
 
-// After that.
+// Finds the regions, after check_surface().
 hsp::Status find_regions(hsp_pores &pores, const hsp_boundary *boundary, uint32_t first_plug, hsp::Patience patience) {
   const hsp::PeriodicUnion *const periodic = pores.in_box ? &pores.periodic->builder : nullptr;
   return pores.builder.find_regions(pores.balls_around(), pores.in_box ? periodic->boundary() : boundary->structure(),

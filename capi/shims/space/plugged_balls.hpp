@@ -14,14 +14,14 @@ class PluggedBalls {
 
   uint32_t given() const { return pores_.ball_count(); }
   uint32_t size() const { return given() + pores_.builder.pockets().all_mouths().size(); }
-  // In lengths.
+  // Writes ball k as lengths.
   void put(uint32_t k, double xyz[3], double &radius) const {
     const exact::LatticeBall ball = (*this)[k];
     put_position(pores_, exact::to_double(ball.centre), xyz);
     radius = radius_of(ball);
   }
-  // Whether other pores were computed of these balls, rounded to the same lattice or a coarser one, and perhaps of
-  // further ones behind them; and of the same box.
+  // Whether other pores were computed of these balls, rounded to the same lattice or a coarser one, in the same box.
+  // They may have further balls behind these.
   bool are_those_of(const hsp_pores &plugged) const {
     if (plugged.in_box != pores_.in_box || plugged.ball_count() < size()) return false;
     const BallsAround around = plugged.balls_around();
@@ -59,7 +59,7 @@ class PluggedBalls {
     return static_cast<double>(dot(off, off)) <= 3.0 * slack &&
            is_near(lattice.steps(radius_of(own)), there.radius, slack);
   }
-  // On a coarser lattice what was rounded more than once may differ by a step.
+  // On a coarser lattice a number that was rounded more than once may differ by a step.
   double slack_on(const exact::Lattice &lattice) const { return lattice.step() > pores_.lattice().step() ? 1.0 : 0.0; }
   static bool is_near(double own, int64_t other, double slack) {
     return std::fabs(own - static_cast<double>(other)) <= slack + 0.5;

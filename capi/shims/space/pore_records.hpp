@@ -1,4 +1,4 @@
-// How what pores know comes to the caller, and which levels a radius stands for.
+// The conversion of the records of pores for the caller, and of radii to levels.
 #pragma once
 
 #include <bit>
@@ -14,7 +14,7 @@ inline double floor_of(const hsp_pores &pores) {
   return pores.lattice().length(static_cast<double>(pores.builder.floor()));
 }
 
-// In the caller's unit, but as a box is turned inside.
+// A place in the caller's unit, but in the frame of the box.
 inline Vec3 lengths_of(const hsp_pores &pores, const Vec3 &place) {
   const exact::Lattice &lattice = pores.lattice();
   return {lattice.length(place.x), lattice.length(place.y), lattice.length(place.z)};
@@ -25,29 +25,29 @@ inline void put_position(const hsp_pores &pores, const Vec3 &place, double xyz[3
   to_array(pores.in_box ? pores.periodic->builder.images().box().frame().turned_back(lengths) : lengths, xyz);
 }
 
-// A point of the caller.
+// Rounds a point of the caller.
 inline int32_t round_point(const hsp_pores &pores, const double *xyz, exact::Vector &point) {
   return pores.in_box ? round_point(pores.periodic->builder.images(), xyz, point)
                       : round_point(pores.lattice(), xyz, point);
 }
 
-// Of levels that are radii of `radius` or less to the caller the highest: a probe that is as wide as a gate to the last
-// bit does not pass it. level: about that.
+// The highest level that is `radius` or less in the caller's unit. So a probe that is exactly as wide as a gate, to the
+// last bit, does not pass it. level: an estimate of the result.
 inline double highest_level(const hsp_pores &pores, double level, double radius) {
   const auto above = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) + (x > 0.0 ? 1 : -1)); };
   const auto below = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) - (x > 0.0 ? 1 : -1)); };
-  if (std::fabs(level) < 0x1p-40) return level;  // no gate has one so small
+  if (std::fabs(level) < 0x1p-40) return level;  // no gate has so small a level
   while (pores.lattice().length(level) > radius) level = below(level);
   while (pores.lattice().length(above(level)) <= radius) level = above(level);
   return level;
 }
 
-// Whether pores know of probes of this level, and it is on the lattice.
+// Whether a level is not below the floor of the pores, and on the lattice.
 inline bool is_level(const hsp_pores &pores, double level) {
   return level >= static_cast<double>(pores.builder.floor()) && level <= exact::query_radius_limit;
 }
 
-// Writes what `put` makes of each of list(*pores), if the number of a record is below number(*pores). needed may be
+// Writes put(..) for each entry of list(*pores), if the number of the record is below number(*pores). needed may be
 // null.
 template <class T, class Number, class List, class Put>
 int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capacity, uint32_t *needed, Number number,
@@ -65,7 +65,7 @@ int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capac
 
 inline constexpr auto as_it_is = [](uint32_t number) { return number; };
 
-// Where a class goes on for ever, in the vectors of the box as they were given.
+// The directions in which a class goes on for ever, in the given vectors of the box.
 inline hsp_winding winding_of(const hsp_pores &pores, const WindingLattice &lattice) {
   WindingLattice in_given;
   for (uint32_t r = 0; r < lattice.rank; ++r) {
