@@ -1,4 +1,4 @@
-/* Atoms that stand in a file more than once, at alternate locations: which record counts. */
+/* Atoms that a file has more than once, at alternate locations: the choice of the record that counts. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,7 +7,7 @@
 
 #include "read/molecule.h"
 
-/* Which residue. */
+/* The place of a residue in a file. */
 struct residue_place {
   char chain[12];
   char number[12];
@@ -21,9 +21,9 @@ struct seen_location;
 struct location_slot;
 struct residue_visit;
 
-/* The atoms and residues with letters seen so far, in the order of the file, and a hash table with open addressing over
- * them. Atoms without a letter wait in the molecule, residue by residue, until one of their residue has a letter; in
- * most files none has. */
+/* The atoms and residues with letters seen so far, in the order of the file, with a hash table (open addressing). Atoms
+ * without a letter are entered later, residue by residue, when an atom of their residue has a letter; in most files
+ * none has. */
 struct alternate_locations {
   struct seen_location *seen;
   uint32_t count;
@@ -40,9 +40,9 @@ struct alternate_locations {
 #define ALTERNATE_LOCATIONS_NONE \
   { .seen = NULL }
 
-/* Whether an atom record belongs to the molecule; records must be shown in the order of the file, and each that does is
- * appended to the molecule before the next one is shown. Atoms and residues are distinguished by the label and, where a
- * format has it, the segment.
+/* Decide whether an atom record belongs to the molecule. Records have to come in the order of the file, and each one
+ * that belongs to it has to be appended to the molecule before the next call. Atoms and residues are distinguished by
+ * the label and, if the format has it, the segment.
  *   1. A record without a letter (' ') for its location always does.
  *   2. A record with a letter does if its atom (chain, residue number, atom name) appeared first with that letter.
  *   3. If a residue has two names (a mixture), only the name of its first lettered record does.
@@ -50,7 +50,8 @@ struct alternate_locations {
 bool alternate_locations_keep(struct alternate_locations *locations, const struct molecule *molecule,
                               const struct atom_label *label, struct field segment, char letter, bool *keep);
 
-/* The same, where neither this record nor the one before has a letter, and both are of one residue and segment. */
+/* The same for a record without a letter, if the record before has none either and is of the same residue and
+ * segment. */
 void alternate_locations_go_on(struct alternate_locations *locations);
 
 void alternate_locations_free(struct alternate_locations *locations);

@@ -3,5 +3,5 @@
 
 #include "read/radii.h"
 
-/* In g/mol: the standard atomic weight of IUPAC; 0 of elements that have none. */
+/* The standard atomic weight of IUPAC in g/mol; 0 for elements that have none. */
 double element_mass(struct element_symbol symbol);

@@ -1,4 +1,4 @@
-/* Bytes of a binary file, one piece after the other. */
+/* A reader of binary files, one piece of bytes after the other. */
 #pragma once
 
 #include <stdbool.h>
@@ -26,7 +26,7 @@ bool byte_reader_skip(struct byte_reader *reader, uint64_t count, struct failure
 
 void byte_reader_close(struct byte_reader *reader);
 
-/* Numbers as they lie in memory, lowest or highest byte first. */
+/* Numbers from their bytes, with the lowest or the highest byte first. */
 static inline uint32_t bytes_to_u32(const unsigned char *at, bool highest_first) {
   return highest_first ? (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3]
                        : (uint32_t)at[3] << 24 | (uint32_t)at[2] << 16 | (uint32_t)at[1] << 8 | at[0];
@@ -41,5 +41,5 @@ int32_t bits_to_i32(uint32_t bits);
 float bits_to_float(uint32_t bits);
 double bits_to_double(uint64_t bits);
 
-/* The number with fewest digits that is this float: 0.1, where the float's own value has 17 digits. */
+/* The double nearest to the shortest decimal number that rounds to this float: 0.1, not the 17 digits of the float. */
 double float_as_written(float value);

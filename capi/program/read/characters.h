@@ -25,7 +25,7 @@ static inline char to_lower(char c) {
 static inline char to_upper(char c) {
   return is_lower(c) ? (char)(c - 'a' + 'A') : c;
 }
-/* As much of a text in capitals as there is room for, and a zero. */
+/* Write a text in capitals, as much as there is room for, and a NUL. */
 static inline void to_capitals(char *out, size_t room, const char *text, size_t length) {
   size_t at = 0;
   for (; at < length && at + 1 < room; ++at) out[at] = to_upper(text[at]);

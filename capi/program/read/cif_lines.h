@@ -1,5 +1,5 @@
-/* The rows of a CIF loop of atoms that stand on one line each, as they do in nearly all files: values are found in the
- * line by the blanks between them. */
+/* Rows of a CIF loop of atoms that are on one line each, as in nearly all files: values are found in the line by the
+ * blanks between them. */
 #pragma once
 
 #include <stdbool.h>
@@ -11,18 +11,18 @@
 
 enum { CIF_LINE_BYTES = 256, CIF_LINE_WORDS = CIF_LINE_BYTES / 64 };
 
-/* Neighbouring values, from the first to the last one. */
+/* Neighbouring values of a row, from the first to the last one. */
 struct cif_run {
   uint16_t first, last;
 };
 
 /* The items of a loop, and what is known of the rows before. */
 struct cif_lines {
-  size_t count;  /* of the items; more than a line has room for: rows are not taken for lines */
-  size_t wanted; /* items with a meaning: first those that atoms of a residue share */
-  size_t shared; /* how many */
+  size_t count;  /* of the items; if a line has no room for so many, rows are not read as lines */
+  size_t wanted; /* how many items have a meaning; those that atoms of a residue share come first */
+  size_t shared; /* how many atoms of a residue share */
   unsigned char item[CIF_ITEMS];
-  uint16_t place[CIF_ITEMS];                           /* which of a row's values they are */
+  uint16_t place[CIF_ITEMS];                           /* their values' numbers in a row */
   struct cif_run run[CIF_ITEMS];                       /* of items that atoms of a residue share */
   size_t runs;                                         /* how many */
   uint16_t run_begin[CIF_ITEMS];                       /* where they were in the last row that was kept, */

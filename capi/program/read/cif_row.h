@@ -80,18 +80,19 @@ enum cif_item {
   CIF_OTHER_ITEM
 };
 
-/* The item of a tag, in any case of its letters, and its table. Small molecules' files have an underscore where mmCIF
- * has a point: _cell_length_a, _cell.length_a. Of mmCIF's tables of atoms and bonds every tag has the table. */
+/* The item of a tag, in any case of its letters, and its table. Files of small molecules have an underscore in place of
+ * mmCIF's point: _cell_length_a, _cell.length_a. The table is also found for tags without an item, in mmCIF's tables of
+ * atoms and bonds. */
 enum cif_item cif_item_of(struct field tag, enum cif_table *table);
 
-/* The values of one atom or bond. Those of several lines are copied: lines are gone when the row is complete. Zeros at
- * first. */
+/* The values of one atom or bond. Values of several lines are copied, as lines are gone when the row is complete. Zeros
+ * at first. */
 struct cif_row {
   size_t begin[CIF_ITEMS];
-  size_t length[CIF_ITEMS]; /* 0 where the file says nothing */
+  size_t length[CIF_ITEMS]; /* 0: the file says nothing */
   uint64_t line;
-  const char *values; /* what they are in; NULL: the text below */
-  bool goes_on;       /* model, residue and letter of the location are those of the row before, and are not here */
+  const char *values; /* the text with the values; NULL: `text` below */
+  bool goes_on;       /* model, residue and letter of the location are those of the row before, and not in this one */
   struct text_buffer text;
 };
 
@@ -103,7 +104,7 @@ static inline struct field cif_row_get(const struct cif_row *row, enum cif_item 
   return (struct field){(row->values != NULL ? row->values : row->text.text) + row->begin[item], row->length[item]};
 }
 
-/* The authors' value, or else the label's. */
+/* The value of the authors' item, or if it is missing that of the label's. */
 static inline struct field cif_row_either(const struct cif_row *row, enum cif_item author, enum cif_item label) {
   return cif_row_get(row, row->length[author] > 0 ? author : label);
 }

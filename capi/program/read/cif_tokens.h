@@ -24,11 +24,11 @@ enum cif_kind {
 struct cif_tokens {
   enum cif_kind kind;
   struct field text; /* without quotes; valid until the next step */
-  bool quoted;       /* a value that is itself, even if it looks like "?" */
-  uint64_t line;     /* where it begins */
+  bool quoted;       /* the value was in quotes: "?" and "." mean themselves */
+  uint64_t line;     /* on which it begins */
 
   struct line_reader *reader;
-  size_t at;               /* the first character of the line that was not looked at */
+  size_t at;               /* the first character of the line that was not read yet */
   struct text_buffer many; /* a text field of several lines */
   struct failure *failure;
 };

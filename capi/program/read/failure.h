@@ -1,4 +1,4 @@
-/* Why the program gives up: one line for stderr and an exit status. */
+/* The reason why the program gives up: one line for stderr and an exit status. */
 #pragma once
 
 #include <stdbool.h>
@@ -16,7 +16,7 @@ struct failure {
   char reason[512];
 };
 
-/* Of what is seldom called: what calls it has fewer registers to save where it does not. */
+/* Marks functions that are seldom called. They are not inlined, so that their callers save fewer registers. */
 #ifdef __GNUC__
 #define SELDOM __attribute__((noinline))
 #else
@@ -45,7 +45,7 @@ struct usage_rule {
   const char *reason;
 };
 
-/* False where a rule is broken, and the failure says the first one. */
+/* False if a rule is broken; the failure has the text of the first broken one. */
 bool usage_rules_hold(const struct usage_rule *rule, size_t count, struct failure *failure);
 
 /* Record that memory is short. Always false. */

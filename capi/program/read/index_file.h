@@ -1,4 +1,4 @@
-/* Groups of atoms by name, as GROMACS's index files (.ndx) have them. */
+/* Named groups of atoms, from index files of GROMACS (.ndx). */
 #pragma once
 
 #include <stdbool.h>
@@ -11,8 +11,8 @@
 #define INDEX_NAME_BYTES 64
 
 struct index_group {
-  char name[INDEX_NAME_BYTES]; /* what does not fit is cut off */
-  uint32_t *place;             /* [count], of its atoms among those read, from 0 on, ascending; some may come twice */
+  char name[INDEX_NAME_BYTES]; /* a longer name is cut off */
+  uint32_t *place;             /* [count], its atoms, counted from 0 in the order read; ascending, perhaps repeated */
   size_t count;
   size_t capacity;
 };
@@ -26,17 +26,16 @@ struct index_file {
 #define INDEX_FILE_NONE \
   { NULL, 0, 0 }
 
-/* Read a file: "[ name ]" on a line of its own, and behind it the numbers of atoms, counted from 1 in the order of the
- * molecule's file. Comments begin with ';'. Free it on true and on false. */
+/* Read a file. A group is "[ name ]" on a line of its own, then the numbers of atoms, counted from 1 in the order of
+ * the molecule's file. Comments begin with ';'. Free it on true and on false. */
 bool index_file_read(struct index_file *file, const char *path, struct failure *failure);
 
-/* The group of that name, the first one if there are several, or else the group of that number, counted from 0; NULL:
- * there is none. */
+/* The first group of that name; if there is none, the group of that number, counted from 0; NULL: neither exists. */
 const struct index_group *index_file_find(const struct index_file *file, struct field name);
 
 bool index_group_has(const struct index_group *group, uint32_t place);
 
-/* Whether a file of so many atoms has all that the groups name. */
+/* Whether a file of so many atoms has all atoms of the groups. */
 bool index_file_suits(const struct index_file *file, const char *path, uint32_t atoms, struct failure *failure);
 
 void index_file_free(struct index_file *file);

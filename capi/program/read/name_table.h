@@ -1,4 +1,4 @@
-/* Names that come again in a file, and a number for each in the order in which they come first. */
+/* Names that occur again and again in a file, numbered in the order of their first occurrences. */
 #pragma once
 
 #include <stddef.h>
@@ -7,16 +7,16 @@
 #include "read/fields.h"
 
 struct table_name {
-  char text[24]; /* what is longer is cut off */
+  char text[24]; /* a longer name is cut off */
 };
 
 /* Zeros at first. */
 struct name_table {
   struct table_name *names; /* [count], in the order of their numbers, from 1 on */
   size_t count, room;
-  uint32_t *slots; /* a hash table with open addressing: numbers, 0 where there is none */
+  uint32_t *slots; /* a hash table with open addressing: numbers of names, 0: empty */
   size_t capacity; /* a power of two, or 0 */
-  uint32_t last;   /* that was found */
+  uint32_t last;   /* the number found last */
 };
 
 /* The number of a name, from 1 on; it is added if it is new. 0: memory is short. */

@@ -1,4 +1,4 @@
-/* Numbers as text, without printf where 128-bit integers hold what is exact; printf writes the rest, the same bytes. */
+/* Numbers as text: by arithmetic in 128-bit integers if it is exact, else by printf. The bytes are the same. */
 #pragma once
 
 #include <stddef.h>
@@ -7,11 +7,11 @@
 /* Room for a number as the functions below write it, NUL included. */
 #define NUMBER_BYTES 40
 
-/* The digits of a number, ending before `end`, at most 20. Returns where they begin. */
+/* Write the digits of a number, at most 20, so that they end before `end`. Returns their beginning. */
 char *number_text_digits(char *end, uint64_t value);
 
-/* The shortest of 15 to 17 significant digits that a reader turns into the same double again: "%.15g", "%.16g" or
- * "%.17g", with "0" for both zeros. Returns the length. */
+/* The first of "%.15g", "%.16g" and "%.17g" from which a reader gets the same double again; "0" for both zeros. Returns
+ * the length. */
 size_t number_text_exact(char out[NUMBER_BYTES], double value);
 
 /* "%.*g" with 1 to 17 significant digits. Returns the length. */

@@ -8,7 +8,7 @@
 #include "read/line_reader.h"
 #include "read/molecule.h"
 
-/* Of the columns of an atom record, the last that has to be there: x, y, z end in it. */
+/* The last column that an atom record must have: x, y, z end in it. */
 enum { LAST_COORDINATE_COLUMN = 54 };
 
 enum pdb_record {
@@ -16,14 +16,14 @@ enum pdb_record {
   PDB_MODEL, /* a model begins */
   PDB_END,   /* END or ENDMDL: a model is over */
   PDB_OTHER, /* any other record of the format */
-  PDB_BLANK, /* nothing, or a line that begins with '#' */
+  PDB_BLANK, /* an empty line, or one that begins with '#' */
   PDB_ALIEN  /* no record of the format */
 };
 
 /* The kind of a reader's line, by its first columns. */
 enum pdb_record pdb_record_of(const char *line, size_t length);
 
-/* Whether it begins with "ATOM  " or "HETATM", as atom records do in nearly all files. `line` is a reader's. */
+/* Whether the line begins with "ATOM  " or "HETATM", as atom records do in nearly all files. It is a reader's. */
 bool pdb_record_is_plain_atom(const char *line, size_t length);
 
 /* Whether an atom record is HETATM. */
@@ -43,15 +43,15 @@ struct pdb_models {
 /* Step over a record. */
 void pdb_models_step(struct pdb_models *models, enum pdb_record record);
 
-/* Step over a line of a file, as file_format has it. A model that begins with MODEL ends the records of all of them;
- * those after an end are the next one's, if there is one. */
+/* Step over a line of a file (begins_molecule of file_format). The first model that begins with MODEL ends the lines
+ * that are common to all; records behind the end of a model belong to the next one, if there is one. */
 bool pdb_begins_molecule(struct molecule_lines *lines, const struct line_reader *reader);
 
-/* The title of the records before the first atom, the compound, or the name in a remark. */
+/* The title in the records before the first atom, or else the compound, or the name in a remark. */
 struct field pdb_title_of(const char *text, size_t length);
 
-/* Step to the next atom record of the molecule's model, and count what other models have; in .pdb files take the bonds
- * that CONECT records state, wherever these are. LINE_END: there is none left.
- * A file that has lines, but not one record of the format, fails. `models` and `record_seen` are zeros at first. */
+/* Step to the next atom record of the molecule's model, and count the atoms of other models. In .pdb files CONECT
+ * records give bonds, wherever they are. LINE_END: no atom record is left. A file that has lines, but not one record of
+ * the format, fails. `models` and `record_seen` are zeros at first. */
 enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *molecule, struct pdb_models *models,
                                bool *record_seen, struct failure *failure);

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Less takes no time that anybody would watch. */
+/* Less work is too short to be watched. */
 #define PROGRESS_LEAST_BALLS 20001
 #define PROGRESS_LEAST_BYTES 2000000
 
@@ -12,10 +12,10 @@ struct progress {
   bool watched;
 };
 
-/* From now on nothing more begins to be watched: several threads are about to be at work. */
+/* From now on no further work is watched: several threads are about to start. */
 void progress_be_quiet(void);
 
-/* Watched if it is as much as `least`, and stderr is a terminal. */
+/* Work of this amount is watched if it is `least` or more, and stderr is a terminal. */
 struct progress progress_begin(uint64_t amount, uint64_t least);
 
 /* Replace the line. */

@@ -1,4 +1,4 @@
-/* The sets of radii that there are, for a person to read. */
+/* The list of all sets of radii, for a person to read. */
 #pragma once
 
 #include <stdbool.h>

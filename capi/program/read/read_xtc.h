@@ -5,7 +5,7 @@
 #include "read/line_reader.h"
 #include "read/molecule.h"
 
-/* The data that a frame is unpacked from. Zeros at first. */
+/* The data from which a frame is unpacked. Zeros at first. */
 struct xtc {
   unsigned char *packed;
   size_t capacity;

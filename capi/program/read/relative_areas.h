@@ -1,7 +1,7 @@
-/* The area that a residue's is compared with: the largest that it can have. */
+/* The area with which a residue's area is compared: the largest that it can have. */
 #pragma once
 
-/* Where the values come from, for people. */
+/* The source of the values, for people. */
 extern const char relative_areas_source[];
 
 /* The largest solvent-accessible area of a residue of this name in a chain, in angstrom^2; NaN if there is no value. */

@@ -11,11 +11,11 @@ struct bond {
 struct stated_bonds {
   struct bond *bond; /* [count] ascending, none twice */
   size_t count;
-  bool *named; /* [atoms] whether an atom is in one of them */
+  bool *named; /* [atoms] whether a bond has the atom */
 };
 
-/* Find the atoms of all stated bonds; those that name an atom that is not there, or several, or one atom twice, are
- * left out. To be freed on true and on false, which means that memory is short. */
+/* Find the atoms of all stated bonds. A bond is left out if one of its names fits no atom or several, or both fit the
+ * same one. False: memory is short. Free the bonds on true and on false. */
 bool stated_bonds_find(const struct molecule *molecule, struct stated_bonds *bonds);
 
 void stated_bonds_free(struct stated_bonds *bonds);

@@ -1,5 +1,5 @@
-/* Ends of a run before its work is done: Ctrl-C, and a time that is over. The library asks; so do loops that read and
- * those over files. */
+/* The end of a run before its work is done: by Ctrl-C, or because its time is over. The library asks whether to go on,
+ * and so do the loops that read and those over files. */
 #pragma once
 
 #include <stdbool.h>
@@ -8,27 +8,27 @@
 #include "hardsphere.h"
 #include "read/failure.h"
 
-/* As shells have it of a program that SIGINT ended, and as timeout(1). */
+/* The values that shells use for a program ended by SIGINT, and timeout(1) for one whose time is over. */
 #define EXIT_INTERRUPTED 130
 #define EXIT_TIME_IS_OVER 124
 
 /* From now on SIGINT stops the run. A signal that is ignored stays ignored. */
 void stopping_by_interrupt(void);
 
-/* So does the time in seconds, if it is above 0. */
+/* From now on the run stops after that many seconds, if they are above 0. */
 void stopping_after(double seconds);
 
-/* Of a handler of SIGINT: notes it. False if that was done before, as a second one is not to wait. */
+/* For a handler of SIGINT: notes the signal. False if one was noted before: at the second the run ends at once. */
 bool stopping_note(void);
 
 /* Whether the run is to stop. */
 bool stopping_asked(void);
 
-/* For all that computes by the calling thread alone. */
+/* The executor for all work that only the calling thread does. */
 const hsp_executor *stopping_executor(void);
 
 /* proceed of an executor. */
 int32_t stopping_proceed(void *context);
 
-/* Why the run stops, instead of what failed as it did. */
+/* Replace the failure by the reason why the run stops. */
 void stopping_is_why(struct failure *failure);

@@ -1,4 +1,4 @@
-/* Values by their keys in the title of extended XYZ: key=value, with blanks around the sign or without. */
+/* Values by their keys in the title of an extended XYZ file: key=value, with or without blanks around the sign. */
 #pragma once
 
 #include <stdbool.h>
@@ -6,10 +6,10 @@
 
 #include "read/fields.h"
 
-/* The value of a key, as it is written: a word, or with what is around it, quotes or brackets [..] {..}. A key within
- * the value of another one is none. False: the title has no such key. */
+/* The value of a key, as written: a word, or a text in quotes or brackets [..] {..}, which are part of the result. A
+ * key within the value of another one does not count. False: the title has no such key. */
 bool title_value(const char *title, const char *key, struct field *value);
 
-/* The parts of a value: words between blanks and commas, whatever brackets and quotes there are. The first `capacity`
- * are stored; the result is the number of all of them. */
+/* The parts of a value: words between blanks and commas; brackets and quotes are ignored. The first `capacity` are
+ * stored; the result is the number of all of them. */
 size_t title_value_split(struct field value, struct field *parts, size_t capacity);

@@ -1,4 +1,4 @@
-/* Frames of a trajectory, one after the other, in memory for one of them. */
+/* Frames of a trajectory, one after the other: only one is in memory at a time. */
 #pragma once
 
 #include "read/byte_reader.h"
@@ -15,26 +15,26 @@ struct trajectory {
   uint32_t atoms;  /* of every frame */
   uint64_t frames; /* read or stepped over */
   double *xyz;     /* [atoms][3], angstrom: the frame read last */
-  uint32_t *line;  /* [atoms], where its atoms stand; NULL in binary files */
+  uint32_t *line;  /* [atoms], the lines of its atoms in the file; NULL in binary files */
   struct frame_stamp stamp;
-  bool boxed; /* one of the frames so far has a box, or what is none where one belongs */
-  /* The rest is the readers'. */
+  bool boxed; /* one of the frames so far states a box, valid or not */
+  /* Only readers use the rest. */
   struct line_reader *lines;
   bool begun; /* the next model's first line was read with the last one */
   struct molecule model;
-  struct box_record last_box; /* of a .pdb file, where one record is for all models behind it */
+  struct box_record last_box; /* of a .pdb file, in which one record is for all models behind it */
   struct byte_reader bytes;
   struct xtc xtc;
   struct dcd dcd;
   struct netcdf netcdf;
 };
 
-/* The format of the file, by its extension; of standard input that of the molecule. False: no trajectory, and the
- * failure says what would be one. */
+/* Take the file's format from its extension; standard input has the molecule's format. False: it is no format of
+ * trajectories, and the failure names those. */
 bool trajectory_format_of(const char *path, const struct file_format *molecule, struct trajectory *trajectory,
                           struct failure *failure);
 
-/* Open the file, whose format is known, for a molecule of so many atoms. Close it on true and on false. */
+/* Open the file, whose format is known, for a molecule of that many atoms. Close it on true and on false. */
 bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t atoms, struct failure *failure);
 
 /* Read the next frame, or step over it: then only the number of its atoms may be checked. LINE_END: there is none.

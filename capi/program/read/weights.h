@@ -6,7 +6,7 @@
 
 #include "read/failure.h"
 
-/* Read one number per ball in the order of the molecule: one on each line, blank lines skipped, what follows a '#' is
- * a comment. Any other number of numbers is refused. what: such a number is called, for instance "weight".
- * *weights [count] is to be freed on true. */
+/* Read one number per ball in the order of the molecule: one on each line; blank lines are skipped, text behind a '#'
+ * is a comment. Fewer or more numbers are refused. what: the name of such a number in messages, for instance "weight".
+ * Free *weights [count] on true. */
 bool weights_read(const char *path, const char *what, uint32_t count, double **weights, struct failure *failure);

@@ -35,7 +35,7 @@ static inline void word_put(char *out, uint64_t word) {
 }
 #endif
 
-/* Of a word that is not 0. */
+/* The place of the lowest bit of a word that is not 0. */
 static inline unsigned lowest_bit(uint64_t word) {
 #ifdef __GNUC__
   return (unsigned)__builtin_ctzll(word);
@@ -61,7 +61,7 @@ static inline uint64_t word_first(uint64_t word, unsigned count) {
   return count >= 8 ? word : word & ((UINT64_C(1) << 8 * count) - 1);
 }
 
-/* 0x80 in place of the first character that equals `byte`, and perhaps of later ones; 0: none does. */
+/* 0x80 at the first character that equals `byte`, and perhaps at later ones; 0: none does. */
 static inline uint64_t word_find(uint64_t word, char byte) {
   const uint64_t apart = word ^ WORD_OF((unsigned char)byte);
   return (apart - WORD_OF(0x01)) & ~apart & WORD_OF(0x80);
@@ -84,7 +84,7 @@ static inline bool word_number(uint64_t word, double *value) {
   static const double powers[8] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
   const uint64_t point = word_find(word, '.');
   unsigned decimals = 0, most = 56; /* bits before the first digit */
-  if (point != 0) {                 /* what stands before it moves up to what stands behind it */
+  if (point != 0) {                 /* the digits before it move up to those behind it */
     const unsigned at = lowest_bit(point) & 56;
     const uint64_t behind = ~UINT64_C(0xFF) << at;
     word = (word & behind) | ((word << 8 | ' ') & ~behind);
@@ -104,7 +104,7 @@ static inline bool word_number(uint64_t word, double *value) {
   return true;
 }
 
-/* Digits, at most 8 and before others perhaps, as a number. False: one of them is none. */
+/* The first `count` characters, 0 to 8, as a number. False: one of them is no digit. */
 static inline bool word_whole(uint64_t word, unsigned count, uint64_t *number) {
   *number = 0;
   if (count == 0) return true;
@@ -147,7 +147,7 @@ static inline bool word_decimal(const char *text, size_t length, int power, doub
   return true;
 }
 
-/* Columns without the blanks around them, and zeros behind. */
+/* The first `width` columns without the blanks around them, and zeros behind. */
 static inline uint64_t word_label(uint64_t word, unsigned width) {
   const uint64_t filled = word_first(word ^ WORD_OF(' '), width);
   if (filled == 0) return 0;
@@ -155,7 +155,7 @@ static inline uint64_t word_label(uint64_t word, unsigned width) {
   return word_first(word >> first, (last - first) / 8 + 1);
 }
 
-/* Of a key whose length is a multiple of 8. */
+/* The hash of a key whose length is a multiple of 8. */
 static inline uint32_t word_hash(const void *key, size_t bytes) {
   uint64_t hash = 0;
   for (size_t i = 0; i < bytes; i += sizeof hash) {
