@@ -1,9 +1,9 @@
-/* Scripts that make a shell complete commands, options and the words behind them. */
+/* Scripts by which a shell completes commands, options and the words behind options. */
 #pragma once
 
 #include <stdbool.h>
 
 #include "read/text_buffer.h"
 
-/* The script for "bash" or "zsh"; false: it is of another shell. */
+/* The script for the shell "bash" or "zsh". False: it is another shell. */
 bool completion_of_shell(const char *shell, struct text_buffer *out);

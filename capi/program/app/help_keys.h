@@ -4,11 +4,11 @@
 #include "commands/request.h"
 #include "read/text_buffer.h"
 
-/* Adds the paragraphs of a text to `out`, filled into lines, in which stands for
- *   <>                   the keys that follow the last ones that were named
- *   <..key>              the same up to that key
- *   <--option value=key> what the command has of that key with such options
+/* Add the paragraphs of a text to `out`, filled into lines, with these marks replaced:
+ *   <>                   by the keys that follow those named so far
+ *   <..key>              by the same keys up to `key`
+ *   <--option value=key> by the form of that key when such options are given
  *   <--option value..key>, <--option value>
- *                        as the first two, of the keys that it has with such options alone
- * As a name that the command does not write would be, `key` stays as it is where there is no such key. */
+ *                        as the first two, but by keys that the command writes only with such options
+ * If there is no such key, the result is <key>, brackets included. */
 void help_keys_fill(struct text_buffer *out, enum command command, const char *text);

@@ -1,10 +1,11 @@
-/* Which options go together, and with the files that are named. */
+/* Whether options may be combined with each other and with the files that are named. */
 #pragma once
 
 #include "commands/request.h"
 
-/* Whether the command takes as many files. */
+/* Whether the command takes that many files. */
 bool request_check_several(const struct request *request, struct failure *failure);
 
-/* The same of all else, once the format of the file is known. Takes back or adds what follows from other options. */
+/* Check everything else, once the format of the file is known. Adds choices that follow from other options, or removes
+ * them. */
 bool request_check(struct request *request, struct failure *failure);

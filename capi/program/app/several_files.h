@@ -1,4 +1,4 @@
-/* One command on several files, by several threads: what each of them gives, one after the other. */
+/* One command for several files, by several threads; the results come in the order of the files. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,14 +9,14 @@
 #include "read/failure.h"
 #include "read/text_buffer.h"
 
-/* Do what is asked for with the file of a request, by so many threads. */
+/* Do what a request asks for with its file, by that many threads. */
 typedef bool file_function(const struct request *request, uint32_t threads, struct notes *notes,
                            struct text_buffer *out, struct failure *failure);
 
-/* Run it on all files of the command line, of which `first` is the request for the first one, and print what they give
- * in their order: tables with an empty line between them, JSON as one object a line, and of --csv one table with the
- * file's name as its first column. A command line at fault stops all before anything is read: false. A file at fault,
- * or one whose table has other columns than the first one, stops only itself: its failure is printed, and of the last
- * one the failure has the exit status. */
+/* Run it on all files of the command line (`first` is the request for the first one) and print the results in their
+ * order: tables with an empty line between them, JSON as one object a line, and for --csv one table with the file's
+ * name as its first column. A faulty command line stops all before anything is read: false. A faulty file, or one whose
+ * table has other columns than that of the first file, stops only itself: its failure is printed, and the exit status
+ * is that of the last such failure. */
 bool several_files_run(const struct request *first, int count, char **arguments, file_function *run,
                        struct failure *failure);

@@ -6,15 +6,15 @@
 #include "write/ball_label.h"
 #include "write/table.h"
 
-/* The table, and what it is made of. */
+/* The table, and the data from which it is made. */
 struct ball_table {
   struct ball_rows rows;
   const double *area, *weight;
-  const uint8_t *part; /* 0 of balls that only block; NULL: none do */
-  bool lists_blocking; /* with neither area nor weight */
+  const uint8_t *part; /* 0: a ball that only blocks; NULL: there are none */
+  bool lists_blocking; /* list these, too, without area and weight */
   double probe;
   struct column columns[MOST_COLUMNS];
-  const double *values[MOST_COLUMNS]; /* of the columns, a number or a vector a ball; NULL: the free part of its area */
+  const double *values[MOST_COLUMNS]; /* per column: a number or a vector for each ball; NULL: free parts of areas */
   struct table table;
 };
 

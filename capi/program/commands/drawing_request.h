@@ -1,4 +1,4 @@
-/* The request of a user of `draw`: what the options say, which the part of the program that draws reads. */
+/* The request of a user of `draw`: the values of its options, for the part of the program that draws. */
 #pragma once
 
 #include <stdbool.h>
@@ -18,60 +18,60 @@ enum {
   COLOUR_FILE
 };
 
-/* The things that labels name. */
+/* The things that have labels. */
 enum { LABEL_ATOM, LABEL_RESIDUE, LABEL_CHAIN };
 
-/* HSP_INK_BORDER and so on. */
+/* The levels HSP_INK_BORDER and so on. */
 enum { INK_LEVELS = 3 };
 
-/* Numbers and choices are negative where the user has said nothing. Choices are numbered as in hardsphere.h;
- * see drawing_is_of_map. */
+/* Numbers and choices are negative if the user has not given them. Choices are numbered as in hardsphere.h; see
+ * drawing_is_of_map. */
 struct drawing {
   const char *out; /* a file, or NULL */
   const char *title;
   struct viewing viewing;
   struct selection highlight;
   struct given_vector centre; /* of a fixed frame */
-  int format;                 /* where the user has not said, drawing_check sets it by the extension of out */
+  int format;                 /* if the user has not given it, drawing_check takes it from the extension of `out` */
   int style;
   int palette;
   int colour;              /* COLOUR_* */
-  const char *colour_file; /* of COLOUR_FILE */
+  const char *colour_file; /* for COLOUR_FILE */
   bool range_given;
-  double range[2]; /* of numbers: the ends of the ramp */
+  double range[2]; /* the numbers at the ends of the colour ramp */
   int unit;
   int pieces;
   int as;         /* see drawing_is_of_sticks */
   int background; /* 0xRRGGBB, or DRAWING_NO_BACKGROUND */
   int outline_colour;
-  int text_colour; /* of what is written over the picture; < 0: that of lines */
-  int fog_colour;  /* of what lies behind a picture without a background */
-  uint32_t spin;   /* pictures of one turn; 0: not said */
+  int text_colour; /* of texts over the picture; < 0: that of lines */
+  int fog_colour;  /* of fog, if the picture has no background */
+  uint32_t spin;   /* number of pictures of one turn; 0: not given */
   double width;
   double height;
   double outline;
   double fog;
-  double fog_of_many; /* of many sticks, if a look has one of its own for them */
+  double fog_of_many; /* for many sticks, if the look has another value for them */
   double margin;
   double scale; /* of a fixed frame */
   bool crop_given;
-  double crop[4]; /* left, top, width and height of the part of the picture that is wanted, in its unit */
+  double crop[4]; /* left, top, width and height of the wanted part of the picture, in its unit */
   double occlusion;
-  double ball_size; /* of sticks: parts of the radii */
-  double stick;     /* radius */
+  double ball_size; /* with sticks: the balls' radii as parts of those of the atoms */
+  double stick;     /* radius of sticks */
   int label;        /* LABEL_* */
   bool scale_bar;
   bool legend;
   bool all_balls;
-  bool water; /* is drawn, and not left out */
+  bool water; /* it is drawn, not left out */
   bool ink;
   double ink_width[INK_LEVELS];
   int ink_colour[INK_LEVELS];
   int look;       /* see look.h */
-  bool lightens;  /* colours, which dark pages make look darker: looks do */
-  bool darkens;   /* buried balls, where the user says nothing of occlusion: looks do */
-  bool by_chain;  /* colours of molecules with two chains or more: likewise, of palettes */
-  bool tints_one; /* of one chain, too: likewise */
+  bool lightens;  /* set by looks: colours become lighter, as dark pages make them look darker */
+  bool darkens;   /* set by looks: buried balls become darker if the user does not state the occlusion */
+  bool by_chain;  /* set by looks: molecules with two chains or more have colours by chain, also small ones */
+  bool tints_one; /* set by looks: with one chain, too */
   bool classes;   /* names of elements, residues and chains for style sheets */
   bool tooltips;  /* names of atoms beside the pointer */
 };

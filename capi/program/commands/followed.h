@@ -11,13 +11,13 @@
 
 /* A cavity of a frame. */
 struct cavity {
-  const uint32_t *balls; /* [ball_count] around it, each once */
+  const uint32_t *balls; /* [ball_count] the balls around it, each once */
   uint32_t ball_count;
   double volume; /* NaN: not known */
   /* Found by followed_take: */
-  uint32_t number; /* from 1 on, the same in all frames */
-  uint32_t from;   /* where it was not there in the frame before: the one of that frame that it is a part of, or 0 */
-  const uint32_t *merged; /* [merged_count] those of the frame before that are in it now, and have ended */
+  uint32_t number;        /* from 1 on, the same in all frames */
+  uint32_t from;          /* if it split off from a cavity of the frame before: the number of that one; else 0 */
+  const uint32_t *merged; /* [merged_count] cavities of the frame before that have ended and are in it now */
   uint32_t merged_count;
 };
 
@@ -30,7 +30,7 @@ struct followed {
   uint32_t *merged; /* of the last frame */
   bool keeps_volumes;
   struct followed_volume {
-    uint64_t frame, place; /* its number in the trajectory, and its place among those that were taken */
+    uint64_t frame, place; /* the frame's number in the trajectory, and its place among those taken */
     uint32_t number;
     double volume;
   } * volumes; /* [volume_count], by frames */
@@ -38,14 +38,15 @@ struct followed {
   uint64_t first_frame, last_frame;
 };
 
-/* Give the cavities of the next frame their numbers. Two cavities may be one if they share at least half of the atoms
- * of that which has fewer. Of such pairs those are taken first that share most of the atoms that either has: where a
- * cavity splits, the part that has more of it keeps its number, and where two merge the one that makes up more of the
- * result. One that has closed and opens again has its number again. New numbers are given in the order of the list. */
+/* Give the cavities of the next frame their numbers. A cavity may be the same as one of the frame before if they share
+ * at least half of the atoms of that with fewer atoms. Pairs that share the largest part of the atoms that either has
+ * are chosen first: if a cavity splits, the part with more of it keeps its number; if two merge, the result has the
+ * number of the one that makes up more of it. A cavity that closes and opens again has its number again. New numbers
+ * are given in the order of the list. */
 bool followed_take(struct followed *followed, const struct molecule *molecule, struct cavity *cavities, uint32_t count,
                    struct failure *failure);
 
-/* The columns of a table that it has beside its number, behind all others; and the cells of these. */
+/* The columns about following, beside the number, which stand behind all others of a table; and their cells. */
 enum { FOLLOWED = 2 };
 #define FOLLOWED_COLUMNS                               \
   {"from", NULL, NULL, 0, COLUMN_RESIDUE_NUMBER, 0}, { \

@@ -1,4 +1,4 @@
-/* Numbers of two groups each, for persons: a matrix, and what is to be said of the groups. */
+/* Numbers for pairs of groups, for persons: a matrix, and notes on the groups. */
 #pragma once
 
 #include <stdint.h>
@@ -6,15 +6,15 @@
 #include "read/selection_groups.h"
 #include "write/record.h"
 
-/* More have no room in a line. */
+/* More groups have no room in a line. */
 enum { MOST_GROUPS_OF_MATRIX = 12 };
 
-/* A matrix with the names of the groups, of value(of, row, column), which is the same both ways and is asked for with
- * row < column, or of a group itself with row = column where the diagonal counts. */
+/* Write a matrix of value(of, row, column), with the names of the groups. The values are symmetric, and `value` is
+ * called with row < column; with `diagonal` also with row = column, for the group itself. */
 void group_matrix_record(struct record *record, const struct found_groups *groups, bool diagonal,
                          double value(const void *of, uint32_t row, uint32_t column), const void *of);
 
-/* Of a column to the left with the names of the groups. */
+/* The width of a column at the left with the names of the groups. */
 int group_names_width(const struct found_groups *groups);
 
 /* A line for each group that names atoms of groups before it. */

@@ -1,4 +1,4 @@
-/* The report on a file: what was read, what was left out, and how the rest became balls. */
+/* The report on a file: which atoms were read, which were left out, and how the rest became balls. */
 #pragma once
 
 #include "commands/request.h"
@@ -6,22 +6,23 @@
 #include "read/text_buffer.h"
 #include "write/record.h"
 
-/* The heading says what was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
+/* The heading of every table: file, balls, atoms left out, radii, probe. */
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
-/* That of a table with a row for each of several files or molecules: what is the same for all. */
+/* The heading of a table with a row for each of several files or molecules: the data that all share. */
 void rows_heading(struct text_buffer *out, const struct request *request);
 
 /* The last key of every command's JSON: , "input": {...} */
 void input_report_json(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
-/* The results that `print` puts into a record, with what was read before or behind them: a table, an object of JSON, or
- * a line of CSV or of a table and its titles, which of a trajectory the first frame alone has. */
+/* Write the results that `print` puts into a record, and the report on the file before or behind them: as a table, an
+ * object of JSON, or a line of CSV or of a table. A line has titles before it, in a trajectory only that of the first
+ * frame. */
 void report(const struct request *request, const struct molecule *molecule,
             void print(struct record *record, const void *of), const void *of, struct text_buffer *out);
 
-/* The table as comma-separated values; in a frame of a trajectory each row behind what the frame is, with titles in the
- * first frame alone. The table has no lead of its own. */
+/* Write the table as comma-separated values. In a trajectory each row begins with the columns of its frame, and only
+ * the first frame has titles. The table has no lead of its own. */
 void report_list(const struct molecule *molecule, const struct table *table, struct text_buffer *out);
 
 /* How many molecules of water are among the balls; 0 if there is nothing else. */

@@ -1,4 +1,4 @@
-/* hardsphere measure --trajectory RUN --mean: what the frames have in common. */
+/* hardsphere measure --trajectory RUN --mean: means over the frames. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,11 +9,11 @@
 #include "read/text_buffer.h"
 #include "write/record.h"
 
-/* The mean over the frames of all that `measure` finds of each, with its standard deviation, the least and the most;
- * of balls, residues, chains and groups the mean area and its deviation. The same bytes for any number of threads.
- * *largest_rounding as command_frames has it. */
+/* For each number that `measure` finds in a frame: its mean over the frames, standard deviation, least and largest
+ * value; for balls, residues, chains and groups the mean area and its deviation. The output is the same for any number
+ * of threads. *largest_rounding: as command_frames. */
 bool measure_mean(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
                   double *largest_rounding, struct failure *failure);
 
-/* As describe_measure (commands.h), of means. */
+/* As describe_measure (commands.h), for means. */
 void measure_mean_describe(const struct request *request, struct record *record);

@@ -8,16 +8,16 @@
 
 enum mesh_surface { MESH_VAN_DER_WAALS, MESH_SOLVENT_ACCESSIBLE, MESH_SOLVENT_EXCLUDED };
 
-/* Choices are negative where the user has said nothing. */
+/* Choices are negative if the user has not given them. */
 struct meshing {
-  const char *out;    /* a file, or NULL; of MSMS the one with the vertices */
-  int format;         /* meshing_check sets it, by the extension of out if the user has not said */
-  int surface;        /* meshing_check sets it, by the probe if the user has not said */
-  double edge;        /* negative: not said */
-  bool cut;           /* of a picture: open it, so that voids are seen */
-  bool dark;          /* its page */
-  double pockets;     /* likewise, radius of a probe that does not get to those that are shown; negative: none are */
-  double persistence; /* of these, at least */
+  const char *out;    /* a file, or NULL; for MSMS the file of the vertices */
+  int format;         /* if it is not given, meshing_check takes it from the extension of `out` */
+  int surface;        /* if it is not given, meshing_check chooses it by the probe */
+  double edge;        /* negative: not given */
+  bool cut;           /* in a picture: cut the surface open, so that voids are seen */
+  bool dark;          /* in a picture: a dark page */
+  double pockets;     /* in a picture: show pockets that a probe of this radius does not reach; negative: none */
+  double persistence; /* the least persistence of these pockets */
 };
 
 #define MESHING_DEFAULT \
@@ -26,5 +26,6 @@ struct meshing {
 /* The user's name of the surface. */
 const char *meshing_surface_name(const struct meshing *meshing);
 
-/* Whether all options go together, with this probe, and with options of viewing; sets what follows from them. */
+/* Whether all options may be combined, also with this probe, and with options of viewing if `viewed`. Sets values that
+ * follow from them. */
 bool meshing_check(struct meshing *meshing, double probe, bool viewed, struct failure *failure);

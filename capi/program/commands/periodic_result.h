@@ -1,4 +1,4 @@
-/* A molecule in a periodic box, and what every command says of it. */
+/* A molecule in a periodic box, and the results that all commands report of it. */
 #pragma once
 
 #include <stdbool.h>
@@ -19,22 +19,22 @@ struct periodic_result {
   double strain_area[9], strain_volume[9];
 };
 
-/* The box that the request or the file names, alone. */
+/* Find only the box that the request or the file names. */
 bool periodic_result_find_box(const struct request *request, const struct molecule *molecule,
                               struct periodic_result *result, struct failure *failure);
 
-/* Compute everything in the box that the request or the file names. weights [atoms]: of areas, for totals.area and
- * strain_area; NULL: all are 1. Free the result on true and on false. */
+/* Compute everything in the box that the request or the file names. weights [atoms]: weights of areas in totals.area
+ * and strain_area; NULL: all are 1. Free the result on true and on false. */
 bool periodic_result_make(const struct request *request, const struct molecule *molecule, const double *weights,
                           struct geometry *geometry, struct periodic_result *result, struct failure *failure);
 
 void periodic_result_free(struct periodic_result *result);
 
-/* The box, and what was made of it. */
+/* Write the box, and how it was filled with copies. */
 void periodic_result_record_box(struct record *record, const struct periodic_result *result);
 
-/* Keys of JSON: where something leads that goes on for ever, as hsp_winding says. */
+/* Write keys of JSON for the directions in which something extends without end, as hsp_winding has them. */
 void directions_json(struct text_buffer *out, uint32_t directions, uint32_t copies, const int32_t row[9]);
 
-/* The box, what of it is free, components by their directions. In a row of a frame its volumes alone. */
+/* Write the box, its free part, and components by their directions; in a row of a frame only its volumes. */
 void periodic_result_record(struct record *record, const struct periodic_result *result);

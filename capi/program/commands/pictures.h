@@ -1,5 +1,5 @@
-/* Pictures of results. Another part of the program draws them, which a build may leave out (HSP_TOOL_DRAW); commands
- * know no more of it than this. */
+/* Pictures of results. Another part of the program draws them, which a build may leave out (HSP_TOOL_DRAW); this header
+ * is all that commands use of it. */
 #pragma once
 
 #include <stdbool.h>
@@ -20,14 +20,15 @@ struct contact_square {
 
 struct contact_map {
   const struct molecule *molecule;
-  const struct atom_groups *groups; /* of grouping GROUPING_NONE: rows are balls */
+  const struct atom_groups *groups; /* with the grouping GROUPING_NONE rows are balls */
   uint32_t rows;
   const struct contact_square *squares; /* [count] */
   uint32_t count;
   bool dark; /* the page */
 };
 
-/* The size of the picture of a mesh, and how many pockets were found and have colours: UINT32_MAX without --pockets. */
+/* The size of the picture of a mesh, how many pockets were found, and how many have colours; UINT32_MAX without
+ * --pockets. */
 struct mesh_drawn {
   uint64_t bytes;
   uint32_t pockets, coloured;
@@ -36,10 +37,10 @@ struct mesh_drawn {
 struct pores_found;
 struct followed;
 
-/* Each writes a file, and is NULL in a program that does not draw; there options that ask for one are refused. */
+/* Each function writes a file. In a program without this part it is NULL, and options that ask for it are refused. */
 struct pictures {
   bool (*contacts)(const struct contact_map *map, const char *path, struct failure *failure);
-  /* Splits triangles of the mesh where colours change. */
+  /* Also splits triangles of the mesh where colours change. */
   bool (*mesh)(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                struct triangle_mesh *mesh, struct mesh_drawn *drawn, struct failure *failure);
   bool (*tunnels)(const struct pores_found *found, const struct molecule *molecule, const char *path,

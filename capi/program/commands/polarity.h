@@ -6,6 +6,6 @@
 #include "read/failure.h"
 #include "read/molecule.h"
 
-/* Note it of each atom. A hydrogen is what the atom is that it is bound to, by the bonds that the file states or by
- * distance; the nearest one of several counts, and without any it is neither. False: memory is short. */
+/* Set the flags of each atom. A hydrogen has those of the atom to which it is bound, by the bonds that the file states
+ * or by distance; if there are several, of the nearest one; if there is none, it is neither. False: memory is short. */
 bool polarity_find(struct molecule *molecule, struct failure *failure);

@@ -1,4 +1,4 @@
-/* The pores of a molecule as `pores` lists them, prints them and writes them to files. */
+/* The pores of a molecule that `pores` finds, prints and writes to files. */
 #pragma once
 
 #include <stdbool.h>
@@ -14,7 +14,7 @@
 #include "read/geometry.h"
 #include "read/molecule.h"
 
-/* Lists of numbers, one for each of several things. */
+/* A list of numbers for each of several things; those of thing i are number[first[i] .. first[i + 1]). */
 struct number_lists {
   size_t *first; /* [things + 1] */
   uint32_t *number;
@@ -23,36 +23,36 @@ struct number_lists {
 /* The steps of the tunnels, one after another. */
 struct tunnel_step {
   uint32_t tunnel; /* from 1 on */
-  double length;   /* of the way from its start */
+  double length;   /* of the tunnel from its start to this point */
   hsp_tunnel_point point;
 };
 
-/* The pores that were asked for. */
+/* The results that the request asks for. */
 struct pores_found {
   const struct request *request;
   hsp_pores_counts counts;
   hsp_pore_maximum *maxima;
   hsp_pore_gate *gates;
-  struct number_lists of_maxima; /* balls */
-  struct number_lists of_gates;
+  struct number_lists of_maxima; /* the balls of each maximum */
+  struct number_lists of_gates;  /* and of each gate */
   uint32_t pocket_count;
   hsp_pore_pocket *pockets;
   hsp_pore_pocket_size *sizes; /* of the pockets */
   struct sized_pocket *listed; /* [listed_count] */
   uint32_t listed_count;
-  uint32_t smaller;        /* pockets that are not listed because of their volume */
-  struct cavity *followed; /* [listed_count] of a trajectory; NULL: of a single molecule */
+  uint32_t smaller;        /* pockets too small to be listed */
+  struct cavity *followed; /* [listed_count] in a trajectory; NULL for a single molecule */
   struct number_lists mouths;
   struct number_lists lining;
-  struct number_lists of_pockets; /* maxima */
-  double from[3], to[3];          /* to: if the request names it */
-  double room;                    /* of the largest probe at the start */
+  struct number_lists of_pockets; /* the maxima of each pocket */
+  double from[3], to[3];          /* `to` only if the request names it */
+  double room;                    /* the radius of the largest probe at the start */
   uint32_t tunnel_count;
   hsp_tunnel *tunnels;
   hsp_tunnel_route *routes;
   struct tunnel_step *steps;
   size_t step_count;
-  struct periodic_result box; /* with --box, and what follows */
+  struct periodic_result box; /* this and what follows: with --box */
   hsp_pore_percolation wide;
   hsp_pore_gate_shifts *shifts; /* [gates] */
   uint32_t channel_count;
@@ -60,10 +60,10 @@ struct pores_found {
   hsp_pore_access access; /* with --regions */
   uint32_t region_count;
   hsp_pore_region *regions;
-  hsp_pore_maximum *widest; /* [region_count] where the widest probe fits in each, but for the outside */
+  hsp_pore_maximum *widest; /* [region_count] the maximum of the widest probe in each; none for the outside */
 };
 
-/* Find all that found->request asks for; the rest of it is 0. To be freed on true and on false. */
+/* Find all that found->request asks for; everything else in `found` is 0 before. Free it on true and on false. */
 bool pores_find(const struct molecule *molecule, struct geometry *geometry, struct pores_found *found,
                 struct failure *failure);
 void pores_free(struct pores_found *found);

@@ -14,10 +14,10 @@ struct radius_window {
   const double *sigma; /* [atoms]; NULL: all ones */
 };
 
-/* Takes the boundary of one of the two sets, whose volume counts `factor` times. */
+/* Takes the boundary of one of the two sets of balls, whose volume counts `factor` times. */
 typedef bool take_side(void *of, const struct geometry *side, double factor, struct failure *failure);
 
-/* Both sets, one after the other, on one lattice, with the threads of `whole`, which gets their largest rounding. A
- * radius below 0 becomes 0. */
+/* Compute both sets, one after the other, on one lattice, with the threads of `whole`, which gets the largest rounding
+ * of both. A radius below 0 becomes 0. */
 bool radius_window_for_each_side(const struct radius_window *window, const struct molecule *molecule,
                                  struct geometry *whole, take_side *take, void *of, struct failure *failure);

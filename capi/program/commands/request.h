@@ -18,7 +18,7 @@
 #include "read/selection_groups.h"
 #include "read/text_buffer.h"
 
-/* In the order of the help. */
+/* The commands, in the order of the help. */
 enum command {
   COMMAND_MODEL,
   COMMAND_BOUNDARY,
@@ -40,23 +40,23 @@ enum command {
   COMMANDS
 };
 
-/* All as one, or one after the other. */
+/* All models as one molecule, or one after the other. */
 enum { MODELS_MERGED = 1, MODELS_EACH = 2 };
 
 enum rows { ROWS_NONE, ROWS_OF_CSV, ROWS_FOR_PERSONS };
 
-/* A point, or where a void or an atom has most room. */
+/* A point, given by its coordinates, or as the point of a void, an atom or a maximum with most room. */
 struct place {
   struct given_vector point; /* given in all cases */
-  uint64_t of_void;          /* its rank among those that `voids` lists, from 1 on; 0: it is none */
-  uint64_t of_atom;          /* its index among the balls plus 1; 0: it is none */
-  uint64_t of_maximum;       /* the same of a maximum of `pores` */
+  uint64_t of_void;          /* the void's rank in the list of `voids`, from 1 on; 0: no void */
+  uint64_t of_atom;          /* the atom's index among the balls plus 1; 0: no atom */
+  uint64_t of_maximum;       /* the index of a maximum of `pores` plus 1; 0: no maximum */
 };
 
-/* ---- one struct a command: the choices that it has beside those of all ---- */
+/* ---- one struct for each command: the choices that only it has ---- */
 
 struct boundary_request {
-  bool shells; /* are listed in any case */
+  bool shells; /* list them in any case */
 };
 
 struct measure_request {
@@ -65,15 +65,15 @@ struct measure_request {
   bool curvature;
   bool polar;
   bool relative;
-  int surface;           /* 0: solvent-accessible, 1: solvent-excluded; negative: not said */
-  bool outer;            /* of the outer cell alone */
-  bool mean;             /* over the frames, in place of a row of each */
+  int surface;           /* 0: solvent-accessible, 1: solvent-excluded; negative: not given */
+  bool outer;            /* measure only the outer cell */
+  bool mean;             /* means over the frames in place of a row for each */
   const char *pdb_out;   /* a file, or NULL */
-  struct selection part; /* the atoms that are measured, while all others only block */
+  struct selection part; /* the atoms that are measured; all others only block */
   struct selection_groups interface;
 };
 
-/* Neither is finite where it is not given. */
+/* A number that is not given is not finite. */
 struct hessian_request {
   double tension;  /* of the area */
   double pressure; /* of the volume */
@@ -87,35 +87,35 @@ struct voids_request {
 struct contacts_request {
   bool cells;
   struct selection_groups between;
-  double least;    /* area of a contact that is listed */
+  double least;    /* the least area of a contact that is listed */
   const char *map; /* a file for a picture of contacts, or NULL */
-  bool dark;       /* its page */
+  bool dark;       /* the picture has a dark page */
 };
 
-/* Of `path` and `gate`. */
+/* The choices of `path` and `gate`. */
 struct way_request {
   struct place from, to;
 };
 
 struct pores_request {
-  bool balls; /* of pockets and bottlenecks */
+  bool balls; /* list those of pockets and bottlenecks */
   bool gates;
-  bool regions;              /* which the probe finds, and how large they are */
-  double persistence;        /* of what is listed, at least */
-  double pockets;            /* radius of a probe that does not get there; negative: none are asked for */
-  double min_volume;         /* of those that are listed */
-  struct place tunnels_from; /* a way out from there */
-  struct place tunnels_to;   /* else the outside, in a box a copy of the start */
-  uint32_t tunnels;          /* how many; 0: it is not said */
-  bool cheapest;             /* those, by cost rather than by width */
-  const char *points;        /* a file of their points for viewers, or NULL */
+  bool regions;              /* list the regions that the probe finds, with their sizes */
+  double persistence;        /* the least persistence of what is listed */
+  double pockets;            /* list pockets that a probe of this radius does not reach; negative: none */
+  double min_volume;         /* the least volume of pockets that are listed */
+  struct place tunnels_from; /* the start of tunnels */
+  struct place tunnels_to;   /* their end; if it is not given, the outside, or in a box a copy of the start */
+  uint32_t tunnels;          /* how many; 0: not given */
+  bool cheapest;             /* the cheapest tunnels rather than the widest */
+  const char *points;        /* a file of points for viewers, or NULL */
   const char *tunnels_out;   /* a file with the tunnels as programs exchange them, or NULL */
   const char *profile;       /* files for charts of the tunnels and of the classes, or NULL */
   const char *tree;
 };
 
 struct clash_request {
-  struct given_vector rotate, translate; /* the second molecule */
+  struct given_vector rotate, translate; /* how the second molecule is moved */
 };
 
 enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
@@ -134,13 +134,13 @@ struct pick_request {
   struct given_vector at; /* x and y */
 };
 
-/* The request of a user: what is said of all commands, of several, and of the one that is named. The others' are as if
- * nothing were said. */
+/* The request of a user: choices for all commands, for several commands, and for the command that is named. The choices
+ * of all other commands are as if nothing were given. */
 struct request {
   enum command command;
   int files;          /* how many are named */
   const char **names; /* [files] */
-  const char *file;   /* the one that this request is about; "-": standard input */
+  const char *file;   /* the file of this request; "-": standard input */
   const struct file_format *format;
   bool format_given; /* by --format */
   bool json;
@@ -148,33 +148,33 @@ struct request {
   struct file_choice choice;
   bool model_given;
   bool location_given;
-  int models; /* MODELS_MERGED, MODELS_EACH; 0: not said */
+  int models; /* MODELS_MERGED, MODELS_EACH; 0: not given */
   bool rows_given;
-  enum rows rows;          /* in place of all that a command prints of a file or a molecule */
-  int chains;              /* of .cif, 1: by the authors' names, 2: by the labels'; 0: not said */
-  const char *index_file;  /* with groups of atoms, or NULL */
+  enum rows rows;          /* a row for each file or molecule in place of a full report */
+  int chains;              /* in .cif files 1: the authors' names, 2: those of labels; 0: not given */
+  const char *index_file;  /* a file with groups of atoms, or NULL */
   struct index_file index; /* of that file; empty if there is none */
   struct selection selection;
   const struct radii_set *set;
-  const char *radii_file;   /* with radii by residue and atom, or NULL */
+  const char *radii_file;   /* a file with radii by residue and atom, or NULL */
   struct radii_table table; /* of that file, or of the set; empty if there is none */
-  bool list_radii;          /* show what sets there are, and do nothing else */
+  bool list_radii;          /* list the sets of radii, and do nothing else */
   struct radii radii;
   struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */
   uint32_t threads;             /* 0: as many as the machine has processors */
   double timeout;               /* in seconds; below 0 if there is none */
 
-  const char *weights;    /* of areas: a file, or NULL; of `measure` and `hessian` */
-  double window;          /* of radii, over which areas are averaged; 0: none; likewise */
-  bool csv;               /* of those that list something */
-  enum grouping by;       /* of `measure` and `contacts` */
-  struct box_choice box;  /* likewise, and of `boundary` and `pores` */
+  const char *weights;    /* for `measure` and `hessian`: a file of weights of areas, or NULL */
+  double window;          /* for these two: the window of radii over which areas are averaged; 0: none */
+  bool csv;               /* for commands that list something */
+  enum grouping by;       /* for `measure` and `contacts` */
+  struct box_choice box;  /* for these two, `boundary` and `pores` */
   const char *trajectory; /* a file with frames of the molecule, or NULL */
   bool frames_given;
   struct frame_range frames;
-  const char *plot;       /* a file for a chart of volumes by frame, or NULL; of `voids` and `pores` */
-  bool excluded_surface;  /* it is asked for in place of the boundary; of `measure` and `mesh` */
-  struct viewing viewing; /* of `map`, `pick` and `mesh` */
+  const char *plot;       /* for `voids` and `pores`: a file for a chart of volumes by frame, or NULL */
+  bool excluded_surface;  /* for `measure` and `mesh`: the solvent-excluded surface in place of the boundary */
+  struct viewing viewing; /* for `map`, `pick` and `mesh` */
 
   struct boundary_request boundary;
   struct measure_request measure;
@@ -191,37 +191,37 @@ struct request {
   struct drawing drawing;
 };
 
-/* Whether a list of the balls is asked for. */
+/* Whether a list of the balls is wanted. */
 bool request_wants_balls(const struct request *request);
 
-/* Whether the area of each ball is asked for, in whatever form. */
+/* Whether the area of each ball is wanted, in any form. */
 bool request_wants_areas(const struct request *request);
 
-/* Whether places or radii of the balls are asked for once the library has them. */
+/* Whether centres or radii of the balls are still needed once the library has copied them. */
 bool request_wants_places(const struct request *request);
 
-/* Whether there is such a part of the molecule. */
+/* Whether only a part of the molecule is to be measured. */
 bool request_wants_part(const struct request *request);
 
-/* A file that is written, and the option that says so. */
+/* A file that is written, and the option that asks for it. */
 struct output_choice {
   const char *option;
   const char *path;
-  const char *kind; /* of file, as its name says: "an .svg"; NULL: others check it */
+  const char *kind; /* the kind of file that its name must state: "an .svg"; NULL: others check it */
 };
 
 enum { MOST_OUTPUTS = 8 };
 
-/* The files that are written; how many. */
+/* List the files that are written. Returns their number. */
 int request_outputs(const struct request *request, struct output_choice outputs[MOST_OUTPUTS]);
 
-/* Whether writing to a file of this name would write over one that the request names to be read. */
+/* Whether writing to a file of this name would overwrite one that the request reads. */
 bool request_reads(const struct request *request, const char *path);
 
-/* Whether one of them goes to standard output, where nothing else does then. */
+/* Whether one of the files goes to standard output, to which nothing else goes then. */
 bool request_prints_file(const struct request *request);
 
-/* By how much the radii of a model are grown: pores are those of every probe. */
+/* The length by which a model's radii are grown: 0 for pores, which are found for every probe. */
 double request_grown(const struct request *request);
 
 /* How many threads may be at work. */

@@ -10,11 +10,11 @@
 /* Compute the solvent-excluded surface over the boundary, which is computed. */
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);
 
-/* The same of the outer region alone, as if voids were filled. */
+/* The same for the outer region alone, as if voids were filled. */
 bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *failure);
 
-/* Of a computed surface, what each of its patches comes from: of convex ones nothing. To be freed on true. */
+/* List the probe and the balls of each patch of a computed surface; convex patches have none. Free *patches on true. */
 bool geometry_list_patches(const struct geometry *geometry, struct mesh_patch **patches, struct failure *failure);
 
-/* Make triangles of the boundary or of the solvent-excluded surface, which is computed. */
+/* Make triangles of the boundary, or of the solvent-excluded surface; it must be computed. */
 bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure);

@@ -1,4 +1,4 @@
-/* The text over a picture: labels with lines to what they name, a scale bar, and what colours stand for. */
+/* The text over a picture: labels with lines to the things they name, a scale bar, and a legend of colours. */
 #pragma once
 
 #include <stdbool.h>
@@ -22,14 +22,14 @@ struct annotation {
   const struct shown_bodies *bodies;
   const struct page_label *labels; /* [label_count] */
   uint32_t label_count;
-  const struct ball_palette *palette; /* what colours stand for, before occlusion: */
-  const uint32_t *colour;             /* [atoms] */
-  const uint32_t *darkened;           /* [atoms], by occlusion */
-  const struct selection *selected;   /* of these atoms */
-  const double *seen;                 /* [atoms], px^2 of each, by seen_areas.h; NULL: no legend asks for it */
+  const struct ball_palette *palette; /* the meaning of colours */
+  const uint32_t *colour;             /* [atoms], before occlusion */
+  const uint32_t *darkened;           /* [atoms], after it */
+  const struct selection *selected;   /* the atoms with labels */
+  const double *seen;                 /* [atoms], px^2 seen of each (seen_areas.h); NULL: no legend needs it */
 };
 
-/* Append it to `out`, in the language of the picture. *left_out becomes how many labels have no room. False: memory is
- * short. */
+/* Append the text to `out`, in the language of the picture. *left_out becomes the number of labels without room. False:
+ * memory is short. */
 bool annotation_write(const struct annotation *annotation, struct text_buffer *out, uint32_t *left_out,
                       struct failure *failure);

@@ -5,14 +5,14 @@
 #include "read/geometry.h"
 #include "read/molecule.h"
 
-/* The radii of balls, as a part of those of the atoms. */
+/* The radii of balls as parts of those of the atoms. */
 double ball_and_stick_size(const struct drawing *drawing);
 
-/* That of sticks. */
+/* The radius of sticks. */
 double ball_and_stick_radius(const struct drawing *drawing);
 
-/* Find the bonds, which the geometry keeps, and compute balls and sticks into it; its model becomes that of the small
- * balls. colour: that of each atom; a bond between equal ones is a whole stick. False, with the balls and sticks that
- * are in each other's way named, if these cannot be drawn. */
+/* Find the bonds, and compute balls and sticks. The geometry keeps both, and its model becomes that of the small balls.
+ * colour: of each atom; a bond between equal colours is one stick, not two halves. False, with the balls and sticks
+ * named, if some intersect in a way that cannot be drawn. */
 bool ball_and_stick_compute(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
                             struct geometry *geometry, struct failure *failure);

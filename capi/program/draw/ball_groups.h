@@ -1,4 +1,4 @@
-/* Which balls of a picture belong together, so that contours set them apart from others. */
+/* Groups of balls in a picture that contours separate from each other. */
 #pragma once
 
 #include <stdbool.h>
@@ -8,7 +8,7 @@
 #include "read/failure.h"
 #include "read/molecule.h"
 
-/* The group of every ball, to be freed on true: chains, and each ligand, ion or water for itself; residues where
- * colours stand for those. */
+/* Find the group of every ball: its chain, or its own ligand, ion or water; its residue if colours stand for residues.
+ * Free *group on true. */
 bool ball_groups_make(const struct drawing *drawing, const struct molecule *molecule, uint32_t **group,
                       struct failure *failure);

@@ -1,4 +1,4 @@
-/* The names of a picture's balls in its file: classes that style sheets can name, and texts beside the pointer. */
+/* The names of balls in the file of a picture: classes for style sheets, and texts that appear beside the pointer. */
 #pragma once
 
 #include <stdbool.h>
@@ -6,7 +6,7 @@
 #include "read/failure.h"
 #include "read/molecule.h"
 
-/* For each ball "el-C res-CYS chain-A" and "CYS A 16 SG", as far as the file says; or NULL. */
+/* For each ball "el-C res-CYS chain-A" and "CYS A 16 SG", as far as the file has these names; or NULL. */
 struct ball_names {
   char *text; /* all of them */
   const char **class_of;
@@ -16,7 +16,8 @@ struct ball_names {
 #define BALL_NAMES_NONE \
   { NULL, NULL, NULL }
 
-/* Makes those asked for of `classes` and `titles`, to be freed whatever is returned. False: memory is short. */
+/* Make the classes, if `classes`, and the titles, if `titles`. Free the names on true and on false. False: memory is
+ * short. */
 bool ball_names_make(const struct molecule *molecule, bool classes, bool titles, struct ball_names *names,
                      struct failure *failure);
 

@@ -7,7 +7,7 @@
 #include "read/failure.h"
 #include "read/molecule.h"
 
-/* The values that the drawing's colours stand for: the temperature factor of each atom; its charge; its free area for a
- * water molecule; or the numbers of the user's file. *value [atoms] is to be freed on true. */
+/* Make the numbers that the drawing's colours stand for: the temperature factor of each atom, its charge, its free area
+ * for a probe like a water molecule, or the numbers of the user's file. Free *value [atoms] on true. */
 bool ball_values_make(const struct drawing *drawing, const struct molecule *molecule, double **value,
                       struct failure *failure);

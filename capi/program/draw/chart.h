@@ -6,19 +6,19 @@
 
 #include "read/text_buffer.h"
 
-/* Pixels. Letters are legible where a chart is printed as wide as a column of a page. */
+/* Pixels. Letters are still legible if a chart is printed as wide as a column of a page. */
 enum { CHART_LETTER = 16, CHART_TICK = 4 };
 
-/* Half the height of capitals and figures: so far below the middle of what a text stands beside is its line. */
+/* Half the height of capitals and figures: the line of a text is so far below the middle of the thing beside it. */
 #define CHART_HALF_LETTER 5.5
 
-/* Lines of the frame and of ticks. */
+/* The colour of the frame and of ticks. */
 #define CHART_GREY "#9a9a9a"
 
 /* The beginning of the file; its end is "</svg>\n". */
 void chart_begin(struct text_buffer *out, int width, int height, const char *title);
 
-/* The same before a dark page, if so asked; lines and ticks have their grey on both. */
+/* The same, on a dark page if `dark`. Lines and ticks have the same grey on both kinds. */
 void chart_begin_before(struct text_buffer *out, int width, int height, const char *title, bool dark);
 
 /* anchor: "start", "middle" or "end". */
@@ -32,36 +32,37 @@ struct chart_frame {
   double left, top, width, height;
 };
 
-/* How far below a frame the name of the axis there has its line. */
+/* The distance from the lower side of a frame down to the line of the axis name. */
 enum { CHART_NAME_BELOW = CHART_TICK + 2 * CHART_LETTER + 8 };
 
-/* The name of an axis, and the sign of its unit, in UTF-8; of an empty one nothing. */
+/* The name of an axis, and the sign of its unit, in UTF-8, unless it is empty. */
 void chart_name_across(struct text_buffer *out, const struct chart_frame *frame, const char *name, const char *sign);
 void chart_name_up(struct text_buffer *out, const struct chart_frame *frame, const char *name, const char *sign);
 
-/* The numbers along a side of a frame: ticks at multiples of 1, 2 or 5 times a power of ten, at most a dozen, at two of
- * which it begins and ends, around all from low to high, which is more than low. */
+/* The numbers along a side of a frame: at most a dozen ticks at multiples of 1, 2 or 5 times a power of ten. The side
+ * begins and ends at a tick, and holds all numbers from low to high (high > low). */
 struct chart_scale {
   double low, high, step;
 };
 struct chart_scale chart_scale_of(double low, double high);
 
-/* The frame, with ticks along its lower and its left side; or its lower side alone, where lines would be taken for
- * others. */
+/* The frame, with ticks along its lower and its left side; or only its lower side, if the frame's lines could be
+ * mistaken for others. */
 void chart_axes(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *across,
                 const struct chart_scale *up);
 void chart_axis_below(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *across);
 
-/* Where a number is along a side. */
+/* The place of a number along a side. */
 double chart_x(const struct chart_frame *frame, const struct chart_scale *across, double number);
 double chart_y(const struct chart_frame *frame, const struct chart_scale *up, double number);
 
-/* A line without its points, and one of dashes, whole. */
+/* The beginning of a line, to which the caller adds points; and a whole dashed line. */
 void chart_path_begin(struct text_buffer *out, const char *colour, double width);
 void chart_dashed(struct text_buffer *out, double x0, double y0, double x1, double y1);
 
-/* Distinct colours, which begin anew after the last one. */
+/* Distinct colours; behind the last one they are repeated. */
 const char *chart_colour(uint32_t number);
 
-/* In pixels, the dashes of a line that has the colour of another one, longer each time; 0: it has none. */
+/* The length in pixels of the dashes of line `number`: the longer, the more lines before it have its colour; 0: the
+ * line is solid. */
 int chart_dash(uint32_t number);

@@ -1,4 +1,4 @@
-/* Of vectors in space. */
+/* The dot product of vectors in space. */
 #pragma once
 
 static inline double dot(const double a[3], const double b[3]) {

@@ -1,4 +1,4 @@
-/* Which options of `draw` go together, and what follows from them. */
+/* Checks of the options of `draw`, and choices that follow from them. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,29 +7,29 @@
 #include "commands/drawing_request.h"
 #include "read/failure.h"
 
-/* Which options go together, and what format the file's name asks for. */
+/* Check that the options may be combined, and set the format by the file's name. */
 bool drawing_check(struct drawing *drawing, struct failure *failure);
 
-/* Whether what is visible is drawn, from a map, and no pieces of a view one over the other. */
+/* Whether only visible parts are drawn, from a map; if not, pieces of a view are painted one over the other. */
 bool drawing_is_of_map(const struct drawing *drawing);
 
-/* Whether balls and sticks are drawn, and no balls of full size. */
+/* Whether small balls and sticks are drawn in place of balls of full size. */
 bool drawing_is_of_sticks(const struct drawing *drawing);
 
-/* Whether contours are drawn, for which a map is needed, too. */
+/* Whether contours are drawn; they need a map, too. */
 bool drawing_has_ink(const struct drawing *drawing);
 
 /* Whether colours stand for numbers. */
 bool drawing_is_of_values(const struct drawing *drawing);
 
-/* Whether anything is written over it. */
+/* Whether there is any text over the picture. */
 bool drawing_is_annotated(const struct drawing *drawing);
 
 /* The style and the occlusion for a number of balls, defaults included. */
 uint32_t drawing_style(const struct drawing *drawing, uint32_t balls);
 double drawing_occlusion(const struct drawing *drawing, uint32_t balls);
 
-/* How wide the picture is where the user gives no side, in its unit. */
+/* The width of the picture in its unit if the user gives neither width nor height. */
 double drawing_default_width(const struct drawing *drawing);
 
 /* The names of formats, styles and palettes for people. */

@@ -1,4 +1,4 @@
-/* Lines along edges of triangles, without what nearer triangles hide of them. */
+/* Lines along edges of triangles, without the parts that nearer triangles hide. */
 #pragma once
 
 #include <stdbool.h>
@@ -22,20 +22,20 @@ struct span {
 
 struct hidden_lines {
   const struct seen_triangle *triangle;
-  double plane; /* the depth where those that are not whole end */
+  double plane; /* the depth of a cut, at which triangles that are not whole end */
   struct mesh_squares squares;
   struct span *span; /* [spans] */
   size_t spans, room;
 };
 
-/* Take `count` triangles, which stay the caller's and where they are. To be freed on true and on false, which is for
- * want of memory. */
+/* Prepare for `count` triangles; they stay the caller's, and must stay where they are. Free *lines on true and on
+ * false. False: memory is short. */
 bool hidden_lines_begin(const struct seen_triangle *triangle, uint32_t count, double plane, struct hidden_lines *lines);
 
-/* The parts of a line before which no triangle lies, in their order, as spans of *lines, which stay until the next
- * call. A triangle that a line only touches does not hide it. False for want of memory. */
+/* Find the parts of a line that no triangle hides, in their order: they are the spans of *lines until the next call. A
+ * triangle that a line only touches does not hide it. False: memory is short. */
 bool hidden_lines_find_seen(struct hidden_lines *lines, const struct seen_line *line);
-/* The depth of the nearest triangle over a point of the page; that of nothing is infinitely far. */
+/* The depth of the nearest triangle over a point of the page; infinitely far if there is none. */
 double hidden_lines_front(const struct hidden_lines *lines, const double at[2]);
 
 void hidden_lines_free(struct hidden_lines *lines);

@@ -1,11 +1,11 @@
-/* The names of what a picture shows, over it. */
+/* Labels over a picture. */
 #pragma once
 
 #include "draw/annotation.h"
 #include "draw/pen.h"
 
-/* A label stands within what it names if it has room there, else as label_places.h says, on a seam of that colour.
- * Of more than have room, those stay of which most is seen; *left_out becomes how many do not. False: memory is short.
- */
+/* Write labels in a colour, with a seam of the colour `seam` around letters. A label stands within the thing it names
+ * if it has room there, else as in label_places.h. If not all have room, the ones whose things are seen most are
+ * written; *left_out becomes the number of others. False: memory is short. */
 bool labels_write(const struct annotation *annotation, const struct pen *pen, uint32_t colour, uint32_t seam,
                   uint32_t *left_out, struct failure *failure);

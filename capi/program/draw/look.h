@@ -5,10 +5,10 @@
 
 struct drawing;
 
-/* Of --look slide and --dark, lines of balls before it, and what is written on it. */
+/* The page of --look slide and --dark, and the colours of balls' lines and of texts on it. */
 #define DARK_PAGE UINT32_C(0x14171e)
 #define DARK_PAGE_LINES UINT32_C(0x3a414f)
 #define DARK_PAGE_TEXT UINT32_C(0xece9e2)
 
-/* Sets the options that the user has left open, by the look that was asked for, if there is one. */
+/* Set the options that the user has not given by the look that the user asks for, if any. */
 void look_apply(struct drawing *drawing);

@@ -1,4 +1,5 @@
-/* Creases, where the spheres of two patches meet at an angle, and which of these goes on over the other there. */
+/* Creases: edges at which the spheres of two patches meet at an angle. Of its two patches one is chosen whose line
+ * extends over the other one. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,15 +8,15 @@
 
 #define NO_PATCH UINT32_MAX
 
-/* An edge of a crease, with the patch with the lower number beside it on the side to which (y, -x) points, if (x, y) is
- * the way along it on the page. */
+/* An edge of a crease. Its first patch, which has the lower number, is on the side to which (y, -x) points, if (x, y)
+ * is the direction of the edge on the page. */
 struct crease {
   uint32_t vertex[2], patch[2];
   double at[2][2];
-  int painted;       /* 0 or 1: of which patch the area is painted later, over the other */
-  size_t edge;       /* anything of the caller's */
+  int painted;       /* 0 or 1: the patch whose area is painted later, over the other */
+  size_t edge;       /* for the caller */
   bool known;        /* `over` is chosen, and stays */
-  int over;          /* 0 or 1: of which patch the line is */
+  int over;          /* 0 or 1: the patch to which the line belongs */
   double line[2][2]; /* its ends */
 };
 
@@ -30,14 +31,15 @@ struct creases {
 
 void creases_add(struct creases *creases, const struct crease *crease);
 
-/* Choose for each edge the patch whose line goes on over the other one by half of its width. Where a crease goes over
- * into a contour that is the patch of the contour, which goes on over what is behind it: else there would be a step;
- * of a crease with a contour at either end each part has that of the nearer one. Of others it is that of which more
- * points are seen. Towards its ends the line is moved aside, so that there its edge is that of the later area.
- *   nearer  of each vertex the patch of a contour there, or NO_PATCH
- *   points  of each patch, that are seen
- *   width   of lines, and of those around areas
- * False for want of memory. */
+/* Choose for each edge the patch whose line extends over the other one, by half of the line's width. If a crease
+ * continues as a contour, it is the patch of the contour, whose line extends over the things behind it: another choice
+ * would give a step. If a crease has contours at both ends, each part has the patch of the nearer contour. Without
+ * contours it is the patch with more visible points. Towards its ends the line is moved aside, so that its edge there
+ * is that of the area painted later.
+ *   nearer  for each vertex the patch of a contour there, or NO_PATCH
+ *   points  for each patch the number of its visible points
+ *   width   of these lines, and of the lines around areas
+ * False: memory is short. */
 bool creases_choose(struct creases *creases, const uint32_t *nearer, const uint64_t *points, const double width[2]);
 
 void creases_free(struct creases *creases);

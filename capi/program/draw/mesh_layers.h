@@ -1,4 +1,4 @@
-/* In which order triangles that are seen are painted. */
+/* The order in which visible triangles are painted. */
 #pragma once
 
 #include <stdbool.h>
@@ -6,13 +6,13 @@
 
 #include "draw/seen_triangle.h"
 
-/* Sort them, the farthest first, and set their layers: none of a layer lies over another one of it, and what lies over
- * another one, in the middle of where both are, is of a later layer. So all that has one paint in one layer is one
- * area. Of triangles that lie over each other in a ring the farthest comes first. Overlaps of less than `slack` units
- * are none. False for want of memory. */
+/* Sort the triangles, the farthest first, and set their layers. No triangle lies over another one of its layer, and one
+ * that lies over another one is in a later layer; the middle of their common part decides which is nearer. So all
+ * triangles of one layer with the same paint form one area. If triangles lie over each other in a ring, the farthest
+ * comes first. Overlaps of less than `slack` units are ignored. False: memory is short. */
 bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double slack);
 
-/* Tell which are seen, of triangles with layers: at how many of the points that are so many units apart they do not lie
- * under whole ones of later layers. Of those without any less is seen than lies between such points. False for want of
- * memory. */
+/* Find which triangles are seen; they have layers. Points of the page are tested that are `apart` units apart: for each
+ * triangle those of its points are counted that no whole triangle of a later layer covers. If a triangle has none, the
+ * visible part of it is smaller than the gaps between points. False: memory is short. */
 bool mesh_layers_find_seen(struct seen_triangle *triangle, uint32_t count, int32_t apart);

@@ -1,5 +1,5 @@
-/* Areas of the page by the edges of what they are made of: edges between neighbours of one paint cancel out, and
- * what is left are outlines. */
+/* Outlines of areas of the page, from the edges of their triangles: edges between neighbours with the same paint cancel
+ * out, and the others are the outlines. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,9 +9,9 @@
 
 struct painted_edge {
   uint32_t layer;
-  uint32_t paint; /* anything of the caller's: areas of a layer are painted in their order */
+  uint32_t paint; /* for the caller; within a layer areas are painted in the order of their paints */
   int32_t from[2], to[2];
-  bool inner; /* no outline, but where one tone goes over into the next */
+  bool inner; /* no outline, but the border between two neighbouring tones */
 };
 
 struct painted_edges {
@@ -28,23 +28,25 @@ struct painted_edges {
 /* Edges of no length are left out. */
 void painted_edges_add(struct painted_edges *edges, const struct painted_edge *edge);
 
-/* Sort by layers and paints, and let edges cancel those that run back. */
+/* Sort edges by layers and paints, and remove pairs of opposite edges. */
 void painted_edges_cancel(struct painted_edges *edges);
 
-/* Leave out lines of paints from `first` on that hang together, or end within `apart` of one another, and have less ink
- * than that in all: of an edge its length times its paint over the first. False for want of memory. */
+/* Leave out specks among lines with paints from `first` on: lines that are connected, or whose ends are within `apart`
+ * of one another, and that have less than `ink` in all. The ink of an edge is its length times the number of its paint
+ * counted from `first`. False: memory is short. */
 bool painted_edges_drop_specks(struct painted_edges *edges, uint32_t first, double ink, double apart);
 
-/* Find joints: where more than two edges meet, of those left of paints first .. end - 1. No curve goes by a joint.
- * False for want of memory. */
+/* Find joints: the points where more than two edges with paints first .. end - 1 meet. No curve passes a joint. False:
+ * memory is short. */
 bool painted_edges_find_joints(struct painted_edges *edges, uint32_t first, uint32_t end);
 
-/* The end of the edges that have layer and paint of the first one. */
+/* The end of the edges that have the same layer and paint as edge `first`. */
 size_t painted_edges_end(const struct painted_edges *edges, size_t first);
 
-/* The edges first .. end - 1 as data of an SVG path, in halves of units, with the fewest points that keep within a unit
- * of outlines, less of lines and five and a half of others, curved if so asked where they turn gently. Each loop is
- * closed; or they are lines, which may end. False for want of memory. */
+/* Write the edges first .. end - 1 as data of an SVG path, in halves of units. It has the fewest points that stay
+ * within a unit of outlines, within less of lines, and within five and a half units of inner edges. With `curved` it is
+ * a curve where it turns gently. closed: the edges form loops; else they are lines, which may end. False: memory is
+ * short. */
 bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t end, bool closed, bool curved,
                          struct text_buffer *out);
 

@@ -1,12 +1,12 @@
-/* Parts of triangles, cut along where a linear function is 0. */
+/* Parts of triangles, cut along the line where a linear function is 0. */
 #pragma once
 
 enum { MOST_CORNERS = 12 };
 
 struct corner {
   double at[3];  /* along the axes of the view */
-  double circle; /* of the light: surface_light.h */
-  int on;        /* borders of a band of light: bits */
+  double circle; /* the circle of the light: surface_light.h */
+  int on;        /* bits: the borders of a band of light on which it lies */
 };
 
 struct polygon {
@@ -14,8 +14,8 @@ struct polygon {
   int corners;
 };
 
-/* Where a function is 0 that has these values, of different signs, at two corners: in the same way from both sides, so
- * that neighbours meet. */
+/* The point between two corners where a function is 0 that has these values, of different signs, at them. Both orders
+ * of the corners give the same point, so that neighbours meet. */
 struct corner polygon_between(const struct corner *a, const struct corner *b, double value_a, double value_b);
 
 /* The part where the values at the corners are 0 or less; new corners are on the border `on`. */

@@ -6,15 +6,16 @@
 
 #include "write/mesh_file.h"
 
-/* Of a triangle, in the direction in which it is counter-clockwise on the page, or `back`. */
+/* A side of a triangle, in the direction in which the triangle is counter-clockwise on the page, or, with `back`, in
+ * the other one. */
 struct mesh_side {
   uint32_t low, high, triangle;
   bool back;
 };
 
-/* All sides by their ends, those of one edge side by side, the triangle with the lower number first. To be freed; NULL
- * for want of memory. */
+/* All sides, sorted by their ends: those of one edge are neighbours, the triangle with the lower number first. Free
+ * them. NULL: memory is short. */
 struct mesh_side *mesh_sides_find(const struct triangle_mesh *mesh);
 
-/* Whether a side and the next one are of one edge. */
+/* Whether a side and the next one belong to the same edge. */
 bool mesh_sides_share_edge(const struct mesh_side side[2]);

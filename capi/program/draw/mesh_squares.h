@@ -6,7 +6,7 @@
 
 #include "draw/seen_triangle.h"
 
-/* From a square to a square. */
+/* The squares from one to another. */
 struct square_range {
   uint32_t from[2], to[2];
 };
@@ -23,8 +23,8 @@ struct mesh_squares {
 #define MESH_SQUARES_NONE \
   { {0, 0}, {0, 0}, 1, {0, 0}, NULL, NULL, NULL }
 
-/* Squares about as wide as one of `count` > 0 triangles is in the mean. To be freed on true and on false, which is for
- * want of memory. */
+/* Make squares about as wide as the mean of `count` > 0 triangles. Free them on true and on false. False: memory is
+ * short. */
 bool mesh_squares_make(const struct seen_triangle *triangle, uint32_t count, struct mesh_squares *squares);
 void mesh_squares_free(struct mesh_squares *squares);
 

@@ -16,8 +16,8 @@ struct picture {
   hsp_picture_options options;
   const char *title;
   const char *description;
-  const char *over; /* what is painted over the picture, in its own language, or NULL */
-  double page[2];   /* with that: width and height, px */
+  const char *over; /* operators painted over the picture, in its own language, or NULL */
+  double page[2];   /* if there are such: width and height, px */
 };
 
 /* Write the picture to the file `path` (output_file.h); *bytes becomes its size. False, with the file named, if it

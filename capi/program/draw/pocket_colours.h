@@ -5,5 +5,5 @@
 
 enum { POCKET_COLOURS = 6 };
 
-/* Of the pockets that are listed, the first one's first; and that of all other pockets. */
+/* The colours of the first pockets in the list, in their order; and the colour of all others. */
 extern const uint32_t pocket_colours[POCKET_COLOURS], other_pockets_colour;

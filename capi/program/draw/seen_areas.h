@@ -1,4 +1,4 @@
-/* How much is seen of each ball of a picture, and which balls are painted at all. */
+/* The visible area of each ball in a picture, and the balls that are painted at all. */
 #pragma once
 
 #include <stdbool.h>
@@ -8,11 +8,11 @@
 #include "hardsphere.h"
 #include "read/failure.h"
 
-/* Which of so many balls have pieces in a view, to be freed on true: all others are hidden, and some of these. */
+/* Find which balls have pieces in a view: all others are hidden, and some of these may be. Free *painted [atoms] on
+ * true. */
 bool seen_areas_find_painted(const hsp_view *view, uint32_t atoms, bool **painted, struct failure *failure);
 
-/* The area on the page, px^2, of what is seen of each ball and of its halves of sticks, as far as a grid tells that has
- * 64 cells for the square of a letter: of specks, which are lost between lines, nothing is seen. To be freed on true.
- */
+/* Find the visible area of each ball and of its halves of sticks on the page, px^2, by a grid with 64 cells in the
+ * square of a letter. Specks, which are lost between lines, count as invisible. Free *area on true. */
 bool seen_areas_find(const struct shown_bodies *bodies, const struct picture_frame *frame, const hsp_view_info *view,
                      double **area, struct failure *failure);

@@ -1,4 +1,4 @@
-/* Areas of a surface, each the vertices with one number, with borders that are smooth. */
+/* Smooth borders between areas of a surface; an area is all vertices with the same number. */
 #pragma once
 
 #include <stdbool.h>
@@ -10,10 +10,11 @@
 
 enum { NO_AREA = 0xFF };
 
-/* Smooth the borders between `areas` numbers of vertices, from 0 on, of a closed mesh: a vertex gets the number that
- * has most of the surface around it, the nearer the more, as far as reach, in a mean of means; and borders go where two
- * have as much. So dents and islands of half of that are gone, a border in a plane of symmetry stays, and vertices with
- * NO_AREA get the number of those around, if these have one. of_vertex changes; *edges become those that borders cross,
- * sorted, to be freed on true and on false. False for want of memory. */
+/* Smooth the borders between the areas of a closed mesh, whose vertices have the numbers 0 .. areas - 1. A vertex gets
+ * the number with most of the surface around it; the weight of the surface falls with the distance, up to `reach`, in a
+ * mean of means. Borders are where two numbers have the same weight. So dents and islands of half of that size vanish,
+ * a border in a plane of symmetry stays, and vertices with NO_AREA get the number of those around them, if these have
+ * one. of_vertex changes. *edges become the edges that borders cross, sorted; free them on true and on false. False:
+ * memory is short. */
 bool smooth_borders_find(const struct triangle_mesh *mesh, uint32_t areas, double reach, uint8_t *of_vertex,
                          struct split_edge **edges, size_t *count);

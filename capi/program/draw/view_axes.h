@@ -1,4 +1,4 @@
-/* Directions of a view as the library has them. */
+/* Directions of a view in the form that the library takes. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,8 +7,8 @@
 #include "hardsphere.h"
 #include "read/molecule.h"
 
-/* Sets the options that a user gives, defaults included, for looking at a molecule. The status of the library. */
+/* Set the options of a view by those that a user gives, defaults included. Returns the status of the library. */
 int32_t viewing_options(const struct viewing *viewing, const struct molecule *molecule, hsp_view_options *options);
 
-/* Axes to the right, upwards and towards the viewer: unit vectors. The status of the library. */
+/* Find the axes to the right, upwards and towards the viewer: unit vectors. Returns the status of the library. */
 int32_t viewing_axes(const struct viewing *viewing, const struct molecule *molecule, double axis[3][3]);

@@ -60,9 +60,7 @@ struct file_format {
   bool (*begins)(struct molecule_lines *lines, const struct line_reader *reader);
   /* With FILE_MOLECULES: the title of a molecule, in its text. */
   struct field (*title)(const char *text, size_t length);
-  /* Without FILE_ATOMS: read the data before the frames; NULL: there are none. Then read the next frame, or step over
-   * it.
-   * */
+  /* Without FILE_ATOMS: read the data before the frames, NULL: there are none; read the next frame, or step over it. */
   bool (*begin)(struct trajectory *trajectory, struct failure *failure);
   enum line_status (*next_frame)(struct trajectory *trajectory, bool wanted, struct failure *failure);
 };

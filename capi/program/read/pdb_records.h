@@ -43,8 +43,8 @@ struct pdb_models {
 /* Step over a record. */
 void pdb_models_step(struct pdb_models *models, enum pdb_record record);
 
-/* Step over a line of a file (begins_molecule of file_format). The first model that begins with MODEL ends the lines
- * that are common to all; records behind the end of a model belong to the next one, if there is one. */
+/* Step over a line of a file (begins of file_format). If the first model begins with MODEL, the lines before it are
+ * common to all models. Records behind the end of a model belong to the next one, if there is one. */
 bool pdb_begins_molecule(struct molecule_lines *lines, const struct line_reader *reader);
 
 /* The title in the records before the first atom, or else the compound, or the name in a remark. */

@@ -6,5 +6,5 @@
 /* A field of text, in quotes if it holds a comma, a quote or a line break. */
 void csv_text(struct text_buffer *out, const char *text);
 
-/* A number as number_text_exact has it; nothing unless it is finite. */
+/* A number as number_text_exact writes it; nothing if it is not finite. */
 void csv_number(struct text_buffer *out, double value);

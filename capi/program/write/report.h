@@ -1,4 +1,4 @@
-/* Results as a person likes to read them, and the numbers of JSON. */
+/* Results as persons read them, and values of JSON. */
 #pragma once
 
 #include <stdbool.h>
@@ -8,7 +8,7 @@
 #include "read/number_text.h"
 #include "read/text_buffer.h"
 
-/* The name of a file, with '?' for what would disturb a terminal. */
+/* The name of a file, with '?' for characters that would disturb a terminal. */
 void report_file_name(struct text_buffer *out, const char *name);
 
 /* "  name   value   remark", in columns; remark may be "". */
@@ -18,19 +18,19 @@ void report_row_count(struct text_buffer *out, const char *name, int64_t value, 
 /* A count, somewhere in `out`. Numbers have no commas between thousands, so that other programs can read tables too. */
 const char *count_text(char out[NUMBER_BYTES], int64_t value);
 
-/* A quantity with `decimals` decimals, or in powers of ten where that would be long or would show nothing. "-" unless
- * it is finite. */
+/* A quantity with `decimals` decimals, or in powers of ten if that would be long or show only zeros. "-" if it is not
+ * finite. */
 const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals);
 
-/* A quantity in a column: always with `decimals` decimals, "<0.0001" where these would show nothing. In files without a
- * unit of length, as quantity_text. */
+/* A quantity in a column: always with `decimals` decimals, or "<0.0001" if these would show only zeros. For files
+ * without a unit of length, as quantity_text. */
 const char *column_text(char out[NUMBER_BYTES], const struct file_format *format, double value, int decimals);
 
-/* The same of a coordinate, for which 0.0000 is as good as any other value. */
+/* The same for a coordinate, for which 0.0000 is a value like any other. */
 const char *coordinate_text(char out[NUMBER_BYTES], const struct file_format *format, double value);
 
-/* One line per ball: what it is called; report_name has the index, atom and residue alone. Shows only the columns that
- * the file has something for. */
+/* One line per ball with its names; report_name writes only index, atom and residue. Only columns for which the file
+ * has values are shown. */
 struct ball_columns {
   bool names;
   bool elements;
@@ -42,10 +42,10 @@ void report_name(struct text_buffer *out, struct ball_columns columns, const str
 void report_ball_titles(struct text_buffer *out, struct ball_columns columns);
 void report_ball(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball);
 
-/* A number of JSON, as number_text_exact has it; null unless it is finite. */
+/* A number of JSON, as number_text_exact writes it; null if it is not finite. */
 void json_number(struct text_buffer *out, double value);
 
-/* Arrays of JSON, of numbers null if there are none. */
+/* Arrays of JSON; json_numbers: null if `numbers` is NULL. */
 void json_numbers(struct text_buffer *out, const double *numbers, uint32_t count);
 void json_counts(struct text_buffer *out, const uint32_t *counts, uint32_t count);
 
@@ -56,6 +56,6 @@ void json_points(struct text_buffer *out, const double *xyz, uint32_t count);
  * U+FFFD, the replacement character. */
 void json_text(struct text_buffer *out, const char *text);
 
-/* The number of a residue. Most are whole numbers, but files with more residues than columns write letters, and some
- * write nothing: these remain texts. */
+/* The number of a residue. Most are whole numbers; but files with too many residues for the columns write letters, and
+ * some files write nothing: these remain texts. */
 void json_residue_number(struct text_buffer *out, const char *text);

@@ -4,23 +4,23 @@
 #include <stdbool.h>
 #include <sys/stat.h>
 
-/* Whether both are one file or disc; devices that are written to without end, and pipes, are nobody's file. */
+/* Whether both are one file or disc; pipes, and devices to which one can write without end, do not count as files. */
 bool same_file(const struct stat *a, const struct stat *b);
 
-/* Whether the name stands for standard output: "-" and "/dev/stdout". */
+/* Whether the name means standard output: "-" and "/dev/stdout". */
 bool output_is_standard(const char *path);
 
-/* Whether writing to `out` would write over the file that is read from `in` ("-": standard input): the same name, or
- * the same file under another name, links included. Devices and pipes are nobody's file. */
+/* Whether writing to `out` would overwrite the file that is read from `in` ("-": standard input): the same name, or the
+ * same file under another name, links included. Devices and pipes do not count. */
 bool output_is_input(const char *out, const char *in);
 
-/* Whether two outputs would be written to the same place: one file, by links or the names of its folder, too, whether
- * or not it is there yet, or standard output. */
+/* Whether two outputs would be written to the same place: standard output, or one file, whether it exists or not, also
+ * if the names differ by links or by the names of its folder. */
 bool outputs_are_one(const char *a, const char *b);
 
-/* The part of a path up to its last slash, slash included, and a name behind it. NULL: memory is short. */
+/* The part of a path up to its last slash, slash included, with the name behind it. NULL: memory is short. */
 char *path_beside(const char *path, const char *name);
 
-/* The path that a link leads to, whether or not there is a file; a copy of any other path. NULL, with errno: links
- * that lead nowhere, or short memory. */
+/* The path to which a link leads, whether or not there is a file; for any other path a copy. NULL, with errno: links
+ * lead nowhere, or memory is short. */
 char *path_without_links(const char *path);
