@@ -172,7 +172,7 @@ struct StickMap : SceneMap<StickScene> {
   bool exist = false;
   Span<uint32_t> first_loop;  // [owners] rank in loop_order of the first loop of each body that is seen
 
-  // What a source of paths has (map_paths.hpp): one path for each body that is seen, with its loops in their order.
+  // The functions of a source of paths (map_paths.hpp): one path for each visible body, with its loops in their order.
   const StickMap &map() const { return *this; }
   uint32_t owner_of(uint32_t path) const { return loops[loop_order[first_loop[path]]].owner; }
   template <class Visit>
