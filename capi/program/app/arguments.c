@@ -75,7 +75,7 @@ static bool take_argument(struct reading *reading, const char *argument) {
                           command_table[command].name);
 }
 
-/* The format of what is read: what the user says, or what its name says. */
+/* The format of the input: the user's choice, or that of the file's name. */
 static bool find_format(struct reading *reading) {
   struct request *request = reading->request;
   if (request->format != NULL) return true;

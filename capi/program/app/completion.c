@@ -22,7 +22,7 @@ static bool add_words(struct text_buffer *out, const struct option *option) {
   return true;
 }
 
-/* The names of options, those that all commands have or those of one, each but once. */
+/* Add the names of options, each once: of those that all commands have, or else of those of one command. */
 static void add_option_names(struct text_buffer *out, bool of_all, enum command command) {
   const struct option *option;
   const char *previous = "";
@@ -37,7 +37,7 @@ static void add_command_names(struct text_buffer *out) {
   for (int command = 0; command < COMMANDS; ++command) text_buffer_add(out, "%s ", command_table[command].name);
 }
 
-/* Where there is nothing to say, names of files are completed. */
+/* If there are no words to complete, names of files are completed. */
 static void bash_completion(struct text_buffer *out) {
   const struct option *option;
   text_buffer_add(out,

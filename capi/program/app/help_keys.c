@@ -15,7 +15,7 @@ struct keys {
   size_t named;
 };
 
-/* Of a command with options. */
+/* Write the keys of a command with these options. */
 static void write_keys(struct keys *keys, enum command command, const char *options, size_t length) {
   char words[160];
   char *word[MOST_WORDS];
@@ -63,7 +63,7 @@ static void keep_new(struct keys *keys, const struct keys *others) {
   keys->text = kept;
 }
 
-/* Those from the first that was not named to `key`, or that alone; key "": all. */
+/* Name the keys from the first that was not named up to `key`, or `key` alone; key "": up to the last one. */
 static void name_keys(struct keys *keys, const char *key, size_t length, bool alone, struct text_buffer *out) {
   const char *const first = keys->text.text + keys->named;
   if (first[0] == '\n') text_buffer_add_text(out, "(left out of this build)");

@@ -28,7 +28,7 @@
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
-/* Read the file of a request and do what it asks for, by so many threads. */
+/* Read the file of a request and do what it asks for, by that many threads. */
 static bool run_command(const struct request *request, uint32_t threads, struct notes *notes, struct text_buffer *out,
                         struct failure *failure) {
   const struct command_row *const row = &command_table[request->command];

@@ -22,7 +22,7 @@ enum {
   WATCHED_MOLECULES = 1000, /* less takes no time that anybody would watch */
   BYTES_OF_ROWS = 1 << 14,
   MOST_NOTED = 8,    /* molecules whose notes are printed */
-  MEMORY_OF_BYTE = 5 /* what takes a byte in a file takes about so many in memory */
+  MEMORY_OF_BYTE = 5 /* bytes of memory for a byte of the file, about */
 };
 
 /* The memory of molecules that are worked on at the same time; a larger one is alone. */
@@ -38,7 +38,7 @@ struct one {
   struct failure failure; /* if it is not done */
 };
 
-/* Of a thread, for one molecule after the other. */
+/* The data of a thread, used for one molecule after the other. */
 struct worker {
   struct molecule molecule;
   struct geometry geometry;
@@ -52,9 +52,9 @@ struct many {
   struct worker *worker;     /* [workers] */
   bool begun;                /* the table's first line is there */
   struct text_buffer titles; /* of the columns between the first and the last ones */
-  struct text_buffer rows;   /* that are not printed yet */
-  time_t printed;            /* when the last ones were */
-  struct text_buffer early;  /* rows of comma-separated values of those that failed before that */
+  struct text_buffer rows;   /* rows that are not printed yet */
+  time_t printed;            /* the time when rows were last printed */
+  struct text_buffer early;  /* rows of comma-separated values of molecules that failed before the table began */
   uint64_t given, failed, noted;
   struct progress progress;
   struct failure *failure;

@@ -135,8 +135,8 @@ bool take_real(struct reading *reading, const struct option *option, const char 
 
 enum { MOST_NUMBERS = 9 };
 
-/* Numbers with a comma or blanks between them, in one argument. -1: something is none of these, and the failure says
- * so. */
+/* Read numbers with a comma or blanks between them, in one argument. Returns how many; -1: the argument has something
+ * else, and the failure says so. */
 static int read_numbers(const struct reading *reading, const char *text, double numbers[MOST_NUMBERS]) {
   int count = 0;
   text += strspn(text, " \t");

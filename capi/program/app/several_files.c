@@ -14,9 +14,9 @@
 #include "write/report.h"
 
 enum {
-  SLOTS_OF_WORKER = 8, /* so that a large file among small ones keeps nobody waiting */
+  SLOTS_OF_WORKER = 8, /* so that no worker waits for a large file among small ones */
   WATCHED_FILES = 100, /* less takes no time that anybody would watch */
-  MEMORY_OF_BYTE = 5   /* what takes a byte in a file takes about so many in memory */
+  MEMORY_OF_BYTE = 5   /* bytes of memory for a byte of the file, about */
 };
 
 /* The memory of files that are worked on at the same time; a larger one is alone. */

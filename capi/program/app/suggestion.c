@@ -8,7 +8,7 @@
 
 enum { MOST_LETTERS = 24, FAR_APART = MOST_LETTERS };
 
-/* As other programs have it, and as it is said here. */
+/* A name that other programs have, and the name in this program. */
 struct alias {
   const char *there;
   const char *here;

@@ -63,7 +63,7 @@ static const char box_closing[] =
     "The three vectors may be any. Coordinates and directions are printed in the frame of the atoms.\n"
     "Not with --shells, --surface ses, --interface, --window and --pdb-out.\n";
 
-/* Of a boundary. */
+/* The keys of JSON for a boundary in a box. */
 static const char box_json[] =
     "JSON has <--box 9,9,9..box>: [9], with the box of FILE <--box 9,9,9..symmetry>: "
     "{space_group, operators, filled, special_positions, matrices}, of images that are left out and of MTRIX records "
@@ -73,7 +73,7 @@ static const char box_json[] =
     "contact has shift: [i, j, k], by which its second ball is to be moved; the boundary has no exposed_balls and "
     "voids.";
 
-/* The rows of a command, those that all have, or those of a periodic box. */
+/* The options of a command, those that all commands have, or those of a periodic box. */
 enum section { OF_COMMAND, OF_ALL, OF_BOX };
 
 static bool is_in(const struct option *option, enum section section, enum command command) {

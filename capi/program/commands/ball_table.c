@@ -26,7 +26,7 @@ static void add(struct ball_table *made, struct column column, const double *val
   made->values[k] = values;
 }
 
-/* For programs, by the kind of the derivative; for persons, by what it is of. */
+/* Columns of derivatives: for programs ordered by the kind of the derivative, for persons by the quantity. */
 static void add_derivatives(struct ball_table *made, const struct measurement *measurement) {
   static const char *const gradients[] = {"area_gradient", "volume_gradient", "weighted_gradient", "windowed_gradient"};
   static const char *const by_radius[] = {"area_dr", "volume_dr", "weighted_dr", "windowed_dr"};

@@ -155,7 +155,7 @@ static int32_t between_groups(const struct geometry *geometry, struct findings *
   return hsp_contacts_group(geometry->work.contacts, found->group_of, found->between, capacity, count);
 }
 
-/* Residues or chains become those of each group that is named, numbered group by group. */
+/* Number residues or chains anew within each named group, group by group. */
 static bool number_within_named(const struct molecule *molecule, struct findings *found, struct failure *failure) {
   const struct found_groups *const named = &found->named;
   if (found->of_named == NULL) return true;
@@ -168,7 +168,7 @@ static bool number_within_named(const struct molecule *molecule, struct findings
   return true;
 }
 
-/* Of these sums keep those between different groups that are named, of residues or chains as they are. */
+/* Keep only the sums between different named groups, with the numbers of whole residues or chains. */
 static void keep_between_named(struct findings *found) {
   const uint32_t all = found->groups.count;
   uint32_t kept = 0;

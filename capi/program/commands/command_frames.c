@@ -12,12 +12,12 @@
 #include "read/threads.h"
 #include "read/trajectory.h"
 
-/* Frames of so many atoms are in work together, or else fewer threads have one: half a gigabyte. */
+/* All frames in work have at most this many atoms together, which take half a gigabyte; else fewer threads work. */
 enum { MOST_ATOMS = 1500000, SLOTS_OF_WORKER = 2 };
 
 /* A frame between reading and printing. */
 struct frame {
-  struct molecule molecule; /* with coordinates and lines of its own, all else is that of the file */
+  struct molecule molecule; /* only coordinates and lines are its own, all else is the file's */
   bool done;                /* it was read, and the command has its results */
   struct failure failure;   /* if not */
   struct text_buffer out;

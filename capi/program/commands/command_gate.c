@@ -58,8 +58,8 @@ static void print(struct record *record, const void *of) {
   }
 }
 
-/* The points that were named; what they are of voids is found in the molecule grown by the probe, and then the model is
- * the molecule's own. */
+/* Find the points that the request names. Points of voids are found in the molecule grown by the probe; afterwards the
+ * model is that of the molecule itself. */
 static bool find_ends(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct ends *ends, struct failure *failure) {
   const struct place *const places[2] = {&request->gate.from, &request->gate.to};

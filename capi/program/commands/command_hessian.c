@@ -54,7 +54,7 @@ static void print(struct record *record, const void *of) {
   text_buffer_add_text(record->out, "]");
 }
 
-/* As all tables begin, in comments. */
+/* Add the heading of all tables, as comments. */
 static void add_heading(const struct request *request, const struct molecule *molecule, struct text_buffer *out) {
   struct text_buffer heading = TEXT_BUFFER_EMPTY;
   report_heading(&heading, request, molecule);

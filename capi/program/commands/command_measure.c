@@ -12,7 +12,7 @@
 #include "commands/measurement.h"
 #include "write/pdb_output.h"
 
-/* Of totals, which are accurate to 1e-13 of their size for molecules; single balls are shown with four. */
+/* Decimals of totals, which are accurate to 1e-13 of their size for molecules; single balls are shown with four. */
 enum { TOTAL_DECIMALS = 10 };
 
 /* All that is printed. */

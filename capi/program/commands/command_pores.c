@@ -271,7 +271,7 @@ static void print_balls(struct record *record, const char *what, uint32_t number
   ball_rows_print(record->molecule, balls.counts.list, balls.counts.length, record->out);
 }
 
-/* Of three diameters of JSON, null where no probe gets through. */
+/* The three diameters in JSON, null if no probe passes. */
 static void set_diameters(double out[3], const double radius[3], const uint32_t gate[3]) {
   for (int d = 0; d < 3; ++d) out[d] = gate[d] == HSP_NONE ? (double)NAN : 2.0 * radius[d];
 }
@@ -422,7 +422,7 @@ static void print(struct record *record, const void *of) {
     record_table(record, "maximum_list", &maxima);
     record_table(record, "gate_list", &gates);
   } else if (request->pores.regions) {
-    /* The list of these follows. */
+    /* The list of regions follows. */
   } else if (is_boxed(request) && !request->pores.gates && !pockets && !tunnels) {
     print_table(record, &channels, "  a channel: its widest probe, in @, and where it goes on for ever, by vectors");
   } else if (!request->pores.gates && !pockets && !tunnels) {

@@ -7,13 +7,13 @@
 
 #include "read/growing_array.h"
 
-/* As it was when it was there last. */
+/* A known cavity, as it was in the last frame that had it. */
 struct followed_cavity {
   uint32_t *balls;
   uint32_t ball_count;
-  uint64_t last; /* the frame, by its place among those that were taken, from 1 on */
-  bool taken;    /* by a cavity of this frame */
-  bool ended;    /* in one of them */
+  uint64_t last; /* that frame, by its place among those taken, from 1 on */
+  bool taken;    /* a cavity of the present frame has its number */
+  bool ended;    /* it is part of another cavity of the present frame */
 };
 
 /* A known cavity and one of the frame that may be the same. */
@@ -99,7 +99,7 @@ static bool find_likenesses(const struct followed *followed, const struct cavity
   return done;
 }
 
-/* Where cavities come from that were not there before, and which of the frame before have ended in them. */
+/* Find the cavities of the frame before from which new ones split off, and those that have ended in present ones. */
 static bool find_changes(struct followed *followed, struct cavity *cavities, uint32_t count,
                          const struct likenesses *found) {
   const uint64_t before = followed->frames;
@@ -134,7 +134,7 @@ static bool find_changes(struct followed *followed, struct cavity *cavities, uin
   return true;
 }
 
-/* Keeps it as it is now, under its number, which may be a new one. */
+/* Keep a cavity as it is in this frame, under its number, which may be a new one. */
 static bool keep(struct followed *followed, struct cavity *cavity) {
   if (cavity->number == 0) {
     struct followed_cavity *const more =

@@ -6,8 +6,9 @@
 
 #include "read/number.h"
 
-/* In angstrom: no two atoms are nearer to each other than the first, and places nearer than the second are one: three
- * times what PDB files round, and more than numbers of many digits differ that other programs wrote. */
+/* In angstrom. No two atoms are nearer to each other than `shortest`. Places nearer than `same_place` are the same: it
+ * is three times the rounding of PDB files, and more than the difference of numbers with many digits by several
+ * programs. */
 static const double shortest = 0.5, same_place = 0.01;
 
 enum { MOST_CELLS = 1000, MOST_BUCKETS = 1 << 22 };

@@ -20,8 +20,8 @@ static bool allocate_gradient(const struct molecule *molecule, struct gradient *
   return gradient->centre != NULL && gradient->radius != NULL;
 }
 
-/* tension A + pressure V with weights of areas, or NULL, of the union or of that in the box, and its derivatives;
- * energy, gradient and flags may be NULL. */
+/* Compute tension A + pressure V of the union, or of that in the box, and its derivatives. The request has weights of
+ * areas, or NULL; energy, gradient and flags may be NULL. */
 static int32_t get_gradient(const struct geometry *geometry, const struct measurement *measurement, uint32_t atoms,
                             const hsp_gradient_request *request, hsp_energy *energy, const struct gradient *gradient,
                             uint32_t *flags) {
@@ -158,7 +158,7 @@ bool measurement_find_part(const struct request *request, const struct molecule 
   return measurement->part_atoms > 0 || failure_in_input(failure, 0, "--of names no atom that is read");
 }
 
-/* Of a part they are what its balls have of them. */
+/* If only a part is measured, its curvatures are the sums over its balls. */
 static bool measure_curvatures(const struct molecule *molecule, const struct geometry *geometry,
                                struct measurement *measurement, struct failure *failure) {
   const double third_of_pi = 1.0471975511965977;
@@ -188,7 +188,7 @@ static bool measure_curvatures(const struct molecule *molecule, const struct geo
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* Of a windowed area; the second pair is that of the side that is added. */
+/* A windowed area, and the sum of its derivatives; `side` has those of the set of balls that is being added. */
 struct windowed_area {
   double value;
   struct gradient sum, side;

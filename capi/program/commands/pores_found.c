@@ -72,7 +72,7 @@ static bool measure_pockets(const struct geometry *geometry, struct pores_found 
                                   found->pocket_count, found->sizes, failure);
 }
 
-/* Those that live long enough and are large enough. */
+/* List the pockets with enough persistence and volume. */
 static bool list_pockets(struct pores_found *found, struct failure *failure) {
   const struct pores_request *const asked = &found->request->pores;
   found->listed = calloc((size_t)found->pocket_count + 1, sizeof *found->listed);
@@ -80,7 +80,7 @@ static bool list_pockets(struct pores_found *found, struct failure *failure) {
   for (uint32_t p = 0; p < found->pocket_count; ++p) {
     const double volume = found->sizes[p].volume;
     if (found->pockets[p].radius - found->pockets[p].mouth < asked->persistence) continue;
-    if (volume < asked->min_volume) { /* one whose volume nobody knows may be large */
+    if (volume < asked->min_volume) { /* a pocket of unknown volume, NaN, may be large */
       ++found->smaller;
       continue;
     }
@@ -133,7 +133,7 @@ static bool find_place(const struct molecule *molecule, const struct pores_found
   return failure_in_input(failure, 0, "%s: atom %" PRIu64 " touches no largest probe", option, atom);
 }
 
-/* Where it is; the radius of the largest probe there. */
+/* The radius of the largest probe at a point. */
 static bool find_room(const hsp_pores *pores, bool boxed, const char *option, const double point[3], double *room,
                       struct failure *failure) {
   hsp_pore_place place;
@@ -172,7 +172,7 @@ static bool add_steps(const hsp_pores *pores, struct pores_found *found, struct 
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* The best ones, each without the bottlenecks of those before. */
+/* Find the best tunnels, each without the bottlenecks of those before it. */
 static bool find_tunnels(struct geometry *geometry, const struct molecule *molecule, struct pores_found *found,
                          struct failure *failure) {
   static const char from[] = "--tunnels-from", to[] = "--tunnels-to";
@@ -213,7 +213,7 @@ static bool find_tunnels(struct geometry *geometry, const struct molecule *molec
   return done;
 }
 
-/* Of the balls grown by the probe, whose pores are others than those that are listed. */
+/* Find the regions outside the balls grown by the probe. The pores of grown balls are not those that are listed. */
 static bool take_regions(struct geometry *geometry, const struct molecule *molecule, struct pores_found *found,
                          struct failure *failure) {
   const struct request *const request = found->request;

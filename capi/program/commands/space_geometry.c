@@ -21,7 +21,7 @@ bool geometry_find_path(struct geometry *geometry, const double from[3], const d
 
 typedef int32_t attempt(hsp_workspace *work, const void *of);
 
-/* On the lattice of the model, then on coarser ones while what is looked for is too wide. */
+/* Try on the lattice of the model, then on coarser ones as long as the results are too wide for it. */
 static bool try_coarser(struct geometry *geometry, const struct molecule *molecule, double probe, attempt *find,
                         const void *of, int32_t *status, struct failure *failure) {
   enum { COARSER = 6 };
@@ -141,8 +141,8 @@ bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule
   return find_pores_of_box(geometry, molecule, 0.0, 0.0, box, narrowest, failure);
 }
 
-/* Pores of the balls grown by a probe, and the surface of these. step: of the lattice; 0: as the library chooses.
- * before: as in hsp_pores_options. */
+/* Find the pores of the balls grown by a probe, and the surface of these balls. step: the lattice's, 0: the library
+ * chooses it. before: as in hsp_pores_options. */
 static bool find_pores_and_surface(struct geometry *geometry, const struct molecule *molecule, const double *box,
                                    double probe, double step, const hsp_pores *before, struct failure *failure) {
   hsp_pores_options options = pores_of(0.0);
@@ -194,8 +194,8 @@ static bool are_closed(const hsp_pore_pocket_size *sizes, uint32_t pockets) {
   return true;
 }
 
-/* Of the lattice of balls with plugs: that of the pores with the pockets. The library's own choice may be finer, as
- * radii of 0 are grown; in a box it is kept, which 0 stands for. */
+/* The first step of the lattice for balls with plugs: that of the pores with the pockets, as the library's own choice
+ * may be finer, since radii of 0 are grown. In a box it is 0: the library's choice. */
 static bool first_step(const struct geometry *geometry, const double *box, double *step, struct failure *failure) {
   hsp_model_info info = {.step = 0.0};
   const int32_t status = box != NULL ? HSP_OK : hsp_model_get_info(geometry->work.model, &info);

@@ -9,13 +9,13 @@
 #include "hardsphere.h"
 #include "write/report.h"
 
-/* Of operators, which are whole numbers and parts of 24, but come with a few digits. */
+/* Errors of numbers in operators: these are whole numbers and 24ths, but files have only a few digits of them. */
 static const double rotation_blur = 2e-3, translation_blur = 5e-4;
 
-/* Of squares of the cell's lengths, as parts of them. */
+/* The relative error of squares of the cell's lengths. */
 static const double cell_blur = 5e-3;
 
-/* Of vectors by SCALE, as a part of their lengths. */
+/* The relative error of vectors that follow from SCALE. */
 static const double frame_blur = 1e-3;
 
 static double nearest(double value) {
@@ -59,7 +59,7 @@ static bool is_isometry(const struct box_record *box, const struct symmetry_oper
   return true;
 }
 
-/* Round the operator to what it stands for. False: it does not take the box's lattice to itself. */
+/* Round the numbers of the operator to their exact values. False: it does not map the box's lattice to itself. */
 static bool round_operator(const struct box_record *box, struct symmetry_operator *symmetry) {
   double *r = symmetry->rotation;
   for (int k = 0; k < 9; ++k) {
@@ -169,9 +169,9 @@ static void vectors_from(const double along[9], const double axis[9], double out
   }
 }
 
-/* Put the box into the frame of the atoms: a few entries of the PDB have a frame and an origin of their own, which
- * SCALE tells, if it is no mere identity. Its six decimals say how the box lies, lengths and angles what it is. The
- * operators, if they are to be used, become those of fractions. */
+/* Put the box into the frame of the atoms: a few entries of the PDB have another frame and origin, which SCALE tells
+ * unless it is the identity. The box's orientation follows from the six decimals of SCALE, its shape from lengths and
+ * angles. The operators, if they are to be used, become those of fractions. */
 static bool settle(struct molecule *molecule, bool with_operators, struct failure *failure) {
   struct box_record *box = &molecule->frame.box;
   struct symmetry *symmetry = &molecule->symmetry;

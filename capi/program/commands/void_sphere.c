@@ -9,15 +9,15 @@
 const char void_columns[] =
     "  volume in @^3, area in @^2; x y z: its point that is farthest from all balls, and its clearance, in @";
 
-/* The pores of the balls with a face on the void answer, as no other ball counts. The void is bounded by faces of these
- * alone, so that it is a part of their free space, too. And from a point of the void the straight way to the nearest
- * ball meets none before: it stays in the void and ends on a face of it. So the distance to these balls is that to all,
- * and the largest empty sphere lies around the widest maximum in the void. It touches none but these, or a ball inside
- * one of them where that touches it: another ball with that point on its sphere would cut the empty sphere, or the
- * three touch each other there. */
+/* The pores of the balls with a face on the void suffice. Only faces of these balls bound the void, and so it is a part
+ * of their free space, too. The straight way from a point of the void to the nearest ball meets no other ball before:
+ * it stays in the void and ends on a face of it. So the distance to these balls is that to all balls, and the centre of
+ * the largest empty sphere is the widest maximum in the void. The sphere touches only these balls, or a ball inside one
+ * of them at the point where that one touches the sphere: another ball with that point on its sphere would cut the
+ * empty sphere, or all three touch each other there. */
 
-/* An empty sphere is no larger than the void. Pores narrower than this part of that are looked for if there are no
- * wider ones in the void, and so on down to a part of that for which all of them may as well be found. */
+/* An empty sphere is no larger than the void. The search begins with pores wider than a part of the void's size. If
+ * there are none in the void, it goes on with narrower ones, down to a part at which all pores may as well be found. */
 #define FLOOR 0.4
 #define LEAST_FLOOR 0.01
 
@@ -124,7 +124,8 @@ bool void_spheres_find(const struct geometry *geometry, const struct molecule *m
   for (uint32_t i = 0; i < list->count; ++i) most = most > list->voids[i].ball_count ? most : list->voids[i].ball_count;
   const int32_t status = hsp_model_get_info(geometry->work.model, &info);
   bool done = (status == HSP_OK || failure_in_library(failure, status)) && make_wall(most, &wall, failure);
-  /* Small ones first, whose pores take little memory: there is more of that to clear once there is more. */
+  /* Small voids first: their pores take little memory, and the larger the memory is, the longer it takes to clear
+   * it. */
   for (uint32_t i = list->count; done && i-- > 0;) {
     take_wall(molecule, &list->voids[i], &wall);
     done = find_sphere(geometry, &around, &wall, probe, info.step, &list->voids[i], failure);

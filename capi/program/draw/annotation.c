@@ -74,30 +74,31 @@ struct entries {
   bool cut; /* there are more */
 };
 
-/* Of the centres of what is painted, and of all balls. */
+/* The nearest and farthest depth of painted centres; the mean radius of all balls. */
 struct depths {
   double nearest, farthest, mean_radius;
 };
 
 struct legend {
   struct entries own;
-  struct entry other[MOST_STRIPES]; /* what is seen most of muted atoms, with one text for all */
+  struct entry other[MOST_STRIPES]; /* the most visible colours of muted atoms, with one text for all */
   size_t others;
-  struct depths depths; /* between which fog is */
-  const char *quantity; /* NULL: what they are is seen */
+  struct depths depths; /* the range of fog */
+  const char *quantity; /* the meaning of the numbers; NULL: it needs no words */
 };
 
 static bool is_by_residue(const struct annotation *annotation) {
   return strcmp(annotation->palette->name, "residue") == 0;
 }
 
-/* Legends of kinds name those that are seen, others all. */
+/* A legend of residues' kinds has only entries of visible atoms; other legends have all. */
 static bool is_hidden(const struct annotation *annotation, uint32_t atom) {
   return is_by_residue(annotation) && !(annotation->seen[atom] > 0.0);
 }
 
-/* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; of those by
- * residue, for their kinds; all others stand for their elements. False: for nothing. */
+/* Find the entry of the legend to which an atom's colour belongs. If colours are by chain, carbon of a chain has the
+ * chain's entry, as it has just the chain's colour; if they are by residue, atoms of residues have those of kinds; all
+ * others have those of their elements. False: it has none. */
 static bool find_entry(const struct annotation *annotation, uint32_t atom, struct entry *entry) {
   const struct atom_label *label = &annotation->molecule->label[atom];
   const bool by_chain = strcmp(annotation->palette->name, "chain") == 0;
@@ -135,7 +136,7 @@ static double depth_of(const struct annotation *annotation, uint32_t atom) {
   return axis[0] * xyz[0] + axis[1] * xyz[1] + axis[2] * xyz[2];
 }
 
-/* As far as is known. */
+/* Whether an atom is painted, as far as that is known. */
 static bool is_painted(const struct annotation *annotation, uint32_t atom) {
   const bool *const painted = annotation->bodies->painted;
   return painted != NULL ? painted[atom] : annotation->seen != NULL && annotation->seen[atom] > 0.0;
@@ -172,8 +173,8 @@ static void add_tone(const struct annotation *annotation, const struct depths *d
   }
 }
 
-/* A swatch has the mean tone of what is seen: where that is buried it is darker than the colour itself, where it is far
- * it has more of the background. */
+/* A swatch has the mean tone of the visible parts: buried ones are darker than the colour itself, far ones have more of
+ * the background. */
 static void set_mean_tone(struct entry *entry) {
   uint32_t colour = 0;
   if (!(entry->seen > 0.0)) return;
@@ -181,7 +182,7 @@ static void set_mean_tone(struct entry *entry) {
   entry->colour = colour;
 }
 
-/* Those of the atoms that are selected, or of all others. */
+/* Add the entries of the selected atoms, or of all others. */
 static void add_entries(const struct annotation *annotation, bool selected, const struct depths *depths,
                         struct entries *entries) {
   for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {

@@ -6,17 +6,17 @@
 
 #include "draw/text_width.h"
 
-/* In sizes of letters. */
+/* Lengths in sizes of letters. */
 static const double box_height = 0.8, clear = 0.2, beside = 0.25, alone = 0.4, step = 0.35, line_gap = 0.25,
                     shortest = 0.45;
 
 /* Costs of a place, in lengths of a line. */
 static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5, cost_of_corner = 1.0;
-static const double near_by = 4.0, cost_of_far = 8.0; /* a name farther away is looked for: for each length beyond */
-static const double cost_across[2] = {15.0, 400.0};   /* for a length across what is not selected, and what is */
-static const double across_ball = 2.0;                /* times as much: a bond under a line is still a bond */
-static const double cost_of_end = 8.0;                /* on another body, which it seems to name then */
-static const double cost_of_cover[2] = {300.0, 6e3};  /* for a label all over them */
+static const double near_by = 4.0, cost_of_far = 8.0; /* for each length beyond: a far name is hard to find */
+static const double cost_across[2] = {15.0, 400.0}; /* for a length across bodies that are not selected, and that are */
+static const double across_ball = 2.0;              /* times as much: a bond under a line is still a bond */
+static const double cost_of_end = 8.0;              /* on another body, which it seems to name then */
+static const double cost_of_cover[2] = {300.0, 6e3}; /* for a label all over them */
 
 enum { PASSES = 4, MOST_PAIRED = 24 };
 
@@ -58,7 +58,7 @@ static int32_t clamped(double x, int32_t most) {
   return x <= 0.0 ? 0 : x >= most ? most : (int32_t)x;
 }
 
-/* The part of a box, with so much around it, that is taken. */
+/* The part of a box, enlarged by `around`, that is taken. */
 static void find_cover(const struct taken *taken, const double box[4], double around, double cover[2]) {
   const struct front_grid *const front = taken->front;
   const int32_t low[2] = {clamped(floor((box[0] - around - front->corner[0]) / front->cell), front->columns),
@@ -189,7 +189,7 @@ static void offer(struct search *search, const struct placed_label *label, doubl
   search->best.cost = search->cost = cost;
 }
 
-/* Whether a box with so much around it meets no disc or stick but the label's own. */
+/* Whether a box, enlarged by `alone` letters, meets no disc or stick but the label's own. */
 static bool is_alone(const struct search *search, const double box[4]) {
   const struct front_grid *const front = search->taken->front;
   const double around = alone * search->taken->page->size, cell = front->cell;

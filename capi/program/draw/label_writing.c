@@ -13,7 +13,7 @@ static const double line_height = 1.3;                       /* from label to la
 static const double clear_of_edge = 0.23;                    /* a name within a ball, in sizes */
 static const double clear_of_stick[] = {0.4, 0.3, 0.2, 0.1}; /* the first of them for which there is room */
 static const double smallest_share = 1.0 / 110.0; /* of the width of the page: letters below that are not read */
-static const double cells_per_letter = 8.0;       /* of the grid of what is in front */
+static const double cells_per_letter = 8.0;       /* of the grid of bodies in front */
 static const double apart[2] = {0.35, 0.2};       /* labels, in sizes; the latter where letters are smallest */
 static const double least_circle = 0.4;           /* seen of a disc beside which a name stands without a line */
 
@@ -25,17 +25,17 @@ struct writer {
 };
 
 static const double dot = 0.3, ring = 0.55; /* wide, in sizes */
-static const double seam_of_line = 0.12;    /* wider than the line, likewise */
-static const double smallest_within = 0.85; /* names within balls, in sizes of others */
+static const double seam_of_line = 0.12;    /* how much wider than the line, in sizes */
+static const double smallest_within = 0.85; /* size of names within balls, as a part of that of others */
 static const double smaller = 0.9;          /* from one try to the next */
-enum { MOST_OF_TOO_MANY = 400 };            /* that are tried where not all have room */
+enum { MOST_OF_TOO_MANY = 400 };            /* labels that are tried if not all have room */
 
-/* Less is seen than the dot at the end of a line would cover. */
+/* Whether less of a ball is visible than the dot at the end of a line would cover. */
 static bool is_hidden(const struct writer *writer, const struct placed_label *label) {
   return label->seen < dot / 2.0 * writer->size;
 }
 
-/* The largest size of letters with which a name has room within what is seen of a ball. */
+/* The largest size of letters with which a name has room within the visible part of a ball. */
 static double size_within(const struct writer *writer, const struct page_label *label) {
   const double width = text_width(label->text, 1.0);
   const double reach = sqrt(width * width + letter_height * letter_height) / 2.0 + clear_of_edge;

@@ -123,8 +123,8 @@ static void cross(const double a[3], const double b[3], double out[3]) {
   }
 }
 
-/* Of v and -v the one on the side of the file's axis `main`, or where that says little of the others in turn: 9, 3, 1
- * times whole numbers from -2 to 2 do not sum to 0. */
+/* Take v or -v, whichever is on the side of the file's axis `main`, or, if v is nearly at a right angle to it, of the
+ * other axes in turn: 9, 3, 1 times whole numbers from -2 to 2, not all 0, do not sum to 0. */
 static void take_side(const double v[3], int main, int next, int last, double out[3]) {
   const double side = 9.0 * v[main] + 3.0 * v[next] + v[last];
   for (int k = 0; k < 3; ++k) out[k] = side < 0.0 ? -v[k] : v[k];

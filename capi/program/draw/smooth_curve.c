@@ -1,6 +1,6 @@
 #include "draw/smooth_curve.h"
 
-/* Of the chord from one point to the next; 0 where x stays. */
+/* The slope of the chord from one point to the next; 0 if x stays the same. */
 static double chord(const double *x, const double *y, size_t k) {
   return x[k + 1] > x[k] ? (y[k + 1] - y[k]) / (x[k + 1] - x[k]) : 0.0;
 }
@@ -14,7 +14,7 @@ void smooth_curve_slopes(const double *x, const double *y, size_t count, double 
       continue;
     }
     const double near = x[k] - x[k - 1], far = x[k + 1] - x[k];
-    /* A harmonic mean, of which the shorter chord has more: at most three times the flatter one. */
+    /* A harmonic mean in which the shorter chord has more weight: at most three times the flatter slope. */
     const double first = 2.0 * far + near, second = far + 2.0 * near;
     slope[k] = before * after > 0.0 ? (first + second) / (first / before + second / after) : 0.0;
   }

@@ -3,8 +3,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Widths of the characters from ' ' to '~', and of those beyond that pictures have, in thousandths of the size: of
- * Helvetica, by Adobe's font metrics. All others are as wide as a digit. */
+/* Widths of the characters of Helvetica from ' ' to '~', and of further ones in pictures, in thousandths of the size,
+ * by Adobe's font metrics. All others are taken to be as wide as a digit. */
 static const uint16_t widths[] = {
     278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, /* to '/' */
     556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, /* to '?' */

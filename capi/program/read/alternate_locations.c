@@ -10,7 +10,7 @@ struct seen_location {
   char name[8]; /* of the atom; empty for the residue as a whole */
   struct residue_place place;
   char residue[8]; /* name of the residue in the first record with this name and place */
-  char letter;     /* of that record */
+  char letter;     /* the letter of that first record */
 };
 
 enum { KEY_BYTES = offsetof(struct seen_location, residue) };
@@ -20,15 +20,15 @@ struct location_slot {
   uint32_t place; /* in `seen`, plus 1; 0: empty */
 };
 
-/* Neighbours in the file without letters, of one residue. */
+/* Atoms without letters that are neighbours in the file and belong to one residue. */
 struct residue_visit {
   struct residue_place place;
   char residue[8];  /* its name */
-  uint32_t first;   /* of the atoms that wait, in the molecule */
-  uint32_t count;   /* of them; 0: none waits any more */
-  uint32_t next;    /* of the same residue, counted from 1; 0: none */
-  uint32_t last;    /* of the first visit of a residue: the last one, counted from 1 */
-  uint32_t waiting; /* likewise: the first one with names that wait, or the last one */
+  uint32_t first;   /* the first of the atoms that wait, in the molecule */
+  uint32_t count;   /* how many wait; 0: none waits any more */
+  uint32_t next;    /* the next visit of the same residue, counted from 1; 0: none */
+  uint32_t last;    /* in the first visit of a residue: its last visit, counted from 1 */
+  uint32_t waiting; /* in the first visit of a residue: the first visit with names that wait, or the last one */
 };
 
 /* Labels have zeros behind their texts. */
@@ -54,7 +54,7 @@ static bool same_key(const struct seen_location *a, const struct seen_location *
   return memcmp(a, b, KEY_BYTES) == 0;
 }
 
-/* Room for one more, in the list and in the table, half of which stays empty. */
+/* Make room for one more, in the list and in the table, half of which stays empty. */
 static bool reserve(struct alternate_locations *locations) {
   if (locations->count == locations->room) {
     const size_t room = locations->room == 0 ? 512 : 2 * (size_t)locations->room;
@@ -124,7 +124,7 @@ static bool note_waiting(struct alternate_locations *locations, uint32_t atom, c
   return true;
 }
 
-/* Where the table of residues has the place, or would have it. */
+/* The slot of the table of residues that has the place, or would have it. */
 static uint32_t *residue_at(const struct alternate_locations *locations, const struct residue_place *place) {
   size_t at = word_hash(place, sizeof *place) & (locations->residues - 1);
   while (locations->residue[at] != 0 &&

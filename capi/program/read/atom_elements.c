@@ -133,8 +133,8 @@ static int order_of_cofactors(const void *name, const void *cofactor) {
   return strcmp(name, ((const struct cofactor *)cofactor)->name);
 }
 
-/* Of cofactors and clusters, by the Protein Data Bank's names and CHARMM's: all but their metals have one letter, so
- * that NB of a haem is nitrogen in any columns. */
+/* Metals of cofactors and clusters, by the names of the Protein Data Bank and of CHARMM. All their other elements have
+ * one letter, so that NB of a haem is nitrogen in any columns. */
 static bool element_in_cofactor(const struct name *name, const char *residue, struct element_symbol *element) {
   static const struct cofactor known[] = {
       {"B12", "CO"},   {"BCB", "MG"}, {"BCL", "MG"}, {"C1O", "CU"},   {"C2O", "CU"},   {"CBY", "CO"},   {"CHL", "MG"},
@@ -176,7 +176,8 @@ static bool is_bead_name(const char *capitals, enum residue_kind kind) {
 
 enum atom_kind { ATOM_KNOWN, ATOM_UNKNOWN, ATOM_BEAD, ATOM_VIRTUAL };
 
-/* In a known residue; name in capitals, from its first letter on. ATOM_UNKNOWN: the name is none of such a residue. */
+/* An atom in a known residue. `name` is in capitals, from its first letter on. ATOM_UNKNOWN: such residues have no such
+ * name. */
 static enum atom_kind kind_in_residue(const char *name, enum residue_kind kind, const char *residue,
                                       struct element_symbol *element) {
   const bool heavy_follows = name[1] != '\0' && strchr("CNOS", name[1]) != NULL;
@@ -234,7 +235,7 @@ static bool element_of_letters(const struct name *name, struct element_symbol *e
   return name->letters >= 2 && is_element(capitals, 2, element);
 }
 
-/* Of a name alone. *by_letters: there is nothing but its letters to go by. */
+/* Find the element by a name alone. *by_letters: only its letters tell the element. */
 static enum atom_kind kind_of_name(struct field field, bool in_columns, const char *residue,
                                    struct element_symbol *element, bool *by_letters) {
   const struct name name = name_of(field);
@@ -244,7 +245,7 @@ static enum atom_kind kind_of_name(struct field field, bool in_columns, const ch
   if (ion_of(field, residue, element)) return ATOM_KNOWN;
   if (is_site_name(&name)) return ATOM_VIRTUAL;
   if (kind == RESIDUE_OTHER && element_in_cofactor(&name, residue, element)) return ATOM_KNOWN;
-  /* UNK is an amino acid that nobody knows, and in other programs' files a ligand. */
+  /* UNK is an unknown amino acid, and in files of some programs a ligand. */
   const bool ligand = is_pair(name.capitals, &pair) && strcmp(residue, "UNK") == 0;
   if (kind != RESIDUE_OTHER && !ligand) {
     const enum atom_kind found = kind_in_residue(name.capitals, kind, residue, element);
@@ -341,7 +342,7 @@ static bool take_symbol(struct field text, bool queries, struct atom_label *labe
   return element_symbol_parse(text.text, letters, &label->element);
 }
 
-/* A type of SYBYL's, C.3, N.ar, Zn, or the name where it is one of a force field. */
+/* Read a type of SYBYL, C.3, N.ar, Zn; for a type of a force field the name is read. */
 static bool take_type(const struct atom_evidence *evidence, struct atom_label *label) {
   const struct field type = evidence->stated;
   const char *const dot = memchr(type.text, '.', type.length);
@@ -363,7 +364,7 @@ static bool take_type(const struct atom_evidence *evidence, struct atom_label *l
   return true;
 }
 
-/* A type of AutoDock's: those of its parameters, and of ring closures, hydrated and zinc docking; else a symbol. */
+/* Read a type of AutoDock: one of its parameters, of ring closures, or of hydrated or zinc docking; else a symbol. */
 static bool take_autodock_type(struct field type, struct atom_label *label) {
   static const struct {
     char type[4];

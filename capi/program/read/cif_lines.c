@@ -42,8 +42,8 @@ static size_t put_columns(uint64_t left, size_t k, uint16_t *column, size_t coun
   return count;
 }
 
-/* Where values begin and end: false if there are not as many as items. Columns of one line are often those of the next
- * one. */
+/* Find where values begin and end. False: their number is not that of items. The columns are often the same as in the
+ * line before. */
 static bool find_values(struct cif_lines *lines, const struct line_bits *bits, size_t length) {
   uint64_t begins[CIF_LINE_WORDS + 1], before = 1, elsewhere = 0;
   const size_t words = length / 64 + 1;

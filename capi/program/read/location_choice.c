@@ -99,7 +99,7 @@ static struct located_atom chosen_of(const struct located_atom *atoms, size_t co
   return *best;
 }
 
-/* Of the records of one atom, in the order of the file. */
+/* Choose among the records of one atom, which are in the order of the file. */
 static void choose_records(const struct located_atom *records, size_t count, const struct located_atom *chosen,
                            bool by_occupancy, uint8_t *keep) {
   size_t own = 0;

@@ -47,7 +47,7 @@ static void begin(struct molecule_texts *texts, struct molecule_text *text) {
   texts->behind_lines = 0;
 }
 
-/* The lines so far are those of all molecules. */
+/* Keep the lines so far as common to all molecules. */
 static void keep_common(struct molecule_texts *texts, struct molecule_text *text) {
   text_buffer_append(&texts->common, text->text.text, text->text.length);
   texts->common_lines = text->common = text->before = texts->reader.number - 1;

@@ -7,7 +7,7 @@
 #include "read/molecule.h"
 #include "read/words.h"
 
-/* Where the table has the name, or would have it. */
+/* The slot that has the name, or would have it. */
 static uint32_t *slot_of(const struct name_table *table, const struct table_name *name) {
   size_t at = word_hash(name, sizeof *name) & (table->capacity - 1);
   while (table->slots[at] != 0 && memcmp(&table->names[table->slots[at] - 1], name, sizeof *name) != 0) {

@@ -73,7 +73,8 @@ static struct binary binary_of(double value) {
                          (int)(bits >> FRACTION_BITS & 0x7FF) - 1075, bits >> 63 != 0};
 }
 
-/* The number times a power of ten, which is exact: product / 2^shift, and what it is nearest to, ties to even. */
+/* The number times a power of ten, exactly, is product / 2^shift; `digits` is the whole number nearest to it, ties to
+ * even. */
 struct scaled {
   wide_integer product;
   unsigned shift; /* 1 .. 127 */

@@ -10,7 +10,7 @@ struct radii_set {
   const char *name;
   const char *source;
   uint32_t elements; /* HSP_RADII_* */
-  uint32_t residues; /* likewise, or HSP_NONE */
+  uint32_t residues; /* HSP_RADII_*, or HSP_NONE */
 };
 
 const struct radii_set radii_bondi = {"bondi",

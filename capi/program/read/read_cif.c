@@ -31,13 +31,13 @@ struct cif_reading {
   struct failure *failure;
   struct cif_row row;
   struct residue_place place;          /* of the last atom */
-  const struct residue_label *residue; /* of the atom of the row before, which had no letter; NULL: of none */
-  bool hetatm;                         /* likewise */
+  const struct residue_label *residue; /* of the row before, if its atom had no letter; else NULL */
+  bool hetatm;                         /* that atom is HETATM */
   struct cif_crystal crystal;          /* of this block */
   unsigned char decimals[3];           /* of the fractions of the row's atom */
   struct cif_component component;
-  enum cif_table table;     /* that is read */
-  enum cif_table source;    /* that atoms come from: what is no component comes first */
+  enum cif_table table;     /* the table that is read */
+  enum cif_table source;    /* the table from which atoms come; one that is no component's has precedence */
   bool single;              /* the row is made of single items */
   bool has[CIF_ITEMS];      /* which items the table has */
   bool fractional;          /* its coordinates are */
@@ -179,7 +179,7 @@ static bool note_location(struct cif_reading *reading, bool goes_on) {
   const struct field occupancy = cif_without_uncertainty(cif_row_get(row, CIF_OCCUPANCY));
   static const struct atom_label nameless = ATOM_LABEL_NONE;
   if (!reading->fractional) {
-    /* A row that goes on has what it shares with the one before from there. */
+    /* A row that goes on shares the place of the row before. */
     if (!goes_on) reading->place = residue_place_of(label->residue, cif_row_get(row, CIF_LABEL_CHAIN));
     const struct field letter = goes_on ? (struct field){"", 0} : cif_row_get(row, CIF_ALTERNATE);
     return (letter.length == 0 && !residue_is_numbered(label->residue)) ||
@@ -273,7 +273,8 @@ static bool take_row(struct cif_reading *reading) {
   return reading->table == CIF_COMPONENT ? take_component_atom(reading) : take_atom(reading, before);
 }
 
-/* Drops what was read of components, if anything: the file has a structure, and they are but its dictionary. */
+/* Drop the atoms of components, if there are any: the file has a structure, and the components are only its
+ * dictionary. */
 static void drop_component(struct cif_reading *reading) {
   struct molecule *molecule = reading->molecule;
   if (reading->source != CIF_COMPONENT) return;
@@ -380,7 +381,7 @@ static bool end_block(struct cif_reading *reading) {
   return cif_crystal_finish(&reading->crystal, reading->taken_fractional, molecule, reading->failure);
 }
 
-/* Take a value that says something of the cell, unless it is that of another block than the atoms'. */
+/* Take a value about the cell, unless it is in another block than the atoms. */
 static bool take_crystal(struct cif_reading *reading, enum cif_item item) {
   return reading->done ||
          cif_crystal_take(&reading->crystal, item, &reading->tokens, &reading->molecule->symmetry, reading->failure);
@@ -423,7 +424,7 @@ static bool read_rows(struct cif_reading *reading, const enum cif_item *items, s
                           (unsigned)count);
 }
 
-/* The values of any other loop, of which operators count, and rows of some tables. */
+/* Read the values of any other loop; only operators and rows of some tables are used. */
 static bool skip_rows(struct cif_reading *reading, enum cif_table table, const enum cif_item *items, size_t count) {
   struct cif_tokens *tokens = &reading->tokens;
   for (size_t at = 0; tokens->kind == CIF_VALUE; at = (at + 1) % count, cif_tokens_next(tokens)) {

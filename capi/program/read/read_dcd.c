@@ -118,7 +118,7 @@ static bool begin(struct trajectory *of, struct failure *failure) {
   return fixed == 0 || take_free_atoms(dcd, reader, atoms, failure);
 }
 
-/* All x, or y, or z: of all atoms, or of those that move. */
+/* Read all x, or all y, or all z: of all atoms, or of those that move. */
 static bool take_axis(const struct dcd *dcd, struct byte_reader *reader, bool wanted, uint32_t count,
                       const uint32_t *place, double *out, struct failure *failure) {
   uint32_t length = 0;
@@ -196,7 +196,7 @@ static bool take_frame(struct dcd *dcd, struct byte_reader *reader, bool wanted,
   return !dcd->has_fourth || take_axis(dcd, reader, false, count, NULL, xyz, failure);
 }
 
-/* Its coordinates are still those of the frame before: atoms that are fixed stand in the first one alone. */
+/* The coordinates of the frame before are kept: fixed atoms are only in the first frame. */
 static enum line_status next_frame(struct trajectory *of, bool wanted, struct failure *failure) {
   struct dcd *const dcd = &of->dcd;
   struct byte_reader *const reader = &of->bytes;

@@ -57,14 +57,14 @@ static uint64_t filled(uint64_t bytes) {
   return (bytes + 3) / 4 * 4;
 }
 
-/* So many bytes and what fills them up, of which the first ones are kept, with a 0 behind them. */
+/* Read that many bytes and their padding. The first ones are kept, with a 0 behind them. */
 static bool take_text(struct trajectory *of, uint64_t bytes, char *out, size_t room, struct failure *failure) {
   const size_t kept = bytes < room - 1 ? (size_t)bytes : room - 1;
   out[kept] = '\0';
   return take(of, (unsigned char *)out, kept, failure) && skip(of, filled(bytes) - kept, failure);
 }
 
-/* A name that is cut off is none of those that are known, all of which are shorter. */
+/* A name that is cut off equals no known name: all of these are shorter. */
 static bool take_name(struct trajectory *of, char name[NAME_BYTES], struct failure *failure) {
   uint64_t bytes = 0;
   return take_count(of, &bytes, failure) && take_text(of, bytes, name, NAME_BYTES, failure);
@@ -181,7 +181,7 @@ static bool check_field(enum netcdf_use use, const struct shape *shape, uint64_t
   return failure_in_input(failure, 0, "its variable %s is not in angstrom", names[use]);
 }
 
-/* Of all variables of frames: where the first one begins, and their bytes in a frame. */
+/* For all variables of frames together: where the first one begins, and their bytes in a frame. */
 struct extent {
   uint64_t begin, bytes;
 };

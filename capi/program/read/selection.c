@@ -21,12 +21,13 @@ struct selection_item {
   int64_t low;
   int64_t high;
   char low_code, high_code;        /* insertion codes that the range begins and ends with; '\0': any */
-  const struct index_group *group; /* of groups, as soon as it is found */
+  const struct index_group *group; /* for a group, once it is found */
   bool ends_term;
   bool ends_selection;
-  bool hides;         /* of the last item of a selection: its atoms are left out */
-  const char *option; /* of the last item of a selection: what it stood behind */
-  const char *whole;  /* likewise: all of its text */
+  /* In the last item of a selection: */
+  bool hides;         /* the selection's atoms are left out */
+  const char *option; /* the option before the selection */
+  const char *whole;  /* the whole text of the selection */
 };
 
 static bool add_item(struct selection *selection, const struct selection_item *item, struct failure *failure) {
@@ -102,8 +103,8 @@ static bool parse_item(struct selection_item *item, const char *option, struct f
   return true;
 }
 
-/* The key of a term; behind it stand items unless it is one of the last three. False: the failure says what it should
- * be. */
+/* Read the key of a term; items follow unless it is one of the last three. False: the failure says which keys there
+ * are. */
 static bool parse_key(struct field *term, enum key *key, const char *option, struct failure *failure) {
   char shown[EXCERPT_BYTES];
   const char *colon = term->length == 0 ? NULL : memchr(term->text, ':', term->length);

@@ -63,7 +63,8 @@ static size_t find_statements(const struct molecule *molecule, const struct numb
   return count;
 }
 
-/* Of one bond: the largest order that is stated, or how often one end states it. Above three times it says nothing. */
+/* The order of a bond: the largest order stated, or the number of times that one end states it; more than three times
+ * tell nothing. */
 static void merge_statements(const struct statement *statement, size_t count, struct stated_bonds *bonds) {
   for (size_t k = 0, begin = 0; k < count; ++k) {
     const bool first = k == 0 || compare_bonds(&statement[k].bond, &statement[k - 1].bond) != 0;

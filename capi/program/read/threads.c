@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* Where a system gives threads less, or much more than they need. */
+/* Some systems give threads a smaller stack, or a much larger one than they need. */
 #define STACK_BYTES ((size_t)1 << 20)
 
 uint32_t threads_of_machine(void) {
@@ -152,7 +152,8 @@ static bool take_next(struct line *line, uint32_t *slot) {
   return taken;
 }
 
-/* Give what is next and worked. A thread that finishes an item while another one gives leaves it to that one. */
+/* Give the next items on which work is done. A thread that finishes an item while another thread gives leaves it to
+ * that thread. */
 static void give_worked(struct line *line, uint32_t slot) {
   pthread_mutex_lock(&line->lock);
   line->slots[slot].worked = true;

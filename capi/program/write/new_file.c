@@ -16,14 +16,14 @@
 /* Names that are tried for a new file. */
 enum { MOST_NAMES = 100 };
 
-/* A file that a signal must take away. */
+/* A file that a signal must remove. */
 struct new_file {
   char *temporary; /* its name until the end of the run */
-  char *target;    /* that of the file that it is to replace */
+  char *target;    /* the name of the file that it is to replace */
   struct new_file *volatile next;
 };
 
-/* In the order in which they were begun, and whether a link led to one of them. */
+/* The new files in the order in which they were begun; and whether a link led to one of them. */
 static struct new_file *volatile unkept;
 static bool any_link;
 
@@ -68,7 +68,7 @@ static void release_signals(void) {
   sigaction(SIGXFSZ, &size_action_before, NULL);
 }
 
-/* Where the list has it, or ends for NULL. */
+/* The place of a file in the list; for NULL the end of the list. */
 static struct new_file *volatile *place_of(const struct new_file *made) {
   struct new_file *volatile *at = &unkept;
   while (*at != made) at = &(*at)->next;
@@ -113,8 +113,8 @@ static int make_temporary(struct new_file *made, const struct stat *old) {
   return -1;
 }
 
-/* The new file belongs to whom the old one belonged, as far as the user may decide that: to its group at least, or else
- * that group's rights are nobody's. */
+/* The new file gets the owner and group of the old one, as far as the user may set them. If not even the group can be
+ * set, the group's rights are taken away. */
 static bool take_permissions(int descriptor, const struct stat *old) {
   mode_t mode = old->st_mode & 0777;
   const bool others = old->st_uid != geteuid() || old->st_gid != getegid();

@@ -12,7 +12,7 @@ static void add_with_unit(struct record *record, const char *text) {
   }
 }
 
-/* Of a column for persons. */
+/* The width of a column for persons. */
 static int column_width(const char *key) {
   const int length = (int)strlen(key);
   return length > VALUE_WIDTH ? length : VALUE_WIDTH;

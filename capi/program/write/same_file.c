@@ -89,7 +89,7 @@ static const char *name_in_folder(const char *path) {
   return slash == NULL ? path : slash + 1;
 }
 
-/* Of paths that are no links. */
+/* For paths that are no links. */
 static bool names_are_one(const char *a, const char *b) {
   struct stat of_a, of_b;
   const char *const name = name_in_folder(a), *const other = name_in_folder(b);
