@@ -5,7 +5,7 @@
 
 #include "read/growing_array.h"
 
-/* A line is moved from where it ends on, along so many of its widths. */
+/* A line is moved aside at its ends, along this length in widths. */
 static const double taper = 6.0;
 
 void creases_add(struct creases *creases, const struct crease *crease) {
@@ -21,12 +21,12 @@ void creases_free(struct creases *creases) {
   free(creases->crease);
 }
 
-/* Ends are numbered: those of a crease are two times its number and that plus one. */
+/* Ends have numbers: the ends of crease i are 2 i and 2 i + 1. */
 struct chains {
   struct crease *crease;
   size_t ends;
-  size_t *next; /* [ends], that of another crease between the same patches, if there is just one; else NOTHING */
-  double *way;  /* [ends], to where a contour begins, or a line ends */
+  size_t *next; /* [ends], the end there of the only other crease between the same patches; else NOTHING */
+  double *way;  /* [ends], the distance to the beginning of a contour, or to the end of a line */
   bool *above;  /* [ends], whether the edge of the area is on the other side of the crease there */
 };
 
@@ -112,7 +112,7 @@ static void set_way(const struct chains *chains, size_t end, double way, bool ab
   chains->above[end] = above;
 }
 
-/* To where lines end: of each end of a crease, as far as that is near. */
+/* Find for each end of a crease the distance to the end of its line, as far as it is less than `longest`. */
 static void find_ways(const struct chains *chains, const uint32_t *nearer, double longest) {
   for (size_t end = 0; end < chains->ends; ++end) chains->way[end] = INFINITY;
   for (size_t begin = 0; begin < chains->ends; ++begin) {
@@ -129,7 +129,7 @@ static void find_ways(const struct chains *chains, const uint32_t *nearer, doubl
   }
 }
 
-/* From the crease to the side of the first patch: of the mean of what meets at an end, of unit length. */
+/* The direction from a crease to its first patch at an end: a unit vector, the mean for the edges that meet there. */
 static void find_aside(const struct chains *chains, size_t end, double aside[2]) {
   const size_t next = goes_on(chains, end) ? chains->next[end] : end;
   double sum[2] = {0.0, 0.0};

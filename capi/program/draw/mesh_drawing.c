@@ -14,7 +14,7 @@
 #define mesh_pockets_find(...) false /* never called: the option is refused then */
 #endif
 
-/* Voids are small, and shown whole: of shorter triangles than what is cut. */
+/* Voids are small, and shown as a whole: they have shorter triangles than the surface that is cut. */
 static const double edge_of_voids = 0.6;
 
 static bool add_finer_voids(const struct request *request, const struct molecule *molecule,

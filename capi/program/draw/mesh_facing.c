@@ -8,11 +8,11 @@
 #include "draw/mesh_split.h"
 #include "hardsphere.h"
 
-/* Of an edge: a corner that near to the contour is on it as good as exactly, as there the surface goes along the way to
- * the viewer. */
+/* A corner within this share of an edge from the contour counts as on it: the surface is nearly parallel to the line of
+ * sight there. */
 static const double nearest = 0.2;
 
-/* With it the normals of all triangles are known. */
+/* The data from which the normals of all triangles follow. */
 struct surface {
   const struct triangle_mesh *mesh;
   const struct mesh_view *view;
@@ -81,8 +81,9 @@ static bool turns(const struct facing *facing, size_t k) {
   return (facing->value[k] > 0.0) != (facing->value[(k + 1) % 3] > 0.0);
 }
 
-/* Of each vertex the value with which the contour may go through it. Where spheres meet at an angle another one has
- * another value there. How many edges the contour crosses, each counted by its triangles. */
+/* Find for each vertex the largest value with which the contour still counts as passing through it; spheres that meet
+ * at an angle have different values there. Returns how many edges the contour crosses, each counted once for each of
+ * its triangles. */
 static size_t find_near(const struct surface *surface, double *near) {
   const struct triangle_mesh *const mesh = surface->mesh;
   size_t crossed = 0;
@@ -101,7 +102,7 @@ static size_t find_near(const struct surface *surface, double *near) {
   return crossed;
 }
 
-/* Of both triangles that an edge is in, which is sorted out later. */
+/* Find the edges that the contour crosses, once for each triangle; mesh_split_sort leaves each once. */
 static size_t find_edges(const struct surface *surface, const double *near, struct split_edge *edges) {
   const struct triangle_mesh *const mesh = surface->mesh;
   size_t found = 0;

@@ -38,7 +38,7 @@ static bool overlap(const struct seen_triangle *a, const struct seen_triangle *b
 
 enum { MOST_POINTS = 9 };
 
-/* The middle of the corners of what two triangles share; false if that is nothing. */
+/* Find the mean of the corners of the common part of two triangles. False: they have none. */
 static bool find_common_point(const struct seen_triangle *a, const struct seen_triangle *b, double middle[2]) {
   double point[MOST_POINTS][2], left[MOST_POINTS][2];
   int count = 3;
@@ -118,7 +118,7 @@ static bool find_pairs(const struct seen_triangle *triangle, uint32_t count, con
 struct order {
   uint32_t *first;   /* [count + 1], of the upper ones of each */
   uint32_t *upper;   /* [pairs] */
-  uint32_t *waiting; /* [count], for so many lower ones */
+  uint32_t *waiting; /* [count], how many lower ones have no layer yet */
   uint32_t *ready;   /* [count] */
   bool *done;        /* [count] */
 };

@@ -11,36 +11,36 @@
 #include "draw/mesh_sides.h"
 #include "hardsphere.h"
 
-/* Shares of the mean radius on the page, and tenths of a px. */
+/* Widths of lines: shares of the mean radius on the page, and bounds in tenths of a px. */
 static const double hairline_share = 0.0033, thinnest_hairline = 2.0, widest_hairline = 5.0;
 static const double contour_share = 0.0048, thinnest_contour = 6.0, widest_contour = 14.0;
 
-/* A contour beside which a strip is seen that is no wider than that, before a gap so many times as large, doubles the
- * contour of the strip. In widths. */
+/* A contour doubles another one if behind it there is only a strip, at most `narrowest_strip` widths of a contour wide,
+ * and the gap behind the strip's own contour is more than `larger_gap` times as large. */
 static const double narrowest_strip = 3.0, larger_gap = 4.0;
 
-/* Mean radii: larger gaps count as so many. */
+/* In mean radii: larger gaps count as this one. */
 static const double largest_gap = 3.0;
 
-/* Contours that end alone are specks if they are no more than a line of full width as long as so many widths. */
+/* A contour that ends alone is a speck if it has no more ink than a line of full width with this length, in widths. */
 static const double shortest_contour = 12.0;
 
-/* Contours have their full width so many widths from where they end alone; thinner parts are raised, and gaps closed
- * by the thinnest line, that are no longer than some. */
+/* Lengths in widths of a contour: from an end alone to full width; the longest thinner part that is raised; the longest
+ * gap that is closed, by the thinnest line. */
 static const double taper = 6.0, longest_dip = 3.0, longest_gap = 6.0;
 enum { THINNEST_LEVEL = 2 };
 
 /* Contours of no higher level may be dropped as specks. */
 static const double least_level = 1.0;
 
-/* Such ends are left out that have no more ink than a line of full width as long as so many widths. */
+/* Such an end is left out if it has no more ink than a line of full width with this length, in widths. */
 static const double shortest_end = 3.0;
 
-/* Of the part of a normal that points to the viewer: hairlines on steeper surfaces double contours and are left out, on
+/* Bounds of a normal's component towards the viewer: hairlines on steeper surfaces double contours and are left out; on
  * flatter ones they have their full width. */
 static const double steepest = 0.25, flattest = 0.6;
 
-/* So far off a contour in units of the page the surface that it is of is not any more. */
+/* The distance outside a contour, in units of the page, at which its own surface cannot be any more. */
 static const double own_surface = 2.0;
 
 static double hairline_width(const struct mesh_picture *picture) {
@@ -69,7 +69,7 @@ struct line_search {
   struct hidden_lines hidden;
   struct contour_pieces contours;
   struct creases creases;
-  uint32_t *root;   /* [vertices] the same of those between which contours have no length on the page */
+  uint32_t *root;   /* [vertices] the same for vertices between which contours have no length on the page */
   uint32_t *nearer; /* [vertices], the patch of a contour that is seen there, or NO_PATCH */
 };
 
@@ -91,7 +91,8 @@ static double share_at(const struct seen_line *line, double plane) {
   return (plane - line->depth[0]) / (line->depth[1] - line->depth[0]);
 }
 
-/* From a point of a line, with the surface on the left, to what is seen so far outside. */
+/* The gap in depth from a point of a line to the nearest surface at the distance `outside` from the line. The line's
+ * own surface is on its left. */
 static double gap_outside(const struct hidden_lines *hidden, const struct seen_line *line, double share,
                           double outside) {
   const double along[2] = {(double)line->at[1][0] - line->at[0][0], (double)line->at[1][1] - line->at[0][1]};
@@ -102,7 +103,8 @@ static double gap_outside(const struct hidden_lines *hidden, const struct seen_l
   return fmax(gap, 0.0);
 }
 
-/* Whether beside a point of a line what is behind it ends. A surface that falls off does so step by step. */
+/* Whether the surface behind a point of a line ends near by. A sudden increase of the gap shows its end; a surface that
+ * falls off recedes step by step. */
 static bool has_strip(const struct mesh_picture *picture, const struct hidden_lines *hidden,
                       const struct seen_line *line, double share) {
   const double step = contour_width(picture) / 2.0;
@@ -115,8 +117,8 @@ static bool has_strip(const struct mesh_picture *picture, const struct hidden_li
   return false;
 }
 
-/* Of the part of a contour, by the least gap just outside its line, as the library has contours of balls. 0 where it
- * doubles another one. */
+/* Set the level of a part of a contour by the least gap just outside its line, as the library does for contours of
+ * balls; 0 if the part doubles another contour. */
 static void set_level(const struct mesh_picture *picture, const struct hidden_lines *hidden,
                       const struct seen_line *line, struct span span, struct contour_piece *piece) {
   double gap = INFINITY, width = 0.0;
@@ -158,7 +160,7 @@ static void add_edge_between(struct painted_edges *edges, const double points[2]
   painted_edges_add(edges, &edge);
 }
 
-/* A contour so far beside the surface that it is of. */
+/* A contour moved outwards by `aside` from its surface. */
 static struct seen_line outside_of(const struct seen_line *line, double aside) {
   const double along[2] = {(double)line->at[1][0] - line->at[0][0], (double)line->at[1][1] - line->at[0][1]};
   const double part = aside / sqrt(along[0] * along[0] + along[1] * along[1]);
@@ -174,8 +176,9 @@ static bool is_concave(const struct mesh_picture *picture, uint32_t triangle) {
   return picture->mesh->kinds[triangle] == HSP_PATCH_CONCAVE;
 }
 
-/* The paint of the area that ends with a contour, if that is of a sphere, or 0: of the side that is seen there. A ball
- * has a contour seen from outside, a probe's place from inside, and where two of these meet from outside. */
+/* The paint of the area that ends with a contour, for the visible side, if the area is of a sphere; else 0. A ball has
+ * a contour if it is seen from outside; a concave patch, if it is seen from inside; and the edge between two concave
+ * patches, if it is seen from outside. */
 static uint32_t contour_paint(const struct mesh_picture *picture, const struct seen_line *line) {
   const struct triangle_mesh *const mesh = picture->mesh;
   const bool one = mesh->patches[line->beside[0]] == mesh->patches[line->beside[1]];
@@ -187,15 +190,17 @@ static uint32_t contour_paint(const struct mesh_picture *picture, const struct s
                                               : 0;
 }
 
-/* Where something crosses a line, from where it crosses it aside and twice as far aside, if it does. */
+/* The share at which an edge crosses a line, from the shares at which it crosses the line moved aside, and moved twice
+ * as far, if it crosses both. */
 static double crossing(double aside, double twice) {
   const bool crosses = aside > 0.0 && aside < 1.0 && twice > 0.0 && twice < 1.0;
   return crosses ? fmin(fmax(2.0 * aside - twice, 0.0), 1.0) : aside;
 }
 
-/* The spans of a contour that nothing but its own surface hides. That is before it in places, edge-on, of flat
- * triangles, so that it is looked for beside it; where it is crossed at a small angle that is far from there. */
-enum { MOST_SPANS = 4 }; /* an edge is short: of more than so many ends stay where they are */
+/* Find the spans of a contour that no other surface than its own hides. Its own surface is edge-on there and made of
+ * flat triangles, and so lies before it in places. Therefore the spans are found on a line beside the contour. If this
+ * is crossed at a small angle, the crossing is far from that of the contour: a second line corrects it. */
+enum { MOST_SPANS = 4 }; /* an edge is short; with more spans their ends are not corrected */
 static bool find_seen_of_contour(struct hidden_lines *hidden, const struct seen_line *line) {
   struct span aside[MOST_SPANS];
   const struct seen_line near = outside_of(line, own_surface), far = outside_of(line, 2.0 * own_surface);
@@ -219,7 +224,7 @@ static bool find_seen_of_contour(struct hidden_lines *hidden, const struct seen_
   return true;
 }
 
-/* Where the spans that are seen of a contour do not begin or end with it. */
+/* Note the ends of a contour that are not ends of its visible spans: there it goes on hidden. */
 static void add_hidden_ends(struct line_search *search, const struct seen_line *line) {
   const struct span *const span = search->hidden.span;
   const size_t spans = search->hidden.spans;
@@ -230,7 +235,8 @@ static void add_hidden_ends(struct line_search *search, const struct seen_line *
   }
 }
 
-/* The patch of a contour, if that is seen for the most part: where one begins or ends that is hidden a bit is not. */
+/* Set the patch of a contour at its ends, if most of it is visible; a contour that is hidden near an end may count,
+ * too. */
 static void set_nearer(const struct mesh_picture *picture, const struct line_search *search,
                        const struct seen_line *line) {
   double seen = 0.0;
@@ -286,9 +292,9 @@ static bool add_line(struct mesh_picture *picture, struct line_search *search, c
   return true;
 }
 
-/* Where a contour has no line, or hardly one, its area has a line, as beside creases, as otherwise the areas of farther
- * triangles go on over its edge in places. Where the contour's own line begins that ends with the area itself. drawn
- * [vertices]: where contours end that have lines. */
+/* Give the area of a contour a line, as beside creases, if the contour has no line or hardly one: otherwise areas of
+ * farther triangles extend over its edge in places. At an end where the contour's own line begins, the edge of this
+ * line is that of the area. drawn [vertices]: whether a contour with a line ends there. */
 static void add_area_line(struct mesh_picture *picture, const struct contour_piece *piece, const bool *drawn) {
   const double along[2] = {piece->at[1][0] - piece->at[0][0], piece->at[1][1] - piece->at[0][1]};
   const double length = contour_piece_length(piece);
@@ -302,7 +308,7 @@ static void add_area_line(struct mesh_picture *picture, const struct contour_pie
   add_edge_between(&picture->creases, (const double(*)[2])line, (struct span){0.0, 1.0}, piece->paint);
 }
 
-/* In parts of one level each. */
+/* Add contours in parts, each of one level. */
 static bool add_contours(struct mesh_picture *picture, const struct contour_pieces *contours, double slope) {
   bool *const drawn = calloc((size_t)picture->mesh->vertices + 1, sizeof *drawn);
   if (drawn == NULL) return false;
@@ -329,7 +335,7 @@ static bool add_contours(struct mesh_picture *picture, const struct contour_piec
   return true;
 }
 
-/* The paint of a line between two triangles of which the same side is seen; 0: there is none. */
+/* The paint of a line between two triangles that show the same side; 0: there is no line. */
 static uint32_t border_paint(const struct mesh_picture *picture, const struct mesh_side *side) {
   int pocket[2], seen_as[2];
   for (int k = 0; k < 2; ++k) {
@@ -355,8 +361,8 @@ static uint32_t colour_at(struct mesh_picture *picture, uint32_t triangle) {
                         mesh_side_of(picture, triangle));
 }
 
-/* Whether the spheres of two patches meet along an edge, or two colours, of which one is a sphere's: what goes on over
- * the other is seen there. */
+/* Whether an edge is a crease: two patches of spheres meet there, or two colours one of which is a sphere's. There it
+ * is visible which one extends over the other. */
 static bool is_crease(struct mesh_picture *picture, const struct mesh_side *side) {
   const uint32_t triangle[2] = {side[0].triangle, side[1].triangle};
   if (picture->mesh->patches[triangle[0]] == picture->mesh->patches[triangle[1]]) return false;
@@ -389,7 +395,7 @@ static bool is_painted_later(const struct mesh_picture *picture, const struct me
          mesh_sphere_paint(picture, other, mesh_side_of(picture, other));
 }
 
-/* Which patch of a crease goes on over the other is known when all contours are. */
+/* The patch of a crease that extends over the other one is chosen when all contours are known. */
 static void add_crease(const struct mesh_picture *picture, const struct mesh_side *side, size_t edge,
                        struct creases *creases) {
   const struct seen_line line = crease_line(picture, side);
@@ -435,7 +441,7 @@ static bool is_of_contour(const struct mesh_picture *picture, const struct mesh_
   return mesh_faces_viewer(picture, side[0].triangle) != mesh_faces_viewer(picture, side[1].triangle);
 }
 
-/* Of two sides of one edge. */
+/* Add the lines at an edge with these two sides. */
 static bool add_edge(struct mesh_picture *picture, struct line_search *search, const struct mesh_side *sides,
                      size_t edge) {
   const struct mesh_side *const side = &sides[edge];
@@ -459,7 +465,7 @@ static bool add_edge(struct mesh_picture *picture, struct line_search *search, c
   return add_line(picture, search, &line, plane, paint);
 }
 
-/* Of each patch at how many points it is seen. */
+/* Count for each patch the points at which it is seen. */
 static bool count_points(struct mesh_picture *picture, const struct seen_triangle *seen, uint32_t count) {
   const struct triangle_mesh *const mesh = picture->mesh;
   uint32_t last = 0;

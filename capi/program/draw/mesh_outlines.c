@@ -10,8 +10,8 @@
 
 static const double thinnest = 1.0; /* of areas, in units */
 
-/* Of points that are dropped, squares of units: on outlines, where a tone goes over into one hardly different, and on
- * lines, which show every corner. */
+/* The largest distance of dropped points, as squares of units: on outlines; on inner edges between tones that hardly
+ * differ; and on lines, which show every corner. */
 static const double slack_squared[2] = {1.0, 30.0}, slack_squared_of_lines = 0.5;
 
 void painted_edges_add(struct painted_edges *edges, const struct painted_edge *edge) {
@@ -110,7 +110,7 @@ static bool is_marked(const struct painted_edge *edge) {
   return compare_points(edge->from, edge->to) == 0;
 }
 
-/* ---- lines that hang together ---- */
+/* ---- connected lines ---- */
 
 struct line_end {
   int32_t at[2];
@@ -146,7 +146,7 @@ static bool is_near(const struct painted_edge *edge, const struct painted_edge *
          off_the_chord(edge->to, other->from, other->to) <= apart * apart;
 }
 
-/* Of lines that hang together the one that stands for all, and the ink of these. */
+/* For each line the one that stands for all lines connected with it, and the ink of these. */
 struct hanging {
   uint32_t *root;
   double *ink;
@@ -159,7 +159,7 @@ static void join(const struct hanging *hanging, uint32_t a, uint32_t b) {
   hanging->ink[to] += hanging->ink[from];
 }
 
-/* Those that share an end. */
+/* Join lines that share an end. */
 static bool join_at_ends(const struct painted_edges *edges, uint32_t first, const struct hanging *hanging) {
   struct line_end *end = calloc(2 * edges->count + 1, sizeof *end);
   size_t ends = 0;
@@ -300,8 +300,9 @@ static void find_middle(const struct way *way, size_t k, int32_t middle[2]) {
   for (int axis = 0; axis < 2; ++axis) middle[axis] = a[axis] + b[axis];
 }
 
-/* By smooth points go parabolas from the middle of one edge to that of the next. Their control points are the points
- * themselves: each is the last one mirrored in the middle between them, as `t` has it. */
+/* At smooth points parabolas lead from the middle of one edge to the middle of the next. Their control points are the
+ * points themselves. Each control point is the last one mirrored at the middle between them, which is what the command
+ * `t` means. */
 static void put_way(struct text_buffer *out, const struct way *way) {
   struct writer writer = {out, {0, 0}, 'M'};
   size_t first = 0;
@@ -342,8 +343,8 @@ static void put_way(struct text_buffer *out, const struct way *way) {
 
 /* ---- fewer points ---- */
 
-/* Of the points between two, the one farthest from the chord; of several the first by coordinates, so that both
- * neighbours of an outline drop the same points. */
+/* Find the point between two others that is farthest from their chord; of several the first by coordinates, so that
+ * both neighbours of an outline drop the same points. */
 static size_t find_farthest(const struct way *way, size_t from, size_t to, double *square) {
   const size_t n = way->points;
   size_t farthest = from;
@@ -359,12 +360,12 @@ static size_t find_farthest(const struct way *way, size_t from, size_t to, doubl
   return farthest;
 }
 
-/* Where a third outline comes to a way, or another kind of edge begins. */
+/* Whether a point is kept: a third outline meets the way there, or another kind of edge begins. */
 static bool is_kept(const struct way *way, size_t k) {
   return way->inner[k] != way->inner[(k + way->points - 1) % way->points] || is_joint(way->edges, way->point[k]);
 }
 
-/* The point of a loop that it may begin with: the first one by coordinates of those that are kept, if there are any. */
+/* The point with which a loop begins: the first by coordinates of the points that are kept, if there are any. */
 static size_t find_first(const struct way *way) {
   size_t first = 0;
   bool kept = is_kept(way, 0);
@@ -406,7 +407,7 @@ static bool drop_points(const struct way *way, int32_t (*left)[2], size_t *count
   return true;
 }
 
-/* From an edge along those that begin where it ends, to where it began or where none is left. */
+/* Follow edges, each beginning where the one before ends, until the way is back at its beginning or no edge is left. */
 static bool take_way(const struct painted_edges *edges, size_t edge, size_t first, size_t end, int32_t (*point)[2],
                      bool *inner, struct way *way) {
   size_t count = 0;
@@ -433,8 +434,8 @@ static bool take_way(const struct painted_edges *edges, size_t edge, size_t firs
   return count > 1;
 }
 
-/* Whether a loop is so thin that only its line would be seen, over neighbours whose own lines close what it leaves
- * open. */
+/* Whether a loop is so thin that only its line would be seen. It is left out, as lines of its neighbours close the
+ * gap. */
 static bool is_sliver(const struct way *way) {
   double area = 0.0, around = 0.0;
   for (size_t k = 0; k < way->points; ++k) {
@@ -446,7 +447,7 @@ static bool is_sliver(const struct way *way) {
   return fabs(area) <= thinnest * around;
 }
 
-/* Where edges end, sorted; to be freed. NULL for want of memory. */
+/* The ends of edges, sorted. Free them. NULL: memory is short. */
 static int32_t (*find_ends(const struct painted_edges *edges, size_t first, size_t end))[2] {
   int32_t(*const ends)[2] = calloc(end - first + 1, sizeof *ends);
   for (size_t i = first; ends != NULL && i < end; ++i) memcpy(ends[i - first], edges->edge[i].to, sizeof *ends);

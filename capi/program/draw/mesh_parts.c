@@ -90,7 +90,8 @@ static uint32_t corner_behind(const struct mesh_parts *parts, const uint32_t *co
   return behind;
 }
 
-/* Pieces of what lies behind the plane, as roots, and of each its triangles and whether the plane goes through it. */
+/* The connected pieces behind the plane, by their roots; for each the number of its triangles, and whether the plane
+ * cuts it. */
 struct pieces {
   uint32_t *root;      /* [vertices] */
   uint32_t *triangles; /* [vertices] */

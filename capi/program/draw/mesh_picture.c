@@ -33,7 +33,7 @@ static struct polygon polygon_of(const struct mesh_picture *picture, uint32_t tr
   return polygon;
 }
 
-/* Where the plane of the cut goes through. */
+/* Add the line in which the plane of the cut meets a triangle. */
 static void add_section(struct mesh_picture *picture, const struct polygon *polygon, const double value[3]) {
   double ends[2][3];
   int count = 0;
@@ -62,8 +62,8 @@ static void add_triangle(struct mesh_picture *picture, uint32_t triangle) {
   mesh_add_polygon(picture, &polygon, triangle, side);
 }
 
-/* Nobody looks through a closed surface. Of a void, as a body, what faces the viewer is what turns away from him as a
- * surface of the balls. */
+/* Triangles that turn away are hidden by the closed surface itself. A void is drawn as a body: its triangles that face
+ * the viewer are those that turn away as a surface of the balls. */
 static bool is_shown(const struct mesh_picture *picture, uint32_t triangle) {
   const uint32_t first = picture->mesh->corners[3 * (size_t)triangle];
   const bool of_void = mesh_parts_is_of_void(&picture->parts, first);
@@ -101,7 +101,8 @@ static bool paint_triangles(struct mesh_picture *picture) {
       one->depth[k] = at[2];
       one->whole = one->whole && (of_void || at[2] <= picture->parts.cut);
     }
-    /* Beside a contour whole units, and chords, lay some the other way round, over what they hang together with. */
+    /* Near a contour some triangles are turned round by rounding to whole units, and since edges are chords. They would
+     * lie over their own neighbours. */
     const double area = seen_triangle_area(one);
     if (picture->faces[t] ? area < 0.0 : area > 0.0) ++count; /* y is down */
   }

@@ -75,7 +75,7 @@ static bool find_pockets(const struct geometry *geometry, double wide, double le
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* Of a probe that touches the surface, all that tells where it is. */
+/* The data by which the pocket of a probe that touches the surface is found. */
 struct places {
   const hsp_pores *pores;
   const struct molecule *molecule;
@@ -84,8 +84,8 @@ struct places {
   const uint8_t *of_maximum; /* its pocket */
 };
 
-/* The pocket of a probe with a centre about there: a chord of the way of a probe runs through the ball that it touches,
- * and is lifted out of that. NO_AREA: in no place, as beyond the lattice. */
+/* Find the pocket of a probe whose centre is near a point. The point may be on a chord of the probe's path, which lies
+ * within the ball that the probe touches; then it is moved out of that ball. NO_AREA: nowhere, or beyond the lattice. */
 static int32_t locate(const struct places *places, const double xyz[3], uint8_t *pocket) {
   double at[3] = {xyz[0], xyz[1], xyz[2]};
   hsp_pore_place place;
@@ -120,8 +120,8 @@ static bool is_concave(const struct triangle_mesh *mesh, uint32_t triangle) {
   return mesh->kinds[triangle] == HSP_PATCH_CONCAVE;
 }
 
-/* Of all vertices and patches. A concave patch has one place of the probe, which is that of its border, too. Where a
- * vertex has no place it is that of its patch. */
+/* Find the pockets of all vertices and patches. A concave patch has one place of the probe, also for its border. A
+ * vertex without a place of its own has that of its patch. */
 static int32_t find_vertices(const struct places *places, uint8_t *of_vertex, uint8_t *of_patch) {
   const struct triangle_mesh *const mesh = places->mesh;
   for (int concave = 1; concave >= 0; --concave) {
@@ -146,8 +146,8 @@ static int32_t find_vertices(const struct places *places, uint8_t *of_vertex, ui
   return HSP_OK;
 }
 
-/* Of parts of triangles, each is on the side of its first corner, if that is no new one; else in the middle of three
- * pockets, where any of them will do. */
+/* Set the pockets of triangles. A part of a split triangle has that of its first corner, unless this is a new vertex:
+ * then it is in the middle of three pockets, and any of them is right. */
 static void set_triangles(const struct triangle_mesh *mesh, const uint8_t *of_vertex, uint32_t old,
                           struct mesh_pockets *found) {
   for (uint32_t t = 0; t < mesh->triangles; ++t) {

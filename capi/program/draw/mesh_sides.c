@@ -6,7 +6,7 @@ static bool is_before(const struct mesh_side *a, const struct mesh_side *b) {
   return a->high != b->high ? a->high < b->high : a->triangle < b->triangle;
 }
 
-/* By their lower ends they are counted; of each there are few. */
+/* Sides are distributed by their lower ends; each end has only few. */
 struct mesh_side *mesh_sides_find(const struct triangle_mesh *mesh) {
   const size_t corners = 3 * (size_t)mesh->triangles;
   struct mesh_side *sides = calloc(corners + 1, sizeof *sides);

@@ -11,7 +11,7 @@ static int compare(const void *left, const void *right) {
   return (a->high > b->high) - (a->high < b->high);
 }
 
-/* So that no two orders are as good. */
+/* A total order, so that the result of sorting is unique. */
 static int compare_places(const void *left, const void *right) {
   const struct split_edge *a = left;
   const struct split_edge *b = right;
@@ -85,7 +85,7 @@ static int part_corners(const uint32_t corner[3], const uint32_t on[3], uint32_t
   return 2;
 }
 
-/* Room for the marks of so many triangles more. */
+/* Make room for the marks of `more` triangles. */
 static bool grow_marks(uint8_t **marks, uint32_t triangles, uint32_t more, struct failure *failure) {
   if (marks == NULL) return true;
   uint8_t *const grown = realloc(*marks, (size_t)triangles + more + 1);

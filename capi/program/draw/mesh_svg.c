@@ -31,7 +31,8 @@ static uint32_t sphere_colour(struct mesh_picture *picture, uint32_t paint) {
   return mesh_colour_of(picture, sphere < picture->mesh->atoms ? sphere : BETWEEN_ATOMS, (int)(paint % picture->sides));
 }
 
-/* Normals point to the centre of the probe's sphere, and away from that of a ball, but on the inside. */
+/* Normals point away from the centre of a ball, and towards the centre of a probe; on the inside the other way
+ * round. */
 static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, uint32_t paint) {
   const struct triangle_mesh *mesh = picture->mesh;
   const uint32_t sphere = paint / picture->sides;
@@ -63,8 +64,8 @@ static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, ui
   text_buffer_add_text(out, "</radialGradient>\n");
 }
 
-/* Where spheres meet at an angle their tones differ, and either goes on over the other by half the width of its line,
- * as the layers of their triangles are: along a crease the one of which more is seen has all of that. */
+/* If spheres meet at an angle their tones differ, and one extends over the other by half the width of its line. By the
+ * layers of triangles this would change along a crease; so creases have lines of their own, all of one sphere. */
 static bool add_creases(const struct mesh_picture *picture, struct text_buffer *out, uint32_t *paints,
                         size_t *spheres) {
   const struct painted_edges *creases = &picture->creases;
@@ -82,8 +83,8 @@ static bool add_creases(const struct mesh_picture *picture, struct text_buffer *
   return enough;
 }
 
-/* Lines in an area's own colour cover what anti-aliasing leaves open between neighbours. An area of which nothing is
- * left is not written: some readers paint the next one wrongly then. Lists the spheres that are seen, each once. */
+/* Add areas with lines in their own colour, which cover the gaps that anti-aliasing leaves between neighbours. An empty
+ * area is not written: some readers would paint the next one wrongly. Lists the visible spheres, each once. */
 static bool add_areas(const struct mesh_picture *picture, struct text_buffer *out, uint32_t *paints, size_t *spheres) {
   const struct painted_edges *areas = &picture->areas;
   bool enough = true;
@@ -120,8 +121,8 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
   return enough;
 }
 
-/* Borders of patches are faint, as colours meet there; rims of pockets have the darkest tone of what they surround;
- * contours are what a surface ends with. */
+/* Add lines. Borders of patches are faint, as colours meet there; rims of pockets have the darkest tone of the pocket;
+ * contours have the colour of lines. */
 static bool add_lines(const struct mesh_picture *picture, struct text_buffer *out) {
   const struct painted_edges *lines = &picture->lines;
   bool enough = true;
@@ -168,7 +169,7 @@ static void add_entry(const struct mesh_picture *picture, const struct pen *pen,
   *x += 1.9 * PAGE_LETTER + text_width(text, PAGE_LETTER);
 }
 
-/* Legends name what is seen at so many points, a patch of some 10 px. */
+/* Legends name colours that are seen at this many points or more, a patch of some 10 px. */
 enum { LEAST_POINTS = 1000 };
 
 static void add_pockets(struct mesh_picture *picture, const struct pen *pen, double *x, double y) {

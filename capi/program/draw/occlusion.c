@@ -36,7 +36,7 @@ static double probe_weight(const struct probe_rule *rule, uint32_t balls) {
   return ramp(balls, rule->none_at, rule->all_from) - ramp(balls, rule->all_to, rule->none_from);
 }
 
-/* Pictures write a colour once for all balls that have it, so there are only so many shades of each. */
+/* The number of shades of a colour. Few are enough, and pictures write a colour once for all balls that have it. */
 enum { SHADES = 16 };
 
 static const double pi = 3.14159265358979323846;
@@ -61,8 +61,8 @@ static bool quantile(const double *values, uint32_t count, double part, double *
   return true;
 }
 
-/* Whether so many balls meet each other, far more than in molecules, that the boundary would take longer than a picture
- * may. Finding it takes about the square of the number of neighbours for each ball. False if there is no memory. */
+/* Find whether the balls are crowded: far more of them meet than in molecules, and the boundary would take too long for
+ * a picture, for each ball about the square of the number of its neighbours. False: memory is short. */
 static bool find_crowd(const struct geometry *geometry, uint32_t balls, bool *crowded, struct failure *failure) {
   uint32_t *first = calloc((size_t)balls + 1, sizeof *first);
   if (first == NULL) return failure_of_memory(failure);
@@ -152,7 +152,7 @@ static bool smooth(const struct molecule *molecule, const struct geometry *geome
   return true;
 }
 
-/* Relative to the most exposed balls: 1 for these, 0 for what no probe reaches. */
+/* Make exposures relative to the most exposed balls: 1 for these, 0 for balls that no probe reaches. */
 static bool normalise(double *exposure, uint32_t count, struct failure *failure) {
   const double least = least_exposure_of_few * (1.0 - ramp(count, FEW, NOT_FEW));
   double most;
@@ -165,8 +165,8 @@ static bool normalise(double *exposure, uint32_t count, struct failure *failure)
   return true;
 }
 
-/* Where the library's lattice ends: below its finest step balls are points, and larger balls than this are refused. The
- * probes must stay within it too. */
+/* The limits of the library's lattice: below its finest step balls are points, and balls larger than the limit are
+ * refused. Probes must stay within them, too. */
 static const double finest_step = 1e-22;
 static const double largest_ball = 1e31;
 
