@@ -128,7 +128,7 @@ static bool check(struct reading *reading) {
   return apply_overrides(reading) && load_table(reading);
 }
 
-/* Reads all arguments; the file of the request is the one of that number. */
+/* Read all arguments; number `file` of the files becomes that of the request. */
 static bool read_arguments(struct reading *reading, int file) {
   struct request *const request = reading->request;
   bool options_end = false;
@@ -151,7 +151,7 @@ static bool read_arguments(struct reading *reading, int file) {
   return true;
 }
 
-/* As if nothing were said. */
+/* Begin with a request without any option. */
 static bool begin(struct reading *reading, struct request *request, enum command command, int count, char **arguments,
                   struct failure *failure) {
   *reading = (struct reading){.request = request, .rest = arguments, .left = count, .failure = failure};

@@ -171,7 +171,7 @@ static void begin_table(struct many *many, const char *titles, size_t length, st
   many->early.length = 0;
 }
 
-/* Its titles and its row are the two lines of what the command wrote. */
+/* Add the row of a molecule. The command has written two lines, titles and row. */
 static void add_row(struct many *many, const struct one *one, struct text_buffer *out) {
   const enum rows rows = many->request->rows;
   struct text_buffer reason = TEXT_BUFFER_EMPTY;

@@ -97,7 +97,7 @@ bool take_location(struct reading *reading, const struct option *option, const c
                           option->what);
 }
 
-/* By which names; users who want some chains alone write that, too. */
+/* By which names chains are called. Users who want only some chains write those here, too, by mistake. */
 bool take_chains(struct reading *reading, const struct option *option, const char *value) {
   char shown[EXCERPT_BYTES];
   if (!option_value(reading, option, &value)) return false;

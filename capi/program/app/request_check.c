@@ -24,7 +24,7 @@ static const char *list_of(const struct request *request) {
                                                         : NULL;
 }
 
-/* Checks the options of a trajectory, of which each frame has one line. */
+/* Check the options of a trajectory; each frame of it has one line. */
 static bool check_trajectory(struct request *request, struct failure *failure) {
   char list[FORMAT_LIST_BYTES];
   const char *path = request->trajectory;
@@ -181,7 +181,7 @@ static bool check_box(const struct request *request, struct failure *failure) {
   return other == NULL || failure_in_usage(failure, "%s is not for a --box", other);
 }
 
-/* Checks for what is read of a file that states more than one molecule. */
+/* Check the choice of a molecule in a file that states more than one. */
 static bool check_choice(struct request *request, struct failure *failure) {
   char list[FORMAT_LIST_BYTES];
   const char *const assembly = request->choice.assembly;

@@ -82,7 +82,8 @@ static bool is_in(const struct option *option, enum section section, enum comman
   return option->commands != EVERY_COMMAND && option_is_of(option, command) && of_box == (section == OF_BOX);
 }
 
-/* Lines of help, each behind the column of names; {formats}, {frames} and {molecules} are what files may be. */
+/* Add lines of help, each behind the column of names; {formats}, {frames} and {molecules} are replaced by lists of
+ * formats. */
 static void add_help(struct text_buffer *out, const char *help) {
   char list[FORMAT_LIST_BYTES];
   while (help[0] != '\0') {

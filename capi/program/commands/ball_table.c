@@ -91,7 +91,7 @@ void ball_table_make(const struct molecule *molecule, const struct measurement *
   made->lists_blocking = measurement->of_area.centre != NULL;
   made->probe = probe;
   made->table = (struct table){made->columns, 0, molecule->format, molecule->atoms, made, row_of, ball_rows_lead};
-  /* In JSON they are of the ball. */
+  /* Only in CSV: in JSON the ball has its centre. */
   add(made, (struct column){NULL, "x,y,z", NULL, 0, COLUMN_POINT, 0}, molecule->xyz);
   add(made, (struct column){NULL, "radius", NULL, 0, COLUMN_QUANTITY, 0}, molecule->radius);
   add(made, (struct column){"area", NULL, "free area", 14, COLUMN_QUANTITY, 4}, measurement->area);

@@ -1,4 +1,4 @@
-/* hardsphere boundary: what the boundary of the union consists of. */
+/* hardsphere boundary: the parts of the union's boundary. */
 #include <stdlib.h>
 
 #include "commands/commands.h"

@@ -1,4 +1,4 @@
-/* hardsphere cells: free space as simple cells, how many there are and what they make up. */
+/* hardsphere cells: free space as simple cells, their number, and the regions that they form. */
 #include "commands/commands.h"
 #include "commands/input_report.h"
 #include "commands/space_geometry.h"

@@ -28,7 +28,7 @@ static void clash_free(struct clash *clash) {
   free(clash->pair);
 }
 
-/* Both models on one lattice: the coarser one of those that they would choose. */
+/* Set both models on one lattice: the coarser of the two that they would choose. */
 static bool set_models(const struct molecule_request *const both[2], struct clash *clash, struct failure *failure) {
   double step[2];
   const bool frame = both[1]->molecule->frame.number > 0;
@@ -66,7 +66,7 @@ static bool make_bodies(struct clash *clash, struct failure *failure) {
   return true;
 }
 
-/* The rotation by three angles, as draw turns what it shows. */
+/* The rotation by three angles, in the way of `draw`. */
 static int32_t rotation_of(const double angle[3], double matrix[9]) {
   static const double none[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
   memcpy(matrix, none, sizeof none);

@@ -1,4 +1,4 @@
-/* hardsphere contacts: which balls touch and by how much, what residues or chains have in contact, and each ball's
+/* hardsphere contacts: the balls that touch and their areas of contact, those of residues or chains, and each ball's
  * share of the union. */
 #include <inttypes.h>
 #include <stdio.h>
@@ -79,7 +79,7 @@ static bool find_cells(const struct molecule *molecule, const struct geometry *g
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* Contacts in a box, as those of a molecule and shifts beside them. */
+/* Find contacts in a box: in the form of those of a molecule, and their shifts. */
 static bool find_contacts_in_box(struct findings *found, struct failure *failure) {
   const uint32_t count = found->contact_count = found->box.counts.contacts;
   uint32_t needed = 0;
@@ -386,7 +386,8 @@ static struct table table_of_cells(const struct listed *listed) {
                         listed,  cell_row, ball_rows_lead_silent};
 }
 
-/* The groups, and for persons what is between them: as a matrix of areas where there are more than two and room is. */
+/* Write the groups, and for persons the contacts between them: as a matrix of areas if there are more than two groups
+ * and a line has room for it. */
 static void print_named(struct record *record, const struct listed *listed) {
   const struct findings *const found = listed->found;
   const struct table table = table_of_named(listed);

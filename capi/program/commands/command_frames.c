@@ -37,7 +37,7 @@ struct frames {
   uint64_t taken;            /* frames that were asked for and are there */
   bool broken;               /* one of them could not be read */
   struct progress progress;
-  struct failure begin;    /* the file, and nothing of a fault: what each frame begins with */
+  struct failure begin;    /* the file's name, without a fault: each frame's failure begins as this one */
   struct failure *failure; /* of the first frame at fault */
 };
 
@@ -180,7 +180,7 @@ static void release(struct frames *frames, double *largest_rounding) {
   free(frames->frame);
 }
 
-/* As many workers as there is memory for, and for each of them as many threads as are left. */
+/* Choose as many workers as memory allows, and divide the threads that are left among them. */
 static void share_out(struct frames *frames) {
   const uint32_t threads = request_threads(frames->request), atoms = frames->molecule->atoms;
   const uint32_t most = atoms < MOST_ATOMS ? MOST_ATOMS / (atoms + 1) + 1 : 1;

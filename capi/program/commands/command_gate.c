@@ -1,4 +1,5 @@
-/* hardsphere gate: the widest probe that gets from one point to another, or to the outside, and what stops it. */
+/* hardsphere gate: the widest probe that gets from one point to another, or to the outside, and the balls that stop a
+ * wider one. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +10,7 @@
 #include "commands/void_list.h"
 #include "write/ball_label.h"
 
-/* Where the way begins and ends. */
+/* The beginning and the end of the way. */
 struct ends {
   double from[3];
   double to[3];

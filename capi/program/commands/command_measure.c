@@ -1,4 +1,4 @@
-/* hardsphere measure: area and volume of the union, and what single balls, residues and chains have of it. */
+/* hardsphere measure: area and volume of the union, and the areas of single balls, residues and chains. */
 #include <math.h>
 #include <string.h>
 

@@ -125,7 +125,7 @@ static struct table table_of_channels(const struct molecule *molecule, const str
       columns, sizeof columns / sizeof columns[0], molecule->format, found->channel_count, found, channel_row, NULL};
 }
 
-/* The radius is that of the whole probe, as of all that is listed here. */
+/* The radius is that of the whole probe, as for all things that are listed here. */
 static bool region_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct pores_found *const found = of;
   const hsp_pore_region *const region = &found->regions[row];
@@ -361,7 +361,7 @@ static bool lists_balls(const struct record *record, const struct pores_found *f
   return record->form == FOR_PERSONS && found->request->pores.balls;
 }
 
-/* In the row of a frame: all volumes that are known, and the largest pocket. */
+/* Columns in the row of a frame: the sum of all known volumes, and the largest pocket. */
 static void record_pocket_sums(struct record *record, const struct pores_found *found) {
   double volume = 0.0;
   for (uint32_t i = 0; i < found->listed_count; ++i) volume += fmax(found->listed[i].volume, 0.0);

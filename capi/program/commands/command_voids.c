@@ -57,7 +57,7 @@ static struct table table_of(const struct molecule *molecule, const struct found
   return (struct table){columns, count, molecule->format, found->list.count, found, void_row, NULL};
 }
 
-/* In the row of a frame. */
+/* Columns in the row of a frame. */
 static void record_sums(struct record *record, const struct void_list *list) {
   double volume = 0.0, area = 0.0;
   for (uint32_t i = 0; i < list->count; ++i) volume += list->voids[i].figures.volume;

@@ -49,7 +49,7 @@ static bool find_at_balls(const struct cavity *cavities, uint32_t count, uint32_
   return true;
 }
 
-/* The most alike first; the rest makes the order that of numbers and lists. */
+/* The most alike first; ties are ordered by number and by place in the list. */
 static int order_of_likeness(const void *left, const void *right) {
   const struct likeness *const a = left, *const b = right;
   const uint64_t more = a->shared * b->either, less = b->shared * a->either;

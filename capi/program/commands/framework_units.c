@@ -88,12 +88,12 @@ static void print_for_persons(struct record *record, const struct table_of_units
       "  no ball covers, the geometric pore volume, whose part of the cell is the void fraction");
 }
 
-/* For persons, and what stands behind the numbers; NULL: a number is not for them. */
+/* The titles for persons (NULL: a number is not for them), and the remarks behind the numbers. */
 struct titles {
   const char *by_volume, *by_mass, *behind_volume, *behind_mass;
 };
 
-/* By volume, of the cell or of a cm^3, and by mass. */
+/* Write a quantity per cell or per cm^3, and per mass. */
 static void record_in_units(struct record *record, const struct framework *framework, const struct quoted *quoted,
                             struct titles titles) {
   const bool unit = has_unit(record), area = quoted->area;

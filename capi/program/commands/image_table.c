@@ -16,7 +16,7 @@ enum { MOST_CELLS = 1000, MOST_BUCKETS = 1 << 22 };
 static int64_t cell_of(double fraction, int64_t cells) {
   const double inside = fraction - floor(fraction);
   const int64_t cell = (int64_t)(inside * (double)cells);
-  return cell < cells ? cell : cells - 1; /* inside may be 1 by rounding; what is not finite goes anywhere */
+  return cell < cells ? cell : cells - 1; /* inside may be 1 by rounding; NaN and infinity go into any cell */
 }
 
 static size_t bucket_of(const struct image_table *table, const int64_t cell[3]) {

@@ -275,7 +275,7 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   } else {
     json_count(out, "model", molecule->number > 0 ? molecule->number : molecule->model);
   }
-  if (molecule->number > 0) { /* nobody knows yet how many there are */
+  if (molecule->number > 0) { /* their number is not known yet */
     text_buffer_add_text(out, ", \"models\": null");
   } else {
     json_count(out, "models", molecule->models);
@@ -338,7 +338,7 @@ void report(const struct request *request, const struct molecule *molecule,
   if (record.form != FOR_PERSONS) text_buffer_add_text(out, "\n");
 }
 
-/* A table of a frame, and what each row begins with. */
+/* The table of a frame, and the text with which each row begins. */
 struct framed {
   const struct table *table;
   struct text_buffer lead[2]; /* titles, values */

@@ -98,7 +98,7 @@ static bool measure_weighted_gradient(const struct molecule *molecule, const str
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* Of the solvent-excluded surface the balls' shares are there already. */
+/* Sum the weighted areas. For the solvent-excluded surface the balls' shares are known already. */
 static bool measure_weighted_area(const struct request *request, uint32_t atoms, const struct geometry *geometry,
                                   struct measurement *measurement, struct failure *failure) {
   if (request->excluded_surface) {

@@ -1,5 +1,5 @@
-/* In place of excluded_surface.c where the library has no solvent-excluded surface: options that ask for one are
- * refused before. */
+/* In place of excluded_surface.c if the library has no solvent-excluded surface: options that ask for one are refused
+ * before these functions are called. */
 #include "commands/excluded_surface.h"
 
 bool excluded_surface_measure(bool outer, uint32_t atoms, struct geometry *geometry, struct excluded_surface *surface,

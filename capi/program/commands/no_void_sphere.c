@@ -1,4 +1,4 @@
-/* In place of void_sphere.c where the library has no pores. */
+/* In place of void_sphere.c if the library has no pores. */
 #include "commands/void_sphere.h"
 
 const char void_columns[] =

@@ -1,4 +1,4 @@
-/* The files that `pores` writes beside what it prints. */
+/* The files that `pores` writes beside its output. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,7 +36,7 @@ static size_t add_pocket(const struct pores_found *found, uint32_t pocket, struc
   return count;
 }
 
-/* Of the lists for persons, in the frame of the file. */
+/* Write the points of the lists for persons, in the frame of the file. */
 static bool write_points(const struct pores_found *found, struct failure *failure) {
   const struct request *const request = found->request;
   const uint32_t maxima = found->counts.maxima, gates = found->counts.gates, pockets = found->pocket_count;

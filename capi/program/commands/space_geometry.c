@@ -110,7 +110,7 @@ bool geometry_find_pores(struct geometry *geometry, const struct molecule *molec
   return find_pores_with(geometry, molecule, probe, &options, failure);
 }
 
-/* In the model, or in the box. */
+/* Compute the pores of the model, or of the box. */
 static int32_t compute_pores(const struct geometry *geometry, bool in_box, double narrowest, hsp_pores_limits *limits) {
   const hsp_pores_options options = pores_of(narrowest);
   hsp_pores *const pores = geometry->work.pores;
@@ -211,8 +211,8 @@ static double step_for(const struct molecule *balls, double step) {
   return step;
 }
 
-/* Measured with plugs for what leaks, too, until there is none. plugged: [2], by turns: pores are computed from those
- * before. HSP_E_RANGE, HSP_E_ARGUMENT: not with this step. */
+/* Measure pockets with plugs, and again with further plugs for those that leak, until none does. plugged: [2], used by
+ * turns, as pores are computed from those before. HSP_E_RANGE, HSP_E_ARGUMENT: it is impossible with this step. */
 static bool measure_plugged(const struct geometry *geometry, struct geometry *plugged, const double *box, double step,
                             uint32_t pockets, hsp_pore_pocket_size *sizes, int32_t *status, struct failure *failure) {
   enum { MOST_TIMES = 12 };

@@ -25,7 +25,7 @@ bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *f
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* Of a boundary. */
+/* The parts of a boundary. */
 struct parts {
   hsp_vertex *vertex;
   hsp_arc *arc;

@@ -69,7 +69,7 @@ static const struct residue_scale *scale_of(const struct residue_label *residue)
   return NULL;
 }
 
-/* ---- what lines a tunnel ---- */
+/* ---- the lining of a tunnel ---- */
 
 /* Its place in the list, at whose end it is if it is new. The atoms of a residue may stand apart in the file. */
 static uint32_t lining_of(struct tunnel_lining *tunnel, uint32_t ball) {
@@ -113,8 +113,8 @@ static double free_radius(const struct tunnel_lining *tunnel, const double xyz[3
   return least;
 }
 
-/* The share of a step in the length of its tunnel, as the file has it: a key of its rows, so that of steps with the
- * same one the first alone counts. */
+/* The place of a step as a share of its tunnel's length, as the file has it. It is a key of the file's rows: of several
+ * steps with the same one only the first counts. */
 static long millionths_at(const struct tunnel_lining *tunnel, size_t step, size_t end) {
   const double length = tunnel->found->steps[end - 1].length;
   return length > 0.0 ? lround((double)MILLION * tunnel->found->steps[step].length / length) : 0;
@@ -140,7 +140,7 @@ static void find_layers(struct tunnel_lining *tunnel, size_t first, size_t end) 
   }
 }
 
-/* ---- what is written ---- */
+/* ---- writing ---- */
 
 static void add_number(struct text_buffer *out, double number) {
   if (isfinite(number)) {

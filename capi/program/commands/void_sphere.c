@@ -78,8 +78,8 @@ static void put_on_lattice(double step, double point[3]) {
   }
 }
 
-/* Maxima come the widest first; from that of a void no way leads on above it. Their levels are rounded to a part of a
- * step: distances in doubles have more digits. */
+/* The widest maxima come first. That of a void has no gate: no way leads from it to a wider one. Its level is rounded
+ * to a part of a step; the distance in doubles has more digits. */
 static bool take_widest(const struct geometry *geometry, const hsp_pores *pores, const struct molecule *wall,
                         double probe, double step, struct void_cell *of, struct failure *failure) {
   hsp_pores_counts counts;
@@ -96,7 +96,7 @@ static bool take_widest(const struct geometry *geometry, const hsp_pores *pores,
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* Where balls are too far apart for their radii, on a coarser lattice too, there is none. */
+/* There is no sphere if balls are too far apart for their radii, also on a coarser lattice. */
 static bool find_sphere(const struct geometry *geometry, struct geometry *around, const struct molecule *wall,
                         double probe, double step, struct void_cell *of, struct failure *failure) {
   const struct failure none = *failure;

@@ -251,7 +251,7 @@ static void find_others(const struct annotation *annotation, struct legend *lege
   legend->others = stripes;
 }
 
-/* The colours of the entry in that place, that of all muted atoms behind the last one of its own. */
+/* The colours of the entry in a place; the entry of all muted atoms is behind the legend's own ones. */
 static const struct entry *find_colours(const struct legend *legend, size_t place, size_t *colours) {
   *colours = place < legend->own.count ? 1 : legend->others;
   return place < legend->own.count ? &legend->own.entry[place] : legend->other;
@@ -276,8 +276,8 @@ static void write_swatch(const struct writer *writer, const struct legend *legen
   pen_swatch_of(&writer->pen, corner, size, colour, colours, writer->colour);
 }
 
-/* From right to left. Where there are more than have room, they stand closer, then letters are smaller, and then the
- * last entries are dots. */
+/* Write entries from right to left. If there are too many they are closer, then letters are smaller, and then the last
+ * entries are replaced by dots. */
 static void write_entries(const struct writer *writer, double y) {
   static const double smallest = 0.55;
   static const char more[] = "..";

@@ -74,7 +74,7 @@ static bool compute(const struct molecule *molecule, const struct drawing *drawi
   return status == HSP_OK || status == HSP_E_CONFLICT || failure_in_library(failure, status);
 }
 
-/* Turned so that what else is bonded to the ends of an aromatic bond is on the right of the way along it. */
+/* Turn the axes so that the other atoms bonded to the ends of an aromatic bond are on the right of the way along it. */
 static void turn_to_ring(const struct molecule *molecule, double axis[3][3], const struct bond *bonds, uint32_t count,
                          hsp_stick *stick) {
   const double *const from = molecule->xyz + 3 * (size_t)stick->ball[0];
@@ -153,8 +153,8 @@ static bool make_parts(const struct molecule *molecule, const struct drawing *dr
   return true;
 }
 
-/* Multiple bonds are thicker. Where they do not fit they are drawn as single ones, which may. Where these do not
- * either, what is in the way of a few is changed. */
+/* Multiple bonds are thicker. If they do not fit, all bonds are tried as single ones. If these do not fit either, bonds
+ * are multiple, and a few bodies that are in the way are changed. */
 static bool compute_bonds(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
                           double axis[3][3], struct stick_parts *parts, struct geometry *geometry,
                           struct failure *failure) {

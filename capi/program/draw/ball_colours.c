@@ -12,13 +12,13 @@
 #include "read/residue_kinds.h"
 #include "read/residues.h"
 
-/* With more balls than that, elements are specks; what is to be seen are chains. */
+/* With more balls than this, colours of elements are specks, and colours of chains show more. */
 enum { MOST_BALLS_BY_ELEMENT = 2000 };
 
 enum { CARBON = 6 };
 
-/* From blue over a grey without a hue of its own to red. So many steps are not seen as such, and pictures write a
- * colour once for all balls that have it. */
+/* From blue over a neutral grey to red. So many steps cannot be distinguished, and pictures write a colour once for all
+ * balls that have it. */
 enum { RAMP_STEPS = 64 };
 static const uint32_t ramp[3] = {0x3F74B5, 0xE8E8E8, 0xC2452F};
 
@@ -30,17 +30,17 @@ enum { PLDDT_BANDS = sizeof plddt / sizeof plddt[0] };
 /* Carbon of ligands, among tints and muted elements. */
 static const uint32_t ligand_carbon = 0x7E8A93;
 
-/* So much of white is added before a dark page. */
+/* The share of white that is added on a dark page. */
 static const double lighter = 0.15;
 
-/* A ball that is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey, nor
- * for those who see no red or no green: it is darker than that before a light page, lighter before a dark one. */
+/* A ball that is not highlighted keeps this share of its own colour. Highlighted carbon must not be grey among grey,
+ * also for people who see no red or no green: it is darker than the grey on a light page, lighter on a dark one. */
 static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
 static const uint32_t dark_plain = 0x5E636C;
 static const uint32_t highlighted_carbon = 0x1F8F92, dark_highlighted_carbon = 0x7FE0CC;
 
-/* How many of these numbers atoms of chains have, up to two; of all chains, or of those of nucleotides. */
+/* The number of chains, up to two, by the numbers of their atoms: of all chains, or only of those of nucleotides. */
 static int count_chains(const struct molecule *molecule, const uint32_t *number, bool of_nucleotides) {
   uint32_t first = UINT32_MAX;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
@@ -61,7 +61,7 @@ static bool is_by_chain(const struct drawing *drawing, const struct molecule *mo
   return chains == 2 || (chains == 1 && drawing->tints_one) || count_chains(molecule, number, true) == 2;
 }
 
-/* Where the file names no element, grey is better than the loud colour of elements that nobody knows. */
+/* If the file names no element, grey is better than the bright colour of unknown elements. */
 static uint32_t number_of(const struct atom_label *label) {
   return label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
 }
@@ -167,7 +167,7 @@ static bool colour_by_value(const struct drawing *drawing, const struct molecule
   return true;
 }
 
-/* Before a dark page to a dark grey: what is muted steps back. */
+/* Mute all other balls: on a dark page to a dark grey, so that they recede. */
 static bool mute_others(const struct selection *highlight, const struct molecule *molecule, bool by_element, bool dark,
                         uint32_t *colour, struct failure *failure) {
   bool any = false;

@@ -63,8 +63,8 @@ static bool view_options_of(const struct drawing *drawing, const struct molecule
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* Among more balls and sticks the eye needs more than lines to tell what is near; but in a chain that leads away from
- * it the far end should be read, too. */
+/* Among many balls and sticks lines do not suffice to show which are near: fog does. But the far end of a chain that
+ * leads away from the viewer should be legible, too. */
 enum { MOST_STICKS_AT_A_GLANCE = 60, MANY_STICKS = 200 };
 
 static double fog_of_sticks(uint32_t balls) {
@@ -120,7 +120,7 @@ static const char *direction_text(char out[DIRECTION_BYTES], const double direct
   return out;
 }
 
-/* The box of what is seen: no ball that is hidden reaches beyond. */
+/* Find the box of the visible parts; no hidden ball reaches beyond it. */
 static void find_box(const struct molecule *molecule, double probe, hsp_view_info *view) {
   const double *const axis[2] = {view->right, view->up};
   bool any = false;
@@ -324,7 +324,7 @@ static bool draw_turn(const struct request *request, const struct molecule *mole
   return true;
 }
 
-/* Where --view highlight looks from. */
+/* Find the direction of --view highlight. */
 static bool find_view(struct drawing *drawing, const struct request *request, const struct molecule *molecule,
                       struct geometry *geometry, struct failure *failure) {
   struct bond *bonds = NULL;
@@ -432,7 +432,7 @@ bool command_draw(const struct request *request, const struct molecule *molecule
   return true;
 }
 
-/* Whether the file says what colours are to stand for, and what labels name. */
+/* Whether the file has the data that colours are to stand for, and the names that labels are to show. */
 static bool check_colours(const struct request *request, struct failure *failure) {
   const int colour = request->drawing.colour;
   char list[FORMAT_LIST_BYTES];

@@ -49,8 +49,8 @@ static double rounded(double value) {
   return steps[k] * power;
 }
 
-/* Where each shade ends, in parts of the largest area that grow with the square: areas of contacts differ by powers of
- * ten. Ends are round; the last one is not below the largest area. */
+/* Find the area at which each shade ends: parts of the largest area that grow quadratically, as areas of contacts
+ * differ by powers of ten. They are round numbers; the last one is not below the largest area. */
 static void find_shade_ends(double largest, double end[SHADES]) {
   for (int shade = 0; shade < SHADES; ++shade) {
     const double part = (shade + 1) / (double)SHADES;
@@ -64,14 +64,14 @@ static const struct residue_label *label_of(const struct contact_map *map, uint3
   return map->molecule->label[map->groups->group[row].first].residue;
 }
 
-/* 1, 2, 5, 10, ...: the least of them that leaves no more than MOST_TICKS ticks. */
+/* The least of 1, 2, 5, 10, ... with at most MOST_TICKS ticks. */
 static uint32_t tick_step(uint32_t rows) {
   uint32_t step = 1;
   for (uint32_t k = 0; rows / step > MOST_TICKS; ++k) step = k % 3 == 1 ? step / 2 * 5 : step * 2;
   return step;
 }
 
-/* Residues have ticks where their own number is round; of those with insertion codes the first. */
+/* Residues have ticks if their own number is round; of several with this number, by insertion codes, the first. */
 static bool has_tick(const struct contact_map *map, uint32_t row, uint32_t step) {
   if (map->groups->grouping != GROUPING_RESIDUE) return row % step == 0;
   const struct residue_label *label = label_of(map, row), *before = row == 0 ? NULL : label_of(map, row - 1);
@@ -96,7 +96,7 @@ static void add_label(struct text_buffer *out, const struct contact_map *map, co
   chart_tick_below(out, LEFT + floor(at) + 0.5, TOP + side_of(map) + 0.5, text);
 }
 
-/* Those of rows with ticks, but for labels that would touch the one before. */
+/* Add labels of rows with ticks, except labels that would touch the one before. */
 static void add_labels(struct text_buffer *out, const struct contact_map *map) {
   const uint32_t step = tick_step(map->rows);
   double free_from = -HUGE_VAL;
@@ -133,7 +133,7 @@ static void add_chains(struct text_buffer *out, const struct contact_map *map) {
   }
 }
 
-/* Of both axes. */
+/* Add the names of both axes. */
 static void add_axis_names(struct text_buffer *out, const struct contact_map *map, bool several) {
   static const char *const names[] = {
       [GROUPING_NONE] = "ball", [GROUPING_RESIDUE] = "residue", [GROUPING_CHAIN] = "chain"};

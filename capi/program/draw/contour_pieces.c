@@ -36,7 +36,7 @@ double contour_piece_level(const struct contour_piece *piece, double most_slope,
   return fmin(piece->level, fmin(from, to));
 }
 
-/* Of a vertex: how many pieces meet there, all of them and those with a level, and two of either. */
+/* The pieces that meet at a vertex: the number of all, and of those with a level; and two of each kind. */
 struct meeting {
   uint32_t all, drawn;
   bool goes_on;
@@ -80,7 +80,8 @@ static uint32_t other_end(const struct contour_piece *piece, uint32_t vertex) {
   return piece->vertex[piece->vertex[0] == vertex ? 1 : 0];
 }
 
-/* From an end of a piece along others with lower levels: these get the level if one that has it follows soon. */
+/* From an end of a piece follow others with lower levels: they are raised to its level if a piece with that level
+ * follows soon. */
 static void raise_levels(const struct chains *chains, size_t piece, uint32_t vertex, double level, double longest) {
   struct contour_piece *const all = chains->pieces->piece;
   for (int pass = 0; pass < 2; ++pass) {

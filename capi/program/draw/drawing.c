@@ -18,8 +18,8 @@ static const char *const colour_names[COLOUR_FILE] = {"element", "chain",  "resi
                                                       "bfactor", "charge", "plddt"};
 static const char *const format_names[FORMATS] = {"SVG", "EPS", "PDF"};
 
-/* Above MOST_SOFT_BALLS shading of single balls tells less than it costs in bytes. For molecules of that size the depth
- * of their balls tells more. */
+/* With more balls than MOST_SOFT_BALLS the shading of single balls is not worth its bytes: in molecules of that size
+ * the depth of balls shows more. */
 enum { MOST_SOFT_BALLS = 2000 };
 
 /* As wide as the text of a page, which .eps and .pdf are for. */

@@ -56,7 +56,7 @@ static bool rate(const struct shown_bodies *bodies, const struct selection *sele
   return enough;
 }
 
-/* Upwards, so that the longest axis of what is seen is across. */
+/* Find the direction upwards for which the longest visible axis is across. */
 static void find_up(const struct molecule *molecule, double axis[3][3], double up[3]) {
   double mean[2] = {0.0, 0.0}, square[2] = {0.0, 0.0}, product = 0.0;
   for (int pass = 0; pass < 2; ++pass) {

@@ -74,7 +74,7 @@ static void find_cover(const struct taken *taken, const double box[4], double ar
   }
 }
 
-/* ---- what is in the way ---- */
+/* ---- obstacles ---- */
 
 /* How many lines are within `clear` of each cell, and labels as near as they may be to others: a line that is followed
  * from cell to cell crosses none unnoticed. */
@@ -168,7 +168,7 @@ static double distance(const double a[2], const double b[2]) {
   return sqrt(x * x + y * y);
 }
 
-/* It becomes the best one if it costs less than that and nothing is in its way. */
+/* The place becomes the best one if it costs less than the best so far and nothing is in its way. */
 static void offer(struct search *search, const struct placed_label *label, double cost) {
   const struct label_page *const page = search->taken->page;
   double letters[2], cover[2];
@@ -202,7 +202,7 @@ static bool is_alone(const struct search *search, const double box[4]) {
   return true;
 }
 
-/* To the right, left, above, below, and at the corners; where the disc itself is seen. */
+/* Try places to the right, left, above, below, and at the corners of the disc, where the disc itself is visible. */
 static void try_beside(struct search *search) {
   static const int8_t ways[8][2] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
   const struct placed_label *const own = search->own;
@@ -221,8 +221,8 @@ static void try_beside(struct search *search) {
   }
 }
 
-/* Adds to *cost what a line costs from one point to the next. False: it meets another one, or a label; where it begins
- * that cannot be helped. */
+/* Add to *cost the cost of a line from one point to the next. False: it meets another line or a label; at its beginning
+ * that is allowed. */
 static bool go_on(const struct search *search, const double from[2], const double to[2], bool begins, double *cost) {
   const struct label_page *const page = search->taken->page;
   const double length = distance(from, to);
@@ -242,7 +242,7 @@ static bool go_on(const struct search *search, const double from[2], const doubl
   return true;
 }
 
-/* From a point on, right or left: a text at each step from the first one on. */
+/* Try texts on a level line from a point to the right or left, at each step from `first` on. */
 static void try_level(struct search *search, const double knee[2], int way, int first, double cost) {
   const struct label_page *const page = search->taken->page;
   const double length = step * page->size, gap = line_gap * page->size;
@@ -345,7 +345,7 @@ static bool place_pair(struct search *search, struct placed_label *first, struct
   return false;
 }
 
-/* Where one label has the only good place of another. */
+/* Place pairs of labels together, as one may have the only good place of the other. */
 static void place_pairs(struct search *search, struct placed_label *label, size_t count) {
   bool moved = count <= MOST_PAIRED;
   for (int pass = 0; pass < PASSES && moved; ++pass) {

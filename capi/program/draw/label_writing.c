@@ -48,8 +48,8 @@ static void place_of(const struct writer *writer, const struct page_label *label
   at[1] = frame->y - frame->scale * label->at[1];
 }
 
-/* The nearest place to `at` for a name within what is seen of a ball, of which sticks hide some, with so much around
- * its letters. False: there is none. */
+/* Find the place nearest to `at` for a name, with room around its letters, within the visible part of a ball, which
+ * sticks may cover in part. False: there is none. */
 static bool find_within(const struct front_grid *front, const struct page_label *label, double size, double around,
                         double at[2], double box[4]) {
   const double half[2] = {text_width(label->text, size) / 2.0 + around, letter_height * size / 2.0 + around};
@@ -208,7 +208,7 @@ bool labels_write(const struct annotation *annotation, const struct pen *pen, ui
       if (!all) page.size *= smaller;
     }
     if (enough && !all) {
-      /* Those of which most is seen first. */
+      /* The most visible ones first. */
       const size_t tried = count < MOST_OF_TOO_MANY ? count : MOST_OF_TOO_MANY;
       qsort(label, count, sizeof *label, compare_seen);
       page.size = smallest;

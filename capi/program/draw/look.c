@@ -10,16 +10,16 @@ struct look {
   int style;
   int background;
   int outline_colour;
-  int text_colour; /* of what is written over the picture; a user's colour of lines is that of text, too */
+  int text_colour; /* of texts over the picture; if the user gives a colour of lines, texts have it, too */
   int ink_colour;
   double outline;
   double fog;
   double occlusion;
   bool darkens;         /* buried balls, also in the flat style */
   bool by_chain;        /* colours of molecules of two chains or more, also of small ones */
-  bool tints_one;       /* likewise of one chain */
+  bool tints_one;       /* colours of molecules of one chain */
   double stick_outline; /* of balls and sticks: their contours */
-  double fog_of_many;   /* likewise, of more sticks than one takes in at a glance */
+  double fog_of_many;   /* with more sticks than one takes in at a glance */
   double width, height; /* px */
 };
 
@@ -49,7 +49,7 @@ void look_apply(struct drawing *drawing) {
   const struct look *look = &looks[drawing->look];
   const bool of_sticks = drawing_is_of_sticks(drawing);
   choose(&drawing->style, look->style);
-  /* Without a background nobody knows what far balls would have to fade to, unless it is said. */
+  /* Without a background the colour to which far balls fade is not known, unless the user gives it. */
   if (drawing->background != DRAWING_NO_BACKGROUND || drawing->fog_colour >= 0) {
     if (drawing->fog < 0.0) drawing->fog_of_many = look->fog_of_many;
     choose_number(&drawing->fog, look->fog);

@@ -85,7 +85,8 @@ struct places {
 };
 
 /* Find the pocket of a probe whose centre is near a point. The point may be on a chord of the probe's path, which lies
- * within the ball that the probe touches; then it is moved out of that ball. NO_AREA: nowhere, or beyond the lattice. */
+ * within the ball that the probe touches; then it is moved out of that ball. NO_AREA: no pocket, or beyond the
+ * lattice. */
 static int32_t locate(const struct places *places, const double xyz[3], uint8_t *pocket) {
   double at[3] = {xyz[0], xyz[1], xyz[2]};
   hsp_pore_place place;

@@ -23,7 +23,7 @@ struct sink {
   const struct progress *progress;
 };
 
-/* Of what is held back and what comes, all but the last bytes go to the file. */
+/* Write all but the last bytes of those held back and those given; the last ones are held back. */
 static bool put(struct sink *sink, const char *bytes, size_t count) {
   const size_t all = sink->held + count;
   const size_t out = all > sink->keep ? all - sink->keep : 0;
@@ -90,7 +90,7 @@ bool picture_file_write(const struct picture *picture, const char *path, const s
     sink.keep = after != NULL ? strlen(after) : MOST_BYTES_OF_END;
   }
   hsp_picture_options options = picture->options;
-  /* Without memory the file is correct, and larger; but what is written over it needs its kind of table. */
+  /* Without memory the file is correct, but larger; text over it, however, needs the table of the smaller kind. */
   void *memory = options.format == HSP_FORMAT_PDF ? malloc(HSP_PICTURE_MEMORY) : NULL;
   if (options.format == HSP_FORMAT_PDF && picture->over != NULL && memory == NULL) {
     output_file_abandon(&file);

@@ -7,7 +7,8 @@ static double clamped(double side) {
   return side < 0.01 ? 0.01 : side > 1e6 ? 1e6 : side;
 }
 
-/* A side as it follows from the other one. In px it is whole: a last row of which a part is covered is a pale line. */
+/* A side that follows from the other one. In px it is a whole number: a last row that is only partly covered would be a
+ * pale line. */
 static double following_side(const hsp_picture_options *options, double side) {
   const double kept = clamped(side);
   return options->format == HSP_FORMAT_SVG && options->unit == HSP_UNIT_PX ? ceil(kept) : kept;
@@ -25,7 +26,7 @@ static void find_size(const hsp_view_info *view, hsp_picture_options *options) {
   if (options->height == 0.0) options->height = following_side(options, options->width / ratio);
 }
 
-/* Where the point in the middle of a fixed frame is seen. */
+/* Find the place in the view of the point in the middle of a fixed frame. */
 static void find_middle(const hsp_view_info *view, const hsp_picture_options *options, double middle[2]) {
   for (int k = 0; k < 2; ++k) {
     const double *axis = k == 0 ? view->right : view->up;
@@ -57,19 +58,19 @@ static void crop(const double part[4], const hsp_view_info *view, hsp_picture_op
   options->height = part[3];
 }
 
-/* Letters are so large a part of the page; columns for labels and the strip for scale bar and legend are so many times
- * as wide. */
+/* The size of letters as a part of the page; the columns for labels and the strip for scale bar and legend in sizes of
+ * letters. */
 static const double letter_share = 1.0 / 45.0, widest_page = 1.4; /* in heights, of that size */
 static const double column_letters = 6.5;
 static const double strip_letters = 2.4;
 
-/* Of a page whose sides are both given, as for slides, letters are no larger than on one that is less wide. */
+/* If both sides of the page are given, as for slides, letters are not larger than on a page that is less wide. */
 static double letter_of(double width, double height) {
   if (!(width > 0.0)) return letter_share * height;
   return letter_share * (height > 0.0 && widest_page * height < width ? widest_page * height : width);
 }
 
-/* A picture that the user has not fixed is drawn smaller, with room for what is written on its sides and below. */
+/* A picture without a fixed frame is drawn smaller, with room for text on its sides and below. */
 static void make_room(const struct drawing *drawing, const hsp_view_info *view, hsp_picture_options *options,
                       struct picture_frame *frame) {
   const double letter = letter_of(options->width, options->height);

@@ -70,7 +70,7 @@ static void add_step(struct text_buffer *out, const struct profile *profile, siz
   }
 }
 
-/* Where a wide line ends between others, or where it is less wide from there on, its two sides meet around the end. */
+/* At an end of a wide line between others, or where it becomes less wide, its two sides meet around the end. */
 struct wide_ends {
   double at[2][2];
   int count;
@@ -116,7 +116,7 @@ static bool find_pair(const struct pores_found *found, uint32_t pair[2]) {
   return false;
 }
 
-/* Where a tunnel goes the way of earlier ones, it is wider, and so seen on both sides of theirs. */
+/* A tunnel that goes the way of earlier ones has a wider line, which is seen on both sides of theirs. */
 static void add_shared(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
   struct text_buffer way = TEXT_BUFFER_EMPTY;
   struct wide_ends ends = {.count = 0};
@@ -185,7 +185,7 @@ static void add_shared_swatch(struct text_buffer *out, double x, double y, const
   text_buffer_free(&way);
 }
 
-/* A row for each tunnel, with its line and the ring at its bottleneck, and for what else is drawn. pair: two tunnels
+/* Add a row for each tunnel, with its line and the ring at its bottleneck, and rows for other marks. pair: two tunnels
  * that go the same way, or NULL. */
 static void add_profile_legend(struct text_buffer *out, const struct profile *profile, const char *sign, bool dashes,
                                const uint32_t *pair) {
@@ -213,7 +213,7 @@ static void add_profile_legend(struct text_buffer *out, const struct profile *pr
   chart_text(out, text_at, y, "start", "the narrowest probe of interest");
 }
 
-/* To be freed; NULL where memory is short. */
+/* The slopes; free them. NULL: memory is short. */
 static double *find_slopes(const struct pores_found *found) {
   const size_t count = found->step_count;
   double *const slope = malloc((count + 1) * sizeof *slope), *const length = malloc((count + 1) * sizeof *length);

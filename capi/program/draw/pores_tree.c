@@ -120,7 +120,7 @@ static uint32_t colour_of(uint8_t rank) {
   return rank == NO_POCKET ? plain : rank == OTHERS ? other_pockets_colour : pocket_colours[rank];
 }
 
-/* Which colour a class has: that of the pocket that its maximum is in. */
+/* Find the colour of each class: that of the pocket of its maximum. */
 static bool find_colours(const struct pores_found *found, uint8_t **colour) {
   const uint32_t maxima = found->counts.maxima;
   *colour = malloc((size_t)maxima + 1);
@@ -208,7 +208,7 @@ static void add_names(struct text_buffer *out, const struct pores_found *found, 
   }
 }
 
-/* Of the page, with all names. */
+/* The width of the page, with all names. */
 static int find_width(const struct pores_found *found, const struct tree *tree, const struct tree_page *page,
                       const uint8_t *colour) {
   double width = LEFT + WIDTH + RIGHT;
@@ -221,7 +221,7 @@ static int find_width(const struct pores_found *found, const struct tree *tree, 
   return (int)ceil(width);
 }
 
-/* No narrower probe is of interest: what still has no way out there is a cavity, and ends in a dot. */
+/* Narrower probes are not shown: a class that still has no way out is a cavity, and its line ends in a dot. */
 static void add_cavities(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
                          const struct tree_page *page, const uint8_t *colour) {
   for (uint32_t k = 0; k < tree->rows && page->row >= NAMED_ROW; ++k) {
@@ -292,7 +292,7 @@ static bool is_drawn(const struct tree *tree, const uint8_t *colour, uint8_t ran
   return false;
 }
 
-/* The pockets that have colours, as far as they are drawn; then what else is. */
+/* Add the pockets with colours that are drawn, then the other marks that are. */
 static void add_tree_legend(struct tree_legend *legend, const struct pores_found *found, const struct tree *tree,
                             const struct tree_page *page, const uint8_t *colour) {
   static const char *const others[] = {[OTHERS] = "other pockets", [NO_POCKET] = "no pocket"};
@@ -331,8 +331,9 @@ static void add_tree_legend(struct tree_legend *legend, const struct pores_found
   name_entry(legend, SWATCH + BEHIND_SWATCH, cavity, at);
 }
 
-/* In how many directions a narrower probe goes on for ever. Where lines are nearer than their names are wide, a label
- * has several names, from left to right as the lines are, the first of them above its line. */
+/* Add lines at the radii below which a probe gets on without end in one direction or more. If lines are nearer to each
+ * other than their names are wide, a label has several names, in the order of the lines from left to right, the first
+ * one above its line. */
 static void add_limits(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
   enum { ROOM = 32 };
   const double top = page->frame.top, bottom = top + page->frame.height;

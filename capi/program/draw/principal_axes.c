@@ -7,7 +7,7 @@
 
 #include "read/molecule.h"
 
-/* Rounds of rotations; each squares what is left off the diagonal, so that a dozen is ample. */
+/* Rounds of rotations; each squares the rest off the diagonal, so that a dozen is ample. */
 enum { ROUNDS = 30 };
 
 /* Variances that differ by less than this part of them, or of the largest, count as equal: those of a symmetric

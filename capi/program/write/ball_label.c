@@ -18,7 +18,7 @@ struct ball_name {
 #define NAMED(key, text) \
   { key, JSON_BEFORE(key), sizeof JSON_BEFORE(key) - 1, text }
 
-/* Which names there are follows from the format, not from what a file happens to leave empty. Returns how many. */
+/* List the names. The format decides which there are, not which ones a file leaves empty. Returns their number. */
 static int list_names(const struct file_format *format, const struct atom_label *label,
                       struct ball_name list[MOST_NAMES]) {
   const struct residue_label *residue = label->residue;

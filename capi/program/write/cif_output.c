@@ -8,7 +8,7 @@ static bool is_plain(char c) {
   return ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
 }
 
-/* Names that no reader takes for anything else: a quote within them ends nothing. */
+/* Whether all readers take a text for a value without quotes around it; a quote within it ends nothing. */
 static bool needs_no_quotes(const char *text) {
   const char *at = text;
   while (is_plain(*at) || (at > text && *at != '\0' && strchr("'*+-.", *at) != NULL)) ++at;

@@ -82,7 +82,7 @@ static void free_new_file(struct new_file *made) {
   free(made);
 }
 
-/* From now on a new file is none that a signal must take away. */
+/* From now on signals do not remove a new file. */
 static void forget(struct new_file *made) {
   *place_of(made) = made->next;
   free_new_file(made);

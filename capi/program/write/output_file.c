@@ -8,7 +8,7 @@
 #include "write/new_file.h"
 #include "write/same_file.h"
 
-/* Take away what there is, and give the failure its reason. */
+/* Remove the new file, and give the failure its reason. */
 static bool give_up(struct output_file *file, struct failure *failure) {
   const int reason = file->reason != 0 ? file->reason : errno;
   const bool standard = file->stream == stdout;

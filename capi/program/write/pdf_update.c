@@ -23,7 +23,7 @@ static uint64_t place_of_table(const char *tail, size_t count) {
   return place;
 }
 
-/* An entry of a table: an object that is in use, where it is, and its generation. */
+/* Add an entry to a table: an object in use, its place, and its generation. */
 static void put_entry(struct text_buffer *out, uint64_t place) {
   text_buffer_add(out, "01%016" PRIX64 "0000\n", place);
 }

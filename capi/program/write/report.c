@@ -143,7 +143,7 @@ void json_points(struct text_buffer *out, const double *xyz, uint32_t count) {
   text_buffer_add_text(out, "]");
 }
 
-/* Whether a byte stands in a string as it is. */
+/* Whether a byte needs no escape in a string. */
 static bool is_plain(unsigned char byte) {
   return byte >= 0x20 && byte < 0x7F && byte != '"' && byte != '\\';
 }

@@ -36,7 +36,7 @@ static void print_title(const struct table *table, const struct column *column, 
   }
 }
 
-/* In columns that are easy to compare: no "-0.000000". */
+/* The text of a derivative, in columns that are easy to compare: no "-0.000000". */
 static const char *derivative_text(char out[NUMBER_BYTES], double value, int decimals) {
   if (!is_finite(value)) return "-";
   if (decimals < 0) {
