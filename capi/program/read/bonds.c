@@ -5,7 +5,7 @@
 
 enum { CARBON = 6, ELEMENTS = 96 };
 
-/* Of 80 degrees. */
+/* The cosine of 80 degrees. */
 static const double cosine_between = 0.17364817766693036;
 
 /* In hundredths of an angstrom, by atomic number: B. Cordero et al., Dalton Trans. (2008) 2832, Table 2; carbon as sp3,
@@ -73,7 +73,7 @@ static bool has_atom_between(const struct molecule *molecule, const uint32_t *fi
   return false;
 }
 
-/* Pairs that are close enough, but for those that records decide about, and those of the records, in order. */
+/* Find, in order, the bonds that records state, and pairs that are close enough unless both atoms have stated bonds. */
 static bool join_pairs(const struct molecule *molecule, const uint32_t *first, const uint32_t *ids, struct bond **bonds,
                        uint32_t *count) {
   struct stated_bonds stated;

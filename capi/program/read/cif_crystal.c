@@ -10,7 +10,7 @@ static bool take_name(struct symmetry *symmetry, struct field name) {
   return true;
 }
 
-/* Where the space group has no name: its number in the International Tables. */
+/* If the space group has no name: its number in the International Tables. */
 static bool take_number(struct symmetry *symmetry, struct field number) {
   static const char before[] = "No. ";
   if (symmetry->space_group[0] != '\0') return true;

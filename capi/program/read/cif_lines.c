@@ -73,7 +73,7 @@ static bool is_shared(enum cif_item item) {
   return shared[item];
 }
 
-/* Of items of other tables there may be several with one meaning. */
+/* In other tables several items may have one meaning. */
 static bool has_twice(const enum cif_item *items, size_t count) {
   bool seen[CIF_ITEMS] = {false};
   for (size_t at = 0; at < count; ++at) {
@@ -123,7 +123,7 @@ static bool same_text(const char *a, const char *b, size_t length) {
   return (differ_in_16(a, b) & ((UINT32_C(1) << length) - 1)) == 0;
 }
 
-/* Whether all values that atoms of a residue share are those of the row that was kept. */
+/* Whether all values that atoms of a residue share are the same as in the row that was kept. */
 static bool same_residue(const struct cif_lines *lines, const char *text) {
   for (size_t r = 0; r < lines->runs; ++r) {
     const size_t begin = lines->begin[lines->run[r].first], length = lines->end[lines->run[r].last] - begin;

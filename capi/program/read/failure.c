@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Input may hold anything; what is shown to a person must stay on its line. Bytes from 0x80 up pass: they are UTF-8. */
+/* Input may hold any bytes; text shown to a person must stay on its line. Bytes from 0x80 up pass: they are UTF-8. */
 static char printable(char c) {
   return ((unsigned char)c < 0x20 || c == 0x7F) ? '?' : c;
 }

@@ -41,7 +41,7 @@ void box_from_angles(const double length[3], const double angle[3], struct box_r
   box->given = !box->denied;
 }
 
-/* Of three vectors: below 0 where they are left-handed. */
+/* The determinant of three vectors: below 0 if they are left-handed. */
 static double volume_of(const double v[9]) {
   return v[0] * (v[4] * v[8] - v[5] * v[7]) - v[1] * (v[3] * v[8] - v[5] * v[6]) + v[2] * (v[3] * v[7] - v[4] * v[6]);
 }

@@ -5,7 +5,7 @@
 #include "read/stopping.h"
 #include "read/threads.h"
 
-/* A thread is worth its start for so many balls, a millisecond or two of work. */
+/* The number of balls that is worth the start of a thread: a millisecond or two of work. */
 enum { BALLS_OF_THREAD = 1500 };
 
 static int32_t run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {

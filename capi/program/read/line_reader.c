@@ -159,7 +159,7 @@ static enum line_status find_end(struct line_reader *reader, size_t *length, str
   }
 }
 
-/* Of a text that another reader has looked through: every line ends with '\n'. */
+/* The next line of a text that another reader has checked: every line ends with '\n'. */
 static enum line_status next_of_text(struct line_reader *reader) {
   uint32_t found;
   if (reader->next == reader->filled) return LINE_END;

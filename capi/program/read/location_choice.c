@@ -50,7 +50,7 @@ static int order_by_name(const void *left, const void *right) {
   return order != 0 ? order : order_of_atoms(a, b);
 }
 
-/* The end of those from `begin` on, in the order of names, that are records of one atom. */
+/* The end of the records of one atom that begin at `begin`, in the order of names. */
 static size_t end_of_atom(const struct located_atom *located, size_t begin, size_t end) {
   size_t at = begin;
   while (at < end && memcmp(&located[at].place, &located[begin].place, sizeof located->place) == 0 &&

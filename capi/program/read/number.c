@@ -7,8 +7,8 @@
 #include "read/characters.h"
 
 /* No double, and no midpoint between two doubles, has more than 768 significant decimal digits (the subnormals' last
- * midpoint has). So of a longer number it is enough to keep this many digits and one more that says whether anything
- * but zeros was dropped: the result is rounded as if all digits had been read. */
+ * midpoint has as many). So it is enough to keep this many digits of a longer number, and one more that says whether
+ * any dropped digit is not 0: the result is rounded as if all digits had been read. */
 #define KEPT_DIGITS 800
 
 /* Exponents are held between these: both lie far outside what the digits of a file can make up for. */
@@ -52,7 +52,7 @@ static bool matches(const char *text, size_t length, const char *word) {
   return i == length && word[i] == '\0';
 }
 
-/* Text that is no decimal number: tell the names of what is not finite from other words. */
+/* Text that is no decimal number: distinguish the names of NaN and infinity from other words. */
 static enum number_status classify(const char *text, size_t length) {
   if (length > 0 && (text[0] == '+' || text[0] == '-')) ++text, --length;
   const bool not_finite =

@@ -64,7 +64,7 @@ struct binary {
   bool negative;
 };
 
-/* Of a normal double or zero. */
+/* The parts of a normal double or zero. */
 static struct binary binary_of(double value) {
   uint64_t bits;
   memcpy(&bits, &value, sizeof bits);

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/* As wide as any text shown, so that each covers the one before. */
+/* The width of the widest text: each text covers the one before. */
 enum { WIDTH = 60 };
 
 static bool quiet;

@@ -16,7 +16,7 @@ enum { NAME_BYTES = RADII_NAME_BYTES, MOST_PARTS = 5 };
 /* Does not compile unless names are as long as those of the library. */
 typedef char names_as_in_library[sizeof(((hsp_residue_atom *)NULL)->residue) == NAME_BYTES ? 1 : -1];
 
-/* Of a type in FreeSASA's files. */
+/* A type in FreeSASA's files. */
 struct type_name {
   char text[24];
 };
@@ -26,7 +26,8 @@ struct radii_type {
   double radius;
 };
 
-/* Where an entry stands in a file, and its type there; empty if it has a radius: that follows when types are known. */
+/* The line of an entry in a file, and its type there, from which its radius follows once types are known; the type is
+ * empty if the entry has a radius. */
 struct source {
   uint64_t line;
   struct type_name type;

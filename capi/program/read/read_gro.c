@@ -79,7 +79,7 @@ static bool is_count(const struct line_reader *reader, uint64_t *count) {
          number_parse_count(field.text, field.length, count) == NUMBER_OK;
 }
 
-/* The numbers of a line, which may touch: each ends so many characters behind its point as the last one. */
+/* Read the numbers of a line, which may touch: each has as many characters behind its point as the last one. */
 static size_t split_at_points(const struct line_reader *reader, struct field *field, size_t capacity) {
   const char *const text = reader->text;
   size_t length = reader->length, points = 0, begin = 0;

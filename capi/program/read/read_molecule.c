@@ -49,7 +49,7 @@ static bool check_atoms(const struct molecule *molecule, struct failure *failure
 static bool read_all(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   const bool done = molecule->format->read(reader, molecule, failure);
   if (done) molecule_agree_elements(molecule);
-  molecule->copy = 0; /* what comes now is named as it is */
+  molecule->copy = 0; /* further atoms have their own names */
   return done && check_atoms(molecule, failure);
 }
 

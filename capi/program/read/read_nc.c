@@ -160,7 +160,7 @@ static bool take_shape(struct trajectory *of, struct shape *shape, struct failur
   return true;
 }
 
-/* Whether a variable of that name is as the convention has it. */
+/* Whether a variable of that name has the form that the convention states. */
 static bool check_field(enum netcdf_use use, const struct shape *shape, uint64_t kind, const char *unit, uint32_t atoms,
                         struct failure *failure) {
   const uint64_t rank = use == NETCDF_COORDINATES ? 3 : use == NETCDF_TIME ? 1 : 2;

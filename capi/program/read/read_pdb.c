@@ -81,7 +81,7 @@ static bool label_residue(const struct line_reader *reader, struct pdb_reading *
   return chain_name_copy(label, copy, failure);
 }
 
-/* Tabs behind the coordinates are blanks; before their end nobody knows which columns they stand for. */
+/* Tabs behind the coordinates count as blanks; before their end it is not known which columns they replace. */
 static bool check_columns(const struct line_reader *reader, struct failure *failure) {
   const uint64_t line = reader->number;
   const size_t looked_at = reader->length < LAST_COORDINATE_COLUMN ? reader->length : LAST_COORDINATE_COLUMN;
@@ -111,7 +111,7 @@ static bool is_autodock(const struct molecule *molecule) {
   return (molecule->format->features & FILE_CHARGES) != 0;
 }
 
-/* Where .pdb files have a segment, .pdbqt files have a charge, 71-76. */
+/* In columns 71-76 .pdb files have a segment, .pdbqt files a charge. */
 static void move_charge(const struct line_reader *reader, char charge[7]) {
   for (size_t i = 0; i < 6; ++i) {
     charge[i] = column(reader, 71 + i);
@@ -119,7 +119,7 @@ static void move_charge(const struct line_reader *reader, char charge[7]) {
   }
 }
 
-/* Whether the record belongs to the molecule, or may as soon as it is known which locations count. */
+/* Whether the record belongs to the molecule, or may belong to it once the locations that count are known. */
 static bool keeps(struct pdb_reading *reading, const struct molecule *molecule, const struct atom_label *label,
                   struct field segment, char letter, bool *keep) {
   const bool later = molecule->choice.location != LOCATION_FIRST && letter != ' ';
@@ -140,7 +140,7 @@ static bool note_location(const struct line_reader *reader, struct location_choi
                              field_in_columns(reader->text, reader->length, 55, 60), failure);
 }
 
-/* Note of the last atom, which was added, what is decided at the end of the file. */
+/* Note the data of the last atom added about which the end of the file decides. */
 static inline bool note_atom(const struct line_reader *reader, struct pdb_reading *reading, struct molecule *molecule,
                              struct failure *failure) {
   if (reader->text[20] != ' ' && !pdb_names_note(&reading->names, reader->text, molecule, failure)) return false;
@@ -323,7 +323,8 @@ const struct file_format pdb_format = {.name = "pdb",
                                        .begins = pdb_begins_molecule,
                                        .title = pdb_title_of};
 
-/* The files of AutoDock, Vina and their kin: the same records, and those of a ligand's branches, which are none. */
+/* The files of AutoDock, Vina and similar programs: the same records, and those of a ligand's branches, which are
+ * ignored. */
 const struct file_format pdbqt_format = {
     .name = "pdbqt",
     .extensions = "PDBQT",

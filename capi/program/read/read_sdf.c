@@ -56,7 +56,7 @@ static bool add_atom(const struct line_reader *reader, struct field symbol, cons
   return true;
 }
 
-/* Kinds beyond 4 are those of queries, of bonds to metals and of hydrogen bonds, which are none. */
+/* Kinds beyond 4 are for queries, bonds to metals and hydrogen bonds, which do not count as bonds. */
 static bool add_bond(struct field kind, const struct field atom[2], struct molecule *molecule,
                      struct failure *failure) {
   enum { HYDROGEN_BOND = 10 };
@@ -286,7 +286,7 @@ static bool read_sdf(struct line_reader *reader, struct molecule *molecule, stru
                               header.braced ? ": this looks like JSON" : "");
     }
     if (!read_record(reader, &header, molecule, failure)) return false;
-    if (reader->borrowed) return true; /* of one record, of which nothing else is wanted */
+    if (reader->borrowed) return true; /* the text is one record, and nothing else of it is wanted */
     status = skip_record(reader, failure);
     if (status != LINE_READ) return status == LINE_END;
   }

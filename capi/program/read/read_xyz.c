@@ -22,7 +22,7 @@ static enum line_status next_filled_line(struct line_reader *reader, struct fiel
   }
 }
 
-/* Where the columns of an atom are, counted from 0. */
+/* The columns of an atom's data, counted from 0. */
 struct columns {
   size_t element;
   size_t position; /* of x; y and z follow */
@@ -46,8 +46,8 @@ static bool next_property(struct field *text, struct field *name, uint64_t *coun
   return number_parse_count(part[2].text, part[2].length, count) == NUMBER_OK && *count > 0 && *count < MOST_COLUMNS;
 }
 
-/* The columns by a title in extended XYZ, which says Properties=species:S:1:pos:R:3 and more; those of plain XYZ where
- * it says nothing. */
+/* The columns by the title of an extended XYZ file, which has Properties=species:S:1:pos:R:3 and more; without that
+ * those of plain XYZ. */
 static bool columns_of_title(const struct line_reader *reader, struct columns *columns, struct failure *failure) {
   static const char form[] = "Properties is not of the form name:type:count:...";
   struct field value, text = {NULL, 0};
@@ -172,7 +172,7 @@ static bool begins_xyz(struct molecule_lines *lines, const struct line_reader *r
     lines->line -= columns > 0 ? 1 : 0;
   } else if (columns > 0) {
     const bool counts = columns == 1 && number_parse_count(column[0].text, column[0].length, &lines->line) == NUMBER_OK;
-    if (!counts) lines->line = UINT64_MAX; /* nobody knows where the next one begins */
+    if (!counts) lines->line = UINT64_MAX; /* it is not known where the next one begins */
     lines->open = counts;
     ++lines->count;
     return true;

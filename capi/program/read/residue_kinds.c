@@ -14,7 +14,7 @@ struct known_residue {
 
 enum { A = RESIDUE_AMINO_ACID, N = RESIDUE_NUCLEOTIDE, W = RESIDUE_WATER };
 
-/* In the order of strcmp. */
+/* The names in the order of strcmp. */
 static const struct known_residue residues[] = {
     {"A", N},    {"A3", N},   {"A5", N},   {"ACE", A},  {"ADE", N},  {"ALA", A},  {"ALAD", A}, {"ALY", A}, {"ARG", A},
     {"ARN", A},  {"ASH", A},  {"ASN", A},  {"ASP", A},  {"ASPH", A}, {"ASX", A},  {"C", N},    {"C3", N},  {"C5", N},

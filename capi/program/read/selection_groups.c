@@ -7,7 +7,7 @@
 #include "hardsphere.h"
 #include "read/residues.h"
 
-/* As many as a matrix of them has room for in memory. */
+/* More groups would have no room in memory as a matrix. */
 enum { MOST_GROUPS = 4096 };
 
 static const char chain_key[] = "chain:";

@@ -13,7 +13,7 @@ static int compare_serials(const void *a, const void *b) {
   return strcmp(one->serial.text, two->serial.text);
 }
 
-/* A bond as it is stated once. */
+/* One statement of a bond. */
 struct statement {
   struct bond bond;
   uint32_t model;

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 
-/* Where there are no signals, or none of a time that is over. */
+/* For systems without signals, or without one for a time that is over. */
 #if defined(__wasi__)
 #define HAS_INTERRUPTS 0
 #define HAS_ALARMS 0

@@ -27,7 +27,7 @@ bool text_buffer_grow(struct text_buffer *buffer, size_t more) {
   return true;
 }
 
-/* Bytes in a field of so many columns, at its left end if `left`. */
+/* Add bytes in a field of that many columns, at its left end if `left`. */
 static void add_field(struct text_buffer *buffer, const char *bytes, size_t count, size_t width, bool left) {
   const size_t blanks = width > count ? width - count : 0;
   if (!text_buffer_reserve(buffer, count + blanks)) return;
@@ -48,9 +48,8 @@ static const char *take_count(const char *format, va_list *arguments, int *count
   return format;
 }
 
-/* The items that nearly all formats consist of: texts, characters, whole numbers, and numbers with so many decimals or
- * significant digits.
- * False: there is something else in it. */
+/* Add text by a format of the most common items: texts, characters, whole numbers, and numbers with a number of decimals
+ * or significant digits. False: the format has another item. */
 static bool add_plainly(struct text_buffer *buffer, const char *format, va_list *arguments) {
   for (;;) {
     const size_t plain = strcspn(format, "%");
