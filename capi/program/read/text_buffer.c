@@ -48,8 +48,8 @@ static const char *take_count(const char *format, va_list *arguments, int *count
   return format;
 }
 
-/* Add text by a format of the most common items: texts, characters, whole numbers, and numbers with a number of decimals
- * or significant digits. False: the format has another item. */
+/* Add text by a format of the most common items: texts, characters, whole numbers, and numbers with a number of
+ * decimals or significant digits. False: the format has another item. */
 static bool add_plainly(struct text_buffer *buffer, const char *format, va_list *arguments) {
   for (;;) {
     const size_t plain = strcspn(format, "%");

@@ -24,8 +24,8 @@ CubeCoordinates DiscGrid::square_at(double x, double y, uint32_t level) const {
   return {floor_of(x * per_length), floor_of(y * per_length), level};
 }
 
-// Calls visit(range of items) for the squares that hold centres at most reach_to(the largest radius of their level) away
-// in either coordinate.
+// Calls visit(range of items) for the squares that hold centres at most reach_to(the largest radius of their level)
+// away in either coordinate.
 template <class Reach, class Visit>
 void DiscGrid::visit_squares(double x, double y, Reach reach_to, Visit visit) const {
   for (uint32_t level = 0; level < levels_; ++level) {

@@ -1,7 +1,7 @@
-// The discs of the balls in the view plane, sorted by the squares that hold their centres. The list of a square is front
-// to back, so that a search for balls that reach above a height stops early. Discs of nearly one size share a level, and
-// the squares of a level have twice the radius of its largest disc as their side: a large disc does not widen the
-// squares of small ones.
+// The discs of the balls in the view plane, sorted by the squares that hold their centres. The list of a square is
+// front to back, so that a search for balls that reach above a height stops early. Discs of nearly one size share a
+// level, and the squares of a level have twice the radius of its largest disc as their side: a large disc does not
+// widen the squares of small ones.
 #pragma once
 
 #include "core/fixed_vector.hpp"

@@ -57,8 +57,8 @@ float lowest_of(Span<float> floor, uint32_t row_length, const SideBySide &column
 
 }  // namespace
 
-// Calls visit(cells) for the cells that a disc meets, with the distances of their nearest or farthest edges: at once, or
-// block by block for a disc that is far larger than most. Ends and is false where visit(cells) is. squared: the
+// Calls visit(cells) for the cells that a disc meets, with the distances of their nearest or farthest edges: at once,
+// or block by block for a disc that is far larger than most. Ends and is false where visit(cells) is. squared: the
 // square of the radius, or a little more or less.
 template <class Visit>
 bool DepthBuffer::visit_cells(double x, double y, double radius, double squared, CellEdge edge, Visit visit) const {

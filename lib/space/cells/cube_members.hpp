@@ -27,9 +27,9 @@ struct PlaneArrays {
   PlaneOrder *order;
 };
 inline constexpr double done_with = std::numeric_limits<double>::infinity();
-// The order of the planes in PlaneArrays::nearest: by distance, of equal ones the one with the lower number first. Those
-// before `next` are done with. find_planes() sorts up to most_ordered planes. Of up to most_sought planes `count` is 0,
-// and each next one is sought among all. Of more the caller sorts some at a time.
+// The order of the planes in PlaneArrays::nearest: by distance, of equal ones the one with the lower number first.
+// Those before `next` are done with. find_planes() sorts up to most_ordered planes. Of up to most_sought planes `count`
+// is 0, and each next one is sought among all. Of more the caller sorts some at a time.
 inline constexpr uint32_t most_ordered = 24, most_sought = 160;
 struct PlaneOrder {
   uint32_t next, count;

@@ -90,8 +90,8 @@ void PowerCell::find_member_planes() {
   planes_at_once_ = 0;
 }
 
-// Puts some of many planes in order, the nearest ones, of which most cells need few; each time four times as many. False if
-// all are done with.
+// Puts some of many planes in order, the nearest ones, of which most cells need few; each time four times as many.
+// False if all are done with.
 bool PowerCell::order_next_planes() {
   const double *const distance = of_planes_.distance;
   const uint32_t members = members_.size();
