@@ -29,7 +29,8 @@ class BigInteger {
   [[nodiscard]] std::string to_string() const;
 
  private:
-  // A string holds three limbs without memory from the heap, which is most of the time that small numbers take.
+  // A string, as it holds up to three limbs without memory from the heap: for small numbers allocation would take most
+  // of the time.
   using Limbs = std::u32string;
   static int compare_magnitudes(const Limbs &a, const Limbs &b);
   static Limbs add_magnitudes(const Limbs &a, const Limbs &b);

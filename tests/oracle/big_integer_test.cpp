@@ -1,3 +1,5 @@
+// The oracles' integers of any size against known powers, 128-bit arithmetic and the laws of a ring; and the order of
+// the infinitesimals.
 #include "big_integer.hpp"
 
 #include <gtest/gtest.h>

@@ -13,12 +13,13 @@ struct BoundaryRecord {
   struct Vertex {
     std::array<uint32_t, 3> ball;  // a < b < c
     int sign;                      // side along (c_b - c_a) x (c_c - c_a)
-    bool tied;  // for the balls as given: a tangency at this point or the sphere of a further ball not contained
+    // For the balls as given: two circles touch here, or the sphere of a further ball, not contained, goes through here.
+    bool tied;
   };
   struct Arc {
     std::array<uint32_t, 2> ball;    // a < b
     std::array<uint32_t, 2> vertex;  // from, to; counter-clockwise about the axis from c_a to c_b
-    std::array<uint32_t, 2> face;    // on a, on b
+    std::array<uint32_t, 2> face;    // the face on ball a, the face on ball b
   };
   struct Circle {
     std::array<uint32_t, 2> ball;
@@ -63,7 +64,8 @@ struct VertexName {
 // Sort the three balls and adapt the sign: the normal (c_b - c_a) x (c_c - c_a) is alternating in the three balls.
 VertexName vertex_name(uint32_t a, uint32_t b, uint32_t c, int sign);
 
-// An arc by labels, its ends for the axis from the lower to the higher label; a whole circle has two default ends.
+// An arc by the labels of its two balls, ascending. It runs counter-clockwise about the axis from the lower to the
+// higher label. A whole circle has two default ends.
 struct EdgeName {
   std::array<uint32_t, 2> ball = {0, 0};
   VertexName from;

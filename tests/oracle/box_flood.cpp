@@ -29,7 +29,8 @@ struct Component {
   size_t cells;
 };
 
-// The components of open cells. Each cell that is reached remembers in which copy of the box.
+// The components of open cells. Each cell remembers the copy of the box in which it was first reached. A cell that is
+// reached again in another copy shows that the component goes on for ever along the difference of the two copies.
 std::vector<Component> components_of(const std::vector<bool> &open, int parts, bool corners) {
   const auto number = [&](const Shift &c) { return static_cast<size_t>((c[2] * parts + c[1]) * parts + c[0]); };
   std::vector<bool> seen(open.size());

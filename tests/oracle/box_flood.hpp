@@ -1,5 +1,6 @@
-// In how many directions free space of a periodic box goes on for ever, and its volumes, bounded from both sides by
-// cells of a grid: cells that are free as a whole, and cells that are not covered as a whole.
+// The free space of a periodic box, bounded from both sides by the cells of a grid over the box: in how many directions
+// it goes on for ever, and the volumes of its components. Cells that are free as a whole give the lower bounds, cells
+// that are not covered as a whole the upper ones. Distances and a flood fill are all that is used.
 #pragma once
 
 #include <vector>
@@ -12,12 +13,12 @@ struct DirectionBounds {
   uint32_t least = 0, most = 0;
 };
 
-// For balls that have grown by `level`: the most directions of any component, by parts^3 cells. Of images those up to
-// two boxes away count.
+// The largest number of independent directions (0 to 3) in which any component of the free space goes on for ever, for
+// balls whose radii have grown by `level`. The grid has parts^3 cells. Images up to two boxes away are looked at.
 DirectionBounds free_directions(const Balls &balls, const BoxRows &box, double level, int parts);
 
-// Bounds of the volumes of its components, as parts of the box, each in descending order. They are of the same
-// components only if there are as many of each.
+// Bounds of the volumes of the components, as parts of the box's volume, each list in descending order. The lists speak
+// of the same components only if they are equally long.
 struct VolumeBounds {
   std::vector<double> least, most;
 };

@@ -35,13 +35,15 @@ int surd_sign(const BigInteger &a, const BigInteger &b, const BigInteger &D) {
   return a.sign() * (a * a - b * b * D).sign();
 }
 
-// A point in the hull of two to four centres that is equally far from their balls. With C and e the differences of
-// centre and radius from the first ball, x = c + sum m_i C_i and s the distance from c, 2 C_i.(x - c) + 2 e_i s =
-// |C_i|^2 - e_i^2 = w_i: by Gram's matrix m = (alpha - 2 eta s) / (2 det), and |x - c|^2 = s^2 is a quadratic in s.
+// The point x in the convex hull of two to four centres that is equally far from their balls. Let c be the first
+// centre, and C_i and e_i the differences of the other centres and radii from the first. With x = c + sum m_i C_i and s
+// = |x - c|, 2 C_i.(x - c) + 2 e_i s = |C_i|^2 - e_i^2 = w_i for every i. Gram's matrix of the C_i gives m = (alpha - 2
+// eta s) / (2 det), and |x - c|^2 = s^2 becomes a quadratic equation in s. The level of the point is its distance from
+// the balls, s less the first radius.
 class HullPoint {
  public:
   HullPoint(const Balls &balls, const std::vector<uint32_t> &ids) : balls_(&balls), ids_(ids) {
-    // Two and three balls have further rows of the unit matrix.
+    // For two or three balls rows of the unit matrix fill the matrix up.
     BigInteger G[3][3];
     const size_t rows = ids.size() - 1;
     for (size_t i = 0; i < 3; ++i) {
@@ -92,9 +94,9 @@ class HullPoint {
     }
   }
 
-  // Whether there is one, on the sides of the hull too.
+  // Whether there is such a point, within the hull or on its boundary.
   bool there() const { return there_; }
-  // Sign of the distance of a ball less that of the point's.
+  // Sign of (the point's distance from a further ball - the point's level).
   int nearness(uint32_t ball) const {
     const LatticeBall &other = (*balls_)[ball];
     const Vector C = centre_difference(first(), other);
@@ -107,7 +109,7 @@ class HullPoint {
     }
     return sign(constant, BigInteger(2) * slope);
   }
-  // On which side of the plane through a centre with this normal.
+  // On which side of a plane the point lies: +1 where the normal points to. The plane goes through a ball's centre.
   int side(const Vector &normal, uint32_t through) const {
     BigInteger constant = -(det_ * product(normal, centre_difference(first(), (*balls_)[through]))), slope;
     constant = constant + constant;
@@ -118,7 +120,7 @@ class HullPoint {
     }
     return sign(constant, BigInteger(2) * slope);
   }
-  // Sign of its level less that of another one, or less an integer.
+  // Sign of (this point's level - another point's level); `against` takes an integer level in place of the other one.
   int compare(const HullPoint &other) const {
     const Int128 shift = Int128{other.first().radius} - first().radius;
     // (p + q sqrt(D)) / d - (P + Q sqrt(E)) / F + shift: the part of sqrt(E) last.
@@ -134,7 +136,7 @@ class HullPoint {
 
  private:
   const LatticeBall &first() const { return (*balls_)[ids_[0]]; }
-  // Of constant + slope s.
+  // Sign of constant + slope s.
   int sign(const BigInteger &constant, const BigInteger &slope) const {
     return surd_sign(constant * d_ + slope * p_, slope * q_, D_);
   }
@@ -159,10 +161,12 @@ class HullPoint {
   bool there_ = false;
 };
 
-// The dimension of the hull of some centres if a point of it is in its relative interior, else 0.
+// The dimension, 2 or 3, of the convex hull of the tied balls' centres if the point is in the hull's relative interior,
+// else 0.
 int dimension_around(const Balls &balls, const HullPoint &point, const std::vector<uint32_t> &tied) {
   const auto from = [&](uint32_t i, uint32_t j) { return centre_difference(balls[i], balls[j]); };
-  // The point is not on a plane or line that has all of them on one side and some beside it.
+  // Whether this plane does not support the hull at the point. A supporting plane goes through the point, and has no
+  // centre on one side and at least one centre on the other.
   const auto is_inside = [&](const Vector &normal, uint32_t through) {
     bool above = false, below = false;
     for (const uint32_t ball : tied) {
@@ -194,7 +198,7 @@ int dimension_around(const Balls &balls, const HullPoint &point, const std::vect
   return 2;
 }
 
-// How often a ray from a point crosses the triangle of three centres: 0 or 1; no answer if it meets an edge.
+// Whether a ray from a point crosses the triangle of three centres; no answer if it meets an edge or lies in the plane.
 std::optional<bool> crosses(const Balls &balls, const HullPoint &point, const std::array<uint32_t, 3> &triangle,
                             const Vector &ray) {
   const auto side_of = [&](size_t i, size_t j) { return centre_difference(balls[triangle[i]], balls[triangle[j]]); };
@@ -215,8 +219,9 @@ std::optional<bool> crosses(const Balls &balls, const HullPoint &point, const st
   return true;
 }
 
-// All sets that have their point, by levels, the highest first. Such a level is that at which the balls of a set first
-// have a common point as they grow; any other set has that of one of its parts.
+// The points of all sets of two to four balls that have one, ordered by level, the highest first. The level of a set is
+// the growth at which its balls first have a common point. For a set that has a point it is the point's level, for any
+// other set the level of one of its subsets.
 struct RankedPoints {
   RankedPoints(const Balls &outer, int64_t above) {
     const auto n = static_cast<uint32_t>(outer.size());
@@ -241,7 +246,7 @@ struct RankedPoints {
       if (floor == points.size() && points[p].against(above) <= 0) floor = level;
     }
   }
-  // The lowest first.
+  // All triangles of n balls, the lowest level first. A triangle that has no point has the level of its highest edge.
   std::vector<Triangle> triangles(uint32_t n) const {
     std::vector<Triangle> all;
     for (uint32_t i = 0; i < n; ++i) {
@@ -260,10 +265,10 @@ struct RankedPoints {
 
   std::vector<HullPoint> points;
   std::map<std::vector<uint32_t>, size_t> rank;
-  size_t floor;  // the first rank that is not above it
+  size_t floor;  // the first rank whose level is not greater than `above`
 };
 
-// Which triangles of lower levels a ray from a point crosses.
+// Which of the triangles whose level is below the point's a ray from the point crosses.
 Chain crossed_triangles(const Balls &balls, const HullPoint &point, size_t level,
                         const std::vector<Triangle> &triangles) {
   const Vector rays[] = {{7919, 104729, 611953}, {-600011, 154858, 860281}, {982451, -324528, 499797}};
@@ -280,10 +285,10 @@ Chain crossed_triangles(const Balls &balls, const HullPoint &point, size_t level
   std::abort();
 }
 
-// Two points are apart for a probe if a closed surface in the balls, grown by the probe, has one inside and one
-// outside. The nerve of the balls has the homology of their union, and the hulls of its sets lie in that: so it is
-// enough to look at the cycles of its triangles. Those with which new ones appear as balls grow, and their levels, the
-// lowest first.
+// Two points are apart for a probe if some closed surface within the balls, grown by the probe, has one of the points
+// inside and the other outside. The nerve of the balls has the homology of their union, and the convex hulls of the
+// nerve's sets lie in the union: so it is enough to look at cycles of triangles of the nerve. This visits the cycles
+// with which new homology classes appear as the balls grow, each with its level, the lowest first.
 template <class Visit>
 void visit_cycles(const std::vector<Triangle> &triangles, const Visit &visit) {
   struct Column {
@@ -309,7 +314,8 @@ void visit_cycles(const std::vector<Triangle> &triangles, const Visit &visit) {
   }
 }
 
-// Sign of the distance of a ball less that of the middle of a gap: of a + b sqrt(D).
+// Sign of (the distance from the middle of the gap between balls i and j to a third ball - half the width of the gap),
+// as the sign of a + b sqrt(D).
 int nearness_to_gap(const LatticeBall &i, const LatticeBall &j, const LatticeBall &ball) {
   const Vector u = centre_difference(i, j), v = centre_difference(i, ball);
   const BigInteger D = product(u, u), p = product(u, v), e(Int128{j.radius} - i.radius),
@@ -318,7 +324,7 @@ int nearness_to_gap(const LatticeBall &i, const LatticeBall &j, const LatticeBal
   return surd_sign(a, b, D);
 }
 
-// The same, in doubles where it is many steps.
+// The same sign: by doubles where the difference is more than 1000 steps, else exactly.
 int quick_nearness_to_gap(const LatticeBall &i, const LatticeBall &j, const LatticeBall &ball) {
   const Vector u = centre_difference(i, j), v = centre_difference(i, ball);
   double length = 0.0, square = 0.0;
@@ -366,7 +372,7 @@ BrutePores brute_pores(const Balls &outer, int64_t floor) {
       nearest = sign >= 0;
       if (sign == 0) tied.push_back(l);
     }
-    // Of the same balls there is one such point: where the largest of their distances is least.
+    // Each set of tied balls has one such point: the one where the largest of their distances is least.
     if (!nearest || pores.gates.count(tied) + pores.maxima.count(tied) > 0) continue;
     const int dimension = dimension_around(outer, point, tied);
     if (dimension == 2) pores.gates[tied] = {level, 0};

@@ -1,5 +1,7 @@
-// Maxima, gates and gaps of the distance to some balls by trying all sets of two, three and four: slow, and another way
-// than that of the library.
+// The critical points of the distance to a union of balls: its maxima, gates (saddles where three or more balls are
+// nearest) and gaps (saddles between two balls). All sets of two, three and four balls are tried, in exact integers and
+// their square roots. Which maxima a probe can get between follows from cycles of the balls' nerve. The library goes
+// uphill from its gates instead.
 #pragma once
 
 #include <array>
@@ -12,36 +14,36 @@
 
 namespace oracle {
 
-// Without balls inside others; of equal ones the first stays.
+// The balls that are not inside another one; of equal balls the first stays.
 Balls outer_balls(const Balls &balls);
 
-// All of it in integers and their square roots, whatever ties.
+// The maxima and gates of some balls, exactly, with all ties.
 struct BrutePores {
   static constexpr size_t never = SIZE_MAX;
   struct Point {
-    size_t level;   // a rank, the highest level first; equal levels have equal ranks
-    size_t number;  // of a maximum
+    size_t level;   // the rank of the point's distance from its balls, the largest first; equal distances, equal ranks
+    size_t number;  // of a maximum: its index in `meet`
   };
-  // By all nearest balls, in ascending order.
+  // Each point under the ids of all its nearest balls, in ascending order.
   std::map<std::vector<uint32_t>, Point> gates, maxima;
-  // For two maxima, or one and the outside behind the last one, the level of the tightest gate on the widest path
-  // between them; never if that is not above the floor.
+  // meet[a][b]: the level of the tightest gate on the widest path between two maxima. The index behind the last maximum
+  // is the outside. `never` if that gate is not above the floor.
   std::vector<std::vector<size_t>> meet;
 };
 
-// Of up to 16 balls, points above a floor.
+// The points farther than `floor` from the balls, of which there are at most 16.
 BrutePores brute_pores(const Balls &outer, int64_t floor);
 
-// Pores that are to be held against that, the widest first.
+// A list of pores, for example the library's, that is to be compared with BrutePores; the widest first.
 struct ListedPores {
   std::vector<std::vector<uint32_t>> maxima, gates;      // the nearest balls of each, in ascending order
-  std::vector<std::array<size_t, 2>> ends;               // of gates: maxima, or the outside behind the last one
-  std::function<uint32_t(size_t, size_t)> gate_between;  // where the classes of two of these meet; no_ball for nowhere
+  std::vector<std::array<size_t, 2>> ends;               // of each gate: two maxima; the outside is behind the last one
+  std::function<uint32_t(size_t, size_t)> gate_between;  // the gate where the classes of two ends meet, or no_ball
 };
 // The first thing that is wrong, in words; empty if there is none.
 std::string first_difference(const BrutePores &expected, const ListedPores &listed);
 
-// How many pairs have the middle of their gap nearer than any other ball: the third kind of critical points. In
+// The number of gaps: of pairs of balls whose gap has a middle that is nearer to the two than to any other ball. In
 // integers.
 int count_gaps(const Balls &outer);
 
@@ -49,7 +51,8 @@ int count_gaps(const Balls &outer);
 using BoxRows = std::array<LatticePoint, 3>;
 LatticeBall moved_by(const LatticeBall &ball, const BoxRows &box, const std::array<int, 3> &times);
 
-// The gaps of balls in a box, each once for all its copies. Images up to `copies` boxes away count in each direction.
+// The number of gaps in a periodic box, each counted once for all its copies. Images up to `copies` boxes away in each
+// direction are looked at. Differences of more than 1000 steps are decided in doubles, smaller ones in integers.
 int count_gaps(const Balls &outer, const BoxRows &box, int copies);
 
 }  // namespace oracle

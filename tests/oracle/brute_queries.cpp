@@ -18,8 +18,9 @@ Int128 squared_radius_sum(const LatticeBall &a, const LatticeBall &b) {
   return sum * sum;
 }
 
-// How far along a ray the foot of a centre is, times the square of the direction's length, and the square of half the
-// chord, times the fourth power of that length.
+// A line's chord in a ball, in units of the parameter t of origin + t direction, with L the length of the direction:
+// the chord's middle times L^2, and the square of half the chord times L^4. The square is negative for a line beside
+// the ball.
 struct Chord {
   BigInteger foot, squared;
 };
@@ -50,7 +51,7 @@ int sign_with_root(const BigInteger &E, const BigInteger &a) {
   return (a - E * E).sign();
 }
 
-// Sign of E and a term together, of which the sign and the square are given.
+// Sign of the sum of E and a term that is given by its sign and its square.
 int sign_with_term(const BigInteger &E, const BigInteger &term_squared, int term_sign) {
   if (E.sign() * term_sign >= 0) return E.sign() != 0 ? E.sign() : term_sign;
   return E.sign() * (E * E - term_squared).sign();

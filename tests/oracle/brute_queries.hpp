@@ -1,4 +1,5 @@
-// The queries of Section 3 and the figures of Section 2 of the paper by looking at every ball and every pair.
+// The queries of Section 3 and the figures of Section 2 of the paper by looking at every ball and every pair: no grid,
+// and integers of any size.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,8 @@ std::vector<uint32_t> balls_meeting(const Balls &balls, const LatticeBall &query
 // The other balls that meet ball `ball`, ascending.
 std::vector<uint32_t> neighbours(const Balls &balls, uint32_t ball);
 
-// Whether the ray from a point, which lies outside both balls, along a vector enters the first ball before (-1), with
-// (0) or behind (1) the second one. It meets both. Any 64-bit numbers.
+// Whether a ray enters the first ball before (-1), together with (0) or behind (1) the second one. The ray must start
+// outside both balls and meet both. Any 64-bit numbers.
 int compare_entries(const LatticeBall &first, const LatticeBall &second, const LatticePoint &origin,
                     const LatticePoint &direction);
 

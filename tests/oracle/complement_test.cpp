@@ -1,4 +1,5 @@
-// The two oracles for the complement of a union, held against each other, the nerve, and what is obvious.
+// The two oracles for the complement of a union of balls, the dual complex and the flood fill, against each other,
+// against the Betti numbers of the nerve, and against sets whose voids are known.
 #include <gtest/gtest.h>
 
 #include <algorithm>

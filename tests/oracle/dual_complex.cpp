@@ -82,7 +82,7 @@ class RadicalCentre {
   std::array<BigInteger, 3> centre_;
 };
 
-// The triangle of three of four balls, ascending as they are.
+// The triangle that a tetrahedron has opposite one of its balls; ascending, as the four are.
 std::array<uint32_t, 3> without(const std::array<uint32_t, 4> &balls, size_t left_out) {
   std::array<uint32_t, 3> triangle{};
   for (size_t k = 0, place = 0; k < 4; ++k)
@@ -144,7 +144,8 @@ bool DualComplex::is_empty(const std::array<uint32_t, 4> &tetrahedron) const {
   return true;
 }
 
-// A first tetrahedron: one of some ball and three of those nearest to it; those of few balls are all balls.
+// A first tetrahedron: some ball and three of the 24 centres nearest to its own (itself among them). Up to 24 balls all
+// sets of four are tried so.
 std::optional<std::array<uint32_t, 4>> DualComplex::find_first() const {
   constexpr size_t nearest = 24;
   std::vector<uint32_t> order(balls_.size());
@@ -167,8 +168,8 @@ std::optional<std::array<uint32_t, 4>> DualComplex::find_first() const {
   return std::nullopt;
 }
 
-// The ball that makes a tetrahedron with a triangle on the side away from a fourth ball: no ball of that side is in
-// conflict with it. Nothing if the triangle is on the hull.
+// The ball that makes a tetrahedron of the triangulation with a triangle, on the side away from a fourth ball: no other
+// ball of that side is in conflict with the tetrahedron. Nothing if the triangle is on the hull.
 std::optional<uint32_t> DualComplex::beyond(const std::array<uint32_t, 3> &triangle, uint32_t opposite) const {
   const std::array<uint32_t, 4> known = {triangle[0], triangle[1], triangle[2], opposite};
   const int side = -orientation(known);
@@ -207,7 +208,7 @@ void DualComplex::find_tetrahedra() {
     tetrahedra_.push_back({members, centre.own_power().sign() <= 0, 0});
     for (size_t left_out = 0; left_out < 4; ++left_out) {
       std::array<uint32_t, 3> triangle = without(members, left_out);
-      if (++sides_seen[triangle] > 1) continue;  // come from there
+      if (++sides_seen[triangle] > 1) continue;  // both its tetrahedra are known
       const auto ball = beyond(triangle, members[left_out]);
       if (!ball) continue;
       std::array<uint32_t, 4> next = {triangle[0], triangle[1], triangle[2], *ball};
@@ -240,8 +241,9 @@ void DualComplex::join_cells() {
     for (const size_t t : sides.tetrahedra) closed = closed || tetrahedra_[t].in_complex;
     if (closed && sides.tetrahedra.size() == 2) continue;
     if (!closed) {
-      // The triangle is closed by itself if its balls meet at their radical centre and no ball is nearer there; of the
-      // balls the two beyond it are the first to be. (A tie: then its tetrahedron has the same radical centre.)
+      // The triangle is closed by itself if its balls meet at their radical centre and no other ball has less power
+      // there. If any ball has, one of the two opposite the triangle has. (In a tie its tetrahedron has the same
+      // radical centre.)
       const RadicalCentre centre({balls_[triangle[0]], balls_[triangle[1]], balls_[triangle[2]]});
       const BigInteger power = centre.own_power();
       closed = power.sign() <= 0;
@@ -260,7 +262,7 @@ void DualComplex::join_cells() {
   cells_ = static_cast<uint32_t>(number.size());
 }
 
-// On the boundary counts as inside.
+// Whether a point is in a tetrahedron, boundary included.
 bool DualComplex::contains(const Tetrahedron &tetrahedron, const LatticeBall &point) const {
   std::array<Difference, 4> corner;
   for (size_t k = 0; k < 4; ++k) corner[k] = difference(point, balls_[tetrahedron.ball[k]]);

@@ -1,4 +1,5 @@
-// The connected components of the complement of a union of balls, exactly, from the union's dual complex.
+// The connected components of the complement of a union of balls, exactly, from the union's dual complex. The library
+// has no triangulation of the centres.
 #pragma once
 
 #include <array>
@@ -27,9 +28,10 @@ class DualComplex {
   // Throws std::domain_error for a point of the union.
   [[nodiscard]] uint32_t cell_of(int64_t x, int64_t y, int64_t z) const;
 
-  // The balls of the tetrahedra in a component, ascending; around the unbounded one also those of the hull. In general
-  // position the balls of the complex among them are those with a face on it: what is free of a sphere has the shape of
-  // what the complex leaves free of the triangulation around its centre. A ball that is not of the complex has no face.
+  // The balls of the tetrahedra in a component, ascending; for the unbounded one also the balls of the hull. In general
+  // position those of them that belong to the complex are the balls with a face on the component: the free part of a
+  // sphere has the shape of what the complex leaves free around the ball's centre. A ball outside the complex has no
+  // face.
   [[nodiscard]] std::vector<uint32_t> balls_around(uint32_t cell) const;
 
  private:

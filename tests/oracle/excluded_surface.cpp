@@ -34,8 +34,8 @@ LongPoint to_long(const Point &a) {
 Point rounded(const LongPoint &a) {
   return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
 }
-// The direction of a vector across a unit vector, exactly across even if the vector nearly runs along that: any if
-// nothing but roundings is left.
+// The direction of a's part across the unit vector `axis`. It is orthogonal to the axis even if a nearly runs along it;
+// if nothing but roundings is left of that part, it is any orthogonal direction.
 Point direction_across(const Point &axis, const Point &a) {
   Point off = plus(a, -scalar(a, axis), axis);
   if (!(length(off) > 1e-12 * length(a))) {
@@ -48,7 +48,7 @@ Point direction_across(const Point &axis, const Point &a) {
 
 }  // namespace
 
-// Where spheres nearly touch, their points are known to half of the digits: in long doubles.
+// In long doubles: where spheres nearly touch, half of the digits of their common points are lost.
 DistanceFromOutside::DistanceFromOutside(std::vector<ProbedBall> balls, Room room)
     : balls_(std::move(balls)), room_(std::move(room)) {
   for (size_t i = 0; i < balls_.size(); ++i) {
@@ -66,7 +66,7 @@ DistanceFromOutside::DistanceFromOutside(std::vector<ProbedBall> balls, Room roo
         const LongPoint off = plus(whole, -scalar(whole, axis), axis);
         const long double h = length(off), third = balls_[k].radius;
         const long double cosine = (scalar(whole, whole) + square - third * third) / (2 * radius * h);
-        // The same ball again, or another one around the whole circle: nothing but roundings is left of the direction.
+        // h is nothing but rounding for the same ball again and for a third ball on the circle's axis.
         if (!(h > 1e-14 * third) || !(std::abs(cosine) <= 1)) continue;
         const LongPoint e = plus({0, 0, 0}, 1 / h, off), f = vector_product(axis, e);
         const long double sine = std::sqrt((1 - cosine) * (1 + cosine));
@@ -169,7 +169,7 @@ AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, do
   return sum;
 }
 
-// Within the balls without the probe there are all points of the solid.
+// The box is that of the balls without the probe: the solid does not reach beyond it.
 double deviation_by_points(const std::vector<ProbedBall> &balls, double probe, double volume, int points,
                            uint64_t seed) {
   constexpr double fewest = 10;

@@ -1,6 +1,8 @@
 // The solvent-excluded surface from its definition alone: the points whose distance from the closed outside of the
-// balls with the probe is the probe's radius. That distance is the least of those to feet on spheres, circles and
-// vertices that are in no open ball. Volume and area by lines along the three axes, or the volume from random points.
+// balls with the probe is the probe's radius. The nearest point of the outside is the foot on a sphere, on the circle
+// of two spheres, or a vertex of three; all those that are in no open ball are tried. Volume and area come from lines
+// along the three axes; a given volume can also be tested by random points. The library's closed forms of patches are
+// not used.
 #pragma once
 
 #include <array>
@@ -17,7 +19,7 @@ struct ProbedBall {
   double radius = 0;  // with the probe
 };
 
-// Whether a point that is in no open ball counts as outside: what is left out, as voids, is filled.
+// Whether a point that is in no open ball counts as outside. Space that does not count, such as a void, is filled.
 using Room = std::function<bool(const Point &)>;
 inline bool everywhere(const Point &) {
   return true;
@@ -31,7 +33,7 @@ class DistanceFromOutside {
     double distance = 0;
     Point point{};
   };
-  // Of a point in some open ball; distance 0 for all others.
+  // The point of the outside that is nearest to x, and its distance: x itself and 0 if x is outside.
   [[nodiscard]] Nearest operator()(const Point &x) const;
 
  private:
@@ -42,7 +44,7 @@ class DistanceFromOutside {
   };
   static constexpr size_t none = static_cast<size_t>(-1);
 
-  // But for the balls whose spheres y is on.
+  // Whether y is in no open ball and counts as outside. Balls i, j and k, on whose spheres y lies, are not tested.
   [[nodiscard]] bool is_outside(const Point &y, size_t i = none, size_t j = none, size_t k = none) const;
 
   std::vector<ProbedBall> balls_;
@@ -55,14 +57,15 @@ struct AreaAndVolume {
   double area = 0, volume = 0;
 };
 
-// `lines` along each axis and either other one. A surface element dA is crossed by |n_x| dA of the lines along x per
-// area, and n_x^2 + n_y^2 + n_z^2 = 1: weights |n| make the three directions' crossings an area.
+// Along each axis run `lines` x `lines` lines. A surface element dA with the normal n has the area |n_x| dA as seen
+// along x. So crossings of lines along x with the weight |n_x| sum to the integral of n_x^2, and n_x^2 + n_y^2 + n_z^2
+// = 1 makes the three directions together the area.
 AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines,
                                         const Room &room = everywhere);
 
-// How many of so many random points in a box are in the solid, and how far that is from the number which a volume
-// expects: the square of the difference in units of its mean square. Exactly 1 in the mean if the volume is right,
-// whatever it is. Negative where fewer points are expected on one side than that takes.
+// Draws random points in a box around the solid and counts those inside. Returns the square of the difference between
+// this number and the number that `volume` predicts, divided by its variance: 1 in the mean if `volume` is right.
+// Returns -1 if fewer than 10 points are expected inside or outside.
 double deviation_by_points(const std::vector<ProbedBall> &balls, double probe, double volume, int points,
                            uint64_t seed);
 

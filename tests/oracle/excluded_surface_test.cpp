@@ -1,4 +1,4 @@
-// The surface by its definition against closed forms.
+// The solvent-excluded surface by its definition (excluded_surface.hpp) against closed forms of one and two balls.
 #include "excluded_surface.hpp"
 
 #include <gtest/gtest.h>

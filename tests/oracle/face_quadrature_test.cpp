@@ -1,3 +1,4 @@
+// Faces by slices against closed forms, against the areas of whole balls by slices, and against the same balls turned.
 #include "face_quadrature.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
-// Parts of the space that some balls leave free, bounded from both sides by cells of a grid around them: cells that are
-// free as a whole, and cells that are not covered as a whole. Cells of one part share sides in the first case, and also
-// corners in the second: so parts of free cells are within parts of space, and these within parts of touched cells.
-// Cells with a free middle, of which those of one part share sides, have about the volume of space.
+// The connected parts of the space that some balls leave free, bounded from both sides by the cells of a grid around
+// the balls. Free cells are free as a whole, and are joined across common sides: each part of free cells lies within
+// one part of space. Touched cells are not covered as a whole, and are joined at common corners too: each part of space
+// lies within one part of touched cells. Middle cells have a free middle, and are joined across sides: their volume is
+// about that of the free space.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ class FreeCells {
     bool outside = false;
   };
 
-  // parts: of the longest side.
+  // The longest side of the box around the balls is divided into `parts` cells.
   FreeCells(const Balls &balls, int parts) {
     std::array<double, 3> high{-1e300, -1e300, -1e300};
     low_ = {1e300, 1e300, 1e300};

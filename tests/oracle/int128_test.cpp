@@ -1,5 +1,5 @@
-// Integers of two words, which the oracles have where the compiler has none of 128 bits: against powers that are known,
-// and against the compiler's own where there are such.
+// The oracles' own 128-bit integers of two words, for compilers without such a type: against known powers, and against
+// the compiler's 128-bit integers where it has them.
 #include "int128.hpp"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,8 @@ namespace {
 constexpr int64_t largest_difference = 100;
 
 using Simplex = std::vector<uint32_t>;
-// As operator< orders them, but on big-endian processors, too: there that of libstdc++ 12 compares first bytes alone.
+// Lexicographic order of simplices. operator< is not used: on big-endian processors libstdc++ 12 compares first bytes
+// only.
 struct InDictionaryOrder {
   bool operator()(const Simplex &a, const Simplex &b) const {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());

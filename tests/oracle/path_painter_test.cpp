@@ -1,3 +1,4 @@
+// The painter of elliptical arcs against the equation of the ellipse and against known areas and winding numbers.
 #include "path_painter.hpp"
 
 #include <gtest/gtest.h>

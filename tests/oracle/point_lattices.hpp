@@ -66,7 +66,7 @@ inline Balls balls_on_sphere(int64_t distance, int64_t scale, int64_t radius) {
   return balls;
 }
 
-// Those of them in the plane of two axes.
+// The balls of balls_on_sphere whose centres lie in the plane of two axes.
 inline Balls balls_on_circle(int64_t distance, int64_t scale, int64_t radius, size_t first = 0, size_t second = 1) {
   Balls balls;
   for (const LatticeBall &ball : balls_on_sphere(distance, scale, radius))
@@ -74,8 +74,8 @@ inline Balls balls_on_circle(int64_t distance, int64_t scale, int64_t radius, si
   return balls;
 }
 
-// A ring of equal balls at the same angles about the z axis, each as near as the lattice has it. The first is turned by
-// this part of the angle from the x axis.
+// A ring of equal balls around the z axis, evenly spaced, each centre rounded to the lattice. The first centre is
+// `turned` times the angle between neighbours away from the x axis.
 inline Balls ring_around_z(int members, double ring_radius, int64_t height, int64_t radius, double turned = 0) {
   Balls balls;
   for (int k = 0; k < members; ++k) {
@@ -86,7 +86,8 @@ inline Balls ring_around_z(int members, double ring_radius, int64_t height, int6
   return balls;
 }
 
-// The 26 points around the origin, times spacing. Squares close at 0.7072 of it, the middle at 1.
+// Balls at the 26 lattice points around the origin, times `spacing`. Four balls of a square close the window between
+// them from a radius of 0.7072 spacing on; the origin is covered from a radius of 1 spacing on.
 inline Balls cage_of_26(int64_t spacing, int64_t radius) {
   Balls balls;
   for (const LatticeBall &b : box_lattice({3, 3, 3}, {spacing, spacing, spacing}, radius))

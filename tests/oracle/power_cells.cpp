@@ -19,15 +19,16 @@ Int128 triple(const Vector &a, const Vector &b, const Vector &c) {
   return dot(cross(a, b), c);
 }
 
-// Has a fifth ball less power than the four at the point where these have the same? The determinant of the rows
-// (v, |v|^2 - w + w_fifth), by its last column, and its derivatives by the weights.
+// Has a fifth ball less power than four balls at the point where the four have equal power? The sign is that of the
+// determinant of the rows (v, |v|^2 - w + w_fifth), expanded by its last column. Where it is 0, its derivatives by the
+// weights decide, in the order of the infinitesimals.
 bool is_nearer(const TiedBalls &set, const Four &four, uint32_t fifth) {
   const Balls &balls = set.balls();
   std::array<Vector, 4> row;
   for (size_t k = 0; k < 4; ++k) row[k] = centre_difference(balls[fifth], balls[four[k]]);
   const std::array<Int128, 4> cofactor = {-triple(row[1], row[2], row[3]), triple(row[0], row[2], row[3]),
                                           -triple(row[0], row[1], row[3]), triple(row[0], row[1], row[2])};
-  // That of the four centres, seen from the last one.
+  // The orientation of the four centres, seen from the last one.
   const int orientation = sign_of(cofactor[0] + cofactor[1] + cofactor[2] + cofactor[3]);
   if (orientation == 0) throw std::logic_error("a flat tetrahedron");
   const auto weight = [&](uint32_t ball) { return Int128{balls[ball].radius} * balls[ball].radius; };
@@ -49,7 +50,8 @@ bool is_nearer(const TiedBalls &set, const Four &four, uint32_t fifth) {
   throw std::logic_error("undecided");
 }
 
-// Whether the point of equal power of four balls lies in them: one of the two points of three spheres is in the fourth.
+// Whether the point of equal power of four balls lies in them: just one of the two points of three spheres is in the
+// fourth.
 bool has_inner_vertex(const TiedBalls &set, const Four &four) {
   for (size_t k = 0; k < 4; ++k)
     for (size_t m = k + 1; m < 4; ++m)

@@ -1,5 +1,5 @@
-// How a union of balls is shared out by power distance |x - c|^2 - r^2: which balls' cells meet, exactly, and how large
-// cells and the pieces between them are, by sampling.
+// The power diagram of a union of balls (power distance |x - c|^2 - r^2): which cells meet within the union, exactly,
+// and by sampling the volumes of the cells and the areas between two of them.
 #pragma once
 
 #include <array>
@@ -11,10 +11,11 @@
 
 namespace oracle {
 
-// The simplices of the dual complex of the balls inflated by infinitesimals as in sphere_predicates.hpp: ball, edge,
-// triangle, tetrahedron, each ascending. It is the closure of what the boundary shows (whole spheres, free circles and
-// free vertices) and of the points of equal power of four balls that lie in them and have no less power to a fifth.
-// Every four balls and every fifth are tried. Centres within 2^19 steps of each other and radii of at most 2^20 steps.
+// The simplices of the dual complex of the balls inflated by infinitesimals as in sphere_predicates.hpp: balls, edges,
+// triangles and tetrahedra, each by ascending ids. The brute-force boundary gives the simplices of its faces, free
+// circles and free vertices. A tetrahedron belongs to the complex if the point of equal power of its four balls lies in
+// them and no fifth ball has less power there; every four balls and every fifth are tried. With a simplex go its sides.
+// Centres within 2^19 steps of each other and radii of at most 2^20 steps.
 struct DualSimplices {
   std::set<uint32_t> balls;
   std::set<std::array<uint32_t, 2>> edges;
@@ -23,10 +24,12 @@ struct DualSimplices {
 };
 DualSimplices dual_simplices(const Balls &balls);
 
-// The area where the cells of balls a and b meet, by slices of their circle's disk. Their spheres must cross.
+// The area where the cells of balls a and b meet within both balls, by parallel chords of the disk that the circle of
+// the two spheres bounds. The spheres must cross.
 double contact_area_by_slices(const Balls &balls, uint32_t a, uint32_t b, uint32_t slices);
 
-// The volumes of all cells, from points in rows of that many in the box around each ball.
+// The volumes of all cells within their balls, by counting points of a cubic grid of points^3 in the box around each
+// ball.
 std::vector<double> cell_volumes_by_points(const Balls &balls, uint32_t points);
 
 }  // namespace oracle

@@ -18,8 +18,9 @@ class RandomSource : public support::RandomNumbers<std::mt19937_64> {
   std::vector<uint32_t> permutation(size_t n);
 };
 
-// A vector of integer components and length, as a ball around the origin that it just reaches: one of the first kinds
-// of 1 0 0, 0 3 4, 1 2 2, 2 3 6, 1 4 8, 4 4 7, 2 6 9, 6 6 7, 0 5 12, in any order and with any signs.
+// A vector whose components and length are integers, as a LatticeBall with the length as radius. It is one of the first
+// `kinds` of 0 0 1, 0 3 4, 1 2 2, 2 3 6, 1 4 8, 4 4 7, 2 6 9, 6 6 7, 0 5 12, its components in any order and with any
+// signs.
 inline constexpr size_t kinds_of_integer_length = 9;
 LatticeBall integer_length_vector(RandomSource &random, size_t kinds = kinds_of_integer_length);
 
@@ -38,8 +39,9 @@ Balls belted_balls(RandomSource &random, size_t n);     // a large ball with rin
 // A ball of radius `large` around a centre, and many small ones with centres on its sphere.
 Balls studded_ball(RandomSource &random, size_t studs, const LatticePoint &centre, int64_t large, int64_t least,
                    int64_t largest);
-// A ball around the origin, and others along z whose planes of equal power with it nearly go through one point there:
-// `height` of its radius away, with normals as far as `width` from z.
+// A ball around the origin, and further balls near the z axis whose radical planes with it nearly go through one point
+// of that axis, `height` times the radius from the origin. The normals of the planes deviate from z by up to `width`
+// along either other axis.
 Balls balls_of_near_planes(RandomSource &random, size_t n, int64_t radius, double height, double width);
 
 // Centres and radii as large as a lattice may have them: about the origin, or near a corner of it.
@@ -54,16 +56,17 @@ Balls balls_through_circle(RandomSource &random, size_t n);  // all spheres have
 Balls balls_around_circle(RandomSource &random,
                           size_t n);  // most have one size and centres on a circle: two common points
 Balls balls_around_sphere(RandomSource &random, size_t n);  // of one radius, around points of a sphere
-Balls tangent_balls(RandomSource &random, size_t n);        // each touches an earlier one, within or without
+Balls tangent_balls(RandomSource &random, size_t n);        // each touches an earlier one, from inside or outside
 Balls lattice_balls(RandomSource &random, size_t n);        // part of a box lattice in which eight spheres meet
 Balls repeated_balls(RandomSource &random, size_t n);       // duplicates, concentric and contained balls
 
 // A ball with whole rings of balls around integer points of a sphere: nested loops and ties at once. At least 9 balls.
 Balls crowned_balls(RandomSource &random, size_t n);
 
-// Groups of one to four balls whose cubes, of side twice the largest radius and four times that, have hashes that are
-// the same for all groups (lib/balls/model/cube_slots.hpp): multiples of these steps, for which the linear form that
-// the hash begins with is 0 modulo 2^64. The second step has no z, for squares of a view.
+// Groups of one to four balls in cubes that collide in the library's hash table (lib/balls/model/cube_slots.hpp), whose
+// cubes have sides of twice the largest radius or four times that. The groups are apart by multiples of one of these
+// steps, for which the linear form that the hash begins with is 0 modulo 2^64. The second step has no z, for squares of
+// a view.
 inline constexpr std::array<LatticePoint, 2> colliding_steps = {
     {{852863, 1285698, 183727}, {1346530022, 1795967550, 0}}};
 Balls colliding_balls(RandomSource &random, size_t n);

@@ -33,7 +33,8 @@ CylinderFront front_of(const PlainCylinder &cylinder, double x, double y) {
 
 namespace {
 
-// Of a cylinder with strands the depth of the whole, where a line of sight meets a strand, and its part of the length.
+// Of a cylinder with strands: if the line of sight meets a strand, the depth of the whole cylinder and the part of the
+// length at which it meets the strand; else minus infinity.
 CylinderFront front_of_strands(const PlainCylinder &cylinder, double x, double y) {
   CylinderFront whole = front_of(cylinder, x, y);
   if (cylinder.strands.empty() || !(whole.depth > -std::numeric_limits<double>::infinity())) return whole;

@@ -16,12 +16,13 @@ struct PlainCylinder {
   std::array<double, 3> to{};
   double radius = 0;
   double change = 0.5;
-  // All of it, or thinner cylinders beside each other in the view plane, each in one part of the length.
+  // Without strands all of the cylinder is seen. With strands only these are: thinner cylinders beside each other in
+  // the view plane, each over one part of the length.
   struct Strand {
-    double left = 0;  // of its axis, seen from `from` to `to`
+    double left = 0;  // how far its axis is to the left of the cylinder's, looking from `from` to `to`
     double radius = 0;
     double begin = 0, end = 1;
-    std::array<double, 3> under{};  // the disc of a ball that covers all of it: x, y and radius
+    std::array<double, 3> under{};  // x, y and radius of a ball's disc that hides the strand wherever it covers it
   };
   std::vector<Strand> strands{};
 };

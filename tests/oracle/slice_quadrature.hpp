@@ -1,4 +1,5 @@
-// Areas, vector areas and volume of a union of balls by slicing it with planes of constant z.
+// Areas, vector areas and volume of a union of balls by slicing it with planes of constant z, in long doubles: no
+// faces, and none of the formulas for spherical polygons that the library sums.
 #pragma once
 
 #include <array>
@@ -16,9 +17,9 @@ struct SliceMeasures {
 };
 
 // A plane cuts the balls into discs. A ball's free area is the integral over z of its radius times the free angle of
-// its disc (Archimedes), its vector area that of the outward normal with the same measure, the volume that of the area
-// of the union of the discs. step: that of the quadrature's parameter; 0.1 gives about 15 digits for sets of tens of
-// balls of comparable size. Of equal balls the first has the area.
+// its disc (Archimedes). Its vector area is the integral of the outward normal with the same measure. The volume is the
+// integral over z of the area of the union of the discs. `step` is the step of the quadrature's parameter: 0.1 gives
+// about 15 digits for sets of tens of balls of comparable size. Of equal balls the first has the area.
 SliceMeasures measure_by_slices(const std::vector<RealBall> &balls, long double step = 0.1L);
 
 }  // namespace oracle

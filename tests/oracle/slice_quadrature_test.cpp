@@ -1,3 +1,4 @@
+// Areas, vector areas and volumes by slices against closed forms, and against other steps and directions of slicing.
 #include "slice_quadrature.hpp"
 
 #include <gtest/gtest.h>

@@ -21,7 +21,7 @@ Point between(const RealBall &a, const RealBall &b) {
   return {b.x - a.x, b.y - a.y, b.z - a.z};
 }
 
-// Heights at which the slices change their structure, as far as they are not deep inside some ball.
+// Heights at which the slices change their structure. A change deep inside some ball is left out.
 class BreakHeights {
  public:
   explicit BreakHeights(const std::vector<RealBall> &balls) : balls_(balls) {
@@ -88,7 +88,7 @@ class BreakHeights {
     const Real height = std::sqrt(std::max<Real>(0, height2) / n2);
     for (const Real side : {height, -height})
       add({a.x + foot[0] + side * n[0], a.y + foot[1] + side * n[1], a.z + foot[2] + side * n[2]});
-    // Where circles touch, the root makes noise of height2 large: the true height is the foot's.
+    // Where circles touch, the root magnifies the noise in height2: the true point is the foot.
     if (height2 < tangency) add({a.x + foot[0], a.y + foot[1], a.z + foot[2]});
   }
 

@@ -1,5 +1,5 @@
-// Horizontal slices through a union of balls: between which heights the picture in the slice keeps its structure, and
-// what of the circles in a slice is free.
+// Horizontal slices through a union of balls: between which heights the picture in a slice keeps its structure, and
+// which arcs of the circles in a slice are free.
 #pragma once
 
 #include <cmath>
@@ -38,7 +38,8 @@ std::vector<Slab> slabs_of(const std::vector<RealBall> &balls);
 
 // A free arc of the circle that a ball's sphere makes in a slice, counter-clockwise from an angle to a larger one.
 struct FreeSliceArc {
-  // The other ball that ends where the arc starts. No two arcs of one circle have the same; a whole circle has none.
+  // The ball whose disc covers the circle up to the start of the arc. No two arcs of one circle have the same ball; a
+  // whole circle has none.
   static constexpr size_t none = std::numeric_limits<size_t>::max();
 
   size_t after = none;

@@ -144,8 +144,8 @@ int sign_as_given(const TiedBalls &set, bool fits, const Formula &formula) {
   return fits ? formula(GivenWeights<Int128>(set.balls())) : formula(GivenWeights<BigInteger>(set.balls()));
 }
 
-// The sign of a formula for the inflated balls; 0 only if inflation does not change a value of 0. Numbers that further
-// infinitesimals are added to keep their sign, unless they are 0.
+// The sign of a formula for the inflated balls; 0 only if the value is 0 with all infinitesimals. They are added a few
+// at a time, until the value is not 0: smaller infinitesimals cannot change its sign any more.
 template <class Formula>
 int sign_with_ties(const TiedBalls &set, bool fits, std::initializer_list<uint32_t> balls, const Formula &formula) {
   int sign = sign_as_given(set, fits, formula);

@@ -1,10 +1,11 @@
 // The geometric questions that decide the boundary of a union of balls, answered naively: determinants without any
-// factoring, in integers of any size, and where the value for the balls as given is zero, once more with every squared
-// radius w enlarged: by w eps_0 + eps_1 + x eps_2 + y eps_3 + z eps_4 + M(x, y, z) eps_5, where M is a quadratic form,
-// and last by an infinitesimal of its own, the larger the lower its rank.
+// factoring, in integers of any size. Where the value for the balls as given is zero, simulation of simplicity decides,
+// by the library's rule but in polynomials of infinitesimals: every squared radius w is enlarged by w eps_0 + eps_1 + x
+// eps_2 + y eps_3 + z eps_4 + M(x, y, z) eps_5, where x, y, z is the centre and M a quadratic form, and last by an
+// infinitesimal of the ball's own, the larger the lower the ball's rank. Here 1 >> eps_0 >> eps_1 >> ...
 //
-// Everything is seen from one ball a. With y = x - c_a its sphere is |y|^2 = w_a (w = radius squared), and a ball b
-// contains the points of that sphere with 2 v.y > g, where v = c_b - c_a and g = |v|^2 + w_a - w_b.
+// Everything is seen from one ball a. With y = x - c_a the sphere of a is |y|^2 = w_a (w = radius squared), and a ball
+// b contains the points of that sphere with 2 v.y > g, where v = c_b - c_a and g = |v|^2 + w_a - w_b.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,7 @@ struct Crossing {
 
 enum class PairRelation { disjoint, circle, first_inside_second, second_inside_first };
 
-// A set of balls whose weights are enlarged so.
+// A set of balls with enlarged weights, as said in the first lines of this file.
 class TiedBalls {
  public:
   explicit TiedBalls(Balls balls) : balls_(std::move(balls)), rank_(tie_ranks(balls_)) {}
@@ -59,8 +60,8 @@ class TiedBalls {
   // Does the point where two circles cross lie in a further cap?
   [[nodiscard]] bool crossing_inside(uint32_t a, const Crossing &point, const Cap &cap) const;
 
-  // On which side of a plane through the centre of ball a does that point lie? +1 where 2 normal.y > 0. A plane is not
-  // inflated: 0 is possible if the point was made with a plane too.
+  // On which side of a plane through the centre of ball a does the point where two circles cross lie? +1 where
+  // 2 normal.y > 0. Planes are not inflated: the answer can be 0 if one of the two circles is itself cut by a plane.
   [[nodiscard]] int crossing_side(uint32_t a, const Crossing &point, const Vector &normal) const;
 
   // crossing_inside for the balls as given: +1 inside, 0 on the cap's circle, -1 outside. The circles must cross or

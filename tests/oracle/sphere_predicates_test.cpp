@@ -1,4 +1,4 @@
-// The naive predicates against explicit tiny inflations and other formulas.
+// The naive predicates against other formulas for balls that are inflated by tiny numbers instead of infinitesimals.
 #include "sphere_predicates.hpp"
 
 #include <gtest/gtest.h>
@@ -25,9 +25,10 @@ Triple combination(const BigInteger &s, const Triple &a, const BigInteger &t, co
   return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }
 
-// Up to four balls, scaled by 2^640 and with weights enlarged by 2^1280 times w / 2^90, M / 2^270 and, by rank, 2^-360,
-// 2^-450, 2^-540 or 2^-630: what decides alone is far below the square of the first, and what decides what is linear
-// far below the one before, times any coefficient that balls of a few steps can produce.
+// Up to four balls, scaled by 2^640. In units before scaling each weight w is enlarged by w / 2^90 (for eps_0), by M /
+// 2^270 (for eps_5) and, by the ball's rank, by 2^-360, 2^-450, 2^-540 or 2^-630. The second number is far below the
+// square of the first, and each later number is far below the one before, times any coefficient that balls of a few
+// steps can produce. There is nothing for eps_1 to eps_4.
 class ExplicitBalls {
  public:
   explicit ExplicitBalls(const TiedBalls &set) {

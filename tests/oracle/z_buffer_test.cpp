@@ -1,3 +1,4 @@
+// The z-buffer against known discs and depths, and against walks along rays.
 #include "z_buffer.hpp"
 
 #include <gtest/gtest.h>
