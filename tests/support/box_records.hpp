@@ -1,5 +1,5 @@
-// All records of the boundary of a periodic box, and what they say in places: balls and images by where they are, so
-// that neither shifts nor numbers are left.
+// All records of the boundary of a periodic box, and the same records without ids and shifts: balls and images are
+// named by their positions, so that two boundaries of one set can be compared.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct BoxedBalls {
   BallList balls;
   std::array<double, 9> box{};
 
-  // So many vectors of the box.
+  // The translation shift[0] a + shift[1] b + shift[2] c by vectors of the box.
   [[nodiscard]] Steps moved(const int32_t (&shift)[3]) const {
     Steps sum{};
     for (size_t row = 0; row < 3; ++row) {
@@ -86,8 +86,8 @@ inline PlacedVertex operator+(const PlacedVertex &vertex, const Steps &by) {
   return placed_vertex({vertex.ball[0] + by, vertex.ball[1] + by, vertex.ball[2] + by}, vertex.sign);
 }
 
-// An arc as its ball sees it: the ball on its other side, and its ends for the axis towards that. A whole circle has
-// two ends without balls.
+// An arc as one of its two balls sees it: the other ball, and the arc's ends in the sense about the axis towards the
+// other ball. A whole circle has two ends without balls.
 struct PlacedEdge {
   PlacedBall other;
   PlacedVertex from, to;
@@ -154,7 +154,7 @@ class BoxReader {
     return {image.ball, set_.given(image.ball) + set_.moved(image.shift)};
   }
   [[nodiscard]] bool is_at_place(const hsp_image &image) const { return at(image).centre == set_.place(image.ball); }
-  // The caller's order, then by z, y and x.
+  // Whether image p comes before image q: by the caller's order of the balls, then by z, y and x.
   [[nodiscard]] bool comes_first(const hsp_image &p, const hsp_image &q) const {
     const Steps a = at(p).centre, b = at(q).centre;
     return std::array<int64_t, 4>{p.ball, a[2], a[1], a[0]} < std::array<int64_t, 4>{q.ball, b[2], b[1], b[0]};
@@ -163,7 +163,7 @@ class BoxReader {
     const hsp_periodic_vertex &v = r_.vertices.at(id.id);
     return placed_vertex({at(v.image[0]), at(v.image[1]), at(v.image[2])}, v.sign) + set_.moved(id.shift);
   }
-  // How far a point is from a sphere, in parts of its size.
+  // How far a point is from the sphere of an image, in parts of the sphere's size.
   [[nodiscard]] double off(const double (&xyz)[3], const hsp_image &image, double radius) const {
     const Steps c = at(image).centre;
     const double square = std::pow(xyz[0] - static_cast<double>(c[0]), 2) +
@@ -210,14 +210,14 @@ class BoxReader {
         require(off(v.xyz, image, radius_of(image)) <= 1e-9, "a vertex lies on its spheres");
       }
       once.push_back(placed_vertex({at(v.image[0]), at(v.image[1]), at(v.image[2])}, v.sign));
-      // From each of its balls at that one's place.
+      // The vertex as seen from each of its balls, with that ball at its own place in the cell.
       for (const hsp_image &image : v.image) {
         placed_.vertices.emplace_back(once.back() + (set_.place(image.ball) - at(image).centre), v.flags != 0);
       }
     }
     std::sort(once.begin(), once.end());
     require(std::adjacent_find(once.begin(), once.end()) == once.end(), "a vertex is listed once");
-    // One with two images of one ball has two of these.
+    // A vertex of two images of one ball is listed twice.
     std::sort(placed_.vertices.begin(), placed_.vertices.end());
     placed_.vertices.erase(std::unique(placed_.vertices.begin(), placed_.vertices.end()), placed_.vertices.end());
   }
@@ -246,7 +246,7 @@ class BoxReader {
     }
     for (const uint32_t count : ends) require(count == 3, "a vertex ends three arcs");
   }
-  // Turned about the axis by the angle the start becomes the end.
+  // Requires that the start of an arc, turned about the axis by the arc's angle, is its end.
   void turn(const hsp_periodic_arc &arc, const double (&from)[3], const double (&to)[3]) {
     const double *const n = arc.axis;
     const double across[3] = {n[1] * from[2] - n[2] * from[1], n[2] * from[0] - n[0] * from[2],
@@ -355,8 +355,9 @@ class BoxReader {
   std::vector<uint32_t> parent_;
 };
 
-// Which records of one box are not the same bit for bit, but for how far balls have been moved from where they were
-// given, and for the vectors that other shifts are multiples of. Empty if there are none.
+// The first list of records in which two boxes are not the same bit for bit; empty if there is none. Shifts count as
+// equal if the places that they lead to are, so the balls may have been given in other cells and the box by other
+// vectors.
 inline std::string difference_of_records(const BoxedBalls &set, const BoxRecords &p, const BoxedBalls &other,
                                          const BoxRecords &q) {
   const auto same_number = [](double x, double y) { return x == y && std::signbit(x) == std::signbit(y); };

@@ -1,6 +1,7 @@
 // The main function of a program that holds the tests of a folder:
 //   PROGRAM [--file=NAME [--without=CASE:CASE...]] [GoogleTest's options]
-// With --file it runs the tests of one source of the folder, as ctest does, but for the cases named.
+// With --file it runs the tests of one source of the folder, as ctest does; with --without too, all but the cases
+// named.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -23,7 +23,7 @@ enum class Records { all, protein };
 // The atoms of a .pdb file, an .xyz file, or a .cif file (of which always the ATOM records alone). If the name goes on
 // with .gz the file is unpacked. Throws std::runtime_error if there are no atoms or one cannot be read.
 //
-// Files with several models or alternate locations are not read rightly: there is none among those in use.
+// Files with several models or alternate locations are not read correctly; no test uses one.
 std::vector<Atom> read_atoms(const std::filesystem::path &file, Records records = Records::all);
 
 enum class Radii {
@@ -40,11 +40,11 @@ BallList with_radii(const std::vector<Atom> &atoms, Radii radii);
 
 // A file of the project's own molecules.
 std::filesystem::path own_molecule(const std::string &name);
-// Those of the benchmarks, smallest first.
+// The names of the benchmarks' molecules, smallest first.
 std::vector<const char *> bench_molecules();
 
-// A file of the folder of further molecules: the environment variable HSP_MOLECULES or else the CMake variable of this
-// name gives it. Nothing if it is not there.
+// A file in the folder of further molecules, which the environment variable HSP_MOLECULES names, or else the CMake
+// variable HSP_MOLECULES. Nothing if there is no such file.
 std::optional<std::filesystem::path> further_molecule(const std::string &name);
 
 }  // namespace support

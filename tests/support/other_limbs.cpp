@@ -1,4 +1,5 @@
-// The exact stage with the limbs that the library does without, for tests that compare both.
+// The library's exact predicates compiled once more, with limbs of the other size (32 or 64 bits) than the library uses
+// here, for tests that compare the two.
 #include <type_traits>
 
 #include "exact/exact_predicates.cpp"

@@ -1,5 +1,6 @@
-// Handles of the C interface that own their memory: models, and those of the core. Those with limits take more memory
-// until their computation succeeds. The kinds of each component have a file of their own.
+// Handles of the C interface that own their memory: models, boundaries, topologies and contacts. A handle with limits
+// takes more memory until its computation succeeds. The handles of each component have a file of their own,
+// owned_*.hpp.
 #pragma once
 
 #include <hardsphere.h>
@@ -33,7 +34,8 @@ class OwnedModel {
   hsp_model *model_ = nullptr;
 };
 
-// Kinds of handles with limits. By the header so many enlargements by what a handle asks for lead to success.
+// Kinds of handles with limits. most_enlargements is a promise of the header: a computation succeeds after its limits
+// were raised at most so often to what the handle asked for.
 template <class HandleOfKind, class LimitsOfKind, int most_enlargements, auto bytes_of_limits, auto init_of_kind>
 struct KindOf {
   using Handle = HandleOfKind;
@@ -77,8 +79,8 @@ class OwnedHandle {
     expect(Kind::init(memory_.data(), bytes, &limits, &handle_), "_init");
   }
 
-  // `compute` takes the handle and the limits that its computation hands back, and returns its status. It is called
-  // again, with more memory, as long as limits are too small.
+  // `compute` takes the handle and the struct for the limits that the computation hands back, and returns the status.
+  // It is called again, with more memory, as long as limits are too small.
   template <class Compute>
   void compute(Compute compute) {
     for (int left = Kind::enlargements;; --left) {

@@ -1,6 +1,7 @@
-// Whether a probe of a given radius gets from one point to another: the balls are grown by it, free space around them
-// is cut into cells, and both points have to lie in one region of these. A witness of how wide a probe passes, which
-// pores say from maxima and gates without any probe.
+// Whether a probe of a given radius gets from one point to another, by the cells of the library itself (hsp_cells): the
+// balls are grown by the probe, the free space around them is cut into cells, and both points have to lie in one region
+// of cells. The pores answer the same question from maxima and gates without growing a ball: two parts of the library
+// are held against each other, and this is no independent oracle.
 #pragma once
 
 #include <hardsphere.h>
@@ -15,7 +16,7 @@ namespace support {
 
 class ProbeByCells {
  public:
-  // Of balls in lengths, which are multiples of the lattice step.
+  // The lengths of the balls must be multiples of the lattice step.
   ProbeByCells(BallList balls, double step) : balls_(std::move(balls)), step_(step) {
     size_t bytes = 0;
     failed_ = hsp_model_bytes(balls_.size(), &bytes) != HSP_OK;
@@ -23,8 +24,8 @@ class ProbeByCells {
     failed_ = failed_ || hsp_model_init(model_memory_.data(), bytes, balls_.size(), &model_) != HSP_OK;
   }
 
-  // Of a probe of that radius, another multiple of the step. `to` is null for the outside. Nothing where balls that are
-  // grown so much are beyond the lattice.
+  // Whether a probe of this radius, a multiple of the step, gets from `from` to `to`; null is the outside. No answer if
+  // the balls, grown by the probe, are too large for the lattice.
   std::optional<bool> passes(double probe, const double *from, const double *to) {
     hsp_model_options options{};
     failed_ = failed_ || hsp_model_options_init(&options, sizeof options) != HSP_OK;
@@ -38,7 +39,7 @@ class ProbeByCells {
     return here != HSP_NONE && here == there;
   }
 
-  // A call of the library that may not fail has; then nothing else that is said here counts.
+  // Whether a call of the library failed that must not fail; then no other answer of this object counts.
   bool has_failed() const { return failed_; }
 
  private:

@@ -1,4 +1,4 @@
-// Families of a few balls that tie in many ways, exactly or up to some small offset: where two patches of a smooth
+// Families of a few balls that tie in many ways, exactly or up to a small offset. For such sets two patches of a smooth
 // surface are most likely to contradict each other.
 #pragma once
 
@@ -168,13 +168,13 @@ class TiedSets {
     return set_;
   }
 
-  // Moves all balls by up to so much along each axis.
+  // Moves each ball by up to `by` along each axis.
   void move(double by, TiedSet &set) {
     for (double &x : set.balls.xyz) x += std::nearbyint((2 * fraction() - 1) * by * 1e9) / 1e9;
   }
 
  private:
-  // Braces evaluate their numbers in order.
+  // A struct, as the numbers in braces are drawn in order; the arguments of a function need not be.
   struct Ball {
     double x, y, z, radius;
   };

@@ -1,4 +1,4 @@
-// The library's boundary against the brute-force one.
+// The library's boundary against the brute-force boundary of tests/oracle, record by record.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 #include "random_balls.hpp"
 #include "smallest_failing.hpp"
 
-// Compare the boundary in the given order of the balls and in `orders` random ones. Balls are named by their rank in
+// Compares the boundary in the given order of the balls and in `orders` random orders. Balls are named by their rank in
 // the perturbation, which the order does not change.
 inline Complaint boundary_differs(int orders, uint64_t seed) {
   return [orders, seed](const oracle::Balls &balls) {

@@ -1,4 +1,5 @@
-// Lattice balls as the invariants of the C interface want them: a computed set that goes with its memory.
+// The library's results for lattice balls as a `computed` (tests/api/support/computed.h), for which the invariants of
+// the C interface are written, released with the object.
 #pragma once
 
 #include <boundary_invariants.h>

@@ -1,4 +1,5 @@
-// The library's gradients against difference quotients.
+// The library's gradients against difference quotients of areas and volumes, which `Measure` takes from slices (an
+// independent oracle) or from the library's own measures (a check of consistency).
 #pragma once
 
 #include <cstddef>
@@ -11,17 +12,18 @@
 // its square.
 struct GradientTally {
   size_t compared = 0;
-  size_t beyond = 0;                // quotients known less well than to the tolerance: compared up to their own bound
-  long double worst = 0;            // difference, of the others
-  long double worst_of_bounds = 0;  // of all
+  size_t beyond = 0;                // quotients whose error bound exceeds the tolerance, and is used in its place
+  long double worst = 0;            // largest difference of all other quotients
+  long double worst_of_bounds = 0;  // largest error bound of all quotients; infinite if no step could be used
 
   void add(const GradientTally &other);
 };
 
 inline constexpr long double gradient_tolerance = 1e-8L;
 
-// Compares dA_i/dx for every ball i, dV/dx, and the derivatives of the total area and of a weighted energy, for x the
-// four numbers of each of these balls. Empty if all agree.
+// Compares dA_i/dx for every ball i, dV/dx, and the derivatives of the total area and of a weighted energy, where x
+// runs through the four numbers of each ball of `movers`. Empty if all agree. A quotient that is not known, with an
+// infinite bound, agrees with everything: callers must limit tally.beyond.
 std::string gradients_differ(const oracle::Balls &balls, const std::vector<size_t> &movers, const Measure &measure,
                              GradientTally &tally);
 

@@ -1,4 +1,5 @@
-// Sets of balls in general position on a fine lattice: their areas and volumes are smooth functions near by.
+// Sets of balls in general position on a fine lattice: areas and volumes are smooth functions of small moves of the
+// balls.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +14,11 @@
 oracle::Balls in_general_position(const oracle::Balls &balls, oracle::RandomSource &random);
 
 // Isolated and overlapping balls, free circles, faces with holes, voids, a component in a void: 3 to 70 balls each.
-// Some of these where tests are repeated.
+// Builds that repeat tests have only some of these sets (sweep_length.hpp).
 std::vector<oracle::NamedBalls> sets_of_every_kind(uint64_t seed);
 
 // Caffeine and crambin, probe 0 and 1.4 angstrom, in units of 2^-28 angstrom.
 std::vector<oracle::NamedBalls> molecules_of_gradient_tests();
 
-// The atoms of a set whose centres lie nearest to that of the first, as they are.
+// The n balls whose centres lie nearest to the centre of the first, unchanged.
 oracle::Balls nearest_to_first(const oracle::Balls &balls, size_t n);

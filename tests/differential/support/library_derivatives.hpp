@@ -15,7 +15,7 @@ struct EnergyTerms {
   uint32_t tangency = HSP_TANGENT_OVERLAP;
 };
 
-// By ball: the derivatives by the three coordinates of its centre and by its radius.
+// The derivatives by the three coordinates of one ball's centre and by its radius.
 using FourDerivatives = std::array<double, 4>;
 
 struct LibraryGradient {

@@ -39,7 +39,7 @@ class LibraryBoundary {
   [[nodiscard]] std::vector<hsp_face> faces() const;
   [[nodiscard]] std::vector<hsp_ball> balls() const;
 
-  // All of it as the oracle writes it. Throws std::runtime_error where the numbers contradict each other.
+  // All records in the oracle's form. Throws std::runtime_error where ids or counts contradict each other.
   [[nodiscard]] oracle::BoundaryRecord record() const;
 
   struct Measures {

@@ -1,4 +1,4 @@
-// The library's areas and volume against quadrature over slices.
+// The library's areas and volume against quadrature over slices (tests/oracle/slice_quadrature.hpp).
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,8 @@
 #include "slice_quadrature.hpp"
 #include "smallest_failing.hpp"
 
-// Errors are relative to the surface of the largest ball for single balls and to the totals for totals.
+// Text about all differences of more than 1e-12: for totals relative to the total, for the area of a single ball
+// relative to the sphere of the largest ball. Empty if there are none.
 inline std::string measures_differ(const oracle::Balls &balls) {
   constexpr long double tolerance = 1e-12L;
   const oracle::SliceMeasures expected = oracle::measure_by_slices(oracle::real_balls(balls));

@@ -32,7 +32,8 @@ Balls moved(const Balls &balls, Variable variable, int64_t amount) {
   return result;
 }
 
-// Vertices and circles by their balls: where these stay the same, areas and volume are analytic functions.
+// Vertices and circles of the library's boundary by their balls: while they stay the same, areas and volume are
+// analytic.
 using Structure = std::vector<std::tuple<uint32_t, uint32_t, uint32_t, int32_t>>;
 
 Structure structure_of(const Balls &balls) {
@@ -93,14 +94,15 @@ Real largest_radius(const Balls &balls) {
 MeasuredValues measured_by_library(const Balls &balls) {
   const LibraryBoundary boundary(balls);
   const LibraryBoundary::Measures measures = boundary.measure();
-  // The area over r^2 is a sum of one or two terms per arc, each at most 2 pi and made by a few operations; eight
-  // roundings each, every one as large as the largest partial sum can be, are granted.
+  // The area over r^2 is a sum of one or two terms per arc, each at most 2 pi and made by a few operations. The bound
+  // grants each term eight roundings, each as large as that of the largest possible partial sum.
   std::vector<Real> arcs(balls.size(), 2);
   for (const hsp_arc &arc : boundary.arcs())
     for (const uint32_t ball : arc.ball) arcs[ball] += 1;
   for (const hsp_circle &circle : boundary.circles())
     for (const uint32_t ball : circle.ball) arcs[ball] += 1;
-  // A term of the volume has the area times the radius and the vector area times an arm, as long as the set at most.
+  // A term of the volume is the area times the radius plus the vector area times an arm, which is at most twice as long
+  // as the largest distance from the first centre.
   Real arm = 0;
   for (const LatticeBall &ball : balls) {
     const oracle::Vector v = oracle::centre_difference(balls.front(), ball);
@@ -117,8 +119,8 @@ MeasuredValues measured_by_library(const Balls &balls) {
 }
 
 MeasuredValues measured_by_slices(const Balls &balls) {
-  // Finer than usual: a ball's end close to the end of a circle costs digits. The rest is seen by turning the set, see
-  // tests/differential/gradient/differences_test.cpp.
+  // A finer step than usual: a ball's top or bottom close to that of a circle costs digits. Whether the noise granted
+  // below suffices is seen by turning the set, see tests/differential/gradient/differences_test.cpp.
   const oracle::SliceMeasures measures = oracle::measure_by_slices(oracle::real_balls(balls), 0.07L);
   constexpr Real relative = 2e-15L;
   const Real radius = largest_radius(balls);

@@ -1,4 +1,5 @@
-// Derivatives of areas and volume by moving and growing one ball, with bounds on their errors.
+// Derivatives of areas and volume by moving and growing one ball, with bounds on their errors. The areas and volumes
+// come from slices or from the library. Which steps can be used is decided by the library's boundary in either case.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +24,8 @@ using Measure = std::function<MeasuredValues(const oracle::Balls &)>;
 MeasuredValues measured_by_library(const oracle::Balls &balls);
 MeasuredValues measured_by_slices(const oracle::Balls &balls);
 
-// One of the numbers of a ball: 0, 1, 2 are its centre's coordinates, 3 its radius. all_balls: of all balls at once,
-// which with number 3 is the probe.
+// One of the numbers of a ball: 0, 1, 2 are its centre's coordinates, 3 its radius. With all_balls in place of a ball
+// this number of all balls changes at once, which for number 3 is a change of the probe.
 struct Variable {
   static constexpr size_t all_balls = static_cast<size_t>(-1);
   static constexpr size_t radius = 3;
@@ -39,9 +40,11 @@ struct MeasureDerivatives {
 };
 
 // By central differences over steps that are powers of two and at most an eighth of the ball's radius (so that moved
-// balls are still exact on the lattice). Steps on which the boundary has other vertices or circles than the balls as
-// given are not used; of the rest each quantity takes the four on which its error bound is least. They get shorter
-// until all bounds are below accuracy * r_max for areas and accuracy * r_max^2 for the volume, or rounding takes over.
+// balls are still exact on the lattice). A step is not used if the library's boundary of the moved balls has other
+// vertices or circles than that of the balls as given. Of the other steps each quantity takes the four consecutive ones
+// on which its error bound is least. Steps get shorter until all bounds are below accuracy * r_max for areas and
+// accuracy * r_max^2 for the volume, or rounding takes over. A quantity without four such steps has an infinite error
+// bound.
 MeasureDerivatives derivatives_by_differences(const oracle::Balls &balls, Variable variable, const Measure &measure,
                                               long double accuracy);
 

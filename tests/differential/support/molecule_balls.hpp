@@ -7,7 +7,7 @@
 #include "lattice_ball.hpp"
 #include "molecule_file.hpp"
 
-// In files lengths have three decimals and radii two: such a step loses nothing.
+// Coordinates in files have three decimals and radii two: this step loses nothing.
 inline constexpr int64_t steps_per_angstrom = 1000;
 
 // The atoms of a file with van der Waals radii, in these steps.

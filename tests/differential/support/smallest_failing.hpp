@@ -1,4 +1,4 @@
-// From a set of balls on which something fails, a smaller one on which it still does.
+// Shrinks a set of balls on which a check fails to a smaller set on which it still fails.
 #pragma once
 
 #include <functional>
@@ -9,6 +9,6 @@
 // The fault of a set of balls; empty if it has none.
 using Complaint = std::function<std::string(const oracle::Balls &)>;
 
-// The complaint about the balls (exceptions count as complaints), and if there is one, a set from which no ball can be
-// taken without silencing it, with its own complaint. Empty if all is well.
+// The complaint about the balls (an exception counts as a complaint), followed by a subset that is complained about
+// too, but no longer if any one ball is left out, and the complaint about this subset. Empty if all is well.
 std::string complaint_about_smallest(const oracle::Balls &balls, const Complaint &complaint);

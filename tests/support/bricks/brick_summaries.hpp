@@ -33,7 +33,7 @@ struct OwnedBalls {
     id.push_back(name);
     owner.push_back(of);
   }
-  // Of the balls in[i] != 0, in their order.
+  // The balls i with in[i] != 0, in their order.
   [[nodiscard]] OwnedBalls part(const std::vector<uint8_t> &in) const {
     OwnedBalls result;
     for (uint32_t i = 0; i < size(); ++i) {
@@ -59,7 +59,7 @@ class BrickMaker {
     need(hsp_workspace_set(&work_, balls.size(), balls.xyz.data(), balls.radius.data(), &options, nullptr), "set");
     need(hsp_workspace_boundary(&work_), "boundary");
   }
-  // Of what was computed last.
+  // The summary of the boundary that was computed last.
   [[nodiscard]] Summary summarise(const OwnedBalls &balls, uint32_t brick, uint32_t bricks, uint32_t flags) {
     hsp_brick_request request{};
     request.struct_size = sizeof request;
@@ -75,7 +75,7 @@ class BrickMaker {
       ++calls_;
       if (status == HSP_OK) return {memory_.begin(), memory_.begin() + static_cast<std::ptrdiff_t>(bytes)};
       if (status != HSP_E_CAPACITY || bytes <= memory_.size()) need(status, "summarise");
-      // Exactly so many, so that what is written behind them shows.
+      // Exactly as many bytes as are needed, so that a write behind them shows.
       Summary(bytes).swap(memory_);
     }
   }

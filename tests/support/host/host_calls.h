@@ -1,7 +1,7 @@
-/* Every call of the interface that a program makes, in another floating-point environment than the program's own. The
- * program is linked with wrapped_calls.c and the options of hsp_in_host_environments (CMakeLists.txt). It runs as it
- * is; its calls run in the environment that the variable HSP_HOST_ENVIRONMENT of the process names. A call that does
- * not put it back, with its flags, ends the program. */
+/* Makes every call of the interface in another floating-point environment than the program's own. The program is linked
+ * with wrapped_calls.c and the options of hsp_in_host_environments (CMakeLists.txt). The program itself runs in its own
+ * environment; its calls run in the environment that the process's variable HSP_HOST_ENVIRONMENT names. A call that
+ * returns with another environment, or other exception flags, than it was entered with ends the program. */
 #pragma once
 
 #include <fenv.h>
@@ -20,7 +20,7 @@ typedef struct host_call {
 void host_call_begins(host_call *call, const char *name);
 void host_call_ends(const host_call *call);
 
-/* From now on calls are made in this one instead, which exists. */
+/* From here on calls are made in this environment, which must exist on this processor. */
 void host_calls_choose(int environment);
 
 #ifdef __cplusplus

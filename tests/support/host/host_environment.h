@@ -1,5 +1,5 @@
-/* The floating-point environments that programs call the library in: those that compilers' options make (-ffast-math,
- * -ffpe-trap), and rounding modes. */
+/* Floating-point environments in which programs may call the library: those that compilers' options set up
+ * (-ffast-math, -ffpe-trap), and rounding modes. */
 #pragma once
 
 #ifdef __cplusplus
@@ -22,11 +22,11 @@ const char *host_environment_name(int which);
 /* Whether this processor and this C library have it. */
 int host_environment_exists(int which);
 
-/* Sets it for the calling thread, with no exception flag set but that of overflow if `flag` is not 0 and none trap:
- * with traps a flag would end the program later. */
+/* Sets the environment for the calling thread. No exception flag is set but that of overflow, and this one only if
+ * `flag` is not 0 and the environment has no traps: with traps a flag would end the program later. */
 void host_environment_set(int which, int flag);
 
-/* NULL, or what is not as host_environment_set has made it. */
+/* NULL, or the name of what differs from the environment that host_environment_set makes. */
 const char *host_environment_differs(int which, int flag);
 
 #ifdef __cplusplus
