@@ -11,7 +11,7 @@ amount amount_of_ball(double r) {
   return a;
 }
 
-/* The cap beyond a plane at distance h: Archimedes. */
+/* The cap of a ball of radius r beyond a plane at distance h from its centre: Archimedes. */
 amount amount_of_cap(double r, double h) {
   amount a;
   a.area = 2 * pi * r * (r - h);

@@ -34,7 +34,7 @@ static uint64_t derived_hash(const hsp_boundary *boundary, const hsp_boundary_co
   return bad ? 0 : hash;
 }
 
-/* With queries of the model that the boundary is of. */
+/* The answers of queries to the boundary's model are hashed too. */
 uint64_t boundary_hash(const void *boundary, const void *source, unsigned char *buffer, uint32_t room) {
   const computed *c = source;
   uint64_t hash = UINT64_C(0xCBF29CE484222325);

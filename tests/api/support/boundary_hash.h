@@ -7,17 +7,17 @@
 extern "C" {
 #endif
 
-/* FNV-1a, goes on from a hash. */
+/* The FNV-1a hash of more bytes, continued from `hash`. */
 uint64_t mixed_hash(uint64_t hash, const void *bytes, size_t size);
 
-/* Of a boundary of the model of `source`, a `computed`, by way of a buffer with room for so many of the largest
- * record; 0 if a call fails. */
+/* The hash of a boundary; `source` is the `computed` whose model the boundary is of. Records are read into `buffer`,
+ * which has room for `room` records of the largest kind. 0 if a call fails. */
 uint64_t boundary_hash(const void *boundary, const void *source, unsigned char *buffer, uint32_t room);
 
-/* No number of records of the boundary exceeds it. */
+/* An upper bound of every number of records of the boundary. */
 uint32_t boundary_room(const computed *c);
 
-/* Calls what uses scratch memory; 0 if a call fails. */
+/* Calls the functions of a boundary that use its scratch memory; 0 if a call fails. */
 int use_boundary(void *boundary);
 
 #ifdef __cplusplus

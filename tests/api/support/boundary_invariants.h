@@ -1,5 +1,5 @@
-/* Invariants of any computed boundary: what the header promises of it. Each function returns NULL, or a sentence about
- * the first one that does not hold. */
+/* Invariants of any computed boundary: the promises of the header, checked from the records alone, in C99, without the
+ * library's inner code. Each function returns NULL, or a sentence about the first invariant that does not hold. */
 #pragma once
 
 #include "computed.h"
@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/* All that follow, one after the other. */
+/* The records, then the measures. */
 const char *broken_boundary(const computed *c);
 
 /* Structure and numbers of records. Time is at most quadratic in the number of balls. */
@@ -17,7 +17,7 @@ const char *broken_boundary_records(const computed *c);
 /* Positions, angles, areas and volumes, within rounding errors. The records must be sound. */
 const char *broken_boundary_measures(const computed *c);
 
-/* The findings of hsp_boundary_check or hsp_topology_check, by its status and outputs. */
+/* A sentence if hsp_boundary_check or hsp_topology_check, whose status and outputs these are, found anything. */
 const char *broken_by_own_check(int32_t status, uint32_t invariant, uint32_t id);
 
 /* The order of the balls has no effect but on ids: ball i of `other` is ball order[i] of c. Positions and areas agree

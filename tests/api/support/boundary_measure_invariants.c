@@ -1,5 +1,5 @@
-/* Positions, angles, areas and volumes against their definitions. The tolerances are those of computing the check in
- * double, not of the library: a few hundred roundings relative to the sizes that enter. */
+/* Positions, angles, areas and volumes against their definitions. Tolerances are for the roundings of the check itself,
+ * which computes in double, not for the library: a few hundred roundings relative to the sizes that enter. */
 #include <math.h>
 
 #include "boundary_invariants.h"
@@ -118,8 +118,8 @@ static const char *broken_circle(const computed *c, const double centre[3], cons
   return NULL;
 }
 
-/* At `xyz` on both spheres, walking in direction `along` on their outside: to the left sphere b leaves ball a, and to
- * the right sphere a leaves ball b. That is where their faces are. */
+/* At `xyz` on both spheres, walking in direction `along` on the outside: to the left the sphere of ball b leaves ball
+ * a, and to the right the sphere of a leaves b. There the faces of b and a must be. */
 static const char *broken_sides(const computed *c, const double xyz[3], const double along[3], const uint32_t ball[2]) {
   uint32_t e;
   for (e = 0; e < 2; ++e) {
@@ -177,8 +177,8 @@ static void swept(const double origin[3], const double centre[3], const double a
   for (k = 0; k < 3; ++k) result[k] += radius * radius * angle * axis[k];
 }
 
-/* The volume by the divergence theorem, with the vector area of every face from its loops by Stokes: it has the wrong
- * sign if they keep their face on the right. */
+/* The volume by the divergence theorem. The vector area of every face comes from its loops by Stokes' theorem, and has
+ * the wrong sign if the loops keep their face on the right. */
 static const char *broken_loop_directions(const computed *c) {
   const double *origin = c->xyz;
   double volume = 0, terms = 0, error = 0;

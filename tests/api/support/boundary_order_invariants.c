@@ -1,12 +1,12 @@
 /* "The order of the balls has no effect but on the ids": two results are brought into a form without ids and compared
- * byte for byte. In that form a ball is named by its class, the first ball of `result` with the same centre and radius,
- * and records are sorted. */
+ * byte for byte. In this form a ball is named by the first ball of `result` with the same centre and radius, and
+ * records are sorted. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "boundary_invariants.h"
 
-/* Everything about one vertex, arc, circle, face or ball; what a kind has no use for stays 0. */
+/* Everything about one vertex, arc, circle, face or ball; fields that a kind of record does not have stay 0. */
 typedef struct plain_record {
   uint32_t name[12];
   double number[14];

@@ -1,5 +1,5 @@
-/* The header's promises about the records of a boundary and how they hang together. Numbers of properties are those of
- * hardsphere.h. */
+/* The header's promises about the records of a boundary and how they refer to each other. Properties have the numbers
+ * that hardsphere.h gives them. Which balls meet is taken from hsp_query_neighbours, not computed anew. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -262,7 +262,8 @@ static const char *broken_shells(const computed *c) {
   return good ? NULL : "shells are not the connected components of the boundary";
 }
 
-/* Components by the library's own neighbours, and the neighbour properties on the way. */
+/* The components by a union-find over the neighbours that the library names; the properties of neighbours are checked
+ * on the way. */
 static const char *broken_components(const computed *c) {
   const char *broken = NULL;
   uint32_t i, j, needed, most = 0;

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Past this number a failing loop would only bury the first reasons. */
+/* The number of failures that are printed: more would only hide the first reasons. */
 enum { FAILURES_SHOWN = 25 };
 
 static long checks_made;

@@ -1,4 +1,5 @@
-/* Everything the interface tells about one set of balls, in memory of its own. */
+/* One set of balls with its model and boundary, and everything that the interface tells about them, in memory of its
+ * own: the input of all invariants (..._invariants.h). */
 #pragma once
 
 #include <hardsphere.h>
@@ -47,13 +48,13 @@ void spread_balls(uint32_t n, const double (*ball)[4], double *xyz, double *radi
 int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,
                       computed *result);
 
-/* Computes the boundary again, in memory of its own, by so many workers in orders of that seed, and reads everything
- * again. */
+/* Computes the boundary again, in new memory, by an executor with so many workers that runs tasks in orders drawn from
+ * `seed`, and reads everything again. */
 int32_t computed_by_workers(computed *result, uint32_t workers, uint64_t seed);
 
 void computed_release(computed *result);
 
-/* How boundaries are made; they are computed from a `computed`, which needs but its model. */
+/* How boundaries are made; they are computed from a `computed` of which only the model is used. */
 extern const handle_kind boundary_handle;
 
 #ifdef __cplusplus

@@ -26,8 +26,8 @@ int32_t contacts_result_make(const computed *base, contacts_result *result);
 
 void contacts_result_release(contacts_result *result);
 
-/* How such handles are made; they are computed from a `contacts_result`, which needs but its base. Triangles and
- * tetrahedra, whose limits may be 0 for what is only counted, are not among the limits. */
+/* How such handles are made; they are computed from a `contacts_result` of which only the base is used. The limits of
+ * triangles and tetrahedra, where 0 means that they are only counted, are not among the limits of this kind. */
 extern const handle_kind contacts_handle;
 
 #ifdef __cplusplus

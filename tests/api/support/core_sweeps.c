@@ -32,8 +32,8 @@ static void no_boundary_results(const void *boundary) {
   CHECK_EQUAL(count, 12345);
 }
 
-/* Exactly the limits that are too small are reported with more than was given, and with what the full computation
- * needs: balls first, then neighbours, then vertices and circles. */
+/* Exactly the limits that are too small must come back larger than given, as large as the full computation needs: balls
+ * first, then neighbours, then vertices and circles. */
 static void check_asked(const limit_numbers *given, const limit_numbers *says, const limit_numbers *exact) {
   static const int stages[3][2] = {{1, 1}, {2, 2}, {3, 4}};
   int stage, which, enough = 1;
@@ -103,7 +103,7 @@ static void no_topology_results(const void *handle) {
   CHECK_EQUAL(count, 12345);
 }
 
-/* The limit of which 0 stands for as many as the edges allow, beside limits that are exact, and beside none. */
+/* The limit for shells, where 0 stands for as many as the edges allow: beside exact limits, and beside no limits. */
 static void sweep_shells(const known_handle *known, const topology_result *all, const char *name) {
   const uint32_t needed = all->needed.shells;
   uint32_t values[AROUND], i, few;
@@ -179,7 +179,7 @@ static void no_contacts_results(const void *contacts) {
   CHECK_EQUAL(count, 12345);
 }
 
-/* The limits of which 0 stands for simplices that are only counted: which is enough, as what is needed is. */
+/* The limits for simplices, where 0 means that they are only counted: 0 suffices, and so does the number needed. */
 static void sweep_simplices(const contacts_result *all, const char *name) {
   int dimension;
   for (dimension = 2; dimension < 4; ++dimension) {

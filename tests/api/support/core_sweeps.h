@@ -1,4 +1,4 @@
-/* Limits of the core's handles, which are boundaries, topologies and contacts, at the values that a sweep chooses. */
+/* Sweeps over the limits of the core's handles: boundaries, topologies and contacts. */
 #pragma once
 
 #include "ball_sets.h"
@@ -12,7 +12,8 @@ void sweep_boundary(const computed *all, const char *name, limits_sweep *sweep);
 void sweep_topology(const computed *c, const char *name, limits_sweep *sweep);
 void sweep_contacts(const computed *c, const char *name, limits_sweep *sweep);
 
-/* Every limit at every value below what suffices, for all sets of topology_sets.h with so many balls: HSP_E_CAPACITY,
- * no results and nothing written beside the handle's memory; with what is handed back, as often as the header says,
- * the results that there are with ample memory. Returns how many sets that were. */
+/* Tries every limit at every value below the one that suffices, for all sets of topology_sets.h of `least` to `most`
+ * balls. Each computation must return HSP_E_CAPACITY, have no results, and write nothing beside the handle's memory.
+ * With the limits handed back, as often as the header says, it must have the same results as with ample memory. Returns
+ * the number of sets. */
 uint32_t sweep_every_limit_of_core(uint32_t least, uint32_t most);

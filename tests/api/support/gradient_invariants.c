@@ -62,7 +62,7 @@ double slope_of_arcs(const computed *c, uint32_t i, uint32_t j) {
   return c->radius[i] * c->radius[j] / length(off);
 }
 
-/* Terms may be as large as this before they cancel: at least what one sphere makes of them. */
+/* A lower bound for the size of terms before they cancel: the largest term of a single whole sphere. */
 static double largest_term(const computed *c, const double *sigma, double tension, double pressure) {
   const double r = c->info.largest_radius;
   double weight = 1, slope = r;

@@ -21,7 +21,7 @@ const char *broken_gradient_flags(const computed *c, const double *sigma);
 const char *broken_area_rows(const computed *c, const double *sigma, uint32_t tangency);
 
 /* Property 3 of hsp_boundary_get_gradient: the balls of `other` are those of c in another order, with their weights.
- * Any one of equal balls may have what the others lack. */
+ * Equal balls may change places: which one of them has the derivatives is left open. */
 const char *gradient_difference_after_permutation(const computed *c, const double *sigma, const computed *other,
                                                   const double *other_sigma, uint32_t tangency);
 

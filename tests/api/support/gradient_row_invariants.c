@@ -1,5 +1,5 @@
-/* The rows of the areas' Jacobian: what hsp_boundary_get_area_row promises of each, what ties rows to each other, to
- * the boundary's arcs and circles, and to gradients. */
+/* The rows of the areas' Jacobian: the promises of hsp_boundary_get_area_row for each row, the relations between rows,
+ * and those to the boundary's arcs and circles and to gradients. */
 #include <math.h>
 #include <stdlib.h>
 

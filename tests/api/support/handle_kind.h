@@ -1,13 +1,14 @@
-/* The common side of boundaries, topologies, views and others: limits, of which each is a number, memory of a size that
- * follows from them, and a computation that tells what it needed. */
+/* The common form of all handles with limits (boundaries, topologies, views and others): limits, each of which is a
+ * number, memory whose size follows from the limits, and a computation that says which limits it needed. */
 #pragma once
 
 #include <hardsphere.h>
 #include <stddef.h>
 #include <stdint.h>
 
-/* Limits as the numbers that they consist of: struct_size, balls, neighbours and so on, and zeros. By the header at
- * most three enlargements by what a handle asks for lead to success. */
+/* A struct of limits as an array of its numbers: struct_size, balls, neighbours and so on, then zeros. The header
+ * promises that a computation succeeds after its limits were raised at most three times to what the handle asked for.
+ *  */
 enum { LIMIT_NUMBERS = 11, MOST_ENLARGEMENTS = 3 };
 typedef struct limit_numbers {
   uint32_t number[LIMIT_NUMBERS];
@@ -21,9 +22,9 @@ typedef struct handle_kind {
   int32_t (*limits_init)(void *limits, uint32_t struct_size, uint32_t balls);
   int32_t (*bytes)(const void *limits, size_t *bytes);
   int32_t (*init)(void *memory, size_t bytes, const void *limits, void **handle);
-  /* source: a computed, topology_result or view_result; limits: of struct_size bytes, or NULL */
+  /* source: the computed, topology_result, view_result ... of this kind; limits: of struct_size bytes, or NULL */
   int32_t (*compute)(void *handle, const void *source, void *limits);
-  uint32_t more_enlargements; /* than MOST_ENLARGEMENTS that may be needed */
+  uint32_t more_enlargements; /* how many more than MOST_ENLARGEMENTS the header allows for this kind */
 } handle_kind;
 
 /* The functions of hsp_boundary, hsp_topology or hsp_view as a handle_kind holds them, but for `limits_init` and
@@ -48,8 +49,9 @@ typedef struct handle_kind {
 /* Zeros, to be freed by the caller; at least one byte. Ends the program if there is no memory. */
 void *test_zeros(size_t count, size_t size);
 
-/* From no room for anything but the balls, with the limits that come back, until the computation succeeds. The limits
- * that were needed go to `needed`, which has struct_size bytes; memory was allocated and is the caller's in any case.
- * The first status that is neither HSP_OK nor an HSP_E_CAPACITY that may be, or HSP_OK. */
+/* Computes with room for nothing but the balls, and again with the limits that come back, until the computation
+ * succeeds. The limits that were needed go to `needed`, which has struct_size bytes. *memory was allocated and must be
+ * freed by the caller in any case. Returns HSP_OK, or the first status that is neither HSP_OK nor an allowed
+ * HSP_E_CAPACITY. */
 int32_t grow_until_computed(const handle_kind *kind, const void *source, uint32_t balls, void **memory, void **handle,
                             void *needed, uint32_t *enlargements);

@@ -1,10 +1,9 @@
-/* Every limit of a kind of handle at every value that matters, and its memory at every size and alignment that matters.
- */
+/* Sweeps over the limits of a kind of handle at all values that matter, and over sizes and alignments of its memory. */
 #pragma once
 
 #include "handle_kind.h"
 
-/* A computation of which everything is known. */
+/* A computation whose needed limits and results are known, from a run with ample memory. */
 typedef struct known_handle {
   const handle_kind *kind;
   const void *source; /* what handle_kind.compute takes */
@@ -18,14 +17,15 @@ typedef struct known_handle {
 } known_handle;
 
 /* Computes with every limit at 0, 1, needed-1, needed and needed+1, with every limit as the only one that suffices, and
- * with none, in memory of exactly the reported size between guard bytes: the known results, or HSP_E_CAPACITY without
- * results. From each, the limits that come back must lead to success. */
+ * with no limit that suffices, in memory of exactly the reported size between guard bytes. The outcome must be the
+ * known results, or HSP_E_CAPACITY without results; then the limits that come back must lead to success. */
 void sweep_limits(const known_handle *known, const char *name);
 
 /* The same with every limit at every value below what it needs, beside limits that are exact. */
 void sweep_every_limit(const known_handle *known, const char *name);
 
-/* A computation with room for these limits, enlarged by what it asks for until it succeeds. */
+/* Computes with the limits `from`, then with those that come back, until the computation succeeds, and checks each
+ * step. */
 void try_limits(const known_handle *known, const limit_numbers *from, size_t misalignment);
 
 /* Computes in memory of exactly the reported size at 16 alignments; one byte less is refused without a write. `more` is
@@ -38,8 +38,9 @@ typedef struct size_bound {
   double factors[LIMIT_NUMBERS];
 } size_bound;
 
-/* Sizes of a kind's memory for all limits out of `values`, which ascend: property 1, the macro bounds them; property 2,
- * they grow with each limit. Where size_t has 32 bits sizes of 2 GiB and more are refused, and only they. */
+/* The sizes of a kind's memory for all combinations of limits out of `values`, which ascend. Property 1: the macro
+ * bounds the sizes. Property 2: the sizes grow with each limit. Where size_t has 32 bits, just the sizes of 2 GiB and
+ * more are refused. */
 void sweep_sizes(const handle_kind *kind, const size_bound *bound, const uint32_t *values, int count);
 
 /* The size of the memory for such limits; SIZE_MAX stands for one that is rightly refused. */

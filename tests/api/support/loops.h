@@ -1,4 +1,5 @@
-/* Loops for executors: tasks in several orders, and loops that break the rules. */
+/* Loops for executors (hsp_executor): loops that run tasks in several orders, and loops that break the rules by
+ * forgetting, repeating or adding a task. */
 #pragma once
 
 #include <hardsphere.h>
@@ -12,21 +13,22 @@ enum { LOOP_FORGETS = LOOP_RIGHT_WAYS, LOOP_DOES_TWICE, LOOP_ADDS_ONE, LOOP_DOES
 
 typedef struct loop {
   int way;
-  uint32_t first_wrong; /* run in which a wrong way begins; before, tasks are done in order */
-  uint32_t runs;        /* made so far */
-  uint32_t most_tasks;  /* of them */
-  uint64_t seed;        /* of LOOP_SHUFFLED */
+  uint32_t first_wrong; /* the run from which on a rule is broken; earlier runs do the tasks in order */
+  uint32_t runs;        /* number of runs so far */
+  uint32_t most_tasks;  /* largest number of tasks in a run so far */
+  uint64_t seed;        /* of the order of LOOP_SHUFFLED */
 } loop;
 
 loop loop_of(int way);
 
 hsp_executor executor_of(loop *own, uint32_t workers);
 
-/* Of a loop of one's own. */
+/* An executor for any other loop. */
 hsp_executor executor_with(int32_t (*run_tasks)(void *, uint32_t, hsp_task *, void *), void *context, uint32_t workers);
 
-/* A loop that counts the questions whether to go on, and says no from number `stop_at` on, the first being 0. It comes
- * first, as it is the context of what runs it; `proceed` of the executor is stopper_proceed. */
+/* A loop whose caller counts the questions whether to go on, and says no from question number `stop_at` on, counted
+ * from 0. The executor's `proceed` is stopper_proceed. `own` is the first member, so that one context serves both
+ * functions. */
 typedef struct stopper {
   loop own;
   uint32_t asked, stop_at;

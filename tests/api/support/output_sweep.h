@@ -1,10 +1,10 @@
-/* Output arrays at every capacity that matters. */
+/* A sweep over the capacities of an output array. */
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 
-/* The values around what is needed: 0, 1, needed-1, needed, needed+1. */
+/* The number of capacities that are tried: 0, 1, needed-1, needed, needed+1. */
 enum { AROUND = 5 };
 void values_around(uint32_t needed, uint32_t values[AROUND]);
 

@@ -3,7 +3,7 @@
 
 #include "computed.h"
 
-/* An id may name any of several equal balls. */
+/* Whether the balls are equal: an id may name any of several equal balls. */
 static inline int same_ball(const computed *a, uint32_t i, const computed *b, uint32_t j) {
   if (i == HSP_NONE || j == HSP_NONE) return i == j;
   if (i >= a->n || j >= b->n) return 0;

@@ -118,8 +118,8 @@ static const char *broken_edge_records(const topology_result *t) {
   return extra == t->counts.cut_edges ? NULL : "cut_edges is not the number of edges of that kind";
 }
 
-/* An edge's left side lies on the axis's side, so with ball a on its left, the lower one, it runs against the
- * boundary's sense. `start` and `end` as the boundary has them. */
+/* The left side of an edge is the side that its axis points to. So an edge with the lower ball a on its left runs
+ * against the sense of the boundary's arc. `start` and `end` become its ends in the sense of the boundary. */
 static const char *broken_piece(const topology_result *t, const hsp_topology_edge *edge, const uint32_t ball[2],
                                 const uint32_t face[2], uint32_t *start, uint32_t *end) {
   const uint32_t against = edge->ball[0] == ball[0];

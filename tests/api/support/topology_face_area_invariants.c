@@ -1,6 +1,6 @@
-/* The areas of simple faces from nothing but their loops, by the theorem of Gauss and Bonnet: a loop that does not
- * bound one disc on the left of its edges, or that runs the wrong way, has the wrong area. The simple faces of a
- * maximal face sum to its area. */
+/* The areas of simple faces from their loops alone, by the theorem of Gauss and Bonnet. A loop that does not bound one
+ * disc on the left of its edges, or runs the wrong way, gives a wrong area. The areas of the simple faces of a maximal
+ * face must sum to the area of the maximal face that the library measures. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -40,8 +40,8 @@ static int is_too_small(const hsp_topology_edge *edge, double sphere_radius) {
   return edge->radius < 1e-4 * sphere_radius || position_error(edge->centre) > 1e-9 * edge->radius;
 }
 
-/* The area over radius squared; NaN where directions are too uncertain: on small circles, and at cusps, where a turn to
- * the left is no different from one to the right. */
+/* The area over radius squared. NaN, and so unchecked, where directions are too uncertain: on small circles, and at
+ * cusps, where a turn to the left cannot be told from one to the right. */
 static double face_angle(const topology_result *t, const hsp_simple_face *face) {
   const computed *c = t->base;
   const double *centre = c->xyz + 3 * face->ball;

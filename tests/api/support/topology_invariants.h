@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/* All but the last of those that follow, one after the other. */
+/* All invariants of one topology that are declared below, one after the other. */
 const char *broken_topology(const topology_result *t);
 
 /* The quad-edge algebra, and that flat arrays and functions agree. */
@@ -29,8 +29,8 @@ const char *broken_topology_face_areas(const topology_result *t);
 /* Scans of outer shells start where the highest point is. */
 const char *broken_topology_start_faces(const topology_result *t);
 
-/* The order of the balls has no effect but on ids: those of `other` are those of t in another order. Positions and
- * angles agree bit for bit, areas and volumes up to rounding. */
+/* The order of the balls has no effect but on ids. `other` has the balls of t in another order: positions and angles
+ * agree bit for bit, areas and volumes up to rounding. */
 const char *topology_difference_after_permutation(const topology_result *t, const topology_result *other);
 
 #ifdef __cplusplus

@@ -52,7 +52,7 @@ static uint64_t vertex_name(const computed *c, const hsp_topology_vertex *v) {
   return mixed(hash, ball_name(c, v->ball[0]) + ball_name(c, v->ball[1]) + ball_name(c, v->ball[2]));
 }
 
-/* By its ball and the ends of its edges. */
+/* A simple face's name: from its ball and the ends of its edges. */
 static uint64_t face_name(const topology_result *t, const hsp_simple_face *f, const uint64_t *names) {
   uint32_t q = f->q;
   uint64_t loop = 0;
@@ -64,7 +64,7 @@ static uint64_t face_name(const topology_result *t, const hsp_simple_face *f, co
   return mixed(loop, ball_name(t->base, f->ball));
 }
 
-/* By the order of its simple faces. */
+/* A shell's name: from the order in which its scan meets simple faces. */
 static uint64_t scan_name(const topology_result *t, uint32_t shell, const uint64_t *face_names) {
   const uint32_t count = t->shells[shell].simple_faces;
   uint32_t needed = 0, k;
@@ -77,7 +77,8 @@ static uint64_t scan_name(const topology_result *t, uint32_t shell, const uint64
 }
 
 static void plain_edge(const computed *c, const hsp_topology_edge *edge, const uint64_t *names, plain_record *plain) {
-  /* which ball is on the left is a matter of ids; the axis that points to greater x, y, z is not */
+  /* Which ball is on the left depends on ids. So the edge is named in the sense in which its axis points to greater x,
+   * y, z. */
   const double *u = edge->axis;
   const int turned = u[0] != 0 ? u[0] < 0 : u[1] != 0 ? u[1] < 0 : u[2] < 0;
   int axis;

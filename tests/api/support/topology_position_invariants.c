@@ -5,7 +5,7 @@
 #include "topology_invariants.h"
 #include "vectors.h"
 
-/* How far a position may be off, with what the lattice moved. */
+/* The allowed error of a position, the move to the lattice included. */
 static double slack(const computed *c, const double xyz[3]) {
   return 1e-9 * c->info.largest_radius + 4 * position_error(xyz) + 8 * c->rounding;
 }
@@ -105,7 +105,8 @@ static const char *broken_side(const computed *c, const hsp_topology_edge *edge)
   return NULL;
 }
 
-/* A great circle in a plane that contains z: across x if the sphere is whole, else through the axis of a circle. */
+/* An extra edge lies on a great circle in a plane that contains the z direction: orthogonal to x if the sphere is
+ * whole, else through the axis of one of the sphere's circles. */
 static const char *broken_extra(const topology_result *t, const hsp_topology_edge *edge) {
   const computed *c = t->base;
   const uint32_t ball = edge->ball[0];

@@ -1,6 +1,6 @@
-/* The simple face where the scan of an outer shell starts holds the component's highest point: from a point just left
- * of one of its edges, a great circle's arc to that point crosses the face's loop an even number of times, or the loop
- * goes through the point itself. */
+/* The simple face where the scan of an outer shell starts holds the component's highest point. The check: an arc of a
+ * great circle, from a point just left of one of the face's edges to the highest point, crosses the face's loop an even
+ * number of times; or the loop goes through the highest point itself. */
 #include <math.h>
 
 #include "topology_invariants.h"

@@ -5,8 +5,8 @@
 
 #include "check.h"
 
-/* With the address sanitizer some bytes of a handle's memory stay out of reach, see core/poison.hpp, also when the
- * memory is used for something else. */
+/* With the address sanitizer some bytes of a handle's memory stay poisoned (core/poison.hpp), even when the memory is
+ * used for something else. */
 #if defined(__SANITIZE_ADDRESS__)
 #define HAS_ADDRESS_SANITIZER
 #elif defined(__has_feature)

@@ -28,7 +28,7 @@ static inline int near(double a, double b, double tolerance) {
   return fabs(a - b) <= tolerance; /* false for NaN */
 }
 
-/* More than a position computed from coordinates of this size is off by the roundings of coordinates. */
+/* An upper bound of the error that the rounding of coordinates of this size causes in a computed position. */
 static inline double position_error(const double xyz[3]) {
   return 1e-15 * (fabs(xyz[0]) + fabs(xyz[1]) + fabs(xyz[2]));
 }

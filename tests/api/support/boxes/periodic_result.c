@@ -5,7 +5,7 @@
 
 HANDLE_FUNCTIONS(periodic)
 
-/* On the lattice of the set's model, and without a probe, as its radii have that. */
+/* Computes on the lattice of the set's model, and without a probe, as the radii include it. */
 static int32_t compute_handle(void *handle, const void *source, void *limits) {
   const periodic_result *p = source;
   hsp_model_options options;
@@ -47,7 +47,7 @@ static void choose_box(periodic_result *p) {
   p->box[7] = 0.375 * p->box[4];
 }
 
-/* By a rotation of sevenths. */
+/* Turns the vectors of the box by a rotation matrix whose entries are multiples of 1/7. */
 static void turn_box(periodic_result *p) {
   static const double sevenths[9] = {2, 3, 6, 3, -6, 2, 6, 2, -3};
   double turned[9];

@@ -28,12 +28,12 @@ typedef struct periodic_result {
  * periodic_result_release in either case. */
 int32_t periodic_result_make(const computed *base, periodic_result *result);
 
-/* The same of the same vectors turned, so that no component of them is 0. */
+/* The same with the vectors of the box turned, so that none of their components is 0. */
 int32_t periodic_result_make_turned(const computed *base, periodic_result *result);
 
 void periodic_result_release(periodic_result *result);
 
-/* How such handles are made; they are computed from a `periodic_result`, which needs but its base and box. */
+/* How such handles are made; they are computed from a `periodic_result` of which only base and box are used. */
 extern const handle_kind periodic_handle;
 
 #ifdef __cplusplus

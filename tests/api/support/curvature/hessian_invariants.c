@@ -77,7 +77,8 @@ static const char *broken_symmetry(const hessian *h) {
   return NULL;
 }
 
-/* Row i times x [n][3], less `expected`; `size` is what parts of it may cancel to. */
+/* Whether row i times x [n][3] is `expected`, to 1e-12 of the sizes of all terms and of `size`, which bounds terms that
+ * cancel within a block. */
 static int row_gives(const hessian *h, uint32_t i, const double *x, const double expected[3], double size) {
   double sum[3] = {-expected[0], -expected[1], -expected[2]};
   uint32_t k, p, q;
@@ -93,9 +94,11 @@ static int row_gives(const hessian *h, uint32_t i, const double *x, const double
   return near(sum[0], 0, 1e-12 * size) && near(sum[1], 0, 1e-12 * size) && near(sum[2], 0, 1e-12 * size);
 }
 
-/* How large the terms of a block may be: of the volume 2 pi r_i r_j / d, where one has a radius of 0 what cancels to
- * that; of the area what that changes by as radii grow by their weights: the ends of arcs on a circle of small radius
- * rho move by (r / rho)^2. Vertices near the plane of their centres add more, which is in the block then. */
+/* A bound for the terms that cancel within the block of balls i and j at distance d. The volume has terms of 2 pi r_i
+ * r_j / d, for which 7 (r_i + r_j)^2 / d is taken, as terms remain that cancel if a radius is 0. The area has the
+ * change of these terms as radii grow by their weights: the ends of arcs on a circle of small radius rho move by (r /
+ * rho)^2. Where a vertex is near the plane of its centres there are larger terms, but the block's own entries show
+ * them. */
 static double size_of_terms(const computed *c, const hsp_gradient_request *request, uint32_t i, uint32_t j) {
   const double own = c->radius[i], other = c->radius[j], sum = own + other;
   const double growth = request->sigma == NULL ? sum : own * fabs(request->sigma[i]) + other * fabs(request->sigma[j]);

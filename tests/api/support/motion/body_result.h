@@ -7,12 +7,12 @@
 extern "C" {
 #endif
 
-/* In the same place; turned a little; beside itself, turned over. */
+/* The poses: in the same place; turned a little; beside itself, turned over. */
 enum { BODY_POSES = 3 };
 extern const hsp_pose body_poses[BODY_POSES];
 extern const hsp_rational_pose body_rational_poses[BODY_POSES];
 
-/* Bodies have a number of balls; as limits of a handle_kind. */
+/* A body's only limit is a number of balls; here in the form of the limits of a handle_kind. */
 typedef struct body_limits {
   uint32_t struct_size;
   uint32_t balls;
@@ -33,7 +33,7 @@ int32_t body_result_make(const computed *base, body_result *result);
 
 void body_result_release(body_result *result);
 
-/* How bodies are made; they are set from a `body_result`, which needs but its base. */
+/* How bodies are made; they are set from a `body_result` of which only the base is used. */
 extern const handle_kind body_handle;
 
 #ifdef __cplusplus

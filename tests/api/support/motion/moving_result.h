@@ -24,7 +24,7 @@ int32_t moving_result_make(const computed *base, moving_result *result);
 
 void moving_result_release(moving_result *result);
 
-/* How such handles are made; they are set from a `moving_result`, which needs but its base. */
+/* How such handles are made; they are set from a `moving_result` of which only the base is used. */
 extern const handle_kind moving_handle;
 
 #ifdef __cplusplus

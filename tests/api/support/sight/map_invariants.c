@@ -43,7 +43,7 @@ static const char *broken_points(const map_result *m) {
     const hsp_map_edge *edge = &m->edges[e];
     for (end = 0; end < 2; ++end) {
       const double t = end == 0 ? edge->from : edge->to;
-      /* A T is as deep as its stem. */
+      /* A T has the depth of its stem, the edge that ends there; of the other edges x and y alone are compared. */
       const hsp_map_vertex *vertex = &m->vertices[edge->vertex[end]];
       const int axes = vertex->kind == HSP_MAP_T && vertex->h != 2 * e + (uint32_t)end ? 2 : 3;
       hsp_map_point point;
@@ -61,7 +61,7 @@ static const char *broken_points(const map_result *m) {
   return NULL;
 }
 
-/* From each loop of a face to the next one: as many as the record says. */
+/* Following each face from loop to loop must give as many loops as its record says. */
 static const char *broken_loops(const map_result *m) {
   uint32_t f;
   for (f = 0; f < m->info.faces; ++f) {

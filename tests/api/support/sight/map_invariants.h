@@ -11,12 +11,12 @@ extern "C" {
 /* Steps, records and areas, and what hsp_map_check says. */
 const char *broken_map(const map_result *m);
 
-/* The answers of hsp_map_pick, and what edges have on either side, are what is seen: looks at `samples` points of every
- * ball, chosen by seed, and at one of every edge. */
+/* The owners that hsp_map_pick names, and those on either side of edges, against the fronts of all balls: at `samples`
+ * points of every ball, chosen by seed, and beside one point of every edge. */
 const char *broken_map_regions(const map_result *m, uint32_t samples, uint64_t seed);
 
-/* The order of the balls has no effect but on ids: those of `other` are those of m in another order. Doubles agree bit
- * for bit, and records in their order. */
+/* The order of the balls has no effect but on ids. `other` has the balls of m in another order: doubles agree bit for
+ * bit, and records come in the same order. */
 const char *map_difference_after_permutation(const map_result *m, const map_result *other);
 
 #ifdef __cplusplus

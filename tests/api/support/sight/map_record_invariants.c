@@ -97,8 +97,8 @@ static const char *broken_vertices(const map_records *m) {
   return NULL;
 }
 
-/* Twice the area that a directed edge sweeps about a point: of a line that of a triangle, else by Gauss's rule on short
- * parts. */
+/* Twice the area that a directed edge sweeps about a point: a triangle for a straight edge, else by Gauss's quadrature
+ * over short parts of the edge. */
 static double swept_twice(const hsp_map_edge *edge, const double about[2]) {
   static const double node = 0.57735026918962576451;
   enum { PARTS = 64 };

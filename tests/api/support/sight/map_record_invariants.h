@@ -8,9 +8,9 @@ typedef struct map_records {
   const hsp_map_vertex *vertices;
   const hsp_map_edge *edges;
   const hsp_map_face *faces;
-  const double *area; /* of each body */
-  uint32_t balls;     /* bodies are balls, then */
-  uint32_t sticks;    /* the halves of so many sticks */
+  const double *area; /* of each body: balls first, then halves of sticks */
+  uint32_t balls;     /* number of balls */
+  uint32_t sticks;    /* number of sticks, with two halves each */
   double largest;     /* radius */
   double extent;      /* of the coordinates */
 } map_records;

@@ -16,7 +16,7 @@ static const char *broken_sight(const map_result *m, const placed_balls *balls, 
   if (seen == HSP_NONE) {
     if (sight.depth != -INFINITY) return "the background has a depth";
   } else {
-    /* Where a front is steep, to move its ball changes the depth by more. */
+    /* Where a ball's front is steep, a small move of the ball changes the depth by more. */
     const double front = front_height(balls, seen, p);
     const double steep = balls->c->radius[seen] / fmax(1e-9, front - balls->position[seen][2]);
     if (!near(sight.depth, front, balls->margin + 4 * steep * m->info.perturbation))
@@ -27,7 +27,7 @@ static const char *broken_sight(const map_result *m, const placed_balls *balls, 
   return NULL;
 }
 
-/* A little to the left and right of an edge, where that is far enough from all else. */
+/* The owners a little to the left and to the right of an edge, where no other edge is as close. */
 static const char *broken_sides(const map_result *m, const placed_balls *balls, uint32_t e) {
   const hsp_map_edge *edge = &m->edges[e];
   const double t = edge->from + 0.4 * (edge->to - edge->from);

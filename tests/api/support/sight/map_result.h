@@ -27,7 +27,7 @@ int32_t map_result_make(const computed *base, const hsp_view_options *options, m
 
 void map_result_release(map_result *result);
 
-/* How such handles are made; they are computed from a `map_result`, which needs but its base and options. */
+/* How such handles are made; they are computed from a `map_result` of which only base and options are used. */
 extern const handle_kind map_handle;
 
 #ifdef __cplusplus

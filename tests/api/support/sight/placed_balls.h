@@ -1,4 +1,5 @@
-/* The balls of a set in view coordinates, from the caller's own numbers, and which of them is seen at a point. */
+/* The balls of a set in view coordinates, computed from the caller's numbers and the frame of a view or map, and which
+ * of the balls is seen at a point, by looking at all of them. */
 #pragma once
 
 #include "computed.h"
@@ -9,8 +10,8 @@ extern "C" {
 
 typedef struct placed_balls {
   const computed *c;     /* must outlive it */
-  double (*position)[3]; /* [n] of the centres, right, up and towards the viewer */
-  double margin;         /* what is nearer than this to a sphere is left undecided */
+  double (*position)[3]; /* [n] centres: right, up and towards the viewer */
+  double margin;         /* a point nearer than this to a silhouette or another front is undecided */
 } placed_balls;
 
 /* The frame is that of a view or map: its origin and unit vectors. To be followed by placed_balls_release. */
@@ -19,11 +20,11 @@ void placed_balls_make(const computed *c, const double origin[3], const double r
 
 void placed_balls_release(placed_balls *placed);
 
-/* The ball that is seen over p, HSP_NONE if none is, UNSURE_BALL if that is not for sure. */
+/* The ball that is seen at the point p of the view plane, HSP_NONE if there is none, UNSURE_BALL if it is undecided. */
 #define UNSURE_BALL (HSP_NONE - 1)
 uint32_t seen_ball(const placed_balls *placed, const double p[2]);
 
-/* The height of ball i's front over p, of its centre beside its disc. */
+/* The height of ball i's front over p; the height of its centre if p is beside the ball's disc. */
 double front_height(const placed_balls *placed, uint32_t i, const double p[2]);
 
 #ifdef __cplusplus

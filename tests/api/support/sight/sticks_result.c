@@ -20,7 +20,7 @@ const handle_kind sticks_handle = {(uint32_t)sizeof(hsp_sticks_limits),
                                    compute_handle,
                                    9};
 
-/* Conflicts are found before there is need of room for pairs and edges. */
+/* Leaves out sticks that are in conflict. Conflicts are found before room for pairs and edges is needed. */
 static void choose_sticks(sticks_result *s) {
   const hsp_sticks_limits limits = {(uint32_t)sizeof limits, s->base->n, STICKS_OF_RESULT, 0, 0};
   size_t bytes = 0;

@@ -15,7 +15,7 @@ typedef struct sticks_result {
   hsp_stick
       stick[STICKS_OF_RESULT]; /* those that conflict with nothing, of a few between balls that follow each other */
   uint32_t count;
-  double radius; /* a quarter of the least one of the balls above 0 */
+  double radius; /* of the sticks: a quarter of the least positive radius of a ball */
   void *memory;
   hsp_sticks *sticks;
   hsp_sticks_limits needed; /* exactly */
@@ -36,7 +36,7 @@ int32_t sticks_result_make_like(const computed *base, const sticks_result *like,
                                 sticks_result *result);
 void sticks_result_release(sticks_result *result);
 
-/* How such handles are made; they are computed from a `sticks_result`, which needs but its base, options and sticks. */
+/* How such handles are made; they are computed from a `sticks_result` of which base, options and sticks are used. */
 extern const handle_kind sticks_handle;
 
 #ifdef __cplusplus

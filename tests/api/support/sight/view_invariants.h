@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/* The two that follow, one after the other. */
+/* The records, then the arcs. */
 const char *broken_view(const view_result *v);
 
 /* The frame, how pieces, loops and arcs are numbered and joined, and their order. Time is quadratic in the number of
@@ -18,19 +18,19 @@ const char *broken_view_records(const view_result *v);
 /* The numbers of each arc, and the areas that arcs enclose. */
 const char *broken_view_arcs(const view_result *v);
 
-/* The regions that loops enclose are the pieces as they are defined, and the last piece painted is the ball that is
- * seen: looks at `samples` points of every ball, chosen by seed. */
+/* The regions that loops enclose against the definition of a piece, and the last piece painted against the ball that is
+ * seen, at `samples` points of every ball, chosen by seed. */
 const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t seed);
 
-/* The order of the balls has no effect but on ids: those of `other` are those of v in another order. Doubles agree bit
- * for bit, and records in their order. */
+/* The order of the balls has no effect but on ids. `other` has the balls of v in another order: doubles agree bit for
+ * bit, and records come in the same order. */
 const char *view_difference_after_permutation(const view_result *v, const view_result *other);
 
 /* Front parts of the boundary have the same area in the view plane as back parts: two views of HSP_PIECES_OUTSIDE_ALL
  * and HSP_VIEW_ALL_BALLS from opposite directions. */
 const char *view_difference_from_behind(const view_result *front, const view_result *back);
 
-/* How far a position may be off: parts of the set's extent and of the radius that matters. */
+/* The allowed error of a position: parts of the set's extent and of `radius`. */
 double view_rounding(const view_result *v, double radius);
 
 #ifdef __cplusplus

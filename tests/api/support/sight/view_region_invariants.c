@@ -1,5 +1,6 @@
 /* The regions that a view's loops enclose, at sample points, against the definition of a piece: the part of the front
- * hemisphere outside farther balls (G) or outside all balls (H). And what is painted last against what is seen. */
+ * hemisphere outside farther balls (G) or outside all balls (H). And the piece that is painted last at a point against
+ * the ball that is seen there. The definitions are evaluated over all balls, from the caller's numbers. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -13,7 +14,7 @@ typedef struct scene {
   const view_result *v;
   placed_balls balls;
   uint32_t *piece;     /* of each ball, or HSP_NONE */
-  uint32_t *contained; /* lies in another ball, of equal ones all */
+  uint32_t *contained; /* whether each ball lies in another one; of equal balls all do */
 } scene;
 
 static void scene_make(const view_result *v, scene *s) {
@@ -61,7 +62,7 @@ static int winding(const view_result *v, uint32_t piece, const double p[2]) {
       for (lap = -3; lap <= 3; ++lap) {
         const double at = t + 2 * pi * lap;
         if (at < low || at >= high) continue;
-        /* upwards at the root before the top, that is root -1 */
+        /* the arc goes upwards at the root before its top, which is root -1 */
         turns += (root < 0) == (arc->to > arc->from) ? 1 : -1;
       }
     }
@@ -145,7 +146,7 @@ const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t
     for (k = 0; k < samples && broken == NULL; ++k) {
       const double part = 0.999 * sqrt(random_fraction(&state)), angle = 2 * pi * random_fraction(&state);
       int tries;
-      /* a defect covers an area; what rounding does to an arc is gone a little aside */
+      /* A defect covers an area. What rounding does to an arc no longer shows a little aside: hence three tries. */
       for (tries = 0; tries < 3; ++tries) {
         const double aside = 1e-5 * tries;
         const double p[2] = {s.balls.position[i][0] + (part - aside) * c->radius[i] * cos(angle + aside),

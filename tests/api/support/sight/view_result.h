@@ -27,7 +27,7 @@ int32_t view_result_make(const computed *base, const hsp_view_options *options, 
 
 void view_result_release(view_result *result);
 
-/* How such handles are made; they are computed from a `view_result`, which needs but its base and options. */
+/* How such handles are made; they are computed from a `view_result` of which only base and options are used. */
 extern const handle_kind view_handle;
 
 #ifdef __cplusplus

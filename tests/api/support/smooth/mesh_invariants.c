@@ -16,8 +16,8 @@ uint32_t *patches_of_vertices(const mesh_result *m) {
   return patch;
 }
 
-/* How far a vertex may be off: roundings, what the lattice moved, and 2^-37 of the radius for points around a place
- * where balls touch, which are 2^-18 of it apart. */
+/* The allowed error of a vertex: roundings, the move to the lattice, and 2^-37 of the radius. The last is for the
+ * points around a place where balls touch, which are 2^-18 of the radius apart. */
 static double slack(const computed *c, const double xyz[3]) {
   return 4 * position_error(xyz) + 1e-11 * c->info.largest_radius + 8 * c->rounding;
 }

@@ -1,4 +1,4 @@
-/* Where the vertices of a mesh lie. */
+/* Where the vertices of a mesh lie, checked against all balls. */
 #pragma once
 
 #include "mesh_result.h"
@@ -7,8 +7,9 @@
 extern "C" {
 #endif
 
-/* Of a boundary's mesh, by all balls: a vertex is inside none and on the one that it names, and its normal has length 1
- * and inside of a patch points away from that. NULL, or a sentence about the first one that does not hold. */
+/* For the mesh of a boundary: a vertex is inside no ball and on the sphere of the ball that it names. Its normal has
+ * length 1 and, inside of a patch, points away from this ball. NULL, or a sentence about the first promise that does
+ * not hold. */
 const char *broken_mesh_vertices(const mesh_result *m);
 
 /* For each vertex 1 more than the patch that it is in, or HSP_NONE if it is in several. To be freed. */

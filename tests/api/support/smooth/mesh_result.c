@@ -74,7 +74,7 @@ void mesh_result_release(mesh_result *m) {
 
 /* ---- a closed surface ---- */
 
-/* A corner of a triangle, seen from its vertex: the triangle lies between the ways to `next` and `last`. */
+/* A corner of a triangle, seen from its vertex: the triangle lies between the edges to vertices `next` and `last`. */
 typedef struct wedge {
   uint32_t vertex, next, last;
 } wedge;
@@ -86,7 +86,8 @@ static int compare_wedges(const void *a, const void *b) {
   return 0;
 }
 
-/* The ring of the `count` wedges of one vertex: each begins where another one ends, and one way around has them all. */
+/* The fault of the wedges of one vertex, or NULL: each must begin where another one ends, and going around from one
+ * must meet them all. */
 static const char *ring_fault(const wedge *ring, size_t count) {
   size_t at = 0, seen = 0, k;
   for (k = 1; k < count; ++k) {

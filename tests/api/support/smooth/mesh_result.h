@@ -28,14 +28,14 @@ int32_t mesh_result_make_surface(const surface_result *base, double edge, mesh_r
 
 void mesh_result_release(mesh_result *result);
 
-/* How such handles are made; they are computed from a `mesh_result`, which needs but its base, surface and edge. */
+/* How such handles are made; they are computed from a `mesh_result` of which base, surface and edge are used. */
 extern const handle_kind mesh_handle;
 
-/* The first fault of a surface of these triangles that should be closed and oriented: an edge that is not in two of
- * them in opposite directions, a vertex without a ring, a number out of range. NULL if nothing is. */
+/* The first fault of the triangles as a closed and oriented surface: an edge that is not in two triangles in opposite
+ * directions, a vertex whose triangles are not one ring, a number out of range. NULL if there is none. */
 const char *mesh_fault(const mesh_result *mesh);
 
-/* The volume that the triangles enclose, about a point. */
+/* The volume that the triangles enclose: the sum of the tetrahedra with `about` as apex. */
 double mesh_volume(const mesh_result *mesh, const double about[3]);
 double mesh_area(const mesh_result *mesh);
 

@@ -24,7 +24,7 @@ int32_t surface_result_make(const computed *base, surface_result *result);
 
 void surface_result_release(surface_result *result);
 
-/* How such handles are made; they are computed from a `surface_result`, which needs but its base. */
+/* How such handles are made; they are computed from a `surface_result` of which only the base is used. */
 extern const handle_kind surface_handle;
 
 #ifdef __cplusplus

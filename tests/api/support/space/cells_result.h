@@ -24,7 +24,7 @@ int32_t cells_result_make(const computed *base, cells_result *result);
 
 void cells_result_release(cells_result *result);
 
-/* How such handles are made; they are computed from a `cells_result`, which needs but its base. */
+/* How such handles are made; they are computed from a `cells_result` of which only the base is used. */
 extern const handle_kind cells_handle;
 
 #ifdef __cplusplus

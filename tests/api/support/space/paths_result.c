@@ -5,7 +5,7 @@
 
 /* ---- where to go ---- */
 
-/* The box around all balls, and as much again as the largest radius. */
+/* The box around all balls, larger on all sides by the largest radius. */
 static void box_around(const computed *base, double *low, double *high) {
   double largest = 1;
   uint32_t i;

@@ -18,13 +18,13 @@ typedef struct paths_result {
   hsp_path path;
 } paths_result;
 
-/* Compute everything. The first status that is not HSP_OK, or HSP_OK. To be followed by the release in either case. */
+/* Computes everything. The first status that is not HSP_OK, or HSP_OK. To be followed by the release in either case. */
 int32_t paths_result_make(const computed *base, paths_result *result);
 
 void paths_result_release(paths_result *result);
 
-/* How such handles are made; they are computed from a `paths_result`, which needs its base and points. The path is part
- * of it. */
+/* How such handles are made; they are computed from a `paths_result` of which base and points are used. Finding the
+ * path is part of the computation. */
 extern const handle_kind paths_handle;
 
 #ifdef __cplusplus

@@ -7,11 +7,11 @@
 extern "C" {
 #endif
 
-/* Down to where the largest ball has no radius left, with the tunnel from the widest maximum, if there is one, to the
- * outside. */
+/* Pores down to the level at which the largest ball has no radius left, with the tunnel from the widest maximum, if
+ * there is one, to the outside. */
 typedef struct pores_result {
   const computed *base;         /* what it was computed from; must outlive it */
-  const hsp_periodic *periodic; /* or NULL: instead of that, above the floor 0 and without a tunnel; likewise */
+  const hsp_periodic *periodic; /* if not NULL, its pores, above the floor 0 and without a tunnel; must outlive this */
   void *memory;
   hsp_pores *pores;
   hsp_pores_limits needed; /* exactly */
@@ -20,16 +20,16 @@ typedef struct pores_result {
   hsp_tunnel tunnel;
 } pores_result;
 
-/* Compute everything. The first status that is not HSP_OK, or HSP_OK. To be followed by the release in either case. */
+/* Computes everything. The first status that is not HSP_OK, or HSP_OK. To be followed by the release in either case. */
 int32_t pores_result_make(const computed *base, pores_result *result);
 int32_t pores_result_make_in_box(const computed *base, const hsp_periodic *periodic, pores_result *result);
 void pores_result_release(pores_result *result);
 
-/* Find that tunnel of pores that were computed. */
+/* Finds the tunnel from the widest maximum to the outside in pores that were computed. */
 int32_t find_widest_tunnel(hsp_pores *pores, hsp_tunnel *tunnel, hsp_pores_limits *limits);
 
-/* How such handles are made; they are computed from a `pores_result`, which needs its base. The tunnel is part of
- * it. */
+/* How such handles are made; they are computed from a `pores_result` of which the base is used. Finding the tunnel is
+ * part of the computation. */
 extern const handle_kind pores_handle;
 
 #ifdef __cplusplus

@@ -1,11 +1,12 @@
-/* One handle of each kind over a small set of balls, and what they hold, to be compared before and after a call. */
+/* A handle of each of several kinds over one small set of balls, and copies of what they hold, to be compared before
+ * and after a call. */
 #pragma once
 
 #include <hardsphere.h>
 
 enum { BALLS = 4, FEW = 1, VERTICES = 8, EDGES = 64, ARCS = 64, SIZE = 65536 };
 
-/* Three balls that have two vertices in common, one apart. */
+/* Three balls that have two vertices in common, and a fourth ball apart. */
 extern const double four_xyz[3 * BALLS];
 extern const double four_radius[BALLS];
 extern const double four_inside[3]; /* a point that three of them contain */
@@ -20,13 +21,13 @@ typedef struct four_handles {
   void *model_memory, *boundary_memory, *topology_memory, *view_memory, *map_memory;
 } four_handles;
 
-/* Limits that suffice for all balls, or for so few of them. */
+/* Limits that suffice for all balls or, if `balls` is FEW, for that many. */
 hsp_boundary_limits four_boundary_limits(uint32_t balls);
 hsp_topology_limits four_topology_limits(uint32_t balls);
 hsp_view_limits four_view_limits(uint32_t balls);
 hsp_map_limits four_map_limits(uint32_t balls);
 
-/* Empty handles: model and boundary have room for all balls, the others for so many. Always in the same memory. */
+/* Empty handles: model and boundary have room for all balls, the others for `balls`. All calls use the same memory. */
 four_handles four_handles_make(uint32_t balls);
 
 /* Sets the model to the first balls. */
@@ -44,8 +45,8 @@ typedef struct model_contents {
 
 model_contents contents_of_model(const hsp_model *model);
 
-/* A surface and a mesh over the boundary of such a set: the surface has room for so many balls, the mesh for all with
- * edges of 2, not for much shorter ones. Always in the same memory, of so many bytes each. */
+/* A surface and a mesh over the boundary of the set: the surface has room for `balls`, the mesh for all of them with
+ * edges of length 2 but not for much shorter edges. Every call uses the same memory, FIFTH_SIZE bytes each. */
 enum { FIFTH_SIZE = 1 << 17, POINTS = 300 };
 typedef struct fifth_handles {
   hsp_surface *surface;
@@ -56,7 +57,7 @@ hsp_surface_limits four_surface_limits(uint32_t balls);
 hsp_mesh_limits four_mesh_limits(void);
 fifth_handles fifth_handles_make(uint32_t balls);
 
-/* The contents of another handle, as its functions tell: the status of reading it, and what that wrote. */
+/* The contents of a handle of any other kind: the status of reading it, and the counts and records that were read. */
 typedef struct contents {
   union {
     hsp_boundary_counts boundary;

@@ -402,7 +402,7 @@ static uint64_t moving_hash(const void *moving, const void *source, unsigned cha
   (void)source;
   if (hsp_moving_get_info(moving, &info) != HSP_OK || info.balls > room) return 0;
   flags = (void *)(numbers + 4 * (size_t)info.balls);
-  /* Changes of the last call are no part of the contents. */
+  /* The number of changes in the last call is no part of the contents. */
   info.changed = 0;
   hash = mixed_hash(hash, &info, sizeof info);
   bad |= hsp_moving_measure(moving, &totals, numbers, numbers + info.balls, info.balls, NULL) != HSP_OK;
@@ -480,7 +480,7 @@ static int use_cells(void *cells) {
   return hsp_cells_check(cells, NULL, &invariant, &id) == HSP_OK;
 }
 
-/* Nothing but finding paths does, which is a part of computing them. */
+/* Only finding paths uses scratch memory, and this is a part of computing them. */
 static int use_paths(void *paths) {
   uint32_t needed = 0;
   return hsp_paths_get_points(paths, NULL, 0, &needed) == HSP_E_CAPACITY && needed >= 2;

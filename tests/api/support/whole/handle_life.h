@@ -62,20 +62,21 @@ typedef struct computations {
   body_result body;
   periodic_result periodic;
   moving_result moving;
-  uint32_t room; /* what no number of records exceeds */
+  uint32_t room; /* an upper bound of all numbers of records */
 } computations;
 
-/* Computes the boundary of a set, and unless `options` is NULL its topology, that view and map, sticks, the smooth
- * surface and triangles of it, contacts, cells, path, pores, the body, the set in a periodic box and balls that
- * move; false, after a failed check, if a call fails. To be followed by computations_release. */
+/* Computes the boundary of a set. Unless `options` is NULL it also computes the topology, the view and map with these
+ * options, sticks, the smooth surface and its triangles, contacts, cells, path, pores, the body, the set in a periodic
+ * box and the set as balls that move. 0, after a failed check, if a call fails. To be followed by computations_release.
+ * */
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all);
 void computations_release(computations *all);
 
 /* Computes the cells, a path and sticks of a larger set, too. */
 int computations_add_slow(computations *all, const hsp_view_options *options);
 
-/* The handle of a kind, NULL if there is none or, of a body, no ball, what it was computed from, and the limits that it
- * needs. */
+/* The handle of a kind; NULL if there is none, or if it is a body without balls. The functions behind it: the source
+ * that the handle was computed from, and the limits that it needs. */
 void *handle_of(const computations *all, int kind);
 const void *source_of(const computations *all, int kind);
 limit_numbers limits_of(const computations *all, int kind);

@@ -1,8 +1,9 @@
 /* Computations that are stopped at their questions whether to go on (hsp_executor.proceed), by one worker and by three.
  *
- * The sweep stops each at every question once over all sets: of set number k at the questions k, k + 40, k + 80 and so
- * on. It says HSP_E_STOPPED then, writes nothing but what tasks may write, leaves its handle without results and its
- * limits as they were, and gives the same as before when it is asked again; one that reads results leaves these. */
+ * With set number k the sweep stops each computation at the questions k, k + 40, k + 80 and so on: over 40 sets at
+ * every question once. A stopped computation returns HSP_E_STOPPED, writes nothing but what tasks may write, and leaves
+ * its handle without results and its limits as they were; a function that only reads results leaves these. Asked again,
+ * it gives the same as before. */
 #include "stopping_sweep.h"
 
 #include <hardsphere.h>
@@ -33,7 +34,7 @@ typedef struct scene {
   hsp_body *body;      /* of these */
 } scene;
 
-/* ---- what is asked: `read` tells of the handle's results ------------------------------------------------------- */
+/* ---- the computations; `read` reads the handle's results ------------------------------------------------------- */
 
 typedef struct question {
   const char *name;
@@ -364,7 +365,7 @@ static int32_t ask_hessian_product(scene *s, const hsp_executor *executor) {
   static double product[3 * BALLS];
   return hsp_boundary_get_hessian_product(s->work.boundary, &request, s->set->xyz, product, NULL, s->n, NULL);
 }
-/* Of two bricks the first, with every second ball. */
+/* The first of two bricks, which owns every second ball. */
 static int32_t ask_brick(scene *s, const hsp_executor *executor) {
   static uint8_t summary[1000000];
   static uint64_t id[BALL_SET_MOST];
@@ -379,7 +380,7 @@ static int32_t ask_brick(scene *s, const hsp_executor *executor) {
   return hsp_brick_summarise(s->work.boundary, &request, summary, &bytes, NULL);
 }
 
-/* Balls so many that taking them asks; and none if it is stopped. */
+/* So many balls that hsp_model_set asks; a model that was stopped has no balls. */
 enum { MANY_BALLS = 5000, MOST_PAIRS = 400 * MANY_BALLS };
 static int32_t ask_model(scene *s, const hsp_executor *executor) {
   static double xyz[3 * MANY_BALLS], radius[MANY_BALLS];
@@ -522,7 +523,7 @@ enum { QUESTIONS = sizeof questions / sizeof questions[0] };
 
 /* ---- the sweep ---- */
 
-/* Asks so many times to go on, and counts. */
+/* Makes the computation, says no from question `stop_at` on, and counts the questions. */
 static int32_t ask_until(const question *q, scene *s, uint32_t workers, uint32_t stop_at, uint32_t *asked) {
   stopper own;
   hsp_executor executor;
@@ -555,7 +556,7 @@ static void sweep(const question *q, scene *s, uint32_t set, uint32_t workers) {
   CHECK(questions_asked >= (q->least != 0 ? q->least : 3));
   if (questions_asked == 0) return;
   if (q->read != NULL) CHECK_EQUAL(q->read(s, counts, &bytes), HSP_OK);
-  /* Of few questions all sets together stop at each several times. */
+  /* A computation with fewer than 40 questions is stopped at each of them by several sets. */
   for (k = set % (questions_asked < STOPPING_SETS ? questions_asked : STOPPING_SETS); k < questions_asked;
        k += STOPPING_SETS) {
     check_scene("%s by %u workers, stopped at question %u", q->name, (unsigned)workers, (unsigned)k);
@@ -593,7 +594,7 @@ static int make_sticks(scene *s) {
   return CHECK_EQUAL(status, HSP_OK);
 }
 
-/* Of some maxima the two with the most gates on their ways to the outside. */
+/* Finds among some maxima the one with the most gates on its way to the outside, and the best one before it. */
 static int find_long_tunnel(scene *s) {
   hsp_pores_counts counts;
   hsp_pore_maximum maximum;
@@ -612,7 +613,7 @@ static int find_long_tunnel(scene *s) {
   return 1;
 }
 
-/* Of a model and a body for many balls. */
+/* Makes a model and a body with room for many balls. */
 static int make_many(scene *s) {
   size_t bytes = 0;
   if (!CHECK_EQUAL(hsp_model_bytes(MANY_BALLS, &bytes), HSP_OK)) return 0;
