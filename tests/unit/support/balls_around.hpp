@@ -1,4 +1,4 @@
-// A large ball with small ones around it, most of whose spheres meet that of the large one: many half-edges.
+// A large ball with small balls around it, most of which cross the large sphere: many half-edges on one ball.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// A boundary with its inner records open, for tests that look at them or break them.
+// A boundary with its inner records open, for tests that look at the records or break them.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ class BuiltBoundary {
   const hsp::CubeGrid &grid() const { return built_.grid(); }
   const hsp::BallSet &balls() const { return grid().balls(); }
   const hsp::Boundary &boundary() const { return builder_.boundary(); }
-  // The arrays behind it, to be broken.
+  // The arrays behind the boundary, to be broken by a test.
   hsp::BoundaryArrays &arrays() { return builder_.arrays(); }
-  // Memory for checks.
+  // Scratch memory for the library's own checks.
   hsp::Span<uint32_t> scratch() { return builder_.scratch(); }
-  // Most balls that meet any one ball.
+  // The largest number of balls that meet any one ball.
   uint32_t neighbours() const { return builder_.needed().neighbours; }
   // The id in the grid's order of the ball that was given as number `caller`.
   uint32_t grid_index(uint32_t caller) const { return grid().grid_index(caller); }

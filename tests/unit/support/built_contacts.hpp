@@ -26,7 +26,7 @@ class BuiltContacts {
   hsp::ContactsBuilder &builder() { return contacts_; }
   uint32_t neighbours() const { return boundary_.needed().neighbours; }
 
-  // By the indices that the balls were given with; null if the two have none.
+  // The contact of two balls, named by the caller's indices; null if they have none.
   const hsp::ContactRecord *between(uint32_t a, uint32_t b) const {
     const uint32_t first = grid().grid_index(a);
     for (const uint32_t id : contacts().row(first)) {
@@ -34,7 +34,7 @@ class BuiltContacts {
     }
     return nullptr;
   }
-  // In lengths of the input.
+  // The contact's area, in the unit of length of the input.
   double area(uint32_t a, uint32_t b) const {
     const hsp::ContactRecord *const contact = between(a, b);
     return contact == nullptr ? -1.0 : balls().lattice.area(contact->area);

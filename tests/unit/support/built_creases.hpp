@@ -1,4 +1,4 @@
-// Creases and creased patches beside those of a surface, in memory of their own.
+// The creases of a smooth surface and the concave patches that creases cut, in memory of their own.
 #pragma once
 
 #include "built_surface.hpp"
@@ -38,7 +38,7 @@ class BuiltCreases {
   hsp::Status status() const { return status_; }
   const hsp::ActualBalls &actual() const { return actual_; }
   const hsp::Creases &creases() const { return creases_; }
-  // As the creases have it.
+  // The border of a vertex's patch after the creases have cut it.
   hsp::Span<hsp::BorderArc> border(uint32_t vertex) {
     hsp::NearVertices near(actual_, chosen_, grid_, creases_.near_list());
     near.find(vertex);
@@ -47,7 +47,7 @@ class BuiltCreases {
   const hsp::CutPatches &cut() const { return cut_; }
   const hsp::ProbeGrid &grid() const { return grid_; }
 
-  // The rest of the patch of a vertex; what is whole as the surface has it.
+  // The rest of the patch of a vertex after the cuts; a patch that no crease cuts is the surface's.
   hsp::ConcavePatch patch(uint32_t v) const { return cut_.is_cut(v) ? cut_.patch(v) : built_.surface().patch(v); }
 
  private:

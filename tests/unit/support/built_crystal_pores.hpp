@@ -40,12 +40,12 @@ class BuiltCrystalPores {
   const hsp::PoresBuilder &builder() const { return builder_; }
   hsp::Span<const hsp::PoreMaximum> maxima() const { return builder_.maxima(); }
   hsp::Span<const hsp::PoreGate> gates() const { return builder_.gates(); }
-  // The level at which a probe first gets through in so many directions; NaN if it does nowhere.
+  // The largest level at which a probe gets through the crystal in this number of directions; NaN if no probe does.
   double passage(uint32_t directions) const {
     const uint32_t gate = builder_.passages().gate[directions - 1];
     return gate == hsp::no_id ? std::nan("") : gates()[gate].point.level;
   }
-  // In so many directions a probe gets.
+  // The number of directions in which a probe gets through the crystal.
   uint32_t directions(double probe) const {
     uint32_t most = 0;
     while (most < 3 && passage(most + 1) > probe) ++most;

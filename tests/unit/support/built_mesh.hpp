@@ -1,4 +1,4 @@
-// A mesh in memory of its own, and what its triangles are as a surface: computed from their positions alone.
+// A mesh in memory of its own, and properties of its triangles as a surface, computed from positions and corners alone.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ class BuiltMesh {
  public:
   using Point = std::array<double, 3>;
 
-  // Of a boundary, or with a surface of that; with the limits that are expected to suffice, or with larger ones.
+  // The mesh of a boundary, or of a smooth surface over a boundary. Limits start with those expected to suffice.
   template <class... Source>
   BuiltMesh(double edge, const Source &...source) {
     hsp::MeshLimits limits;

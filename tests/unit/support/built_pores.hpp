@@ -9,7 +9,7 @@
 
 class BuiltPores {
  public:
-  // Down to where the largest ball has shrunk to nothing.
+  // Pores down to the level at which the largest ball has shrunk to nothing.
   explicit BuiltPores(const oracle::Balls &balls) : BuiltPores(balls, lowest(balls)) {}
   BuiltPores(const oracle::Balls &balls, int64_t floor) : grid_(listed(balls)) {
     static_cast<void>(hsp::default_limits(static_cast<uint32_t>(balls.size()), limits_));
@@ -34,7 +34,7 @@ class BuiltPores {
   const hsp::PoresBuilder &builder() const { return builder_; }
   hsp::Span<const hsp::PoreMaximum> maxima() const { return builder_.maxima(); }
   hsp::Span<const hsp::PoreGate> gates() const { return builder_.gates(); }
-  // Components of free space for a probe, the outside among them.
+  // The number of components of the free space for a probe, including the outside.
   int components(double probe) const {
     int count = 1;
     for (const auto &maximum : maxima()) count += maximum.point.level > probe ? 1 : 0;

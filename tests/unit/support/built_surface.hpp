@@ -21,7 +21,7 @@ class BuiltSurface {
         this->balls(), found);
   }
 
-  // Again, of some shells of the boundary alone.
+  // Builds the surface again, over these shells of the boundary alone.
   hsp::Status choose(const std::vector<uint32_t> &shells) {
     const hsp::Boundary &found = boundary();
     const hsp::Span<const uint32_t> chosen(shells.data(), static_cast<uint32_t>(shells.size()));

@@ -6,7 +6,7 @@ BuiltTopology::BuiltTopology(const oracle::Balls &balls) : boundary_(balls) {
   build();
 }
 
-// From no room at all to what is needed, as a caller may.
+// Starts from limits of 0 and takes those that come back, as a caller may.
 void BuiltTopology::build() {
   status_ = boundary_.status();
   if (status_ != hsp::Status::ok) return;

@@ -1,4 +1,4 @@
-// A topology with its inner records open, for tests that look at them or break them.
+// A topology with its inner records open, for tests that look at the records or break them.
 #pragma once
 
 #include "built_boundary.hpp"
@@ -13,7 +13,7 @@ class BuiltTopology {
   uint32_t grid_index(uint32_t caller) const { return boundary_.grid_index(caller); }
   const hsp::Boundary &boundary() const { return boundary_.boundary(); }
   hsp::BoundaryArrays &boundary_arrays() { return boundary_.arrays(); }
-  // The arrays are those of the topology; the numbers beside them are a copy, to be changed at will.
+  // The arrays are those of the topology itself; the counts in the struct are a copy, which tests may change.
   hsp::Topology &structure() { return structure_; }
   const hsp::TopologyBuilder &builder() const { return builder_; }
   hsp::Span<uint32_t> marks() const { return builder_.marks(); }

@@ -6,7 +6,7 @@
 
 #include "random_balls.hpp"
 
-// With radii that grow by powers, as parts of that of the large one.
+// Radii grow geometrically from `least` to `most`, as parts of the large ball's radius.
 inline oracle::Balls bumps(oracle::RandomSource &random, uint32_t n, double least, double most) {
   oracle::Balls balls = {{0, 0, 0, 1000000}};
   while (balls.size() < n) {

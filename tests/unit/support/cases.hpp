@@ -9,7 +9,7 @@
 
 namespace cases {
 
-// The answer of a check whose cases all hold.
+// The value that a check returns if all its cases hold.
 inline constexpr uint32_t all_hold = UINT32_C(0xFFFFFFFF);
 
 // The index of the first case for which holds(case) is false.

@@ -1,5 +1,7 @@
-// The widest probe between two points, held against the cells of the complement of balls grown by a little less and a
-// little more, which the topology finds by shells and rays; its gate, by taking the balls of that back a little.
+// The widest probe between two points, as the pores have it, against the regions of the complement of balls that are
+// grown by a little less and a little more. The regions are those of the library's topology (hsp::region_of_point, by
+// shells and rays): another way to the answer, but no independent oracle. The gate is checked by shrinking its three
+// balls a little, which must let a wider probe through.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +32,8 @@ class BuiltPassage {
   hsp::Status status() const { return status_; }
   bool passes() const { return passage_.passes; }
   double level() const { return passage_.level; }
-  // That stops wider probes at an end, or no_id; those that do at a gate.
+  // The ball that stops wider probes at one of the two points, or no_id. gate(): the three balls that stop them at a
+  // gate.
   uint32_t ball() const { return passage_.ball; }
   bool has_gate() const { return passage_.gate != no_id; }
   const std::array<uint32_t, 3> &gate() const { return gate_; }
@@ -62,13 +65,13 @@ inline uint32_t cell_of(BuiltTopology &topology, const Vector &point) {
   return hsp::region_of_point(topology.grid(), topology.boundary(), topology.structure(), point);
 }
 
-// Of free points; null is the outside.
+// Whether two free points are in one region of the complement; null is the outside.
 inline bool joined(const Balls &balls, const Vector &from, const Vector *to) {
   BuiltTopology topology(balls);
   return cell_of(topology, from) == (to == nullptr ? 0 : cell_of(topology, *to));
 }
 
-// The cases that a test has met: passages between three balls, and points that are tighter than all of them.
+// How often a test has met each case: a gate between three balls is narrowest, or one of the two points is.
 struct Seen {
   uint32_t gates = 0, touches = 0;
 };
@@ -76,7 +79,7 @@ struct Seen {
 inline void check_among_random_balls(oracle::RandomSource &random, int sets, Seen &seen) {
   for (int k = 0; k < sets; ++k) {
     const int64_t size = 1000000;
-    // A hollow whose wall has gaps, or a heap.
+    // A hollow whose wall has gaps, or balls at random in a box.
     const bool hollow = random.one_in(2);
     Balls balls = oracle::balls_in_box(random, static_cast<size_t>(random.in(40, 80)), 3 * size, size / 2, size);
     for (auto &ball : balls) {

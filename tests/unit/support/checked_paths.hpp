@@ -1,5 +1,6 @@
-// Paths of any set, every segment of which is held against every ball in integers of any size; whether there is one,
-// against the cells of the complement that the topology finds by shells and rays.
+// Paths through the free space of any set. Every segment is tested against every ball in integers of any size. Whether
+// there is a path at all is compared with the regions of the library's topology (hsp::region_of_point, by shells and
+// rays): another way to the answer, but no independent oracle.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ using hsp::exact::Vector;
 using oracle::Balls;
 using oracle::BigInteger;
 
-// The cases that a test has met, so that it can tell that it has met enough.
+// How often each case was met, so that a test can require that it has met enough of each.
 struct Seen {
   uint32_t found = 0, certified = 0, apart = 0, covered = 0, bent = 0, of_many = 0;
 };
@@ -74,7 +75,7 @@ inline double length_of(const Vector &d) {
   return std::hypot(static_cast<double>(d.x), static_cast<double>(d.y), static_cast<double>(d.z));
 }
 
-// From the middle of the segment, and by bisection: the distance from a point is convex along it.
+// The distance of a segment from a ball, by ternary search: the distance from the centre is convex along the segment.
 inline double clearance(const oracle::LatticeBall &ball, const Vector &a, const Vector &b) {
   const Vector d = difference(b, a), p = difference({ball.x, ball.y, ball.z}, a);
   const auto at = [&](double t) {
@@ -118,7 +119,7 @@ inline void check_path(const Balls &balls, const hsp::PathFinder &finder, const 
   seen.of_many += points.size() > 4 ? 1U : 0U;
 }
 
-// Pairs of points that are free, as far as they are found soon.
+// Checks paths between random pairs of points. Points are free if one of 40 draws is; a few that are not are tried too.
 inline void check(const Balls &balls, oracle::RandomSource &random, int pairs, Seen &seen,
                   const Vector *first = nullptr) {
   BuiltTopology topology(balls);

@@ -1,4 +1,6 @@
-// Pores held against brute force, against free space of grown balls, and against the widest probe.
+// The library's pores against brute force over all sets of balls (tests/oracle/brute_pores.hpp), against Euler's
+// relation between critical points, and against the number of free regions around grown balls, as the library's own
+// cells have it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +21,7 @@ struct Seen {
   int points = 0, tied = 0, pairs = 0, levels = 0, regions = 0, gates = 0;
 };
 
-// Critical points alone, of balls none of which lies inside another one.
+// The library's critical points alone. No ball may lie inside another one.
 class FoundPoints {
  public:
   FoundPoints(const oracle::Balls &outer, int64_t floor) : FoundPoints(outer, floor, roomy(outer)) {}
@@ -88,8 +90,8 @@ inline void compare_with_all_sets(const oracle::Balls &balls, Seen &seen) {
   ASSERT_EQ(oracle::first_difference(oracle::brute_pores(outer, floor), listed), "") << oracle::to_text(outer);
 }
 
-// Components at levels between all points that are a few steps apart, against regions of balls that have grown that
-// much.
+// The number of components at levels between two neighbouring critical points that are a few steps apart, against the
+// regions of the library's cells around balls grown by the level.
 inline void compare_with_regions(const oracle::Balls &balls, Seen &seen) {
   const BuiltPores pores(balls);
   ASSERT_EQ(pores.status(), hsp::Status::ok) << oracle::to_text(balls);

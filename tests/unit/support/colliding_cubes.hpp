@@ -1,4 +1,4 @@
-// Cubes whose hashes are the same: the linear form that the hash begins with is 0 for all of them.
+// Cubes of the grid whose hashes are all the same: the linear form that the library's hash begins with is 0 for each.
 #pragma once
 
 #include "model/cube_slots.hpp"

@@ -1,5 +1,5 @@
-// The curves of a smooth surface with as many points as their lengths demand, and sets whose surfaces have everything:
-// cusps, creases, patches in pieces, whole circles.
+// The curves of a smooth surface, divided by as many points as their lengths demand, and sets of balls whose surfaces
+// have all kinds of parts: cusps, creases, patches in pieces, whole circles.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -50,8 +50,8 @@ inline double distance_between(const hsp::BallSet &balls, const hsp::Position &a
   return std::sqrt(dot(d, d));
 }
 
-// How much nearer the point is to the nearest vertex of the boundary than the probe's radius. Nothing of the surface
-// is nearer, and on concave patches nothing farther.
+// The probe's radius less the distance of a point from the nearest vertex of the boundary: at most 0 for all points of
+// the surface, and 0 on concave patches.
 inline double depth_in_probes(const BuiltSurface &built, const hsp::Position &point) {
   double nearest = 4e9;
   for (uint32_t v = 0; v < built.boundary().vertex_count(); ++v) {

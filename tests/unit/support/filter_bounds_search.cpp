@@ -11,7 +11,7 @@ using hsp::exact::LatticeBall;
 
 constexpr int64_t radius_end = int64_t{1} << 30;
 
-// Of any absolute below 2^bits, either sign.
+// A number of either sign and of any magnitude below 2^bits: each number of bits is equally likely.
 int64_t of_any_magnitude(oracle::RandomSource &random, int bits) {
   const int64_t size = int64_t{1} << (random.next() % static_cast<unsigned>(bits));
   return random.in(-size, size);
@@ -21,7 +21,7 @@ LatticeBall ball_with_radius(oracle::RandomSource &random, int64_t radius, int64
   return {{random.in(-reach, reach), random.in(-reach, reach), random.in(-reach, reach)}, radius, index};
 }
 
-// At the distance between |r_0 - r| and r_0 + r that the share says, in a random direction.
+// A ball that meets `origin`, in a random direction, at a random distance between |r_0 - r| and r_0 + r.
 LatticeBall ball_meeting(oracle::RandomSource &random, const LatticeBall &origin, int64_t radius, uint32_t index) {
   const LatticeBall direction = ball_with_radius(random, radius, 1 << 20, index);
   const double length = std::sqrt(static_cast<double>(hsp::exact::dot(direction.centre, direction.centre))) + 1e-9;
@@ -58,7 +58,7 @@ void let_circles_touch(oracle::RandomSource &random, FourBalls &four) {
       (crosses(middle) == at_start ? same : other) = middle;
     }
   }
-  // Some steps away the circles cross well enough for the faster stage, or are well apart.
+  // Some steps away from this radius the circles cross well enough for the faster stage, or are well apart.
   four.ball[2].radius = std::clamp<int64_t>(same + of_any_magnitude(random, 16), 1, radius_end - 1);
 }
 

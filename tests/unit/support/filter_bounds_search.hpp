@@ -8,11 +8,11 @@
 
 namespace filter_bounds {
 
-// For the naive determinants.
+// The four balls in the form that the naive determinants take (perturbation_determinants.hpp).
 perturbation::Balls as_given(const FourBalls &four);
 
-// Balls near the limits of the contract without any rule; with caps from tiny to nearly whole; radii as different as 1
-// and 2^29; axes that are nearly parallel; circles that nearly touch.
+// Balls near the limits of the contract: at random, with caps from tiny to nearly whole spheres; with radii as
+// different as 1 and 2^29; with nearly parallel axes; with circles that nearly touch.
 enum class Kind { any, unlike_radii, parallel_axes, touching_circles };
 constexpr int kinds = 4;
 
@@ -21,8 +21,8 @@ FourBalls random_balls(oracle::RandomSource &random, Kind kind);
 // A change of one to three numbers, each by anything from one step to its own size.
 FourBalls changed(oracle::RandomSource &random, const FourBalls &four);
 
-// The largest badness(four) found; badness is negative where it has no meaning. There are four times as many starts in
-// the long form.
+// The largest value of badness(four) that was found. A negative value means that the input does not count. The long
+// form of tests has four times as many starts.
 template <class Badness>
 double worst(oracle::RandomSource &random, int starts, int changes, const Badness &badness) {
   double largest = 0.0;

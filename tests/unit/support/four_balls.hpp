@@ -8,11 +8,11 @@
 struct FourBalls {
   hsp::exact::LatticeBall ball[4];
 
-  // Whether they do, and the radii are at least this and below 2^30.
+  // Whether the three others meet the first, and all radii are at least `least_radius` and below 2^30.
   bool valid(int64_t least_radius) const;
   hsp::exact::Sphere sphere() const { return hsp::exact::sphere_of(ball[0]); }
   hsp::exact::Plane plane(int k) const { return hsp::exact::plane_of(ball[0], ball[k]); }
-  // Of the longest vector in use: the filter's bounds are made for it.
+  // The squared length of the longest vector in use, for which the filter's bounds are made.
   double length_squared() const;
 };
 

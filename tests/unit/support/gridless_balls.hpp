@@ -21,7 +21,7 @@ class GridlessBalls {
 
   void clear() { set_.n = 0; }
   void add(const hsp::exact::LatticeBall &ball) { set_.store(set_.n++, ball); }
-  // Whose index is the number of those before.
+  // Adds a ball whose index is the number of balls before it.
   void add(int64_t x, int64_t y, int64_t z, int64_t radius) { add({{x, y, z}, radius, set_.n}); }
 
   const hsp::BallSet &set() const { return set_; }

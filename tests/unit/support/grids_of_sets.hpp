@@ -8,7 +8,7 @@
 #include "lattice_lengths.hpp"
 #include "random_balls.hpp"
 
-// check(balls, grid, random) for so many sets of one to `most` balls.
+// Calls check(balls, grid, random) for a number of random sets of one to `most` balls.
 template <class Check>
 void for_random_sets(uint64_t seed, int sets, oracle::Balls (*make)(oracle::RandomSource &, std::size_t),
                      std::size_t most, Check check) {

@@ -1,4 +1,5 @@
-// The search on the caps of single balls, by all caps or by an index of them.
+// The library's search for the free part of a sphere, by all caps of the ball or by an index of them: the two must
+// agree.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +35,7 @@ class IndexedSearch {
     circles_.resize(n_ + 1);
   }
 
-  // Of the caps of one ball; false if there are none to be indexed.
+  // Gathers the caps of one ball; false if there are none to be indexed.
   bool gather(uint32_t ball) {
     caps.gather(built_.grid().balls(), built_.grid().block_around(built_.grid().cube_at(balls().ball(ball).centre)),
                 ball, nullptr);
@@ -57,7 +58,7 @@ class IndexedSearch {
   std::string clusters(Index... index) {
     return std::to_string(clusters_.find(caps, index...)) + " clusters";
   }
-  // How many caps stand for their clusters.
+  // The number of caps that represent a cluster in the index.
   uint32_t representatives() const {
     uint32_t count = 0;
     for (uint32_t k = 0; k < caps.count; ++k) count += clusters_.is_representative(k) ? 1U : 0U;

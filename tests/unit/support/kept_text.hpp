@@ -11,8 +11,8 @@ template <size_t most>
 struct KeptText {
   char text[most + 1] = "";  // ends with a zero
   size_t size = 0;
-  size_t largest = 0;  // block
-  size_t room = most;  // what would go beyond is refused
+  size_t largest = 0;  // size of the largest block
+  size_t room = most;  // a block that would lead beyond this size is refused
   uint32_t calls = 0;
 
   void clear() {

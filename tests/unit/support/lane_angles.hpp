@@ -5,7 +5,7 @@
 
 namespace hsp {
 
-// Those of half_turn_angle, four at a time, and of turn_angle, as many as a register holds.
+// The angles by half_turn_angle, four at a time, and by turn_angle, as many as a register holds.
 HSP_KERNEL(void, angles_of_four, (const double *x, const double *y, double *half_turn_angles, double *turn_angles),
            (x, y, half_turn_angles, turn_angles))
 

@@ -5,7 +5,7 @@
 
 namespace hsp {
 
-// Caps in arrays; of circles there are sixteen.
+// Caps in arrays; as `circles` there are always sixteen.
 struct FloatCapArrays {
   const float *x, *y, *z, *b;
 };

@@ -19,7 +19,7 @@ struct LanePair {
 };
 
 HSP_KERNEL(LanePair<float>, lane_pair, (const ThreeCaps<float> &caps, uint32_t j, uint32_t k), (caps, j, k))
-// Of targets whose registers hold four of them.
+// Kernels for targets whose registers hold four doubles.
 HSP_KERNEL(LanePair<double>, lane_pair, (const ThreeCaps<double> &caps, uint32_t j, uint32_t k), (caps, j, k))
 
 }  // namespace hsp

@@ -1,4 +1,5 @@
-// Positions and turns in long doubles, from balls and places of the library.
+// Positions, circles and turns in long doubles, for comparison with the library's doubles. Centres, radii and offsets
+// are read from the library's records; the formulas are the textbook's.
 #pragma once
 
 #include <cmath>

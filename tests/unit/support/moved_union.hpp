@@ -1,4 +1,5 @@
-// Balls that move, beside the same balls computed afresh: every number is compared bit for bit.
+// Balls that move, beside the same balls computed afresh by the library's boundary and measures: every number is
+// compared bit for bit.
 #pragma once
 
 #include <cstring>
@@ -12,7 +13,7 @@
 #include "measure/tangency.hpp"
 #include "moving/moving_balls.hpp"
 
-// Facts about balls: about all, and about each.
+// All numbers that are compared: of the whole union, and of each ball.
 struct UnionNumbers {
   hsp::BallMeasure totals;
   hsp::Energy energy;
@@ -92,7 +93,7 @@ class MovedUnion {
     return status;
   }
 
-  // Empty, or in what the balls that moved differ from the same balls.
+  // Empty, or the name of what differs between the moved balls and the same balls computed afresh.
   std::string complaint(bool wide = true) {
     if (read() != hsp::Status::ok) return "the grid";
     if (!writes_that_grid()) return "the grid that is written";
@@ -111,7 +112,7 @@ class MovedUnion {
   }
 
  private:
-  // Whether the balls as they are make the grid that was read.
+  // Whether writing the moved balls as a grid gives the same grid as reading the balls afresh.
   bool writes_that_grid() {
     if (moving_.write(written_) != hsp::Status::ok) return false;
     const hsp::BallSet &given = grid_.balls(), &balls = written_.balls();

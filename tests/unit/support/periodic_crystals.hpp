@@ -1,4 +1,5 @@
-// Balls in periodic boxes against the same balls in many explicit copies.
+// Balls in periodic boxes against the same balls in many explicit copies, of which the library computes the union
+// without a box: the middle copy must have the same numbers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -70,11 +71,11 @@ struct RandomCrystal : Crystal {
 inline void expect_laws(const BuiltPeriodic &built) {
   const hsp::PeriodicViolation violation = hsp::check_periodic(built.get());
   EXPECT_EQ(violation.invariant, hsp::PeriodicInvariant::none) << "ball " << violation.id;
-  // Each of images, neighbours, vertices with circles, and contacts takes one more try.
+  // Images, neighbours, vertices with circles, and contacts may each need one more try.
   EXPECT_LE(built.retries(), 4U);
 }
 
-// A contact with an image is one, from whichever of its two balls it is seen.
+// A contact with an image must be the same one from either of its two balls.
 inline void expect_one_contact_from_both_sides(const BuiltPeriodic &built) {
   for (uint32_t i = 0; i < built.balls(); ++i) {
     built->visit_contacts_of(i, [&](const hsp::PeriodicContact &contact) {
@@ -94,7 +95,7 @@ inline void expect_one_contact_from_both_sides(const BuiltPeriodic &built) {
   }
 }
 
-// Facts about each ball: everything that is counted there, and numbers.
+// Each ball must have the same counts, areas, volumes and contacts in the box as in the middle of explicit copies.
 inline void expect_as_in_copies(const Crystal &crystal, int range = 4) {
   const BuiltPeriodic built(crystal.balls, crystal.box);
   ASSERT_EQ(built.status(), hsp::Status::ok);

@@ -27,7 +27,7 @@ struct Ball {
 // Four balls, their ranks, and how far they are inflated.
 class Balls {
  public:
-  // gap in limbs; 0: as given.
+  // gap: the g of the inflation above, in limbs of 64 bits; 0 for the balls as given.
   Balls(const Ball (&four)[4], int gap);
 
   const Ball &operator[](int k) const { return ball_[k]; }

@@ -58,8 +58,8 @@ inline oracle::Balls tied_set(oracle::RandomSource &random, size_t n, int kind) 
   return balls;
 }
 
-// The points of a lattice whose squares add up to a number: all tie in the middle, at its root times step - radius. 72
-// with 26, 168 with 101.
+// Balls at all integer points with x^2 + y^2 + z^2 = square, times step: all tie in the middle, at the level
+// sqrt(square) step - radius. There are 72 for 26, and 168 for 101.
 inline oracle::Balls shell(int64_t step, int64_t radius, int64_t square = 26) {
   oracle::Balls balls;
   const auto most = static_cast<int64_t>(std::sqrt(static_cast<double>(square)));
@@ -73,8 +73,8 @@ inline oracle::Balls shell(int64_t step, int64_t radius, int64_t square = 26) {
   return balls;
 }
 
-// Some of them that are left, each moved by up to so many steps along each axis. 0 any, 1 those on one side of the
-// middle or beside it, 2 those in one plane with it and few others.
+// Part of a shell, each ball moved by up to so many steps along each axis. Kinds: 0 any balls, 1 those on one side of
+// the middle or level with it, 2 those in one plane with the middle and few others.
 inline constexpr int shell_kinds = 3;
 inline oracle::Balls part_of_shell(oracle::RandomSource &random, int kind, size_t most, int64_t square, int64_t shake) {
   const int64_t unit = 100000000;
@@ -141,9 +141,10 @@ inline oracle::Balls cage(oracle::RandomSource &random, int kind, double unit) {
   return balls;
 }
 
-// Balls on a circle of 2.5 units with so many decimals of a unit, and others: 0 the ring alone, 1 with a small ball in
-// the middle, 2 with one on the axis that is as far from it, 3 with two of these, 4 every other one higher, 5 another
-// ring above it, 6 that turned by half an angle, 7 turned out of the plane of the axes, 8 another ring beside it.
+// Balls on a circle of radius 2.5 units, rounded to so many decimals of a unit. Kinds: 0 the ring alone, 1 with a small
+// ball in the middle, 2 with a ball on the axis at the ring's distance from the middle, 3 with two such balls, 4 with
+// every other ball of the ring higher, 5 with another ring above, 6 with that ring turned by half the angle between
+// neighbours, 7 the ring turned out of the plane of two axes, 8 with another ring beside.
 inline constexpr int ring_kinds = 9;
 inline oracle::Balls ring_set(int kind, size_t n, int decimals) {
   const double unit = 1e8, size = 2.5, pi = std::acos(-1.0);
@@ -173,8 +174,9 @@ inline oracle::Balls ring_set(int kind, size_t n, int decimals) {
   return balls;
 }
 
-// All lattice points on a circle around 0 in one plane, at the root of `square`, an integer, all with one radius. With
-// them one at the same distance across the plane, or two. 36 on the circle with 65, 108 with 1105.
+// Balls of one radius at all lattice points of a circle around 0 in one plane, whose radius is the integer `root`.
+// `poles` more balls, one or two, are at the same distance from 0 on the axis. There are 36 points on the circle of
+// radius 65, and 108 on that of radius 1105.
 inline oracle::Balls exact_circle(int64_t root, int64_t step, int64_t radius, int poles) {
   oracle::Balls balls;
   for (int64_t x = -root; x <= root; ++x) {

@@ -1,4 +1,5 @@
-// The widest probe between two places by maxima and gates, against cells of free space around grown balls.
+// The widest probe between two places, as the pores have it, against a relaxation over all gates, and against the
+// library's cells of free space around grown balls (support::ProbeByCells, no independent oracle).
 #pragma once
 
 #include "checked_passage.hpp"
@@ -12,7 +13,7 @@ struct Seen {
   int pairs = 0, gates = 0;
 };
 
-// Of places, the widest probe from one to each maximum by relaxation over all gates: the level of the narrowest gate on
+// The widest probe from one maximum to every other, by relaxation over all gates: the level of the narrowest gate on
 // the widest way.
 class Widths {
  public:
@@ -62,7 +63,7 @@ inline void compare_with_gates(oracle::RandomSource &random, int kind, int pairs
       return end == hsp::pore_outside ? INFINITY : pores.maxima()[end].point.level;
     };
     const hsp::exact::Vector from = place(a), to = b == hsp::pore_outside ? from : place(b);
-    // Rounded to the lattice the places lose less than a step.
+    // Places lose less than a step by rounding to the lattice.
     if (std::min(level(a), level(b)) < 4.0) continue;
     hsp::PorePassage passage{};
     const hsp::exact::Vector *const end = b == hsp::pore_outside ? nullptr : &to;

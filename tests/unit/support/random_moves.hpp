@@ -19,7 +19,7 @@ class RandomMoves {
   const oracle::Balls &start() const { return start_; }
   double largest_radius() const { return static_cast<double>(std::max<int64_t>(largest_, 1)); }
 
-  // Different balls, and where they go.
+  // Draws the ids of some balls, all different, and the balls that they become.
   void next(const support::BallList &balls, std::vector<uint32_t> &ids, support::BallList &to) {
     const uint32_t n = balls.size();
     size_t count = random_.one_in(3) ? 1 + random_.below(std::min(n, 5U)) : 1;
@@ -70,7 +70,8 @@ class RandomMoves {
   int64_t largest_ = 0;
 };
 
-// Moves balls of random sets so many times in all, and takes some of the moves back. Empty, or what went wrong.
+// Moves balls of random sets, `moves` times in all and `moves_of_set` times each set, and takes some of the moves back.
+// Empty, or what went wrong.
 inline std::string complaint_about_moves(uint64_t seed, int moves, int moves_of_set) {
   using namespace oracle;
   constexpr RandomMoves::Family families[] = {

@@ -1,4 +1,4 @@
-// Where rational poses put balls, by products of quaternions in integers of any size.
+// Whether a ball moved by a rational pose meets another ball: by products of quaternions, in integers of any size.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@ struct RationalNumbers {
   std::array<int64_t, 3> shift{};
 };
 
-// The sign of distance - (r + s) of two balls, the one moved: |N (c - t) - q p q*|^2 - N^2 (r + s)^2.
+// The sign of distance - (r + s) of a fixed ball (centre c, radius r) and a moved one (centre p before the move, radius
+// s), as the sign of |N (c - t) - q p q*|^2 - N^2 (r + s)^2 with the quaternion q, N = |q|^2 and the shift t.
 inline int exact_relation(const oracle::LatticeBall &fixed, const oracle::LatticeBall &moving,
                           const RationalNumbers &pose) {
   using oracle::BigInteger;

@@ -9,10 +9,10 @@ namespace {
 using oracle::BigInteger;
 using oracle::Int128;
 
-// Roots are integers in units of 2^-places, rounded down. A sum of two of them is less than 2 units off. A sum that is
-// not 0 is far larger: the product of all its variants with other signs of the roots is an integer, or one of them is 0
-// and then the roots are integers themselves; and where terms cancel, none of the at most four variants exceeds 2^65,
-// nor, with two roots, 2^33.
+// Roots are integers in units of 2^-places, rounded down, so that a sum of two of them is less than 2 units off. A sum
+// that is not 0 is far larger than that. For the product of its at most four variants with all signs of the roots is an
+// integer. Either this integer is not 0, and where terms cancel no variant exceeds 2^65 (2^33 if there are two roots);
+// or a variant is 0, and then the roots are integers themselves.
 constexpr unsigned places = 110;
 
 /// The largest integer whose square is at most n 4^places, for n < 2^122.

@@ -1,4 +1,5 @@
-// Caps of a unit sphere from a table, and what is free of them by sampling.
+// Caps of a unit sphere from a table, and the free part of the sphere by sampling. The sampling uses the library's
+// sin_cos and vectors, but not its arcs or formulas.
 #pragma once
 
 #include <cmath>

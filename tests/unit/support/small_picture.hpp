@@ -35,7 +35,7 @@ inline hsp::PictureOptions two_px_per_step(double width) {
   hsp::PictureOptions options;
   options.width = 2 * width;
   options.margin = 0;
-  options.outline = 0;  // lines would want room
+  options.outline = 0;  // the width of lines would make the page larger
   options.fog = 0;
   return options;
 }
@@ -47,7 +47,8 @@ struct FileOptions {
   double outline;
   const char *title, *description;
 };
-// Of the formats in points: a page that is no whole number of them, an inch, and texts with characters to be escaped.
+// For formats that measure in points: a page that is no whole number of points, an inch, and texts with characters to
+// be escaped.
 constexpr FileOptions broken_points{300.4, false, true, true, 1.5, nullptr, nullptr};
 constexpr FileOptions an_inch{25.4, true, false, true, 25.4, "", ""};
 constexpr FileOptions escaped_texts{40, false, false, false, 0, "a(b)\\c\xC3\xA9", "1 (2)\n3"};

@@ -5,7 +5,7 @@
 
 namespace cases {
 
-// Of the topology: simple faces by their numbers of edges.
+// The topology's numbers of vertices and edges, and of simple faces with two, three, four and six edges.
 struct CutParts {
   uint32_t vertices, edges, with_two, with_three, with_four, with_six;
 
@@ -98,13 +98,13 @@ constexpr Scene special_scenes[] = {
     {2, {{0, 0, 0, 5}, {3, 0, 0, 2}}, 0, 0, 1, 1, 1, "wc", {2, 2, 2, 0, 0, 0}},
     {2, {{0, 0, 0, 5}, {-3, 0, 0, 2}}, 0, 0, 1, 1, 1, "wc", {2, 2, 2, 0, 0, 0}},
     {2, {{0, 0, 0, 5}, {-5, 0, 0, 0}}, 0, 0, 1, 1, 1, "wc", {2, 2, 2, 0, 0, 0}},
-    // Half the ball in either of two others.
+    // Each half of the first ball lies in one of the two others.
     {3, {{0, 0, 0, 5}, {4, 0, 0, 7}, {-4, 0, 0, 7}}, 0, 1, 2, 1, 1, "bee", {2, 2, 2, 0, 0, 0}},
     {3, {{0, 0, 0, 10}, {1, 0, 0, 2}, {20, 0, 0, 4}}, 0, 0, 2, 2, 2, "wcw", {4, 4, 4, 0, 0, 0}},
     // Two bumps joined by one great circle: on one side, over the poles, and on the poles.
     {3, {{0, 0, 0, 100}, {60, 0, 80, 9}, {60, 0, -80, 9}}, 0, 2, 3, 1, 1, "eee", {4, 6, 2, 0, 2, 0}},
     {3, {{0, 0, 0, 100}, {0, 0, 100, 9}, {0, 0, -100, 9}}, 0, 2, 3, 1, 1, "eee", {4, 6, 2, 0, 2, 0}},
-    // Two that are not cut where both have their halves; the second set lies in one cube.
+    // Two circles that are not cut where both have their halves; the second set lies in one cube of the grid.
     {3, {{0, 0, 0, 100}, {-100, 0, 0, 60}, {96, 28, 0, 9}}, 0, 2, 3, 1, 1, "eee", {6, 8, 1, 0, 2, 1}},
     {3, {{300, 300, 300, 100}, {220, 300, 360, 60}, {396, 328, 300, 9}}, 0, 2, 3, 1, 1, "eee", {6, 8, 1, 0, 2, 1}},
     // A circle and a loop of two arcs, one of which is cut.

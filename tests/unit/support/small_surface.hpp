@@ -29,7 +29,7 @@ constexpr SurfaceScene three_almost = {
     3,
     {{309000000, 0, 0, carbon}, {-154500000, 267601850, 0, carbon}, {-154500000, -267601850, 0, carbon}},
     usual_probe};
-// Three that the boundary joins and cusps part.
+// Three balls that the boundary joins, and that cusps of the surface separate.
 constexpr SurfaceScene three_open = {
     3,
     {{320000000, 0, 0, carbon}, {-160000000, 277128129, 0, carbon}, {-160000000, -277128129, 0, carbon}},
@@ -67,7 +67,7 @@ class SmallSurface {
     status_ = builder_.build(small_union().balls(), small_union().boundary());
     return status_ == hsp::Status::ok;
   }
-  // Of some shells of the boundary.
+  // Builds the surface over some shells of the boundary alone.
   bool build_of(const SurfaceScene &scene, const uint32_t *shells, uint32_t count) {
     if (!carve(scene, most)) return false;
     status_ = builder_.build(small_union().balls(), small_union().boundary(), {shells, count});

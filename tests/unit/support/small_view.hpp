@@ -1,5 +1,5 @@
-// A view of a few balls, in memory of fixed size, for cases that run without a heap; and brute force to compare it
-// with.
+// A view of a few balls, in memory of fixed size, for cases that run without a heap; and two measures to compare it
+// with: depths of fronts over all balls, in the view's own frame, and winding numbers of its loops.
 #pragma once
 
 #include "small_union.hpp"

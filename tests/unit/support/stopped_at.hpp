@@ -1,4 +1,4 @@
-// Work that asks its caller whether to go on, stopped at each of its questions.
+// Computations that ask their caller whether to go on, stopped at each of their questions.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include "core/status.hpp"
 #include "lattice_ball.hpp"
 
-// build(executor) asks at least so many questions, is stopped at each of the last so many in turn, and serves again in
-// the end.
+// Requires that build(executor) asks at least `fewest` questions, that it can be stopped at each of the `last` last
+// ones, and that it succeeds again in the end.
 template <class Build>
 void expect_stops_at_questions(uint32_t fewest, uint32_t last, Build build) {
   struct Caller {
@@ -31,7 +31,8 @@ void expect_stops_at_questions(uint32_t fewest, uint32_t last, Build build) {
   ASSERT_EQ(build(hsp::Executor()), hsp::Status::ok);
 }
 
-// Each meets the next one alone: more circles, faces and cut arcs, in one shell, than are worked on without a question.
+// A row in which each ball meets only its neighbours: one shell, with more circles, faces and cut arcs than the library
+// works on between two questions.
 inline oracle::Balls long_row(int balls) {
   oracle::Balls row;
   for (int k = 0; k < balls; ++k) row.push_back({150 * k, 3 * k, 40 * k, 100});

@@ -1,4 +1,5 @@
-// Balls that tie at a lattice point, at an integer distance: centres at integer lengths from it.
+// Balls that tie at a lattice point: all are at the same integer distance from it, as their centres are at integer
+// distances.
 #pragma once
 
 #include <vector>
@@ -31,7 +32,7 @@ struct TiedSet {
   oracle::LatticePoint point;
   int64_t level;
   oracle::Balls balls;              // none inside another one
-  std::vector<oracle::Vector> way;  // from their centres to the point
+  std::vector<oracle::Vector> way;  // from each centre to the point
 };
 
 inline bool lies_inside(const oracle::LatticeBall &a, const oracle::LatticeBall &b) {
@@ -40,8 +41,8 @@ inline bool lies_inside(const oracle::LatticeBall &a, const oracle::LatticeBall 
   return e >= 0 && oracle::dot(d, d) <= e * e;
 }
 
-// kinds: of directions; the fewer the more balls lie opposite each other or in one plane. flat: z of all directions is
-// 0.
+// kinds: the number of kinds of directions (integer_length_vector); the fewer there are, the more balls lie opposite
+// each other or in one plane. flat: all directions have z = 0.
 inline TiedSet tied_set(oracle::RandomSource &random, size_t n, size_t kinds, bool flat) {
   TiedSet set{{random.in(-1000, 1000), random.in(-1000, 1000), random.in(-1000, 1000)}, random.in(-2, 40), {}, {}};
   for (int attempt = 0; set.balls.size() < n && attempt < 400; ++attempt) {

@@ -27,7 +27,8 @@ struct WeightedBox {
   }
   BuiltPeriodic built() const { return {balls, box, 0.0, fine_step}; }
 
-  // The strain's component (p, q) grows: the box stays as the library wants it if that is upper triangular.
+  // Component (p, q) of the strain grows. The box keeps the form that the library wants if the strain is upper
+  // triangular.
   void strain(size_t p, size_t q, double by) {
     for (size_t row = 0; row < 3; ++row) box[3 * row + p] += by * box[3 * row + q];
     for (size_t i = 0; i < balls.radius.size(); ++i) balls.xyz[3 * i + p] += by * balls.xyz[3 * i + q];

@@ -1,5 +1,5 @@
-// Checks of lanes/wide.hpp, lane by lane against the same on one double; signs of zeros count. Everything has
-// internal linkage, so that files compiled for other registers have their own copy.
+// Checks of lanes/wide.hpp: each lane against the same operation on one double; the signs of zeros count. Everything
+// has internal linkage, so that files compiled for other registers have their own copy.
 #pragma once
 
 #include "lanes/wide.hpp"

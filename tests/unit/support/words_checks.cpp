@@ -11,7 +11,7 @@ constexpr uint32_t n = Floats::lanes;
 constexpr float a[8] = {1.0F, -2.0F, 3.0F, 0.5F, 8.0F, -16.0F, 0.0F, 7.0F};
 constexpr float b[8] = {2.0F, 2.0F, -4.0F, 0.25F, 4.0F, 32.0F, 1.0F, 7.0F};
 
-// Whether each lane is what one number at a time gives.
+// Whether each lane equals the result for one number at a time.
 template <class Expected>
 bool lanes_are(Floats found, Expected expected) {
   float lane[n];
@@ -28,7 +28,7 @@ bool bits_are(LaneBits found, Expected expected) {
   return found == bits;
 }
 
-// All results are exact.
+// All results are exact, so they must be equal.
 const char *check_floats() {
   const Floats x = Floats::load(a), y = Floats::load(b), three = Floats::all(3);
   const auto of = [](auto operation) { return [operation](uint32_t k) { return operation(a[k], b[k]); }; };
@@ -53,7 +53,7 @@ const char *check_floats() {
   return nullptr;
 }
 
-// Not numbers in the first lanes, as there may be four alone.
+// NaN stands in the first lanes, as there may be only four.
 const char *check_comparisons() {
   const float nan = __builtin_nanf("");
   const float u[8] = {nan, nan, 3.0F, 2.0F, 2.0F, 1.0F, 7.0F, -0.0F};
@@ -87,7 +87,7 @@ const char *check_comparisons() {
   return nullptr;
 }
 
-// The last bit is lost, to even, or rounded away from what is nearest below.
+// Doubles become floats by rounding to nearest; ties, as in the first two numbers, go to even.
 const char *check_doubles() {
   constexpr uint32_t half = Doubles::lanes;
   const double d[8] = {0x1.000003p0, 0x1.000001p0, 0.1, -2.5, 1e30, 1.0, 5.0, -6.0};
@@ -267,7 +267,8 @@ const char *check_front_orders() {
   return nullptr;
 }
 
-// Multiples of 2^-15 as integers, against the same by halves.
+// Fractions, multiples of 2^-15 in 16 bits, against the same operations on integers. Results stop at the ends of the
+// range.
 int32_t stopped(int32_t x) {
   return x < -0x8000 ? -0x8000 : x > 0x7FFF ? 0x7FFF : x;
 }

@@ -15,7 +15,8 @@ Vector3 cross_product(const Vector3 &a, const Vector3 &b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// centre + cos t first + sin t second: the height falls with the cosine alone on a crease.
+// The curve centre + cos t first + sin t second. On a crease, the circle of two spheres, `second` is horizontal: the
+// height depends on cos t alone.
 struct Curve {
   Vector3 centre{}, first{}, second{};
 
@@ -133,7 +134,7 @@ MapImage painted(const BuiltMap &built, const oracle::PixelGrid &grid) {
   for (size_t row = 0; row < grid.rows; ++row) {
     auto &crossings = rows[row];
     std::sort(crossings.begin(), crossings.end(), [](const Crossing &a, const Crossing &b) { return a.x < b.x; });
-    // Edges with next to nothing between them come in the order in which their owners fit together.
+    // Edges that are nearly in one place are sorted so that the owners between them agree.
     for (size_t k = 0; k < crossings.size(); ++k) {
       const uint32_t before = k == 0 ? hsp::no_id : crossings[k - 1].right;
       for (size_t other = k; other < crossings.size() && crossings[other].x - crossings[k].x < 1e-9 * grid.side;
@@ -178,7 +179,7 @@ std::string map_disagrees(const BuiltMap &built, size_t pixels) {
   const MapImage own = painted(built, grid);
   double largest = 0;
   for (const oracle::PlainBall &ball : seen) largest = std::max(largest, ball.radius);
-  // Heights at a distance e from a rim change by sqrt(2 r e) at most.
+  // A shift by e changes heights near a rim by at most sqrt(2 r e).
   const double shift = map.perturbation + 1e-9 * largest;
   const double tolerance = map.perturbation > 0 ? 8 * std::sqrt(2 * largest * shift) : 1e-9 * largest;
   size_t wrong = 0;
@@ -190,7 +191,7 @@ std::string map_disagrees(const BuiltMap &built, size_t pixels) {
     const double height = shown == oracle::no_ball ? -1e300 : oracle::front_of(seen[shown], x, y);
     if (image[k].ball != oracle::no_ball && std::abs(height - image[k].depth) < tolerance) continue;
     if (map.perturbation > 0) {
-      // The same pixel a little beside.
+      // The same pixel seen a little beside its centre.
       bool near_rim = false;
       for (const uint32_t ball : {shown, image[k].ball}) {
         if (ball == oracle::no_ball) continue;
@@ -206,7 +207,7 @@ std::string map_disagrees(const BuiltMap &built, size_t pixels) {
   }
   if (wrong > 0) text << ", " << wrong << " wrong pixels";
   if (own.breaks > 0 && map.perturbation == 0) text << " " << own.breaks << " breaks";
-  // Pixels of a ball against its area: an error of at most the pixels on its edges.
+  // The pixels of a ball against its visible area; the error is at most the pixels on its edges.
   std::vector<double> area(seen.size(), 0), length(seen.size(), 0);
   for (uint32_t f = 1; f < map.faces.size(); ++f)
     if (map.faces[f].owner != hsp::no_id) area[built.caller(map.faces[f].owner)] += map.faces[f].area;

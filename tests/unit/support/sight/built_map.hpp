@@ -25,7 +25,7 @@ class BuiltMap {
   hsp::MapBuilder &builder() { return builder_; }
   const hsp::CubeGrid &grid() const { return grid_.grid(); }
   const hsp::DiscGrid &discs() const { return builder_.discs(); }
-  // In view coordinates, by the numbers that the caller gave them.
+  // The balls in view coordinates, in the caller's order.
   std::vector<oracle::PlainBall> seen() const;
   // The number that the caller gave to a ball of the map; oracle::no_ball for no_id.
   uint32_t caller(uint32_t ball) const;
@@ -37,8 +37,8 @@ class BuiltMap {
   hsp::Status status_ = hsp::Status::ok;
 };
 
-// The owner of every pixel centre by the edges of a map, row by row. Curves are computed from the balls of the edges
-// alone, not as the library does.
+// The owner of every pixel centre by the edges of a map, row by row. Which edges there are, and the faces beside them,
+// is the library's; the curves of the edges are computed from their balls anew.
 struct MapImage {
   std::vector<uint32_t> ball;    // the caller's number
   std::vector<uint8_t> on_edge;  // whether an edge passes within 1e-6 pixels in the row

@@ -70,8 +70,8 @@ uint32_t plain_name(const BuiltSticks &built, uint32_t ball, uint32_t stick) {
 
 namespace {
 
-// Strands of a picture in an order, by shares of the radius as they are documented: the farther ball lets each begin
-// where its own cylinder, as far aside as it is, leaves it.
+// Adds the strands of a stick, whose places and widths are documented as shares of the stick's radius. Each strand
+// begins where its own cylinder, aside of the stick's axis, leaves the farther ball.
 void add_strands(hsp::StickStrands kind, const oracle::PlainBall &foot, const oracle::PlainBall &top, bool turned,
                  double out, double in, oracle::PlainCylinder &cylinder) {
   const double length = std::hypot(cylinder.to[0] - cylinder.from[0], cylinder.to[1] - cylinder.from[1],
@@ -116,11 +116,11 @@ PlainSticks::PlainSticks(const BuiltSticks &built) : balls(built.balls().n) {
         std::hypot(two.centre[0] - one.centre[0], two.centre[1] - one.centre[1], two.centre[2] - one.centre[2]);
     const hsp::StickStrands kind = built.strands_of(cylinders.size());
     const double radius = (kind == hsp::StickStrands::one ? 1 : 1.5) * built.radius();
-    // In the middle between the planes in which it leaves the balls.
+    // The name changes in the middle between the planes in which the cylinder leaves the two balls.
     const double out = std::sqrt(one.radius * one.radius - radius * radius);
     const double in = std::sqrt(two.radius * two.radius - radius * radius);
     cylinders.push_back({one.centre, two.centre, radius, built.whole() ? 2 : (out + length - in) / (2 * length)});
-    // Either one of balls as far away as each other may be the foot.
+    // Of two balls that are equally far away either one may be the foot.
     const bool level = std::abs(one.centre[2] - two.centre[2]) < 1e-9 * length;
     const bool turned = level ? built.view().sticks[static_cast<uint32_t>(cylinders.size() - 1)].turned != 0
                               : one.centre[2] > two.centre[2];
@@ -165,7 +165,7 @@ DrawnPath path_of(const BuiltSticks &built, uint32_t path, hsp::PathPart part) {
   return result;
 }
 
-// The fault of the arcs of a path by themselves.
+// The first fault of the arcs of one path: empty if it is closed and its arcs are sound.
 std::string broken(const DrawnPath &path, double tolerance) {
   size_t first = 0;
   if (path.turned) return "a minor axis on the wrong side";
@@ -191,7 +191,8 @@ size_t lines_between_strands(const hsp::StickMap &map, uint32_t path) {
   return count;
 }
 
-// Each edge of regions is one path's own line, and on two outlines at most; others lie between strands.
+// By counts: without the lines between strands, there must be as many lines of paths as edges of regions, and one or
+// two outline arcs for each. And the areas of loops must sum to the areas within outlines.
 std::string broken_lines(const BuiltSticks &built) {
   const hsp::StickMap &map = built.builder().map();
   if (!map.exist) return "";
@@ -243,7 +244,7 @@ std::string broken_records(const BuiltSticks &built, const std::vector<oracle::P
   return "";
 }
 
-// The answer at a point: the body as the z-buffer has it, and a face that shows it.
+// The library's answer at a point must be the body that the z-buffer has there, and a face that shows this body.
 std::string broken_sight(const BuiltSticks &built, double x, double y, const oracle::SeenPixel &pixel,
                          double tolerance) {
   const hsp::StickMap &map = built.builder().map();

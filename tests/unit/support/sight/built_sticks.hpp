@@ -1,4 +1,5 @@
-// Balls and sticks as a view of them, and its pictures held against the z-buffer.
+// Views of balls and sticks, and their pictures against a z-buffer of balls and cylinders (tests/oracle/z_buffer.hpp
+// and seen_cylinders.hpp).
 #pragma once
 
 #include <array>
@@ -15,8 +16,8 @@ class BuiltSticks {
  public:
   using Ends = std::array<uint32_t, 2>;
 
-  // Lattice step 1. Limits grow until they suffice, twelve times at most. as_map: also where there is an order.
-  // strands: of stick k the one at k modulo their number; one strand if there is none.
+  // Lattice step 1. Limits grow until they suffice, twelve times at most. as_map: make a map even if there is a
+  // painting order. strands: stick k has strands[k modulo their number]; without any, each stick is one strand.
   BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
               const std::array<double, 3> &towards = {0, 0, 1}, bool whole = false, bool as_map = false,
               std::vector<hsp::StickStrands> strands = {});
@@ -50,7 +51,8 @@ class BuiltSticks {
   hsp::Status status_ = hsp::Status::ok;
 };
 
-// Bonds between atoms closer than .6 of their van der Waals radii together; balls of a part of these.
+// Bonds between atoms that are closer than .6 times the sum of their van der Waals radii; the balls of the picture have
+// a part of these radii.
 struct StickModel {
   oracle::Balls balls;
   std::vector<BuiltSticks::Ends> ends;
@@ -70,5 +72,5 @@ struct PlainSticks {
 // The name of a ball of grid order or of a part of a stick.
 uint32_t plain_name(const BuiltSticks &built, uint32_t ball, uint32_t stick);
 
-// Empty, or how what is painted differs from the z-buffer of balls and cylinders, and what the map says from both.
+// Empty, or the differences between the painted picture, the z-buffer of balls and cylinders, and the map's answers.
 std::string sticks_disagree(const BuiltSticks &built, size_t pixels);
