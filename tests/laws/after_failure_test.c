@@ -1,11 +1,11 @@
-/* HANDLES AFTER A FAILURE of hardsphere.h: a set or computation that is refused, for whatever reason, leaves a handle
- * without results. Reading that is refused leaves them. */
+/* The section HANDLES AFTER A FAILURE of hardsphere.h: a set or computation that is refused, for whatever reason,
+ * leaves its handle without results. A refused reading function leaves the results. */
 #include <math.h>
 #include <string.h>
 
 #include "law.h"
 
-/* A function that reads results of a kind and needs no others. */
+/* A function that reads results of this kind of handle and needs no other results; NULL if there is none. */
 static const function *reader_of(int noun) {
   size_t k;
   for (k = 0; k < registry_size; ++k) {
@@ -27,7 +27,7 @@ static void check_reading(const function *reader, const char *what, const char *
   CHECK_EQUAL(c.result, status);
 }
 
-/* Makes argument i one that is refused; 0 if there is no such value. */
+/* Gives argument i a value that is refused; 0 if it has no such value. */
 static int spoil(call *c, int i) {
   static const uint32_t no_size = 0;
   const argument *const a = &c->f->arguments[i];

@@ -1,11 +1,11 @@
-/* Base arguments succeed, with as much room as is needed and with more. Outputs are written to their end, and nothing
- * behind it. */
+/* Every function succeeds with base arguments (support/call.h), with as much room as is needed and with more. Output
+ * arrays are written up to their last entry, and nothing behind it. */
 #include <string.h>
 
 #include "fenced_memory.h"
 #include "law.h"
 
-/* Scratch memory is not written whole. */
+/* Whether an array need not be written to its end: scratch memory. */
 static int may_stay(const function *f, int i) {
   return strcmp(f->arguments[i].name, "scratch") == 0;
 }

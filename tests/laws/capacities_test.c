@@ -1,11 +1,12 @@
-/* Room for one record less is refused with HSP_E_CAPACITY, for all arrays and for each alone. The number that
- * suffices is said in either case, and nothing else is written. */
+/* Room for one record less than is needed is refused with HSP_E_CAPACITY, for all arrays together and for each alone.
+ * The number that suffices is reported, with and without the refusal, and a refused call writes nothing else. */
 #include <string.h>
 
 #include "fenced_memory.h"
 #include "law.h"
 
-/* On HSP_E_CAPACITY lists of all pairs and rows tell where each ball's begin, and two functions tell two numbers. */
+/* The outputs that may be written on HSP_E_CAPACITY. Functions that list pairs or rows also report where the list of
+ * each ball begins, and two functions report a second number. */
 static const char *also_written(const function *f) {
   return strstr(f->name, "query_pairs") != NULL || strstr(f->name, "_rows") != NULL ? "|needed|first|"
                                                                                     : "|needed|words_needed|";
@@ -15,7 +16,7 @@ static void check_needed(const call *c, uint32_t needed) {
   CHECK_EQUAL(call_needed(c), needed);
 }
 
-/* Arrays that have to be there stay. */
+/* Tries one record less with array i alone: the others are NULL, but for those that may not be. */
 static void one_less_alone(const function *f, uint32_t needed, int i) {
   int k, others = 0;
   call c;

@@ -20,7 +20,7 @@ static void few_balls(const function *f, uint32_t capacity) {
   static const uint32_t sets[] = {0, 1, 2, 3, 5, 7, 8};
   size_t k;
   (void)capacity;
-  if (f != registry) return; /* sets are made for all functions at once */
+  if (f != registry) return; /* once, for the first function: any_room is tried on all functions here */
   for (k = 0; k < sizeof sets / sizeof sets[0]; ++k) {
     call_with_balls(sets[k]);
     try_law(any_room);

@@ -1,5 +1,6 @@
-/* Anything but a live handle of the right kind is refused with HSP_E_HANDLE and nothing is written, not even why: a
- * handle that was overwritten or moved, an address inside one, memory without one, a handle of each other kind. */
+/* Anything but a live handle of the right kind is refused with HSP_E_HANDLE, and nothing is written, not even an output
+ * that tells the reason. Tried are a handle that was overwritten or moved, an address inside a handle, memory that
+ * holds no handle, and a handle of each other kind. */
 #include <stdlib.h>
 #include <string.h>
 

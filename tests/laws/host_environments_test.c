@@ -1,4 +1,5 @@
-/* Every function writes the same bytes, and returns the same, in every floating-point environment of its caller. */
+/* Every function writes the same bytes and returns the same value in every floating-point environment of its caller
+ * (tests/support/host). */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +8,7 @@
 #include "host_environment.h"
 #include "law.h"
 
-/* Whether what lies in place i is an answer: no memory, and no address of a handle. */
+/* Whether argument i is an output with an answer, and not memory or the address of a handle. */
 static int is_answer(const call *c, int i) {
   const argument *const a = &c->f->arguments[i];
   return c->fenced[i] && is_output(a) && a->kind != KIND_memory && a->kind != KIND_handle_out;

@@ -1,4 +1,5 @@
-/* Ids that are not there are refused with HSP_E_ID, or HSP_NONE comes back. */
+/* Ids that do not exist are refused with HSP_E_ID, or the function returns HSP_NONE. Arguments that are ids are known
+ * by their names, which are listed below. */
 #include <string.h>
 
 #include "fenced_memory.h"
@@ -17,7 +18,7 @@ static int is_id(const argument *a) {
 }
 
 static void ids(const function *f, uint32_t capacity) {
-  /* Maps of sticks number their halves behind the balls. */
+  /* In a map of sticks the ids of the halves of sticks follow those of the balls. */
   const uint32_t halves = strcmp(f->noun, "sticks") == 0 && given.balls > FIXTURE_STICK_END ? 2 : 0;
   const uint32_t balls = given.balls + halves;
   const uint32_t bad[] = {0xFFFFFFFF, 0x7FFFFFFF, 0x80000000, 100000, balls};

@@ -1,6 +1,6 @@
-/* LIMITS of hardsphere.h: with exactly the limits that come back from a success a handle suffices, with one less of any
- * it does not; then what comes back leads to success in a few steps, by way of limits of which none becomes smaller and
- * one at least larger. */
+/* The section LIMITS of hardsphere.h: a computation succeeds with exactly the limits that come back from a success, and
+ * fails if any of them is one less. Then the limits that come back lead to success in a few steps; in each step no
+ * limit becomes smaller and at least one becomes larger. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,14 +10,15 @@
 
 enum { NUMBERS = LIMIT_BYTES / 4, MOST_RETRIES = 40 };
 
-/* Functions that continue with what a handle holds have tests of their own. */
+/* The place of the limits if the law applies to f, else -1. Functions that continue with the contents of a handle have
+ * tests of their own. */
 static int limits_of(const function *f) {
   const int place = place_of(f, "limits");
   if (place <= 0 || f->arguments[place].kind != KIND_sized || f->arguments[0].kind != KIND_handle) return -1;
   return strstr(f->name, "_compute") != NULL || strstr(f->name, "hsp_moving_set") != NULL ? place : -1;
 }
 
-/* Calls with a new handle that has these limits, which become those that come back. */
+/* Calls f with a new handle made with these limits; *limits becomes what comes back. */
 static int32_t compute_with(const function *f, uint32_t capacity, uint32_t *limits) {
   const int noun = f->arguments[0].noun, place = limits_of(f);
   void *memory, *handle = NULL;
@@ -61,7 +62,7 @@ static void grow(const function *f, uint32_t capacity, const uint32_t *from, con
   for (k = 1; k < numbers; ++k) CHECK(limits[k] == needed[k] || limits[k] == 0); /* 0: for something else */
 }
 
-/* Parts for threads, to a function that has none. */
+/* Whether limit k is of no use to f: room for workers, in a function without an executor. */
 static int is_of_no_use(const function *f, const char *base, int k) {
   size_t d;
   for (d = 0; d < registry_fields_size; ++d) {
@@ -92,7 +93,7 @@ static void limits(const function *f, uint32_t capacity) {
     --less[k];
     memcpy(back, less, sizeof back);
     status = compute_with(f, capacity, back);
-    if (less[k] == 0 && status == HSP_OK) continue; /* a limit for which 0 stands for something else */
+    if (less[k] == 0 && status == HSP_OK) continue; /* a limit for which 0 has a meaning of its own */
     CHECK_EQUAL(status, HSP_E_CAPACITY);
     check_growth(less, back, numbers);
     grow(f, capacity, less, needed, numbers);

@@ -1,5 +1,5 @@
-/* Numbers beyond their range: limits that are too large, too many balls and points far away are refused with
- * HSP_E_RANGE, a negative radius with HSP_E_NEGATIVE. */
+/* Numbers beyond their range: too large limits, too many balls and points too far away are refused with HSP_E_RANGE, a
+ * negative radius with HSP_E_NEGATIVE. */
 #include <string.h>
 
 #include "fenced_memory.h"
@@ -22,7 +22,7 @@ static void limits_too_large(const function *f, uint32_t capacity, int i) {
   }
 }
 
-/* Each number of the first row of an array, or the number itself. */
+/* Tries a wrong value as each number of the first row of an array, or as the argument itself. */
 static void number(const function *f, uint32_t capacity, int i, double wrong, const char *what, int32_t status) {
   const argument *const a = &f->arguments[i];
   size_t at = 0, end = 1;
@@ -40,7 +40,7 @@ static void number(const function *f, uint32_t capacity, int i, double wrong, co
   }
 }
 
-/* More balls than HSP_MAX_BALLS, or than a model has room for. */
+/* Tries more balls than HSP_MAX_BALLS, and more than the model has room for. */
 static void too_many_balls(const function *f, uint32_t capacity, int i) {
   size_t k;
   for (k = 0; k < TOO_MANY; ++k) {
@@ -67,7 +67,7 @@ static void magnitudes(const function *f, uint32_t capacity) {
     if (strcmp(a->name, "radius") == 0) {
       number(f, capacity, i, -1, "negative:", HSP_E_NEGATIVE);
       number(f, capacity, i, -1e-300, "negative:", HSP_E_NEGATIVE);
-      /* as thick a stick is in conflict with its balls */
+      /* a stick so thick is in conflict with its balls before */
       if (!has_status(f, HSP_E_CONFLICT)) number(f, capacity, i, 1e300, "too large:", HSP_E_RANGE);
     }
     for (k = 0; k < sizeof far_away / sizeof far_away[0]; ++k) {

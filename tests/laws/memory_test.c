@@ -1,5 +1,5 @@
-/* Memory of any alignment serves for a handle if it has as many bytes as hsp_X_bytes says, and for a call; for a handle
- * one byte less is refused with HSP_E_MEMORY, and nothing is written. */
+/* Memory of any alignment serves, for a handle if it has as many bytes as hsp_X_bytes says, and for a single call. For
+ * a handle one byte less is refused with HSP_E_MEMORY, and nothing is written. */
 #include "fenced_memory.h"
 #include "law.h"
 

@@ -1,5 +1,5 @@
-/* No function allocates or frees: malloc and its relatives are replaced by functions that count while one runs. For
- * glibc only, and not for sanitizer builds, which bring their own malloc. */
+/* No function of the interface allocates or frees: malloc and its relatives are replaced by functions that count their
+ * calls while a function runs. For glibc only, and not for sanitizer builds, which bring their own malloc. */
 #include "law.h"
 #include "malloc_trap.h"
 

@@ -1,5 +1,5 @@
-/* A handle without results is refused with HSP_E_STATE where results are read; so is a model or a body whose set has
- * failed, by every function that takes one but hsp_model_get_info. */
+/* A handle without results is refused with HSP_E_STATE where results are read. So is a model or a body whose last set
+ * has failed, by every function that takes one but hsp_model_get_info. */
 #include "law.h"
 
 static void no_results(const function *f, uint32_t capacity) {

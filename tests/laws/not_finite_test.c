@@ -13,7 +13,7 @@ static const struct {
 } bad[] = {{"NaN in", NAN}, {"infinity in", INFINITY}, {"minus infinity in", -INFINITY}};
 enum { BAD = sizeof bad / sizeof bad[0] };
 
-/* Something for each ball or pose; other arrays have a fixed length. */
+/* Whether the array has an entry for each ball or pose; other arrays have a fixed length. */
 static int is_list(const argument *a) {
   return a->kind == KIND_array_in && (a->extent[0] < '0' || a->extent[0] > '9');
 }
@@ -26,7 +26,8 @@ static void check_first_bad(const function *f, uint32_t expected) {
   CHECK_EQUAL(named, expected);
 }
 
-/* Each number of a point, a box or a matrix, and those of ball 1: ball 0 is in no range. */
+/* Tries each number of a point, a box or a matrix; of arrays over balls the numbers of ball 1, as ball 0 may lie
+ * outside of the range that a function reads. */
 static void numbers(const function *f, uint32_t capacity, int i) {
   const argument *const a = &f->arguments[i];
   const int of_balls = a->kind == KIND_array_in && strcmp(a->extent, "n") == 0;
@@ -56,7 +57,7 @@ static void fields(const function *f, uint32_t capacity, int i) {
     const field *const part = &registry_fields[d];
     int k;
     if (strcmp(part->of, a->base) != 0 || strcmp(part->base, "double") != 0) continue;
-    if (place_of(f, part->name) > i) continue; /* a field that is tried as an argument */
+    if (place_of(f, part->name) > i) continue; /* this field is also tried as an argument of its own */
     for (k = 0; k < BAD; ++k) {
       call c;
       char whose[64];

@@ -26,7 +26,7 @@ static void sinks(const function *f, uint32_t capacity) {
     refusing r = {0, 0, 0};
     uint64_t said;
     call c;
-    if (accepts == 0) { /* how many there are */
+    if (accepts == 0) { /* first find the number of calls */
       r.accepts = UINT32_MAX;
       call_prepare(&c, f, capacity);
       c.v[sink].f = take_some;

@@ -1,5 +1,6 @@
-/* Results are read while what they were made from holds the same: HSP_E_STATE once a model has other balls, or there is
- * no model or boundary any more; read again when the same balls are set again. */
+/* Results can be read as long as the model or boundary that they were made from holds the same. Once the model has
+ * other balls, or the model or boundary is overwritten, reading returns HSP_E_STATE. When the same balls are set again
+ * the results can be read again. */
 #include <string.h>
 
 #include "law.h"
@@ -9,7 +10,7 @@ static int reads(const function *f, int i, int base) {
   return a->kind == KIND_handle && depends_on(a->noun, base) && reads_contents(f, i);
 }
 
-/* A handle that was overwritten is not followed. Nor is it given to the function itself. */
+/* Overwrites the model or boundary behind the results of a function that does not take this handle itself. */
 static void base_overwritten(const function *f, uint32_t capacity, int base) {
   int i;
   call c;

@@ -1,5 +1,5 @@
-/* Where more than one status fits, the one comes back that hardsphere.h puts first (STATUS): of handles, versions,
- * arguments, states, values, capacities. Every two faults of different ranks are tried together. */
+/* Where more than one status fits, a function returns the one that hardsphere.h puts first (section STATUS): handles,
+ * then versions, arguments, states, values, capacities. Every two faults of different ranks are tried together. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -31,7 +31,7 @@ static int is_handle(const argument *a) {
   return a->kind == KIND_handle;
 }
 
-/* The faults that every function with such arguments refuses; those of one argument alone are in other laws. */
+/* The faults that can be made in the arguments of f. That each fault alone is refused is tried by the other laws. */
 static faults faults_of(const function *f, uint32_t needed) {
   static const uint32_t far_off = 100000;
   const int first = place_of(f, "first");
@@ -66,7 +66,7 @@ static faults faults_of(const function *f, uint32_t needed) {
   return all;
 }
 
-/* 0 if the fault cannot be made any more. */
+/* Makes the fault in a prepared call; 0 if this is no longer possible. */
 static int make(call *c, const fault *one, uint32_t needed) {
   static uint64_t zeros[64];
   static const uint32_t no_size = 1;
@@ -111,7 +111,7 @@ static int make(call *c, const fault *one, uint32_t needed) {
   }
 }
 
-/* Of two faults in one struct or argument the second cannot be seen. */
+/* Whether two faults can be seen together: not if both are in one argument or one struct. */
 static int are_apart(const function *f, const fault *one, const fault *other) {
   return one->rank != other->rank && one->place != other->place && f->arguments[other->place].of != one->place &&
          f->arguments[one->place].of != other->place;

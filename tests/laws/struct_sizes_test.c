@@ -1,6 +1,7 @@
-/* A struct that begins with struct_size serves in every size that a version of it has, and larger if the rest is zeros;
- * nothing is read or written beyond, and what is written is the same as far as it goes. All other sizes are refused
- * with HSP_E_VERSION, as is a part that this library does not know and that is not zeros, of a struct that is read. */
+/* A struct that begins with struct_size is accepted in the size of each of its versions, and in a larger size if the
+ * rest is zeros. Nothing is read or written beyond its size, and as much of it as there is gets the same contents. All
+ * other sizes are refused with HSP_E_VERSION. So is a struct that is read and has a byte that is not zero in the part
+ * that this library does not know. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +10,7 @@
 
 enum { LARGEST = 1024, BEYOND = 12, ROOM = LARGEST + 64 };
 
-/* Structs that have grown, and what they had before. */
+/* Structs that have grown: their earlier size, and behind it the first field that was added. */
 static const struct {
   const char *base;
   uint32_t size;
@@ -33,7 +34,7 @@ static unsigned char *prepare(call *c, const function *f, uint32_t capacity, int
   call_prepare(c, f, capacity);
   call_put(c, i, room);
   c->v[i].p = data = fence_take(i, room, (8 - room % 8) % 8);                     /* aligned */
-  if (i + 1 < f->count && strcmp(f->arguments[i + 1].name, "struct_size") == 0) { /* it says nothing itself */
+  if (i + 1 < f->count && strcmp(f->arguments[i + 1].name, "struct_size") == 0) { /* its size is an argument */
     c->v[i + 1].u = size;
     return data;
   }
@@ -56,7 +57,7 @@ static void good_size(const function *f, uint32_t capacity, int i, uint32_t size
   if (a->kind == KIND_sized) CHECK_BYTES(data, known, size);
 }
 
-/* A field that this library does not know is not 0. */
+/* Tries a struct in which the byte `at`, in the part that this library does not know, is not 0. */
 static void unknown_part(const function *f, uint32_t capacity, int i, uint32_t size, size_t at) {
   const argument *const a = &f->arguments[i];
   size_t k;
@@ -90,7 +91,7 @@ static void struct_sizes(const function *f, uint32_t capacity) {
     const uint32_t size = (uint32_t)f->arguments[i].size;
     uint32_t k;
     if (!is_sized(&f->arguments[i])) continue;
-    /* Where handles are made again for each call, what is no multiple of 4 is left to the other functions. */
+    /* Functions with handles, which are made anew for each call, try multiples of 4 alone, to save time. */
     for (k = 0; k <= size + BEYOND; k += place_of_kind(f, KIND_handle) < 0 ? 1 : 4) one_size(f, capacity, i, k);
     for (k = LARGEST - 5; k <= LARGEST + 8; ++k) one_size(f, capacity, i, k);
     one_size(f, capacity, i, 0xFFFFFFFF);

@@ -154,7 +154,7 @@ void call_prepare_next(call *c, const function *f, uint32_t capacity) {
 
 /* ---- a call ------------------------------------------------------------------------------------------------------ */
 
-/* Where a field lies in its request or outputs; NULL if they are missing or have not so many bytes. */
+/* The address of a field in its request or outputs; NULL if the struct is missing or too short for the field. */
 static unsigned char *field_at(const call *c, int i) {
   const argument *const a = &c->f->arguments[i];
   const size_t bytes = is_pointer(a) ? sizeof(void *) : a->size;
@@ -176,7 +176,8 @@ static void put_fields(const call *c) {
   }
 }
 
-/* Arrays that are written in outputs themselves are taken out of them, so that nothing in them may change. */
+/* Numbers that a function writes into an outputs struct itself are moved to memory of their own; then nothing else in
+ * the struct may have changed. */
 static void take_fields(const call *c) {
   int i;
   for (i = 0; i < c->f->count; ++i) {

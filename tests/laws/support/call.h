@@ -1,5 +1,5 @@
-/* Calls of functions of the registry with base arguments: for each what its kind and name say. Arrays lie in fenced
- * memory, so that a number too many shows. */
+/* Calls of functions of the registry with base arguments: a valid value for each argument, chosen by its kind and name.
+ * Arrays lie in fenced memory (fenced_memory.h), so that reading or writing one number too many is noticed. */
 #pragma once
 
 #include "fixture.h"
@@ -19,28 +19,30 @@ typedef struct call {
   int outside; /* whether memory outside of the arguments was touched */
 } call;
 
-/* The handles that are made anew before the next call: all of the fixture, of so many balls; a handle of it that is
- * spoilt. */
+/* call_with_balls makes all handles of the fixture anew, over its first `balls` balls. call_spoils marks a handle that
+ * the next call_prepare has to make anew. */
 void call_with_balls(uint32_t balls);
 void call_spoils(const void *handle);
 
-/* Base arguments, with room for so many records: first the numbers, then arrays that are as long as these say. */
+/* Base arguments, with room for `capacity` records: call_numbers sets the numbers, then call_pointers the arrays, as
+ * long as the numbers say. call_prepare does both. */
 void call_numbers(call *c, const function *f, uint32_t capacity);
 void call_pointers(call *c, uint32_t capacity);
 void call_prepare(call *c, const function *f, uint32_t capacity);
 /* The same with the handles as the call before has left them. */
 void call_prepare_next(call *c, const function *f, uint32_t capacity);
 
-/* Other memory for an argument, of so many bytes; NULL instead of it. */
+/* call_put gives an argument other memory, of so many bytes; call_put_null gives it NULL. */
 void *call_put(call *c, int i, size_t bytes);
 void call_put_null(call *c, int i);
 
-/* The contents of base arguments: the number i of a function; `count` numbers or structs of an array, or one struct. */
+/* The contents of base arguments: base_number is the value of argument i, fill_base fills an array of `count` numbers
+ * or structs, or one struct. */
 value base_number(const function *f, int i);
 void fill_base(const argument *a, void *out, size_t count);
 const char *base_text(const argument *a);
 
-/* Calls. The rules for every call are seen to: `outside`, and call_finds. */
+/* Makes the call. `outside` and call_finds tell whether it kept the rules that hold for every call. */
 void call_run(call *c);
 
 /* NULL, or what is wrong whatever the arguments are: an undocumented status, an input that was written, memory outside

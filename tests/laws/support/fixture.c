@@ -105,7 +105,7 @@ int depends_on(int noun, int base) {
   }
 }
 
-/* With parts for the executor of base arguments, and simplices to keep. */
+/* The first limits to try, with room for the workers of the base arguments' executor and for simplices. */
 static int32_t start_limits(int noun, void *limits) {
   static const struct {
     const char *of, *name;
@@ -260,7 +260,7 @@ static void release(void) {
 }
 
 #if HSP_HAS_SIGHT
-/* Balls belong to the bricks by turns, and the model of each has all. */
+/* Makes the summary of one of `bricks` bricks. Ball i belongs to brick i % bricks; each model has all balls. */
 static void summarise(int which, uint32_t brick, uint32_t bricks, uint32_t flags) {
   uint64_t id[FIXTURE_BALLS];
   uint32_t owner[FIXTURE_BALLS], i;

@@ -1,5 +1,5 @@
-/* A small set of balls and a handle of each kind over it, with results and without: what the calls of every function
- * can be made of. */
+/* The fixture of all laws: a small set of balls, and handles of each kind over it, with results and without, which are
+ * the arguments of the calls. */
 #pragma once
 
 #include "registry.h"
@@ -11,7 +11,7 @@ extern "C" {
 enum { FIXTURE_BALLS = 9, FIXTURE_STICK_END = 6, LIMIT_BYTES = 64 };
 
 typedef struct fixture {
-  uint32_t balls; /* the first so many */
+  uint32_t balls; /* how many of the fixture's balls there are: the first ones */
   /* Of each kind: the handle with results, its memory and the limits that it was made with. */
   void *handle[NOUNS], *memory[NOUNS];
   size_t bytes[NOUNS];
@@ -35,7 +35,7 @@ extern const double fixture_probe, fixture_edge, fixture_stick_radius, fixture_f
 extern const hsp_stick fixture_stick;
 #endif
 
-/* Makes `given` of the first balls instead of what it was. The program ends if a call fails. */
+/* Makes `given` anew, of the first `balls` balls. The program ends if a call fails. */
 void fixture_make(uint32_t balls);
 
 /* Makes the handle of a kind again where it is, with the same results; what was made from it can be read again. */

@@ -7,8 +7,8 @@
 extern "C" {
 #endif
 
-/* Arguments that the header lets a function write when it fails, but for refused handles: the reason why there are no
- * results. */
+/* Whether an argument is an output that tells the reason of a failure: the header lets a function write it when it
+ * fails, unless a handle is refused. */
 int names_reason(const function *f, const argument *a);
 
 /* The place of an argument, -1 if there is none. */
@@ -17,15 +17,15 @@ int place_of_kind(const function *f, int kind);
 
 int has_status(const function *f, int32_t status);
 int is_output(const argument *a);
-/* A number that is no array: an argument, or a field that is read. A field that is written there is no pointer. */
+/* Whether it is a single number: an argument, or a field of a struct that is read. */
 int is_number(const argument *a);
 int is_pointer(const argument *a);
-/* A number of which only few values mean something: flags, or one of some constants. */
+/* Whether it is a number of which only few values have a meaning: flags, or one of some constants. */
 int is_choice(const argument *a);
 /* A struct that says its size. */
 int is_sized(const argument *a);
 
-/* Memory for one call, of which the next argument points to the size; other memory is for a handle. */
+/* Whether it is memory for one call, with a pointer to its size as the next argument; other memory is for a handle. */
 int is_memory_of_call(const function *f, int i);
 
 /* How many numbers or structs make an entry of an array. */

@@ -36,7 +36,7 @@ void law_succeeds(call *c, const char *what, const char *whose) {
   }
 }
 
-/* Known from a call with plenty of room, or from what that asks for. */
+/* From a call with plenty of room: the number that it needed, or that it asks for. */
 static uint32_t capacity_that_suffices(const function *f) {
   call c;
   call_prepare(&c, f, PLENTY);

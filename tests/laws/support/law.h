@@ -1,4 +1,4 @@
-/* A law is a function that tries what it says on one function of the registry. */
+/* A law is a C function that tries one rule on one function of the registry. */
 #pragma once
 
 #include "call.h"
@@ -16,8 +16,8 @@ int check_law(law try_it);
 /* Runs a call and checks what holds of every call. `what` and `whose` say what is odd about its arguments. */
 void law_run(call *c, const char *what, const char *whose);
 
-/* Runs a call that has to be refused with that status. Nothing is written but what tells the reason, and outputs whose
- * names are in `but`: "|name|name|". A handle that is refused leaves the reason as it is, too. */
+/* Runs a call that has to be refused with this status. It may write only the output that tells the reason, and outputs
+ * whose names are in `but`: "|name|name|". If the status is HSP_E_HANDLE it may not write the reason either. */
 void law_refused(call *c, const char *what, const char *whose, int32_t status, const char *but);
 
 /* Runs a call that has to succeed. */

@@ -30,10 +30,10 @@ enum {
   KIND_outputs
 };
 
-/* Whether an argument may be NULL; empty: where there is nothing to hold; box: in one, but the laws have none. */
+/* Whether an argument may be NULL. empty: if it has no entries. box: in a periodic box, which the laws do not use. */
 enum { NULL_never, NULL_always, NULL_empty, NULL_box };
 
-/* id: an unsigned number that is HSP_NONE where other functions have a status. */
+/* What a function returns. id: an unsigned number that is HSP_NONE where other functions return a failing status. */
 enum { RESULT_status, RESULT_id, RESULT_number, RESULT_text };
 
 /* The kinds of handles. */
@@ -74,7 +74,8 @@ typedef struct argument {
   size_t row;         /* how many numbers or structs make an entry, 0: one */
   int noun, null, is_const;
   int held; /* an output array that has to have room for what `needed` becomes */
-  /* Of a field: the place of the request or outputs that it stands behind, and where it lies in that. 0: no field. */
+  /* A field of a request or outputs struct is listed as an argument behind it: the place of the struct, 0 if it is no
+   * field, and its offset in the struct. */
   int of;
   size_t offset;
 } argument;
