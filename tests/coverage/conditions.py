@@ -1,11 +1,12 @@
-"""Conditions of the core that no test has seen decide, from what `llvm-cov show -show-mcdc` says:
+"""Lists the conditions of the core that are not covered by MC/DC, from the output of `llvm-cov show -show-mcdc`:
 
   conditions.py SHOWN EXCLUSIONS FILE...
 
-A condition is covered if one instance of its function has seen it true and false with all others of its decision as
-they were, or not asked (MC/DC). What the compiler folds in every instance is none. An exclusion is a line of
-EXCLUSIONS, file | condition | reason | why, for each condition with this text that is not covered. It is an error if
-there is none, or more than MOST. Prints MC/DC by room and what is left. Fails if anything is."""
+A condition is covered if one instance of its function has been run with the condition true and false, all others of
+its decision the same or not evaluated (MC/DC). A condition that the compiler folds to a constant in every instance
+does not count. An exclusion is a line of EXCLUSIONS, file | condition | reason | why, and holds for each condition
+with this text in the file. It is an error if an exclusion fits no uncovered condition, or if there are more than
+MOST. Prints the share of covered conditions by room, and those that are left. Fails if any is left."""
 import re
 import sys
 from collections import Counter, defaultdict

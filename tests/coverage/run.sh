@@ -21,13 +21,13 @@ install_packages "${packages_for_tests[@]}" gcovr
 build=build/coverage
 cmake --preset coverage >/dev/null
 cmake --build --preset coverage --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" | tail -n 1
-# Counts of an earlier run would be added to.
+# Without this the counts of an earlier run would be added.
 find "$build" -name '*.gcda' -delete
 ctest --preset coverage --parallel "${CTEST_PARALLEL_LEVEL:-$(nproc)}"
 
-# Where there are objects of the library, of its tests, which compile parts of its headers, and of the program. The
-# counters of stages are no part of the library as it ships, and a function of theirs has two bodies, which gcovr 5.2
-# cannot merge.
+# The folders have the objects of the library, of the program, and of the tests, which compile parts of the library's
+# headers. stage_counters.hpp is left out: it is no part of the library as it ships, and one of its functions has two
+# bodies, which gcovr 5.2 cannot merge.
 covered() {
   gcovr --root . --exclude 'lib/ground/exact/stage_counters\.hpp' --print-summary "$@" \
     "$build/CMakeFiles" "$build/capi" "$build/tests" "$build/fuzz"

@@ -16,7 +16,7 @@ function content(file,  line, whole) {
   return whole
 }
 
-# Where the n-th character that is no space stands.
+# The position of the n-th character that is no space.
 function position(whole, n,  k) {
   for (k = 1; k <= length(whole); ++k) {
     if (index(" \t\n", substr(whole, k, 1)) == 0 && --n == 0) return k
@@ -28,7 +28,7 @@ function complain(why) {
   failed = 1
 }
 
-# The fault of the mutation just read, or nothing. Sets `place`, where its text begins without spaces.
+# The fault of the mutation just read, or nothing. Sets `place`, the position of its text in the file without spaces.
 function judge(  rest) {
   if (!(file in stripped)) stripped[file] = without_spaces(content(root "/" file))
   if (stripped[file] == "") return "there is no " file

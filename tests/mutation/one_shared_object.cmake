@@ -1,7 +1,7 @@
 # Included by run.sh as CMAKE_PROJECT_INCLUDE: links the tests and the program to one shared object with everything that
-# the library defines, instead of to the archive and to its objects. Thus a mutant costs the compilation of what
-# its file concerns and one link. A test is linked again only if it compiles the mutated file itself.
-# The library is compiled with -O1 and with assertions, the rest as the build type says.
+# the library defines, instead of to the archive and to its objects. So a mutant costs the compilation of the files of
+# the library that include the mutated one, and one link. A test is linked again only if it compiles the mutated file
+# itself. The library is compiled with -O1 and with assertions, the rest as the build type says.
 
 # All targets of a folder and of those below, in `targets`.
 function(hsp_targets_below folder)
@@ -19,15 +19,15 @@ function(hsp_link_one_shared_object)
 
   set_target_properties(hardsphere_objects PROPERTIES CXX_VISIBILITY_PRESET default)
   target_compile_options(hardsphere_objects PRIVATE -O1 -UNDEBUG)
-  # -Bsymbolic: what is defined in a header and compiled into a test as well stays that of the mutant in the library.
+  # -Bsymbolic: a function of a header that is compiled into a test as well still has the mutant's body in the library.
   add_library(hardsphere_mutant SHARED $<TARGET_OBJECTS:hardsphere_objects>)
   set_target_properties(hardsphere_mutant PROPERTIES LINKER_LANGUAGE CXX)
   target_link_options(hardsphere_mutant PRIVATE -Wl,-Bsymbolic)
   target_link_libraries(hardsphere_mutant PRIVATE m)
-  # An exported library is exported with all that it links to.
+  # A library can be exported only together with all libraries that it links to.
   install(TARGETS hardsphere_mutant EXPORT hardsphere-targets EXCLUDE_FROM_ALL)
 
-  # The archive: nothing but what it links to.
+  # The archive has no code of its own; it links to the shared object.
   set(nothing ${PROJECT_BINARY_DIR}/nothing.c)
   if(NOT EXISTS ${nothing})
     file(TOUCH ${nothing})
@@ -35,7 +35,7 @@ function(hsp_link_one_shared_object)
   set_property(TARGET hardsphere PROPERTY SOURCES ${nothing})
   set_property(TARGET hardsphere APPEND PROPERTY INTERFACE_LINK_LIBRARIES $<BUILD_INTERFACE:hardsphere_mutant>)
 
-  # The objects, for those who compile inner headers.
+  # In place of the objects, for targets that compile inner headers.
   add_library(hardsphere_inner INTERFACE)
   target_link_libraries(hardsphere_inner INTERFACE hardsphere_mutant)
   foreach(property INCLUDE_DIRECTORIES COMPILE_DEFINITIONS COMPILE_OPTIONS COMPILE_FEATURES)

@@ -1,5 +1,5 @@
-// A drawn mistake is made where its number is that of HSP_MUTANT in the environment. HSP_REACHED names a file of zeros,
-// in which the byte of each mistake that a program comes to is set.
+// A drawn mistake is made if its number is the value of the environment variable HSP_MUTANT. HSP_REACHED names a file
+// of zeros: a program that reaches mistake number k sets byte k of the file.
 #pragma once
 #include <fcntl.h>
 #include <sys/mman.h>
