@@ -1,5 +1,6 @@
-// The boundary of any set: everything the header promises about its records, the same bytes twice, and no effect of the
-// order of the balls, of the place, of the names of the axes and of how the work is split.
+// The boundary of any set: every promise of the header about its records, checked by the invariants of
+// tests/api/support; the same bytes twice; and no effect of the order of the balls, of a translation, of exchanged axes
+// and of how the work is split.
 #include <boundary_invariants.h>
 
 #include "computed_set.hpp"
@@ -55,7 +56,7 @@ void require_no_place(const fuzz::ScaledBalls &set, const computed &reference, f
   FUZZ_REQUIRE(close(reference.totals.volume, c.totals.volume), "volume differs at another place");
 }
 
-// Ties may be broken otherwise when axes change names; the topology of the closed balls stays.
+// Ties may be broken in another way when axes are exchanged; the topology of the closed balls must stay.
 void require_no_axes(const fuzz::ScaledBalls &set, const computed &reference, fuzz::Bytes &bytes) {
   fuzz::ScaledBalls turned = set;
   const uint32_t turn = 1 + bytes.below(2);

@@ -41,8 +41,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   oracle::BoundaryRecord there;
   const auto measured_here = require_brute_force(balls, here);
   const auto measured_there = require_brute_force(moved(balls, symmetry, shift), there);
-  // The perturbation has a form of the coordinates, so infinitesimal parts may differ; what belongs to the closed balls
-  // may not.
+  // The perturbation depends on the coordinates, so infinitesimally small parts may differ after a motion. Numbers that
+  // belong to the closed balls may not.
   FUZZ_REQUIRE(here.counts.components == there.counts.components, "components after a motion");
   FUZZ_REQUIRE(here.counts.voids == there.counts.voids, "voids after a motion");
   FUZZ_REQUIRE(here.counts.shells == there.counts.shells, "shells after a motion");

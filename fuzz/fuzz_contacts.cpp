@@ -57,7 +57,7 @@ void require_laws(hsp_contacts *contacts, const computed &base, const Result &re
   for (uint32_t i = 0; i < base.n; ++i) size += std::fabs(result.share[i]) + std::fabs(base.volume[i]);
   FUZZ_REQUIRE(std::fabs(result.totals.volume - base.totals.volume) <= 1e-9 * size, "volume of the shares");
 
-  // Rows are all contacts, once for each of their balls.
+  // The rows must be all contacts, each once for each of its two balls.
   std::vector<std::vector<hsp_contact>> rows(base.n);
   for (const hsp_contact &contact : result.contacts) {
     FUZZ_REQUIRE(contact.ball[0] < contact.ball[1] && contact.ball[1] < base.n, "balls of a contact");
@@ -192,7 +192,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const std::vector<uint32_t> order = fuzz::shuffled(set.n(), bytes);
   const fuzz::ComputedSet other(fuzz::permuted(set, order));
   const Result mixed = result_of(contacts, other.get(), false);
-  // Equal balls differ by their order alone.
+  // Equal balls can be told apart by their order alone, so results may be exchanged between them.
   bool distinct = true;
   for (uint32_t i = 0; i < set.n(); ++i)
     for (uint32_t k = 0; k < i; ++k) distinct = distinct && set.balls[i] != set.balls[k];

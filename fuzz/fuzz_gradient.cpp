@@ -26,7 +26,7 @@ void require_no_order(const fuzz::ScaledBalls &set, const computed &c, uint32_t 
                                                       weights_of(other.get()).data(), tangency));
 }
 
-// A row in an array that is too short for it.
+// Asks for a row with an array that is too short for it.
 void require_short_rows(const computed &c, uint32_t tangency, fuzz::Bytes &bytes) {
   for (uint32_t i = 0; i < c.n; ++i) {
     uint32_t length = 0, needed = 0;

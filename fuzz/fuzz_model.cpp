@@ -1,4 +1,5 @@
-// The model: figures of Section 2 against all pairs, what it tells about itself, and that sets can follow one another.
+// The model: the figures of the paper's Section 2 against brute force over all pairs, its own counts, and that one
+// model can be set to one set after another.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -47,7 +48,7 @@ void check_info(const fuzz::ScaledBalls &set, const hsp_model *model) {
   FUZZ_REQUIRE(std::fabs(info.largest_radius - set.length(largest)) <= 1e-15 * info.largest_radius, "largest_radius");
 }
 
-// As rounded they are those of the set, which are on the lattice.
+// The balls that the model returns must be those of the set, which are on the lattice already.
 void check_balls(const fuzz::ScaledBalls &set, const hsp_model *model) {
   const support::BallList list = set.in_lengths();
   const uint32_t n = list.size();

@@ -1,5 +1,6 @@
-// The predicates of lib/ground/exact, every stage and both limb widths, against the oracle's naive determinants with
-// symbolic infinitesimals. The input makes four balls, mostly in special position.
+// The library's inner predicates (lib/ground/exact), every stage and both limb widths, against the oracle's naive
+// determinants with symbolic infinitesimals (tests/oracle/sphere_predicates.hpp). The input makes four balls, mostly in
+// special position.
 #include "exact/predicates.hpp"
 
 #include "exact/lattice_ball.hpp"

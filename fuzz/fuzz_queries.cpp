@@ -1,4 +1,5 @@
-// The queries of Section 3 against all balls one by one, in integers, with arrays of exactly and of less than the size.
+// The queries of the paper's Section 3 against all balls one by one, in integers, with output arrays of exactly the
+// size that is needed and with shorter ones.
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +29,7 @@ void check_hits(const std::vector<uint32_t> &expected, fuzz::Bytes &bytes, const
   }
 }
 
-// Lists of all pairs: first holds as many ids as there are balls, and one.
+// Lists of all pairs. `first` has one entry more than there are balls.
 void check_pairs(const hsp_model *model, const oracle::Balls &balls, fuzz::Bytes &bytes) {
   for (const uint32_t flags : {0U, HSP_PAIRS_ONCE}) {
     std::vector<uint32_t> first = {0};
@@ -77,7 +78,8 @@ Place next_direction(fuzz::Bytes &bytes, const fuzz::ScaledBalls &set, const Pla
   return direction;
 }
 
-// The same first ball, and a point on its sphere or, if that is in a ball, the origin.
+// The first ball on the ray must be the oracle's. The point must be on its sphere, or the ray's origin if this is in a
+// ball.
 void check_ray(const hsp_model *model, const fuzz::ScaledBalls &set, const oracle::Balls &balls, const Place &origin,
                const Place &direction) {
   const double from[3] = {set.length(origin[0]), set.length(origin[1]), set.length(origin[2])};

@@ -1,6 +1,6 @@
-// No set is slow: the work of each stage of the stable tier against the size of what it is given and finds. Work is
-// counted, not timed: the basic blocks that run, in a copy of the core that is compiled to count them. With libFuzzer a
-// set that takes a twentieth more for its size than all before it is kept.
+// No set is slow: the work of each stage of the stable tier must stay below a bound times the size of its input and
+// output. Work is counted, not timed: the basic blocks that run, in a copy of the core that is compiled to count them.
+// libFuzzer keeps each set that takes a twentieth more work for its size than all sets before it.
 #include <owned_handle.hpp>
 
 #include <cmath>
@@ -32,17 +32,17 @@ enum StageId : size_t {
   all
 };
 
-// How much of a stage there may be at most for each ball, pair of balls that meet, vertex and circle: basic blocks, of
-// `integers` questions that no filter answers. Of 69,000 sets that libFuzzer tried, 301 balls whose spheres all go
-// through one point once took 18,900 of contacts, with 300 questions, 159 on a line, one fewer than are culled, 6,200
-// of the boundary, 154 around a circle of the lattice 14,700, 288 there 7,200, beside spheres through one point
-// 58,100, with 392 questions, 384 around a sphere of the lattice 5,200, with 81, one beside 399 on a line 12,100, with
-// 48, and 400 that stud a large one 5,000 of topology. Of 3,000 random ones the worst now take 6,300 of the boundary,
-// 5,300 of contacts, 1,300 of topology, and 43 questions; of those found 288 around a circle of the lattice and 21
-// through one point 8,700 of contacts, with 49 questions, 314 that stud one of two that nearly agree 11,800 of
-// topology, with 73, and small balls, too few for an index, beside a line of large ones 4,700 of flags. One is beyond
-// the bounds, and left: 399 around a circle of the lattice with one beside it take 44,400 of the boundary, 0.7
-// seconds. Sanitizers make up to five blocks of one.
+// `most`: the bound of a stage for each ball, pair of balls that meet, vertex and circle of a set. It is a number of
+// basic blocks; for `integers` it is a number of questions that no filter answers. Sanitizers make up to five blocks of
+// one.
+//
+// The worst of 3,000 random sets take 6,300 blocks of the boundary, 5,300 of contacts, 1,300 of topology, and 43
+// questions. The worst that libFuzzer found in 69,000 sets take
+//   - 8,700 of contacts, with 49 questions: 288 balls around a circle of the lattice and 21 through one point,
+//   - 11,800 of topology, with 73 questions: 314 balls that stud one of two balls that nearly agree,
+//   - 4,700 of flags: small balls, too few for an index, beside a line of large ones.
+// One known set is beyond the bounds: 399 balls around a circle of the lattice with one beside it take 44,400 blocks of
+// the boundary, 0.7 seconds.
 struct Stage {
   const char *name;
   double most;
@@ -63,7 +63,7 @@ constexpr double blocks_of_one = 1;
 
 using Work = std::array<uint64_t, all>;
 
-// A twentieth more is a further step, of which libFuzzer keeps the first set that reaches it.
+// Work is reported to libFuzzer in steps of a twentieth; it keeps the first set that reaches a step.
 constexpr uint32_t steps_of_work = 320;
 #if defined(__linux__)
 __attribute__((used, section("__libfuzzer_extra_counters")))
@@ -72,7 +72,8 @@ uint8_t reached[all][steps_of_work];
 
 const char *const printed = std::getenv("SLOW_SETS_PRINTED");
 
-// Sets with few balls count as larger: to begin takes its time, too.
+// Requires that the work of each stage is within its bound. 64 is added to the size of each set, as starting takes
+// work, too.
 void require_little(const Work &work, uint64_t size) {
   for (size_t k = 0; k < all; ++k) {
     const double each = static_cast<double>(work[k]) / static_cast<double>(size + 64);
@@ -114,7 +115,7 @@ void flag(const hsp_boundary *boundary, uint32_t n) {
   FUZZ_REQUIRE(hsp_boundary_get_derivatives(boundary, nullptr, &derivatives) == HSP_OK, "flags");
 }
 
-// The call that takes most, with limits that are too small or not.
+// Repeats a computation until its limits suffice, and counts the call that takes most work, successful or not.
 template <class Handle, class Compute>
 void count(Work &work, StageId stage, Handle &handle, Compute compute) {
   uint64_t most_integers = 0;
@@ -135,7 +136,7 @@ void count(Work &work, StageId stage, Handle &handle, Compute compute) {
   work[integers] += most_integers;
 }
 
-// As the program reads them.
+// Prints the balls in the form that the program hardsphere reads.
 void print_balls(const oracle::Balls &balls) {
   for (const oracle::LatticeBall &ball : balls) {
     for (const int64_t number : {ball.x, ball.y, ball.z, ball.radius}) {

@@ -1,5 +1,6 @@
-// The topology of any set: everything the header promises about its records, the same bytes twice, no effect of the
-// order of the balls, limits that are too small, each component on its own, and points against the balls in integers.
+// The topology of any set: every promise of the header about its records, by the invariants of tests/api/support; the
+// same bytes twice; no effect of the order of the balls; limits that are too small; each component on its own; and the
+// regions of points against free lines between points, which are found from the balls in integers.
 #include <topology_invariants.h>
 
 #include <map>

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The record of fuzzing: executions, seconds, inputs in the corpus and compiler of each harness of the core, by libFuzzer and
-# on random inputs, without and with sanitizers, added up over runs; a file for each version in fuzz/record. Without slow_sets,
-# which takes seconds for a set and looks for few that are slow.
+# The record of fuzzing: executions, seconds, inputs in the corpus and compiler of each harness of the core, by
+# libFuzzer and on random inputs, without and with sanitizers, added up over runs; a file for each version in
+# fuzz/record. The harness slow_sets is left out: it takes seconds for a set and looks for the few that are slow.
 #   record.sh                           whether each has a million without and a hundred thousand with sanitizers
 #   record.sh none SECONDS [AREA...]    libFuzzer runs all, or these, for so long each, one after the other; this is added
 #   record.sh none COUNT-random [AREA...]    each takes so many random inputs that it has not had
 #   record.sh address,undefined ...     the same with these sanitizers
-# Builds lie in build/fuzz_*; corpora grow in build/fuzz_found. Of a run that finds an input that fails nothing is added.
+# Builds lie in build/fuzz_*; corpora grow in build/fuzz_found. A run that finds a failing input adds nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export LC_ALL=C

@@ -1,7 +1,8 @@
-// Unions in a periodic box: the library's check of itself, contacts and neighbours from both sides, cells, windings and
-// groups that add up, morphometric energies, second derivatives, the same bytes from other images of the balls, other
-// vectors of the box, reversed ones and exchanged axes, twice the box along one of them, records that fit together,
-// points and query balls against all images, and limits that are too small.
+// Unions in a periodic box. Against each other: the library's check of itself, contacts and neighbours from both sides,
+// sums of cells, windings and groups, morphometric energies, second derivatives, records. Against other inputs: the
+// same bytes from other images of the balls, other vectors of the box, reversed vectors, exchanged axes; twice
+// everything in a box twice as long. Against brute force: points and query balls against all images. And limits that
+// are too small.
 #include <loops.h>
 
 #include <array>
@@ -85,7 +86,7 @@ int32_t compute(hsp_periodic *handle, const Crystal &crystal, hsp_periodic_limit
   return status;
 }
 
-// Areas and derivatives alone, by some threads, have the same bits.
+// Areas and derivatives computed without the rest, by several threads, must have the same bits.
 void require_areas_alone(const Crystal &crystal, const Result &whole, uint32_t workers) {
   loop own = loop_of(LOOP_REVERSED);
   const hsp_executor executor = executor_of(&own, workers);
@@ -257,7 +258,7 @@ void require_second_derivatives(const Result &result) {
   }
 }
 
-// Sums over the contacts.
+// Sums by groups of balls must be the sums over the contacts.
 void require_groups(const Result &result) {
   hsp_group_contact sum{};
   for (const hsp_periodic_contact &contact : result.contacts) {
@@ -377,12 +378,13 @@ void require_same(const Result &p, const Result &q) {
                "groups of other images");
 }
 
-// As numbers: a 0 may have another sign.
+// Compared as numbers: a 0 may have another sign.
 bool are_turned(const double *v, const double *turned) {
   return turned[1] == v[0] && turned[2] == v[1] && turned[0] == v[2];
 }
 
-// With x along y, y along z and z along x all are the same, turned likewise. `crystal` comes back turned.
+// With the axes exchanged (x along y, y along z, z along x) all results must be the same, with exchanged axes.
+// `crystal` comes back with exchanged axes.
 void require_same_turned(Crystal &crystal, const Result &reference) {
   const auto turn = [](double *v) {
     const double last = v[2];
@@ -449,7 +451,7 @@ void require_hits(const hsp_periodic *periodic, const Crystal &crystal, fuzz::By
   for (uint32_t i = 0; i < crystal.n(); ++i) {
     const double *const xyz = &crystal.balls.xyz[3 * size_t{i}];
     const double r = crystal.balls.radius[i] + crystal.options.probe + radius;
-    // In a box that leans, far multiples of a or b make up for those of c.
+    // In a box that leans, multiples of c move images sideways, so far multiples of a or b can be near again.
     const double high = std::ceil((r + std::fabs(at[2] - xyz[2])) / crystal.box[8]);
     for (double c = -high; c <= high; ++c) {
       const double y = xyz[1] + c * crystal.box[7] - at[1];

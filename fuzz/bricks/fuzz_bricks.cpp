@@ -1,6 +1,6 @@
-// Bricks: a set cut by owners that the input chooses, merged in a tree that it chooses, against one piece, bit for bit;
-// summaries of which some numbers are others, with a right check sum, and any bytes as a summary: a status, and no
-// more.
+// Bricks: a set is cut by owners that the input chooses, merged in a tree that it chooses, and compared with the same
+// set in one piece, bit for bit. Summaries with some numbers changed and a right check sum, and any bytes as a summary,
+// must lead to a status and nothing else.
 #include <brick_summaries.hpp>
 #include <cmath>
 
@@ -35,7 +35,7 @@ Cut cut_set(fuzz::Bytes &bytes) {
   return cut;
 }
 
-// Its own balls and those that meet one of them, in integers; and others by accident.
+// The model of a brick: its own balls, those that meet one of them (decided in integers), and some others at random.
 OwnedBalls model_of(const Cut &cut, uint32_t brick, fuzz::Bytes &bytes) {
   const OwnedBalls &balls = cut.balls;
   std::vector<uint8_t> in(balls.size());
@@ -55,7 +55,7 @@ OwnedBalls model_of(const Cut &cut, uint32_t brick, fuzz::Bytes &bytes) {
   return balls.part(in);
 }
 
-// As summary_block.hpp has it.
+// Writes the check sum into a summary, as the library's summary_block.hpp defines it.
 void put_check_sum(Summary &summary) {
   uint64_t sum = UINT64_C(0xCBF29CE484222325);
   size_t k = 0;
@@ -73,7 +73,8 @@ bool is_documented(int32_t status) {
          status == HSP_E_ID || status == HSP_E_CONFLICT || status == HSP_E_DAMAGED;
 }
 
-// By itself, and together with one that is sound. The result of a merge is no damaged summary.
+// Reads a summary of any bytes by itself, and merges it with a sound one. The result of a successful merge must not be
+// a damaged summary.
 void require_total(const Summary &any, const Summary &sound) {
   hsp_brick_totals totals;
   const int32_t read = support::get_totals(any, totals);

@@ -1,5 +1,5 @@
-// Second derivatives of areas and volume: their laws, against gradients and rows of areas, and arrays that are too
-// short.
+// Second derivatives of areas and volume: their invariants, agreement with gradients and rows of areas, and arrays that
+// are too short.
 #include <hessian_invariants.h>
 
 #include "computed_set.hpp"

@@ -65,7 +65,7 @@ Answers answers_to(const hsp_body *fixed, const hsp_body *moving, const hsp_pose
   return result;
 }
 
-// The same of a rational pose but for overlaps. `step`: of the lattice.
+// The same answers for a rational pose, without overlaps. `step` is the lattice step.
 Answers rational_answers(const hsp_body *fixed, const hsp_body *moving, const hsp_rational_pose &pose, double step) {
   Answers result;
   uint32_t first_bad = 7, needed = 0;
@@ -85,7 +85,7 @@ Answers rational_answers(const hsp_body *fixed, const hsp_body *moving, const hs
   return result;
 }
 
-// Poses that follow each other closely or less so: the answers are those of each alone, whatever the margin.
+// A sequence of poses, close to each other or not: the answers must be those of each pose alone, whatever the margin.
 void check_motion(const hsp_body *fixed, const hsp_body *moving, hsp_pose pose, hsp_rational_pose rational, double step,
                   fuzz::Bytes &bytes) {
   std::vector<hsp_pose> way;
@@ -115,7 +115,7 @@ void check_motion(const hsp_body *fixed, const hsp_body *moving, hsp_pose pose, 
   FUZZ_REQUIRE(ideal_status != HSP_OK || std::memcmp(hit, along, sizeof hit) == 0, "hits along a rational motion");
 }
 
-// How far balls are from the origin, at most.
+// The largest distance of a point of the balls from the origin.
 double reach_of(const fuzz::ScaledBalls &set) {
   double reach = 0;
   for (const oracle::LatticeBall &ball : set.balls) {
@@ -175,8 +175,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const Answers exact = answers_to(fixed.get(), moving.get(), pose);
   FUZZ_REQUIRE(exact.pairs == brute_force(set.with_probe(), turned), "pairs that meet");
 
-  // The same pose, then one of any integers, as rational ones: all that is known beforehand of the latter is that ideal
-  // places differ from snapped ones by less than a step.
+  // The same pose as a rational one, then a rational pose of any integers. For the latter nothing more is known
+  // beforehand than that ideal places differ from those on the lattice by less than a step.
   const double step = set.step();
   hsp_rational_pose rational{{0, 0, 0, 0}, {pose.translation[0], pose.translation[1], pose.translation[2]}};
   const int32_t longer = static_cast<int32_t>(bytes.below(1000)) + 1;
@@ -212,7 +212,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 
   check_motion(fixed.get(), moving.get(), pose, rational, step, bytes);
 
-  // A matrix of small numbers is a rotation or refused, whole.
+  // A matrix of small numbers is taken as a rotation or refused; a refused one leaves everything as it was.
   double matrix[9];
   for (double &entry : matrix)
     entry = bytes.one_in(2) ? fuzz::number(bytes, true) : static_cast<double>(bytes.below(3)) - 1;

@@ -1,5 +1,6 @@
-// Balls that move, one and several at a time, taken back in between: every number against a new model of the same
-// balls, and against the model that the handle gives; moves that are refused; limits too small.
+// Balls that move, one or several at a time, with some moves taken back: every number must have the same bits as the
+// library's boundary and measures of a new model of the same balls, and of the model that the handle itself gives.
+// Moves that are refused; limits that are too small.
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -36,7 +37,7 @@ void require_same(const Numbers &p, const Numbers &q) {
   FUZZ_REQUIRE(fuzz::same(&p.energy, &q.energy, 1), "energies after moves");
 }
 
-// The balls as the program has them, the largest radius that they may have, and their weights.
+// The harness's own copy of the balls, the largest radius that they may have, and their weights.
 struct Balls {
   support::BallList list;
   std::vector<double> sigma;
@@ -174,7 +175,7 @@ void apply(const Moves &moves, Balls &balls) {
   }
 }
 
-// Every ball whose numbers are others is listed, and those that moved.
+// The list of changed balls must have every ball whose numbers have changed, and every ball that moved.
 void require_listed(const hsp_moving *moving, const Numbers &before, const Numbers &after) {
   const auto changed = support::all_records<uint32_t>(
       [&](auto... out) { return hsp_moving_get_changed(moving, out...); }, "hsp_moving_get_changed");

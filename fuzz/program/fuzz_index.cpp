@@ -1,5 +1,6 @@
-// Index files: any bytes are read in full, with the groups that a reading of its own finds in them, or refused with one
-// line; the same with other line ends, and written in the plain form and read again.
+// The program's reader of index files: any bytes are read in full or refused with one line. The groups must be those
+// that a second reader, written here, finds; the same with other line ends, and after writing the plain form and
+// reading it again.
 #include <unistd.h>
 
 #include <algorithm>

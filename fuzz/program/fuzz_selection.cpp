@@ -1,6 +1,6 @@
-// Selections of atoms, as users write them: any text is taken as its grammar says, by an evaluation of its own that
-// splits texts and compares them, or refused with a reason; --hide takes what --only does not. Groups of atoms are
-// those of their parts, or refused.
+// Selections of atoms, as users write them: any text is either evaluated or refused with a reason. The atoms must be
+// those that a second evaluation, written here by splitting and comparing texts, takes; --hide must take what --only
+// does not. Groups of atoms must be those of their parts, or are refused.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>

@@ -1,6 +1,7 @@
-// The readers of trajectories: any bytes are frames of finite coordinates and then an end or a refusal with the frame's
-// number; the same the second time; frames that are stepped over change nothing of those that are read. The first
-// byte of the input, a digit in the corpus, chooses the format, the second, a letter from A, the number of atoms.
+// The readers of trajectories: from any bytes they read frames of finite coordinates, and then an end or a refusal with
+// the frame's number. A second reading gives the same, and frames that are skipped change nothing in those that are
+// read. The first byte of the input, a digit in the corpus, chooses the format, the second, a letter from A, the number
+// of atoms.
 #include <unistd.h>
 
 #include <cmath>
@@ -70,7 +71,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const Reading all = read(path, atoms, 1), again = read(path, atoms, 1), some = read(path, atoms, 2);
   std::remove(path.c_str());
   FUZZ_REQUIRE(all.frames == again.frames && all.reason == again.reason && all.line == again.line, "the second time");
-  // Frames that are stepped over may be damaged where only reading tells.
+  // A frame that is skipped may be damaged in a way that only reading it would show.
   FUZZ_REQUIRE(some.frames.size() >= all.frames.size(), "fewer frames where some are stepped over");
   for (size_t k = 1; k < all.frames.size(); k += 2) FUZZ_REQUIRE(some.frames[k] == all.frames[k], "stepped over");
   return 0;

@@ -1,6 +1,6 @@
-// Visibility maps of any set: everything the header promises about records, steps and what is seen, the same bytes
-// twice, no effect of the order of the balls, short arrays and limits that are too small; pictures. HSP_E_DEGENERATE
-// is right where roundings cannot be overcome.
+// Visibility maps of any set: every promise of the header about records and steps, and the owners seen at points
+// against all balls, by the invariants of tests/api/support; the same bytes twice; no effect of the order of the balls;
+// short arrays and limits that are too small; pictures. HSP_E_DEGENERATE is allowed where roundings cannot be overcome.
 #include <map_invariants.h>
 
 #include <cmath>
@@ -80,7 +80,7 @@ void require_short_arrays(const map_result &m, fuzz::Bytes &bytes) {
   }
 }
 
-// Steps from any number, points anywhere.
+// Asks for steps from any number, and for points anywhere.
 void require_answers(const map_result &m, fuzz::Bytes &bytes) {
   const uint32_t h = bytes.one_in(8) ? HSP_NONE - bytes.below(3) : bytes.below(2 * m.info.edges + 3);
   const bool there = h < 2 * m.info.edges;
@@ -99,7 +99,8 @@ void require_answers(const map_result &m, fuzz::Bytes &bytes) {
   FUZZ_REQUIRE(sight.face == HSP_NONE || m.faces[sight.face].ball == sight.ball, "the face of a sight");
 }
 
-// A pole of any face: the middle of a circle in it, and what its ball and face are there.
+// The pole of any face, which is the middle of a circle inside it: the ball and the face there must be those of the
+// face.
 void require_pole(const map_result &m, fuzz::Bytes &bytes) {
   const uint32_t face = bytes.below(m.info.faces + 2);
   hsp_map_pole pole{};

@@ -1,5 +1,6 @@
-// Balls and sticks of any set: pictures, some with contours, or conflicts, the same twice, no effect of the order of
-// the balls, and limits that are too small. Maps of them: their invariants, what is seen at points, and limits.
+// Balls and sticks of any set: a painting order or a named conflict; pictures, some with contours; the same twice; no
+// effect of the order of the balls; limits that are too small. Maps of balls and sticks: their invariants, the bodies
+// seen at points against all balls and cylinders (tests/oracle/seen_cylinders.hpp), and limits.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -51,13 +52,13 @@ Result computed_with(const hsp_model *model, const hsp_view_options &options, co
                      double radius) {
   Result result{};
   const auto count = static_cast<uint32_t>(stick.size());
-  // Suffices for so few.
+  // Limits that suffice for so few balls.
   result.needed = {sizeof result.needed, 200, 200, 200 * 200, 4000};
   support::OwnedHandle<support::SticksKind> sticks;
   sticks.take(result.needed);
   result.status =
       hsp_sticks_compute(sticks.get(), model, &options, stick.data(), count, radius, &result.conflict, &result.needed);
-  // Of a stick that is far thinner than roundings both sides are one line.
+  // A stick far thinner than roundings has both its sides on one line.
   const bool thin = radius < 1e-9;
   FUZZ_REQUIRE(
       result.status == HSP_OK || result.status == HSP_E_CONFLICT || (thin && result.status == HSP_E_DEGENERATE),
@@ -67,7 +68,7 @@ Result computed_with(const hsp_model *model, const hsp_view_options &options, co
   return result;
 }
 
-// Numbers are those of balls or sticks, as the kind says.
+// The ids of a conflict must be those of balls or of sticks, as its kind says.
 void require_named(const Result &result, uint32_t n, uint32_t count) {
   if (result.status == HSP_E_DEGENERATE) return;
   const uint32_t kind = result.conflict.kind, first = result.conflict.first, second = result.conflict.second;
@@ -208,7 +209,7 @@ void require_answers(const hsp_sticks *sticks, uint32_t bodies, const hsp_map_in
     FUZZ_REQUIRE(faces[edges[outline[k] / 2].face[outline[k] % 2]].ball == body, "an outline around another one");
 }
 
-// A map of the same: sound, and it shows what is seen.
+// The map of the same balls and sticks must be sound and show at points the body that is seen there.
 void require_map(const fuzz::ScaledBalls &set, const hsp_model *model, const hsp_view_options &options,
                  const std::vector<hsp_stick> &stick, double radius, const Result &reference, fuzz::Bytes &bytes) {
   const auto count = static_cast<uint32_t>(stick.size());

@@ -1,6 +1,6 @@
-// Views and pictures of any set: everything the header promises about records, the regions they enclose and what is
-// seen, the same bytes twice, no effect of the order of the balls, short arrays and limits that are too small; pictures
-// with any options, and sinks that refuse.
+// Views and pictures of any set: every promise of the header about records, the regions they enclose and the balls that
+// are seen, by the invariants of tests/api/support; the same bytes twice; no effect of the order of the balls; short
+// arrays and limits that are too small; pictures with any options, and sinks that refuse.
 #include <view_invariants.h>
 
 #include "computed_set.hpp"

@@ -1,6 +1,7 @@
-// The triangles of any boundary and of the smooth surface over it, with edges of any length: a closed surface with the
-// Euler characteristic of what it is made from, of a boundary with every vertex on it, the same bytes twice, and limits
-// that are too small. HSP_E_DEGENERATE is right where borders lie on each other.
+// The triangles of any boundary and of the smooth surface over it, with edges of any length. They must be a closed
+// surface with the Euler characteristic of the boundary or surface that they are made from; the vertices of a
+// boundary's triangles must lie on it; the same bytes twice; limits that are too small. HSP_E_DEGENERATE is allowed
+// where borders lie on each other.
 #include <mesh_invariants.h>
 
 #include <cmath>
@@ -78,7 +79,7 @@ void require_sound(const mesh_result &mesh, int64_t expected_euler) {
   }
 }
 
-// Patches of area 1 each: the weights sum to the number of those that have triangles.
+// With an area of 1 for each patch the weights of the vertices must sum to the number of patches that have triangles.
 void require_weights(const mesh_result &mesh) {
   uint32_t patches = 0;
   uint32_t last = 0;
@@ -115,7 +116,7 @@ void require_capacities(const mesh_result &reference, fuzz::Bytes &bytes) {
   fuzz::require_limits<support::MeshKind>(reference.needed, bytes, compute, read);
 }
 
-// Of a boundary, or of a surface.
+// Checks the mesh of a boundary, or of a surface.
 template <class Base>
 void require_mesh(const Base &base, double edge, int64_t euler, fuzz::Bytes &bytes) {
   const Result reference(base, edge);

@@ -1,7 +1,8 @@
-// The solvent-excluded surface of any set, with a probe of any size: areas that are none below 0 and add up, a volume
-// between that of the balls and that of the union with the probe, the same bytes twice, no effect of the order of the
-// balls, patches, edges and corners that fit together and add up, a volume that falls by the area where the probe grows
-// inside the same spheres, limits that are too small.
+// The solvent-excluded surface of any set, with a probe of any size. No area is below 0, and areas add up; the volume
+// is between that of the balls and that of the union with the probe; the same bytes twice; no effect of the order of
+// the balls; patches, edges and corners refer to each other consistently and add up; the derivative of the volume by
+// the probe, inside the same spheres, is minus the area; limits that are too small. All these compare the library with
+// itself.
 #include <surface_result.h>
 
 #include "computed_set.hpp"
@@ -30,7 +31,7 @@ class Result {
   surface_result surface_{};
 };
 
-// Lengths of the set: errors are relative to them.
+// A length of the set, to which errors are relative.
 double extent_of(const surface_result &s) {
   double extent = 1.0;
   for (uint32_t i = 0; i < s.base->n; ++i) extent = std::max(extent, s.base->radius[i]);
@@ -87,7 +88,7 @@ Gradient gradient_of(const surface_result &s, const double *sigma, double tensio
 }
 
 // hsp_surface_get_gradient, properties 1, 2 and 4, and property 1 for weights. Near vertices of three spheres that
-// hardly meet terms are as large as they like, and cancel.
+// hardly meet, terms of any size cancel.
 void require_gradient(const surface_result &s) {
   for (const bool of_volume : {false, true}) {
     const Gradient g = gradient_of(s, nullptr, of_volume ? 0 : 1, of_volume ? 1 : 0);
@@ -112,7 +113,7 @@ void require_gradient(const surface_result &s) {
   }
 }
 
-// Patches, edges and corners: the self-check holds, and what is read of them agrees with itself and with the totals.
+// Patches, edges and corners: the library's own check holds, and the records agree with each other and with the totals.
 void require_map(const surface_result &s, const hsp_boundary_counts &boundary) {
   hsp_surface *surface = s.surface;
   uint32_t invariant = 0, id = 0;
@@ -202,8 +203,8 @@ void require_no_order(const fuzz::ScaledBalls &set, const surface_result &refere
   FUZZ_REQUIRE(same(&other.get().counts, &reference.counts, 1), "counts differ in another order");
 }
 
-// hsp_surface_compute_shells, property 1; and two parts, each of which is measured when it is chosen: of both together
-// the convex and saddle patches are those of the whole, up to what rounding makes of them.
+// hsp_surface_compute_shells, property 1. And the shells in two parts, each chosen and measured alone: their convex and
+// saddle patches together must have the areas of the whole, up to rounding.
 void require_parts(surface_result &s, fuzz::Bytes &bytes) {
   const uint32_t count = s.base->counts.shells;
   std::vector<uint32_t> parts[2], all;
@@ -233,7 +234,8 @@ void require_parts(surface_result &s, fuzz::Bytes &bytes) {
   FUZZ_REQUIRE(same(&together, &s.totals, 1), "all shells are not the whole");
 }
 
-// V' = -A: the difference quotient lies between the areas at both ends, up to what areas change in between.
+// V' = -A: the difference quotient of the volume must lie between the areas at both ends, up to the change of the
+// areas.
 void require_derivative(const fuzz::ScaledBalls &set, const surface_result &reference) {
   fuzz::ScaledBalls wider = set;
   const int64_t h = std::max<int64_t>(1, set.steps_per_unit / 1024);

@@ -1,6 +1,7 @@
-// Cells of free space of any set: regions are the cells of the complement, neighbours are so for both, points are where
-// the topology has them, nothing depends on the order of the balls, and limits that are too small. Paths between any
-// points are there if and only if regions are the same, and stop at the widest probe.
+// Cells of free space of any set. Neighbours are so from both sides; regions, and those of points, agree with the
+// library's topology; no effect of the order of the balls; limits that are too small. There is a path between two
+// points if and only if they are in one region, and for probes up to the widest that the pores say. Cells, topology,
+// paths and pores are parts of the library that take different ways: they are held against each other.
 #include <topology_result.h>
 
 #include <array>
@@ -67,8 +68,8 @@ bool same_results(const Result &a, const Result &b) {
          fuzz::same(a.pairs.data(), b.pairs.data(), a.counts.adjacencies);
 }
 
-// Sums over spheres are those of the totals, no scratch memory is written behind its end, and the union has no more
-// vertices than the arrangement.
+// The arrangement's numbers summed over spheres must be its totals, nothing may be written behind scratch memory, and
+// the union must not have more vertices than the arrangement.
 void require_arrangement(const computed &base, const fuzz::ScaledBalls &set) {
   uint32_t needed = 12345;
   hsp_arrangement totals{}, sum{};
@@ -135,7 +136,7 @@ uint32_t expected_ends(const Result &reference, uint32_t here, uint32_t there) {
   return reference.cells[here].region == reference.cells[there].region ? HSP_PATH_CONNECTED : HSP_PATH_APART;
 }
 
-// The path's own numbers, from end to end.
+// The path must lead from end to end, and its own numbers must fit its points.
 void require_sound(const FoundPath &found, const Point &from, const Point &to) {
   const hsp_path &path = found.path;
   FUZZ_REQUIRE((path.ends == HSP_PATH_CONNECTED) == (path.points > 0) && path.reserved == 0, "points of a path");
@@ -150,7 +151,8 @@ void require_sound(const FoundPath &found, const Point &from, const Point &to) {
   FUZZ_REQUIRE(path.certified == 0 || path.clearance >= -error, "clearance of a certified path");
 }
 
-// One lattice step below the widest probe that pores say there is a path, and two above there is none.
+// For a probe one lattice step below the widest that the pores say there must be a path, for one two steps above there
+// must be none.
 void require_widest(const fuzz::ScaledBalls &set, const hsp_model *model, const Point &from, const Point *to,
                     bool passes) {
   support::OwnedHandle<support::PoresKind> pores;

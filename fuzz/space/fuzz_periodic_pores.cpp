@@ -1,7 +1,7 @@
-// Pores in a periodic box: points and their balls against all images, ends of gates, widest probes through against the
-// channels beside their levels, places and tunnels against the distance to all images, regions against the volume and
-// area of the box, the same levels and volumes from other images of the balls, other vectors of the box, another order
-// and twice the box, and limits that are too small.
+// Pores in a periodic box. Against brute force over all images: points and their balls, places and tunnels. Against
+// other answers of the library: ends of gates, the widest probes through the box against the channels just below and
+// above their levels, regions against the volume and area of the box. The same levels and volumes from other images of
+// the balls, other vectors of the box, another order and twice the box. And limits that are too small.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -89,7 +89,7 @@ struct Pores {
     return HSP_OK;
   }
 
-  // Each so often, in ascending order.
+  // The levels, each `times` times, in ascending order.
   std::vector<double> levels(int times) const {
     std::vector<double> all;
     for (int k = 0; k < times; ++k) {
@@ -116,7 +116,7 @@ void require_same(const Pores &one, const Pores &other, int times, const char *w
   for (int d = 0; d < 3; ++d) FUZZ_REQUIRE(one.wide.through[d] == other.wide.through[d], what);
 }
 
-// All images of the point's balls touch the probe there, and none is nearer.
+// The images of the balls that a point names must touch the probe there, and no image may be nearer.
 template <class Get>
 void require_point(const Pores &found, const double *xyz, double radius, uint32_t point, uint32_t least, Get get) {
   constexpr double error = 1e-6;
@@ -200,7 +200,7 @@ void require_sound(const Pores &found) {
   FUZZ_REQUIRE(along == found.wide.through[0], "the widest of the three vectors");
 }
 
-// The largest probe at a point in some copy of the box.
+// The radius of the largest probe at a point, which is first moved into the box: over the images up to 7 boxes away.
 double room_at(const Crystal &crystal, const double *xyz) {
   int32_t home[3];
   home[2] = -static_cast<int32_t>(std::floor(xyz[2] / crystal.box[8]));
@@ -229,7 +229,7 @@ double apart(const std::array<double, 3> &p, const double *q) {
 
 using Point = std::array<double, 3>;
 
-// Its points are as wide as they say, in one piece, and lead to the copy that it names.
+// The points of a tunnel must be as wide as they say, follow each other, and lead to the copy of the box that it names.
 void require_way(const Pores &found, const Point &from, const Point &to, const hsp_tunnel &tunnel) {
   constexpr double error = 1e-5;
   std::vector<hsp_tunnel_point> points(tunnel.points);
@@ -273,8 +273,9 @@ void require_tunnels(Pores &found, const Point &from, const Point *to) {
   }
 }
 
-// Regions are the channels of a point, and their volumes and areas sum to what the box has; also of other images, other
-// vectors and twice the box. Where they are not known, as free space is too narrow, there are none.
+// The regions must be the channels of their points, and their volumes and areas must sum to those of the box's free
+// space; also with other images, other vectors and twice the box. There are none where free space is too narrow to know
+// them.
 std::vector<hsp_pore_region> regions_of(Pores &found) {
   uint32_t count = 0;
   hsp_pore_access access{};

@@ -1,7 +1,8 @@
-// Pores of any set: classes at a probe are the regions of free space around grown balls, for points and in number; the
-// regions beside the balls are those of shells that are nested; sizes of pockets with plugs, and then with plugs in
-// leaks; the tree, pockets and tunnels fit together; the widest probe between two points against free space as cells;
-// tied balls in integers; no effect of the order of the balls; limits that are too small.
+// Pores of any set. Against brute force in integers: maxima and gates of few balls, also where balls tie. Against other
+// parts of the library: classes at a probe against the regions of free space around grown balls, for points and in
+// number; regions beside the balls against the nesting of shells; the widest probe between two points against free
+// space as cells; sizes of pockets with plugs against blocked regions. The tree, pockets and tunnels fit together; no
+// effect of the order of the balls; limits that are too small.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -86,7 +87,7 @@ double nearest(const fuzz::ScaledBalls &set, const double *xyz) {
   return least;
 }
 
-// The error of doubles of this size, and a step.
+// The allowed error: that of doubles of this size, and a lattice step.
 double error_of(const fuzz::ScaledBalls &set, double size) {
   return 2.0 * set.step() + 1e-12 * std::fabs(size);
 }
@@ -161,7 +162,7 @@ void require_brute_force(const fuzz::ScaledBalls &set, const Result &result, con
   FUZZ_REQUIRE(difference.empty(), difference.c_str());
 }
 
-// At a level that no maximum or gate is near to.
+// Compares classes and regions at a level that is not near any maximum or gate.
 void require_regions(const fuzz::ScaledBalls &set, const Result &result, hsp_pores *pores, int64_t level,
                      fuzz::Bytes &bytes) {
   const double radius = set.length(level);
@@ -221,8 +222,8 @@ std::vector<double> ascending(std::vector<double> values) {
   return values;
 }
 
-// Regions of free space beside the balls against those of the topology, which nests shells along vertical rays. Where
-// they are not known, as balls are of few steps, there are none.
+// Regions of free space beside the balls against those of the library's topology, which nests shells along vertical
+// rays. There are none if the balls have too few lattice steps to know them.
 void require_free_regions(const computed &base, hsp_pores *pores) {
   hsp_pore_access access{};
   uint32_t count = 0, channels = 0, needed = 0;
@@ -304,7 +305,7 @@ struct PluggedBalls {
   support::OwnedHandle<support::PoresKind> pores;
 };
 
-// Pockets between two levels: sizes are of blocked regions, whatever plugs are put into leaks.
+// Pockets between two levels: their sizes must be those of blocked regions, also with further plugs in leaks.
 void require_pockets(const fuzz::ScaledBalls &set, hsp_pores *pores, int64_t narrow, int64_t wide) {
   uint32_t pockets = 0, before = 0;
   FUZZ_REQUIRE(hsp_pores_find_pockets(pores, set.length(narrow), set.length(wide), &pockets) == HSP_OK, "pockets");
@@ -336,13 +337,13 @@ void require_pockets(const fuzz::ScaledBalls &set, hsp_pores *pores, int64_t nar
     before = plugged->n;
     auto next = std::make_unique<PluggedBalls>(plugged->pores.get(), set.step());
     FUZZ_REQUIRE(next->n >= before && (next->n == before || !all_closed), "leaks are of pockets that are not closed");
-    // As a plug may turn the way up from all maxima of a pocket to the outside, some have no leak.
+    // Some pockets have no leak: a plug may turn the way up from all their maxima to the outside.
     if (next->n == before || times == 40) return;
     plugged = std::move(next);
   }
 }
 
-// A probe narrower by a step gets from one point to the other, and one wider by two does not.
+// A probe one step narrower than the widest must get from one point to the other, and one two steps wider must not.
 void require_widest(const fuzz::ScaledBalls &set, const hsp_pore_passage &passage, int64_t floor, const Point &from,
                     const Point *to) {
   if (set.n() == 0) return;
@@ -383,7 +384,7 @@ void require_tunnel(const fuzz::ScaledBalls &set, hsp_pores *pores, int64_t floo
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
   fuzz::ScaledBalls set = fuzz::topology_set(bytes);
-  // In so few steps that all tie, or nearly, every set of four is tried.
+  // Few balls alone: if balls have so few lattice steps that all tie, or nearly, the library tries every set of four.
   if (set.n() > most_balls) set.balls.resize(most_balls);
   const fuzz::ComputedSet base(set);
   const hsp_model *const model = base.get().model;
@@ -427,7 +428,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   support::OwnedHandle<support::PoresKind> permuted;
   FUZZ_REQUIRE(same_levels(reference, compute(other.get().model, set.n(), options, permuted)),
                "levels depend on the order of the balls");
-  // Pores of fewer balls before change no bit.
+  // Pores that were computed from those of fewer balls must have the same bits.
   fuzz::ScaledBalls fewer = set;
   fewer.balls.resize(set.n() - bytes.below(set.n() < 4 ? set.n() + 1 : 4));
   const fuzz::ComputedSet few(fewer);

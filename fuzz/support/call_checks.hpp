@@ -15,7 +15,7 @@ inline bool null(Bytes &bytes) {
   return bytes.one_in(40);
 }
 
-// A small whole number, or, if odd numbers may occur, now and then something else.
+// A small whole number or, if `odd`, now and then something else, such as NaN.
 inline double number(Bytes &bytes, bool odd) {
   static constexpr double special[] = {std::numeric_limits<double>::quiet_NaN(),
                                        std::numeric_limits<double>::infinity(),
@@ -33,7 +33,8 @@ inline double number(Bytes &bytes, bool odd) {
   return bytes.below(8);
 }
 
-// The rules for (out, capacity, needed), the same for all functions; argument_status is what other arguments lead to.
+// The rules for the arguments (out, capacity, needed), the same for all functions. argument_status is the status that
+// the other arguments lead to.
 template <class Record, class Ask>
 void check_array(Bytes &bytes, uint32_t most, int32_t argument_status, const Ask &ask) {
   const bool no_out = null(bytes), no_needed = null(bytes);
@@ -54,8 +55,8 @@ void check_array(Bytes &bytes, uint32_t most, int32_t argument_status, const Ask
   FUZZ_REQUIRE(out.untouched_from(status == HSP_OK ? needed : 0), "written where nothing belongs");
 }
 
-// The rules for (first, count, out), the same for all functions; `there` counts the records if argument_status is
-// HSP_OK.
+// The rules for the arguments (first, count, out), the same for all functions. `there` is the number of records if
+// argument_status is HSP_OK.
 template <class Record, class Ask>
 void check_range(Bytes &bytes, uint32_t most, int32_t argument_status, uint32_t there, const Ask &ask) {
   const bool no_out = null(bytes);

@@ -1,4 +1,5 @@
-// The computation of a set by the checks of the interface tests, with memory that goes with it.
+// A set as a `computed` (tests/api/support/computed.h), on which the invariants of the interface tests work, released
+// with the object.
 #pragma once
 
 #include <computed.h>
@@ -56,7 +57,7 @@ inline void ComputedSet::compute_by_workers(uint32_t workers, Bytes &bytes) {
   FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
 }
 
-// Ball i of the result is ball order[i] of the set.
+// The set in another order: ball i of the result is ball order[i] of the set.
 inline ScaledBalls permuted(const ScaledBalls &set, const std::vector<uint32_t> &order) {
   ScaledBalls result = set;
   result.balls = oracle::permuted(set.balls, order);

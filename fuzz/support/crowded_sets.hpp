@@ -1,5 +1,5 @@
-// Sets of some hundred balls with many neighbours each, made from few bytes: a handful of pieces, each of a kind that
-// is slow for some algorithm. Few steps of the lattice to a ball make ties, many make none.
+// Sets of some hundred balls with many neighbours each, made from few bytes. A set has up to four pieces, each of a
+// kind that is slow for some algorithm. Balls of few lattice steps make ties, balls of many steps make none.
 #pragma once
 
 #include <algorithm>
@@ -23,13 +23,13 @@ class CrowdedSet {
  private:
   static constexpr int64_t farthest = int64_t{1} << 28;
 
-  // From one step to 1.6 million.
+  // A length from one lattice step to 1.6 million.
   int64_t length() {
     int64_t steps = 1 + int64_t{bytes_.below(16)};
     for (uint32_t zeros = bytes_.below(6); zeros > 0; --zeros) steps *= 10;
     return steps;
   }
-  // By how much a radius differs from that of the ball before it: mostly not at all.
+  // The difference of a radius from that of the ball before it: mostly 0.
   int64_t growth(int64_t of) { return bytes_.one_in(3) ? std::max<int64_t>(of >> bytes_.below(12), 1) : 0; }
 
   void add(const oracle::LatticePoint &at, int64_t radius) {

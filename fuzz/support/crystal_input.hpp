@@ -1,4 +1,4 @@
-// Lengths and vectors of periodic boxes.
+// Lengths and the vectors of periodic boxes, made from the bytes of an input.
 #pragma once
 
 #include <array>

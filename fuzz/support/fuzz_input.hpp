@@ -14,7 +14,8 @@
 #include "point_lattices.hpp"
 #include "set_arrangements.hpp"
 
-// A fact that a harness holds true. Ends the program in every build, so that engine and driver see it.
+// FUZZ_REQUIRE: a condition that must hold. If it does not the program ends, in every build, so that the engine or the
+// driver notices.
 #define FUZZ_REQUIRE(condition, text)                                                \
   do {                                                                               \
     if (!(condition)) {                                                              \
@@ -25,7 +26,7 @@
 
 namespace fuzz {
 
-// The input, byte by byte; zeros when it is used up, so that every prefix is an input too.
+// The input, byte by byte, followed by zeros, so that every prefix is an input too.
 class Bytes {
  public:
   Bytes(const uint8_t *data, size_t size) : data_(data), size_(size) {}
@@ -65,8 +66,8 @@ struct ScaledBalls {
   }
 };
 
-// Vectors of integer length, for spheres through common points and exact tangencies in skew directions, as balls around
-// the origin that they just reach.
+// Vectors with integer components and length, for spheres through common points and exact tangencies in skew
+// directions. The length stands as the radius.
 inline constexpr oracle::LatticeBall pythagorean[] = {{1, 0, 0, 1},  {0, 1, 0, 1},  {0, 0, 1, 1},  {3, 4, 0, 5},
                                                       {0, 4, 3, 5},  {1, 2, 2, 3},  {2, -1, 2, 3}, {2, 2, -1, 3},
                                                       {-1, 2, 2, 3}, {2, 3, 6, 7},  {6, -2, 3, 7}, {4, 4, 7, 9},

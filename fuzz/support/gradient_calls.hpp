@@ -9,7 +9,7 @@
 
 namespace fuzz {
 
-// reader_status: what a function that reads the boundary says, HSP_OK if there are results.
+// reader_status: the status of functions that read this boundary, HSP_OK if it has results.
 inline void call_measure_parts(Bytes &bytes, const hsp_boundary *boundary, int32_t reader_status, uint32_t balls) {
   std::vector<uint8_t> selected(balls + 1);
   for (uint8_t &byte : selected) byte = bytes.byte();

@@ -1,5 +1,6 @@
-// The contents of models, by numbers that are equal if and only if the balls were the same. That is known of what was
-// set from the same arrays and options, and of what differs by more than rounding can hide; not of anything in between.
+// The contents of models, named by numbers that are equal if and only if the balls were the same. Contents are the same
+// if they were set from the same arrays and options, and different if they differ by more than rounding can hide; for
+// anything in between it is unknown.
 #pragma once
 
 #include <hardsphere.h>
@@ -30,7 +31,7 @@ class KnownContents {
     known_.push_back(contents);
     return first_ + known_.size() - 1;
   }
-  // From here on these are the only ones, with a number that nothing has had.
+  // Forgets all contents but these, which get a number that has not been used.
   uint64_t start_with(const ModelContents &contents) {
     first_ += known_.size();
     known_.assign(1, contents);

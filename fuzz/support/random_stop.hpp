@@ -7,7 +7,7 @@
 
 namespace fuzz {
 
-// Says no at a question that the input chooses, and at all after it.
+// Answers no to a question that the input chooses, and to all questions after it.
 class RandomStop {
  public:
   explicit RandomStop(Bytes &bytes) : left_(bytes.below(bytes.one_in(2) ? 4 : 64)) {}

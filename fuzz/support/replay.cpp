@@ -1,7 +1,7 @@
 // Runs a harness without a fuzzing engine, with any compiler:
 //   fuzz_AREA [--random COUNT] [--longest BYTES] [--seed NUMBER] FOLDER-OR-FILE...
-// Every file of the folders in the order of their names, then COUNT pseudo-random inputs, always the same of a seed. An
-// input that fails is named and written to the file `crash-input`, which can be run again by naming it.
+// It runs every file of the folders in the order of their names, then COUNT pseudo-random inputs, which depend on the
+// seed alone. An input that fails is named and written to the file `crash-input`, which can be run again by naming it.
 #include <algorithm>
 #include <csignal>
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-// There with the sanitizers of g++ and clang, absent otherwise.
+// Defined by the sanitizers of g++ and clang; null without them.
 extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*callback)());
 
 namespace {

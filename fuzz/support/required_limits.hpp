@@ -1,5 +1,5 @@
-// Limits below what a handle needs: HSP_E_CAPACITY, nothing written beside the memory, and no more enlargements than
-// the header says.
+// Limits below those that a handle needs must lead to HSP_E_CAPACITY, with nothing written beside the memory, and to
+// success after no more enlargements than the header says.
 #pragma once
 
 #include <owned_handle.hpp>
@@ -10,8 +10,9 @@
 
 namespace fuzz {
 
-// `exact`: the limits that the computation needs. `compute` takes a handle and limits to hand back and returns its
-// status, `read` takes it and returns the status of reading; where that is HSP_OK it has compared what it read.
+// `exact`: the limits that the computation needs. `compute` takes a handle and the struct for the limits that come
+// back, and returns the status. `read` takes the handle and returns the status of reading it; if that is HSP_OK it has
+// also compared the results.
 template <class Kind, class Compute, class Read>
 void require_limits(const typename Kind::Limits &exact, Bytes &bytes, Compute compute, Read read) {
   typename Kind::Limits limits = exact;

@@ -1,4 +1,5 @@
-// A struct as programs with other headers have it: larger or smaller, with anything behind what is known here.
+// A struct as programs compiled with other versions of the headers have it: larger or smaller, with anything behind the
+// part that this header knows.
 #pragma once
 
 #include <cstring>
@@ -11,7 +12,7 @@ namespace fuzz {
 template <class Struct, uint32_t earlier = sizeof(Struct)>
 class StructVersion {
  public:
-  // Mostly as in this header.
+  // Chooses a size, mostly the one of this header.
   StructVersion(const Struct &value, Bytes &bytes) {
     std::memcpy(storage_, &value, sizeof value);
     if (!bytes.one_in(20)) return;
@@ -28,9 +29,9 @@ class StructVersion {
   }
 
   Struct *get() { return reinterpret_cast<Struct *>(storage_); }
-  // Whether all of the value counts.
+  // Whether the struct is large enough to hold all of the value.
   bool whole() { return get()->struct_size >= sizeof(Struct); }
-  // Whether the library has to take it, as far as its size is concerned.
+  // Whether the library has to accept its size.
   bool good() const { return good_; }
 
  private:

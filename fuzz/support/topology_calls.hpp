@@ -1,4 +1,4 @@
-// One topology handle in a random sequence of calls, and what each call must say.
+// One topology handle in a random sequence of calls, with the status that each call must return.
 #pragma once
 
 #include <algorithm>
@@ -74,7 +74,7 @@ class TopologyCalls {
     complete_ = false;
   }
 
-  // version: changes with the boundary's results.
+  // `version` changes with the boundary's results.
   void compute(const hsp_boundary *boundary, bool boundary_complete, uint64_t version) {
     hsp_topology *topology = null(bytes_) ? nullptr : topology_;
     hsp_topology_limits needed = limits_;
@@ -205,7 +205,7 @@ class TopologyCalls {
   std::vector<uint8_t> memory_;
   hsp_topology *topology_ = nullptr;
   hsp_topology_limits limits_{};
-  bool complete_ = false;  // it got results, from that version of the boundary's
+  bool complete_ = false;  // whether it has results, from the boundary's results of this version
   uint64_t version_ = 0;
 };
 

@@ -1,6 +1,6 @@
-// Any function with base arguments of which some are something else: NULL, addresses without a live handle of the kind,
-// other numbers, less room, structs with other fields. The status is documented, what fails writes nothing but what it
-// may, and no memory outside of the arguments is touched.
+// Any function with base arguments (tests/laws/support) of which some are replaced: by NULL, addresses without a live
+// handle of the kind, other numbers, less room, structs with other fields. The status must be documented, a function
+// that fails must write nothing but what it may, and no memory outside of the arguments may be touched.
 #include <hardsphere.h>
 
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 
 using fuzz::Bytes;
 
-// Few of the arguments, so that the others have a meaning.
+// Whether an argument is replaced: only few are, so that the others still have a meaning.
 bool is_changed(Bytes &bytes) {
   return bytes.one_in(6);
 }
@@ -62,7 +62,7 @@ class ChangedCall {
     FUZZ_REQUIRE(false, text);
   }
 
-  // Arguments that a function may write when it fails, by the comments.
+  // The names of the outputs that a function may write when it fails, by the comments of the header.
   const char *may_be_written() const {
     switch (call_.result) {
       case HSP_E_HANDLE:
@@ -76,7 +76,7 @@ class ChangedCall {
     }
   }
 
-  // Arrays are made as long as numbers say, so that such numbers stay small.
+  // Whether argument i is the length of an array. Such numbers stay small, as arrays are made that long.
   bool is_extent(int i) const {
     for (int k = 0; k < call_.f->count; ++k) {
       const char *const extent = argument_at(k).extent;
@@ -181,7 +181,7 @@ class ChangedCall {
     }
   }
 
-  // Base arguments and zeros behind, in as much memory as any struct may have.
+  // The struct of base arguments with zeros behind it, in as much memory as any struct may have.
   unsigned char *largest_struct(int i) {
     auto *const at = static_cast<unsigned char *>(call_put(&call_, i, largest));
     std::memset(at, 0, largest);
@@ -189,7 +189,7 @@ class ChangedCall {
     return at;
   }
 
-  // One field of a struct, but no address, which may be a number of 64 bits.
+  // Changes one field of a struct, but no address; fields of 64 bits may be addresses and are left alone.
   void change_struct(int i, void *at, size_t bytes) {
     const argument &a = argument_at(i);
     size_t count = 0;

@@ -1,5 +1,6 @@
-// Random sequences of calls with null pointers, wrong sizes, NaNs, short and misaligned memory. A small model of what
-// each handle holds says which status must come; outputs must be untouched whenever the header says so.
+// Random sequences of calls with null pointers, wrong sizes, NaNs, short and misaligned memory. The harness keeps track
+// of the contents of each handle, from which it knows the status that each call must return; outputs must be untouched
+// whenever the header says so.
 #include <hardsphere.h>
 
 #include <algorithm>
@@ -102,7 +103,7 @@ class Session {
   }
 
  private:
-  // Memory of a handle, and a byte behind it that is not to be written to.
+  // The memory of a handle, and one byte behind it that must not be written.
   struct Block {
     std::vector<uint8_t> bytes;
     size_t misalignment = 0;
@@ -110,7 +111,8 @@ class Session {
     uint8_t *handle() { return bytes.data() + misalignment; }
   };
 
-  // So many bytes for a handle: where it is, to be made again in place, or in a new block (lib/ground/core/poison.hpp).
+  // Provides so many bytes for a handle: its own memory, so that it is made again in place, or a new block
+  // (lib/ground/core/poison.hpp).
   bool take_block(Block &block, bool is_there, size_t bytes) {
     const size_t misalignment = bytes_.below(16);
     if (is_there && bytes_.below(2) == 0 && block.misalignment + bytes < block.bytes.size()) return true;
@@ -125,11 +127,12 @@ class Session {
     boundary_ = nullptr;
   }
 
-  // Whether the boundary holds results of what the model holds, and a number that says which; 0 if not.
+  // ready: whether the boundary holds results of the model's contents. results: the number of these contents, 0 if not.
   bool ready() const { return !refused_ && complete_ && of_ == contents_; }
   uint64_t results() const { return ready() ? of_ : 0; }
 
-  // Where it cannot be known whether they are the same as others, nothing is left that was computed from others.
+  // Notes the new contents of the model. If it is unknown whether they equal earlier contents, all handles that were
+  // computed from earlier contents are dropped.
   void take_contents(const std::vector<double> &xyz, const std::vector<double> &radius,
                      const hsp_model_options *options) {
     fuzz::ModelContents contents{xyz, radius, {0, 0, 0}, {}};
@@ -462,7 +465,7 @@ class Session {
     }
   }
 
-  // By an executor with anything in it, which gives the same as one thread or is refused.
+  // Computes by an executor with any fields: it must give the same as one thread, or be refused.
   void compute_with() {
     hsp_boundary *boundary = null() ? nullptr : boundary_;
     const int ways = bytes_.one_in(3) ? static_cast<int>(LOOP_WAYS) : static_cast<int>(LOOP_RIGHT_WAYS);

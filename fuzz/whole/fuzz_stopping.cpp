@@ -1,5 +1,5 @@
-// Each computation, stopped at a question that the input chooses: it says so and holds nothing then, and gives the same
-// counts afterwards as without a stop.
+// Each computation, stopped at a question (hsp_executor.proceed) that the input chooses: it must return HSP_E_STOPPED
+// and hold no results, and computed again it must give the same counts as without a stop.
 #include <hardsphere.h>
 #include <hardsphere_workspace.h>
 
@@ -27,7 +27,7 @@ class Stopped {
   Stopped(const Stopped &) = delete;
   Stopped &operator=(const Stopped &) = delete;
 
-  // compute(): of the workspace. read(counts): of what it computed, into a record of zeros.
+  // compute(): computes in the workspace. read(counts): reads the counts of the result into a record of zeros.
   template <class Counts, class Compute, class Read>
   void check(Bytes &bytes, Compute compute, Read read) {
     Counts before{}, after{};

@@ -33,7 +33,7 @@ inline hsp_picture_options picture_options(Bytes &bytes) {
   options.outline_colour = bytes.below(256) << 16 | bytes.below(256);
   options.background = bytes.below(256) << 8;
   if (bytes.one_in(3)) {
-    // Around the scale at which balls of a set are as large as the page, and far from it.
+    // Scales around the one at which the set fills the page, and far from it.
     static constexpr double scales[] = {1, 10, 100, 0.01, 1e4, 1e6, 1e-30, 5e-324, 1e300};
     options.scale = scales[bytes.below(9)];
     for (double &coordinate : options.centre) {
@@ -48,7 +48,7 @@ inline hsp_picture_options picture_options(Bytes &bytes) {
   return options;
 }
 
-// Of a ball's place and radius alone, so that equal balls have equal colours.
+// Colours from a ball's place and radius alone, so that equal balls have equal colours.
 inline std::vector<uint32_t> colours_of(const computed &c) {
   std::vector<uint32_t> colour(c.n + 1);
   for (uint32_t i = 0; i < c.n; ++i) {
@@ -103,7 +103,7 @@ inline std::string some_title(Bytes &bytes) {
   return title;
 }
 
-// Of the same balls in two orders.
+// Pictures of the same balls in two orders must have the same bytes but for ids.
 template <class Write, class WriteOther>
 void require_pictures(const computed &base, const Write &write, const computed &other_base,
                       const WriteOther &write_other, Bytes &bytes) {

@@ -1,4 +1,4 @@
-// One surface handle in a random sequence of calls, and what each call must say.
+// One surface handle in a random sequence of calls, with the status that each call must return.
 #pragma once
 
 #include <cmath>
@@ -66,7 +66,8 @@ class SurfaceCalls {
     complete_ = false;
   }
 
-  // Of the whole boundary, or of shells with any numbers. version: changes with the boundary's results.
+  // Computes the surface of the whole boundary, or of shells with any numbers. `version` changes with the boundary's
+  // results.
   void compute(const hsp_boundary *boundary, bool boundary_complete, uint64_t version) {
     hsp_surface *surface = null(bytes_) ? nullptr : surface_;
     hsp_surface_limits needed = limits_;
@@ -171,7 +172,7 @@ class SurfaceCalls {
   std::vector<uint8_t> memory_;
   hsp_surface *surface_ = nullptr;
   hsp_surface_limits limits_{};
-  bool complete_ = false;  // it got results, from that version of the boundary's
+  bool complete_ = false;  // whether it has results, from the boundary's results of this version
   uint64_t version_ = 0;
 };
 
