@@ -5,11 +5,11 @@
 #include <array>
 #include <cstdint>
 
-// The predictor of cachegrind and callgrind has 2^14 counters of two bits: one for each pair of an address modulo
-// 128 and the outcomes of the last 7 branches. Below stands one branch at each address modulo 128. Each goes four
-// times through a de Bruijn sequence of order 7, in which every 7 outcomes occur once and have one successor: a
-// counter saturates in three. The loop around a branch must have no other conditional branch, hence the conditional
-// move.
+// The predictor of cachegrind and callgrind has 2^14 counters of two bits: one for each pair of an address modulo 128
+// and the outcomes of the last 7 branches. Below stands one branch at each address modulo 128. Each branch goes four
+// times through a de Bruijn sequence of order 7, in which every 7 outcomes in a row occur once and so have one
+// successor: three times saturate a counter. The loop around a branch must have no other conditional branch, hence the
+// conditional move.
 //
 // void settle_branches(const uint64_t *outcomes, uint64_t last): outcomes are bits `last` .. 0.
 __asm__(R"(

@@ -1,10 +1,11 @@
-// counted_questions: how many instructions there are at most between two questions whether to go on
-// (hsp_executor.proceed), of large sets. In valgrind --tool=callgrind it prints instructions, without it nanoseconds of
-// the processor, which find what is to be counted.
+// counted_questions: the largest number of instructions between two questions whether to go on (hsp_executor.proceed),
+// for each function on a large set. Under valgrind --tool=callgrind it prints instructions. Without valgrind it prints
+// nanoseconds of processor time, which show the functions that are worth counting.
 //   valgrind --tool=callgrind --callgrind-out-file=DUMP counted_questions DUMP COPIES [FUNCTION ..]
 //   counted_questions - COPIES [FUNCTION ..]
-// Of what is more than the interface promises the file DUMP.<number> stays, for callgrind_annotate.
-// COPIES to the third power of crambin. Each line: function, balls, questions, the most between two, and all.
+// The set is COPIES x COPIES x COPIES times crambin. Each line: function, balls, questions, the most instructions
+// between two questions, and all instructions. Where there are more than the interface promises the file DUMP.<number>
+// is kept for callgrind_annotate.
 #include <hardsphere.h>
 #include <hardsphere_workspace.h>
 #include <unistd.h>
@@ -26,7 +27,7 @@ namespace {
 
 constexpr uint64_t promised = 10000000;
 
-// Of work since it was read last.
+// Measures the work since it was last read: instructions, or nanoseconds.
 class Meter {
  public:
   explicit Meter(std::string dump) : dump_(std::move(dump)) {}
@@ -110,7 +111,7 @@ int main(int count, char **arguments) {
   hsp_view_options view{};
   hsp_view_options_init(&view, sizeof view);
   hsp_pores_options pores{sizeof pores, 0, 0.0, nullptr, nullptr};
-  // It is asked after what must be there before.
+  // `ask` makes the call that is measured, after the results that it needs have been made.
   struct Row {
     const char *name;
     std::function<int32_t()> before, ask;

@@ -1,9 +1,8 @@
 // counted_stages: runs each stage of the library once, and the z-buffer that frames are measured against, for valgrind
-// to count their instructions. After each it prints a line: stage, molecule, probe, number of balls, of moves or of
-// poses. instruction_budgets.sh runs it.
-// `counted_stages --build` prints how it and the library were built, --code what runs on this processor: `wide` for
-// code for AVX2 where there is some, or `scalar`; `--balls` prints crambin's balls for the programs of targets/:
-// centre, radius and a point near some ball, as hexadecimal numbers.
+// to count their instructions. After each stage it prints a line: stage, molecule, surface, and the number of balls,
+// moves or poses. instruction_budgets.sh runs it. `counted_stages --build` prints how it and the library were built.
+// `--code` prints which code runs on this processor: `wide` if kernels for AVX2 do, else `scalar`. `--balls` prints
+// crambin's balls for the programs of targets/: centre, radius and a point near some ball, as hexadecimal numbers.
 //
 // Each handle has computed before the stage that is counted, so memory and limits are those of a repeated call. The
 // library's input comes from files and integers alone, so that every run does the same instructions.
@@ -43,7 +42,7 @@ using bench::Surface;
 
 constexpr bench::Direction towards = {0.36, -0.48, 0.8};
 
-// The cost is printed for each of n.
+// Runs a stage whose cost is divided by n, the number of its moves, poses or balls.
 void count_each(const char *stage, const bench::Balls &balls, const Surface &surface, uint32_t n,
                 const std::function<void()> &run) {
   bench::settle_branch_predictor();
@@ -64,7 +63,7 @@ void count_pockets(const bench::Balls &balls, const bench::Model &model) {
   count("pocket_sizes", balls, surface, [&] { pockets.measure(); });
 }
 
-// As many points as balls, so that what is counted for each ball is what is counted for each query.
+// There are as many query points as balls, so that the cost per ball is the cost per query.
 void count_stages(const bench::Balls &balls, const Surface &surface) {
   bench::Model model(balls, surface.probe);
   count("model", balls, surface, [&] { model.set(); });
@@ -79,7 +78,7 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("hessian_area", balls, surface, [&] { second.find_rows_of_area(); });
   count("hessian_volume", balls, surface, [&] { second.find_rows_of_volume(); });
   count("hessian_product", balls, surface, [&] { second.multiply(); });
-  const bool is_small = balls.size() < 1000;  // of others meshes and pores take minutes in a simulated processor
+  const bool is_small = balls.size() < 1000;  // meshes and pores of larger sets take minutes in a simulated processor
   if (is_small) {
     bench::Triangles triangles(boundary);
     count("mesh", balls, surface, [&] { triangles.compute(); });
@@ -117,7 +116,7 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
     periodic_areas.compute();
     periodic_areas.differentiate();
   });
-  if (surface.probe != 0) return;  // what is drawn are van der Waals balls, and pores have every probe
+  if (surface.probe != 0) return;  // pictures are of van der Waals balls, and pores are for every probe at once
   if (is_small) {
     bench::Pores pores(model);
     count("pores", balls, surface, [&] { pores.compute(); });

@@ -1,7 +1,8 @@
-/* The step of a code that has ghosts (capi/guide/ghosts.md): model, boundary, areas with their gradient. It is done
- * twice, for valgrind to count the second one; ghost_step.sh runs it. 3200 atoms of radius 2 in a box of 52 angstrom,
- * in two layers: on the sites of a lattice, moved at random. Ghosts are their images within REACH of the box.
- *   ghost_step REACH own|all    what is selected; prints the number of ghosts */
+/* One step of a parallel code that has ghosts, copies of atoms of neighbouring parts (capi/guide/ghosts.md): model,
+ * boundary, areas with their gradient. The step is done twice, for valgrind to count the second one; ghost_step.sh runs
+ * the program. There are 3200 atoms of radius 2 in a box of 52 angstrom, in two layers: on the sites of a lattice,
+ * moved at random. Ghosts are images of the atoms within REACH of the box. ghost_step REACH own|all    own: only own
+ * atoms are selected, all: all balls; prints the number of ghosts */
 #include <hardsphere_workspace.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +13,7 @@ static const double side = 52.0;
 static double x[3 * MOST], r[MOST], area[MOST], gradient[3 * MOST];
 static uint8_t selected[MOST];
 
-/* From -1.2 to 1.2. */
+/* A random shift from -1.2 to 1.2. */
 static double moved(void) {
   static uint64_t state = 1;
   state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
@@ -30,7 +31,7 @@ static void place_own_atoms(void) {
   }
 }
 
-/* Returns how many atoms there are then. */
+/* Adds the ghosts behind the atoms. Returns the number of atoms and ghosts. */
 static uint32_t add_ghosts(double reach) {
   uint32_t all = OWN;
   for (int image = 0; image < 27; ++image) {

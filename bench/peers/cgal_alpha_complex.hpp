@@ -9,11 +9,12 @@
 
 namespace bench {
 
-// Builds the regular triangulation alone, the probe added to every radius. Returns its number of vertices: balls
-// without a cell are none.
+// Builds the regular triangulation alone, the probe added to every radius. Returns its number of vertices; balls
+// without a power cell are not among them.
 size_t cgal_regular_triangulation(const support::BallList &balls, double probe);
 
-// Builds it, and of it the alpha complex at alpha = 0 (Fixed_alpha_shape_3).
+// Builds the triangulation, and from it the alpha complex at alpha = 0 (Fixed_alpha_shape_3), which is the dual
+// complex.
 struct AlphaComplexSize {
   // Each regular triangle stands for one vertex of the union's boundary, each singular one for two.
   size_t boundary_vertices = 0;

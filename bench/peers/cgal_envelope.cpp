@@ -30,7 +30,8 @@ size_t cgal_envelope_faces(const support::BallList &balls) {
   std::vector<Spheres::Surface_3> spheres;
   for (size_t i = 0; i < balls.size(); ++i) {
     const Numbers::Rational radius = thousandths(balls.radius[i]);
-    // Seen from above, z is turned: CGAL's upper envelope of spheres has faces too many, its lower one has not.
+    // z is negated and the lower envelope taken: CGAL's upper envelope of spheres has too many faces, its lower one has
+    // not.
     const RationalKernel::Point_3 centre(thousandths(balls.xyz[3 * i]), thousandths(balls.xyz[3 * i + 1]),
                                          thousandths(-balls.xyz[3 * i + 2]));
     spheres.emplace_back(centre, radius * radius);

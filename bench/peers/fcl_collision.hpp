@@ -1,6 +1,6 @@
-// Whether two molecules meet by FCL (Debian's package libfcl-dev): a sphere for each ball, a dynamic AABB tree over
-// those of each molecule, the first contact ends it. FCL has no rigid union of spheres, so every pose moves all objects
-// of the moving molecule and updates its tree.
+// Whether two molecules meet, by FCL (Debian's package libfcl-dev): a sphere for each ball and a dynamic AABB tree over
+// the spheres of each molecule; the first contact ends the search. FCL has no rigid union of spheres, so every pose
+// moves all objects of the moving molecule and updates its tree.
 #pragma once
 
 #include <hardsphere.h>

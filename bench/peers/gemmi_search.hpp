@@ -1,5 +1,6 @@
-// Balls that meet a ball by gemmi (Debian's package gemmi-dev): cell lists of the centres in single precision, asked
-// for those within r_max, each then tested in double precision with its own radius.
+// The balls that meet a query ball, by gemmi (Debian's package gemmi-dev): cell lists of the centres in single
+// precision are asked for all centres within the query radius plus r_max, and each is then tested in double precision
+// with its own radius.
 #pragma once
 
 #include <memory>

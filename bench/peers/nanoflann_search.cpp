@@ -18,7 +18,7 @@ struct Centres {
   }
 };
 
-// The sink of nanoflann for points within reach: it tests each with its own radius.
+// Takes the points that nanoflann finds within reach, and tests each with its own radius.
 class Meeting {
  public:
   Meeting(const support::BallList &balls, double radius, double reach, Hits &hits)
@@ -66,7 +66,7 @@ void NanoflannSearch::build(const support::BallList &balls) {
 }
 
 void NanoflannSearch::meeting(const double *centre, double radius, Hits &hits) const {
-  const double reach = (radius + tree_->largest) * (1 + 1e-12);  // nearer than this, not as near
+  const double reach = (radius + tree_->largest) * (1 + 1e-12);  // larger: it leaves out points exactly at reach
   Meeting result(*tree_->balls, radius, reach, hits);
   tree_->index.findNeighbors(result, centre, nanoflann::SearchParams());
 }

@@ -1,5 +1,5 @@
-// Balls that meet a ball by nanoflann (Debian's package libnanoflann-dev): a k-d tree of the centres, asked for those
-// within r_max, each then tested with its own radius.
+// The balls that meet a query ball, by nanoflann (Debian's package libnanoflann-dev): a k-d tree of the centres is
+// asked for all centres within the query radius plus r_max, and each is then tested with its own radius.
 #pragma once
 
 #include <cstdint>

@@ -62,7 +62,7 @@ else()
   message(STATUS "peer gemmi: skipped: the package is gemmi-dev")
 endif()
 
-# Processes that read a file and do nothing else, for programs.py. gemmi's headers for mmCIF need PEGTL's.
+# Programs that read a file and do nothing else, for programs.py. gemmi's headers for mmCIF need those of PEGTL.
 if(TARGET hardsphere_readers)
   add_executable(read_alone peers/read_alone.c)
   set_target_properties(read_alone PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)

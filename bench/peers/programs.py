@@ -126,7 +126,8 @@ def freesasa(threads):
     return [(key, ["freesasa", *options, f"--n-threads={threads}"]) for key, options in found.items()]
 
 
-# Of each program the one that it is compared with, its command, and what finds its areas then.
+# For each program: the run of hardsphere that it is compared with, its command, and the function that then finds its
+# areas.
 
 
 def peers_of(program, path, atoms, threads=1):

@@ -1,4 +1,5 @@
-// The report's source, the files of text/: Markdown, as it will stand in the report but for
+// The report's source, the files of text/, and how it is read. The source is Markdown that goes into the report as it
+// is, but for:
 //
 //   {FIGURE}               a figure (figure.hpp), or a dash
 //   {= KEY}                what the benchmarks say of the machine and the build

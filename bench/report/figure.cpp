@@ -18,7 +18,7 @@ namespace {
 
 const double missing = std::nan("");
 
-// Computes as it reads. `benchmark` is the one that was named last.
+// Computes a figure while reading it. `benchmark` is the one that was named last.
 class Expression {
  public:
   Expression(std::string_view text, const Scope &scope, std::string &benchmark)
@@ -113,7 +113,7 @@ class Expression {
     return text;
   }
 
-  // The text of each, up to the parenthesis that closes.
+  // The texts of the arguments, up to the closing parenthesis.
   std::vector<std::string> arguments() {
     std::vector<std::string> found{""};
     for (int depth = 0; !rest_.empty();) {
@@ -196,7 +196,7 @@ class Expression {
     fail();
   }
 
-  // All arguments but the first, which were one.
+  // All arguments but the first, joined again: they are one expression that has commas.
   static std::string joined(const std::vector<std::string> &arguments) {
     std::string text = arguments.at(1);
     for (size_t i = 2; i < arguments.size(); ++i) text += ',' + arguments[i];

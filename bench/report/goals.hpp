@@ -1,4 +1,4 @@
-// The costs that the library aims at, beside those that it has.
+// The table of goals: the costs that the library aims at, beside those that it has, with a verdict.
 #pragma once
 
 #include <ostream>
@@ -15,12 +15,12 @@ struct Turns {
   Run now, old;
 };
 
-// Each goal is: what | kind | version 0.1.0 there | must | goal | figure, and for some | what it scales with. `there`
-// is the machine on which the goals were set; a dash stands for what was not measured there. Kinds:
+// Each goal is a line: what | kind | version 0.1.0 there | must | goal | figure, and for some kinds | scale. `there` is
+// the machine on which the goals were set; a dash stands for a value that was not measured there. Kinds:
 //
-//   time      at most; scales with what version 0.1.0 takes here
-//   new_time  the same of what that version cannot do: scales with the last column
-//   share     of the last column, of version 0.1.0; of what that version cannot do
+//   time      a time at most; the limits scale with the time that version 0.1.0 takes here
+//   new_time  a time at most, of a task that version 0.1.0 cannot do; the limits scale with the last column
+//   share     a share of the last column, a figure of version 0.1.0; of a task that version 0.1.0 cannot do
 //   at_most   a figure that is the same on every machine
 //   at_least  likewise
 //

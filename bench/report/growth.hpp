@@ -12,8 +12,8 @@ namespace report {
 // MOLECULE of all benchmarks prefix + MOLECULE, by number of balls; those that failed or were skipped come last.
 std::vector<std::string> molecules_by_size(const Run &run, const std::string &prefix);
 
-// The exponent e of amount ~ n^e, by least squares over logarithms, of pairs of n and an amount; NaN with fewer than
-// three.
+// The exponent e of amount ~ n^e, by least squares over the logarithms of pairs of n and an amount; NaN with fewer than
+// three pairs.
 double growth_exponent(const std::vector<std::pair<double, double>> &amounts);
 
 }  // namespace report

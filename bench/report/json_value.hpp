@@ -1,4 +1,4 @@
-// A JSON document as a tree: what it takes to read the files that Google Benchmark writes.
+// A JSON document as a tree: as much of JSON as the files of Google Benchmark have.
 #pragma once
 
 #include <map>

@@ -16,7 +16,7 @@ struct List {
 };
 using Lists = std::map<std::string, List, std::less<>>;
 
-// The text with every $name that is known replaced, in what replaces it, too.
+// The text with every known $name replaced, also within the texts that replace names.
 std::string with_names(std::string text, const Names &names);
 
 std::string without_blanks(std::string_view text);  // at either end

@@ -1,8 +1,8 @@
-# cmake -DSUITES=folder -DWRITE_REPORT=write_report -P report_has_tables.cmake: the way from every suite to the report, for
-# small molecules, without looking at times. expected_rows.txt says what must be there.
+# cmake -DSUITES=folder -DWRITE_REPORT=write_report -P report_has_tables.cmake: a test that runs every suite on small
+# molecules and writes the report, which must have the rows of expected_rows.txt. Times are not looked at.
 include(${CMAKE_CURRENT_LIST_DIR}/report_of_results.cmake)
 
-# run_suite(NAME FILTER): its results into the folder.
+# run_suite(NAME FILTER): runs a suite and writes its results into the folder.
 function(run_suite name filter)
   execute_process(COMMAND ${SUITES}/${name} --benchmark_filter=${filter} --benchmark_min_time=0.001
     --benchmark_out_format=json --benchmark_out=${folder}/${name}.json OUTPUT_QUIET ERROR_QUIET RESULT_VARIABLE status)
@@ -21,7 +21,7 @@ run_suite(bench_poses "/crambin_100$")
 run_suite(bench_degenerate .)
 write_report()
 
-# Sets `area` to what the report has from each line of text on to the next: rows are looked for there.
+# Rows are looked for in `area`, the part of the report between one line of text and the next.
 set(rest "${report}")
 set(text "")
 set(rows "")

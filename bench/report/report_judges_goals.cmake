@@ -1,7 +1,8 @@
-# cmake -DWRITE_REPORT=write_report -P report_judges_goals.cmake: exponents, ratios and verdicts from made-up results.
-# Step 3: van der Waals n^1, solvent-accessible n^1.1. Version 0.1.0 takes twice as long here as where the goals were set,
-# so that limits that are times are twice as long, and bytes and ratios are not. Three repetitions each, of which the
-# least counts for times, the median otherwise. Times are judged by what the versions measured by turns.
+# cmake -DWRITE_REPORT=write_report -P report_judges_goals.cmake: a test that the report finds the right exponents,
+# ratios and verdicts in made-up results. In them Step 3 takes time n^1 for van der Waals and n^1.1 for
+# solvent-accessible balls. Version 0.1.0 takes twice as long as on the machine where the goals were set, so limits of
+# times double, and those of bytes and ratios do not. There are three repetitions, of which the least counts for times,
+# the median otherwise. Times are judged by the results that the versions measured by turns.
 include(${CMAKE_CURRENT_LIST_DIR}/report_of_results.cmake)
 
 function(expect_text text)

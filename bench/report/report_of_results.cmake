@@ -1,4 +1,4 @@
-# Steps that the tests of the report share. Results are in a folder of the script's own, ${folder}, which is empty at
+# Steps that the tests of the report share. Each test has a folder of its own for results, ${folder}, which is empty at
 # first.
 get_filename_component(name ${CMAKE_SCRIPT_MODE_FILE} NAME_WE)
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name})

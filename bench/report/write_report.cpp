@@ -1,7 +1,8 @@
-// write_report TEXT FOLDER > report.md: the report that the files of the folder TEXT describe, one after the other
-// (document.hpp), of the benchmark results (*.json) in FOLDER, of what this version and version 0.1.0 measured by turns
-// in FOLDER/turns/now and FOLDER/turns/0.1.0, and of the pictures in FOLDER/plots, as far as these are there.
-// `write_report --plots TEXT FOLDER` puts the tables for the pictures into FOLDER/plots, see plots.gp.
+// write_report TEXT FOLDER > report.md: writes the report that the files of the folder TEXT describe, one after the
+// other (document.hpp). Its input are the benchmark results (*.json) in FOLDER and, as far as they are there, the
+// results that this version and version 0.1.0 measured by turns, in FOLDER/turns/now and FOLDER/turns/0.1.0, and the
+// pictures in FOLDER/plots. `write_report --plots TEXT FOLDER` puts the tables for the pictures into FOLDER/plots, see
+// plots.gp.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

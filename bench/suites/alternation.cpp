@@ -8,7 +8,8 @@
 namespace bench {
 namespace {
 
-// Runs of a part per round: at least this many balls altogether, some hundred microseconds.
+// A round repeats a part until it has treated at least this many balls altogether, which takes some hundred
+// microseconds.
 constexpr size_t balls_per_round = 1000;
 
 double seconds_of(Clock clock) {

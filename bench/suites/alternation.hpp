@@ -1,4 +1,4 @@
-// Parts of one computation timed by turns, so that their ratios hold on a machine that is busy or changes its clock.
+// Several parts timed by turns, so that the ratios of their times hold on a machine that is busy or changes its clock.
 #pragma once
 
 #include <benchmark/benchmark.h>

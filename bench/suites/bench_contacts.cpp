@@ -9,7 +9,7 @@ namespace {
 
 void boundary_and_contacts(benchmark::State &state, Subject &subject) {
   Contacts contacts(*subject.boundary);
-  // Contacts are computed anew with the boundary: what they were computed from has changed.
+  // Contacts are made anew from the boundary: computing the boundary again has made the earlier ones invalid.
   alternate(state, subject.model->size(),
             {{"boundary", [&] { subject.boundary->compute(); }},
              {"contacts", [&] { contacts.compute(); }},

@@ -1,6 +1,6 @@
-// Sets in which nothing is in general position: cubic lattices of spacing 1 with four spheres through every vertex
-// (radius 0.8), where no question can be answered by doubles. run.sh compiles this file with version 0.1.0, too, hence
-// it uses no more of suite.hpp than that version has.
+// hsp_boundary_compute on sets in which nothing is in general position: cubic lattices of spacing 1 with four spheres
+// through every vertex (radius 0.8), where doubles cannot answer any question. run.sh compiles this file with version
+// 0.1.0, too, so it uses only the parts of suite.hpp that this version has.
 #include "suite.hpp"
 
 namespace bench {

@@ -30,7 +30,7 @@ std::vector<std::vector<double>> jittered(const Balls &balls) {
 }
 
 void frames(benchmark::State &state, const Subject &subject) {
-  // Memory of its own, at the default limits: the next frame may need more than this one did.
+  // A model and boundary of their own, with the default limits: the next frame may need more than this one.
   Model model(subject.balls, subject.model->probe());
   Boundary boundary(model, Room::by_default);
   const std::vector<std::vector<double>> positions = jittered(subject.balls);

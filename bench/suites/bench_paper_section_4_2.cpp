@@ -1,8 +1,8 @@
-// The table of Section 4.2 for the paper's molecules and radii.
+// The table of the paper's Section 4.2: the times of Steps 1 to 3 for the paper's molecules and radii.
 //
-// Step 1, the neighbours of every ball, is timed through hsp_query_neighbours. Step 2 cannot be asked for on its own:
-// hsp_boundary_compute does Steps 1 and 2 and gathers faces and shells, starting from the built structure. Step 3 is
-// hsp_topology_compute, starting from that boundary.
+// Step 1, finding the neighbours of every ball, is timed through hsp_query_neighbours. Step 2 cannot be called on its
+// own: hsp_boundary_compute, starting from the model, does Steps 1 and 2 and also finds faces and shells. Step 3 is
+// hsp_topology_compute, starting from this boundary.
 #include "suite.hpp"
 
 namespace bench {

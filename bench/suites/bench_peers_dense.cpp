@@ -1,6 +1,6 @@
-// Sets of more and more neighbours a ball, beside CGAL and FreeSASA: balls at random places, copies of one molecule,
-// each atom moved a little, as models of an ensemble are, or hardly at all; a swept ball, balls of one centre, and a
-// large ball in its solvent. All take turns.
+// Boundaries with areas of sets with more and more neighbours for each ball, by turns with CGAL (alpha complexes) and
+// FreeSASA (areas). The sets are balls at random places; copies of one molecule with each atom moved a little, as in
+// the models of an ensemble, or hardly at all; a swept ball; balls of one centre; and a large ball in its solvent.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int turns = 3;
 
-// Of radius 1, in a cube in which one that is not at its border has so many neighbours.
+// Balls of radius 1 at random places in a cube of such a size that a ball far from its sides has so many neighbours.
 Balls random_balls(uint32_t n, double neighbours) {
   constexpr double pi = 3.14159265358979323846;
   const double side = std::cbrt(n * 8 * (4 * pi / 3) / neighbours);
@@ -34,7 +34,7 @@ Balls random_balls(uint32_t n, double neighbours) {
   return balls;
 }
 
-// The first 60 atoms of crambin so many times, each coordinate moved by a normal number.
+// Copies of the first 60 atoms of crambin, each coordinate moved by a normally distributed number.
 Balls ensemble(uint32_t models, double deviation) {
   constexpr uint32_t atoms = 60;
   const std::vector<Molecule> molecules = paper_molecules();
@@ -52,7 +52,7 @@ Balls ensemble(uint32_t models, double deviation) {
   return balls;
 }
 
-// Of radius 1, on a line.
+// Balls of radius 1 on a line, 1e-4 apart.
 Balls swept_ball(uint32_t n) {
   Balls balls;
   for (uint32_t k = 0; k < n; ++k) balls.add(k * 1e-4, 0, 0, 1);
@@ -65,8 +65,8 @@ Balls of_one_centre(uint32_t n) {
   return balls;
 }
 
-// Balls of radius 1.6 on a lattice of 27 a side, each moved a little, and in the middle a large one, which takes the
-// place of those that it meets; of radius 0 none.
+// Balls of radius 1.6 on a lattice of 27 a side, each moved a little. In the middle is a large ball in place of all
+// those that it meets, or none if its radius is 0.
 Balls solvent(double large) {
   constexpr uint32_t side = 27;
   constexpr double step = 3.1, middle = side * step / 2;
@@ -88,7 +88,7 @@ double neighbours_a_ball(const Model &model) {
   return static_cast<double>(first.back()) / model.size();
 }
 
-// Beyond so many pairs FreeSASA takes minutes.
+// FreeSASA is left out of sets with more pairs than this, as it would take minutes.
 [[maybe_unused]] constexpr double most_pairs_of_freesasa = 6e6;
 
 void dense_by_turns(benchmark::State &state, Subject &subject) {

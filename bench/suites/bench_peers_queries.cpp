@@ -1,6 +1,7 @@
-// Queries beside peers: nanoflann (a k-d tree) and gemmi (cell lists), on the same van der Waals balls and for the same
-// centres. Neither takes radii of balls: each searches within r_max and the test of a ball's own radius follows. All
-// take turns. Peers that are not installed are skipped.
+// Point and ball queries and neighbour lists by turns with other programs: nanoflann (a k-d tree) and gemmi (cell
+// lists), on the same van der Waals balls and for the same query centres. Neither knows radii of balls: both search for
+// centres within reach of the largest radius, and the test with each ball's own radius follows. All must find as many
+// hits as the library. Programs that are not installed are skipped.
 #include <memory>
 #include <stdexcept>
 
@@ -45,7 +46,7 @@ template <class Search>
   return found;
 }
 
-// The parts of the peers for a workload. `hits`: what they must find.
+// The parts of the other programs for a workload. `hits`: the number of hits that they must find.
 class Peers {
  public:
   Peers(const Balls &balls, const Workload &workload, size_t hits) {

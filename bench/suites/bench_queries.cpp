@@ -1,6 +1,7 @@
-// Point, ball and ray queries with van der Waals balls, as users ask them: many distinct centres, so that neither
-// caches nor branch prediction can learn them. "box": uniform in the surrounding box, mostly empty space for long
-// molecules; "atom": within 1 Angstrom of an atom. Rays go from one of these points towards the next.
+// Point, ball and ray queries with van der Waals balls, as users ask them: the centres are many and distinct, so that
+// neither caches nor branch prediction can learn them. "box": centres uniform in the surrounding box, mostly empty
+// space for long molecules; "atom": centres within 1 Angstrom of an atom. Rays go from one of these points towards the
+// next.
 #include <functional>
 
 #include "suite.hpp"
@@ -13,7 +14,7 @@ constexpr size_t queries = 100000;
 
 using Centres = std::vector<double> (*)(const Model &, size_t);
 
-// `more` centres than queries; `ask` returns how many hits all queries have.
+// There are `more` centres than queries. `ask` makes all queries and returns the number of their hits.
 void register_kind(const std::string &kind, const SubjectRecipe &recipe, Centres centres, size_t more,
                    const std::function<size_t(const Model &, const std::vector<double> &)> &ask) {
   register_case("queries/" + kind + '/' + recipe.key, recipe, [=](benchmark::State &state, Subject &subject) {

@@ -1,6 +1,5 @@
-// Section 3's alternatives beside the library: building, point and ball queries, all pairs, memory. The paper's
-// molecules and radii, and a tiling of a million balls. All structures take turns, so that their ratios hold on a busy
-// machine.
+// The search structures that the paper's Section 3 names (section_3/) by turns with the library: building, point and
+// ball queries, all pairs, memory. Sets are the paper's molecules with its radii, and a tiling of a million balls.
 #include <memory>
 #include <stdexcept>
 
@@ -45,7 +44,7 @@ void visit_structures(Alternatives &all, Visit visit) {
   visit("tree", all.tree);
 }
 
-// Those of the subject that was asked for last are kept.
+// The structures of a subject. Those of the subject that was asked for last are kept.
 Alternatives &alternatives_of(const Subject &subject) {
   static std::unique_ptr<Alternatives> kept;
   static std::string kept_for;

@@ -1,5 +1,6 @@
 // Steps 1 and 2 with areas of every ball, split among 1 and 2 threads by an executor, by turns with
-// hsp_boundary_compute and hsp_boundary_measure. By the clock on the wall, so to be run on a quiet machine.
+// hsp_boundary_compute and hsp_boundary_measure. Times are wall-clock times: to be run on a machine that does nothing
+// else.
 #include <atomic>
 #include <cstring>
 #include <stdexcept>
@@ -47,7 +48,7 @@ int32_t run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
   return 0;
 }
 
-// Split for two workers, of which there may be one.
+// The work is split for two workers; `threads` of them, one or two, do it.
 void compute_split(hsp_boundary *boundary, const hsp_model *model, uint32_t threads, Measures &out) {
   const hsp_executor executor{sizeof executor, 2, &threads, run_tasks, nullptr};
   hsp_boundary_request request{};

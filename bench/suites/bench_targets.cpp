@@ -1,5 +1,5 @@
-// Steps 1 and 2 by the kernels for the widest registers that the processor has, by turns with those for every
-// processor: what instructions that counted/ counts are worth in time, which is another share on each processor.
+// Steps 1 and 2 by the kernels for the widest registers that the processor has, by turns with the kernels for every
+// processor: how much time the instructions that counted/ counts take, which differs from processor to processor.
 #include <stdexcept>
 #include <vector>
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t queries = 100000;
 
-// Times of a structure that is not a subdivision of the boundary would be worth nothing.
+// Requires that the topology has the boundary's Euler characteristic, so that the times are those of a right result.
 void require_euler(const hsp_topology_counts &topology, const hsp_boundary_counts &boundary) {
   const int64_t euler = int64_t{topology.vertices} - int64_t{topology.edges} + topology.simple_faces;
   if (euler != boundary.euler) throw std::runtime_error("vertices - edges + simple faces is not the Euler number");

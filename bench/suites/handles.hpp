@@ -1,8 +1,8 @@
 // hsp_model, hsp_boundary, hsp_contacts, hsp_periodic and hsp_topology in memory of their own, for the benchmarks.
 // Those of the components stand beside: smooth_surface, free_space and view_handle.
 //
-// Memory is taken before anything is timed, written once so that its pages are there, and used again by every
-// iteration: what the library asks of its users is what is timed.
+// Memory is allocated before anything is timed, written once so that its pages exist, and used again by every
+// iteration, as the library asks its users to do.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class Model {
   // Takes the balls, `probe` added to every radius.
   Model(const Balls &balls, double probe);
 
-  // hsp_model_set with the balls once more: what "build" means in the reports.
+  // Calls hsp_model_set with the balls once more; this is "build" in the reports.
   void set() { set(balls_->xyz); }
 
   // The same with other centres [size()][3]: a frame of a trajectory.
@@ -76,7 +76,7 @@ hsp_energy energy_of(int32_t (*get)(const Handle *, const hsp_gradient_request *
   return energy;
 }
 
-// How much room a handle gets: exactly what its contents need, which is found out by computing them, or what the
+// How much room a handle gets: exactly as much as its contents need, which computing them tells, or as much as the
 // library's default limits say.
 enum class Room { exact, by_default };
 
@@ -88,7 +88,7 @@ class Boundary {
 
   // Areas and volumes of every ball.
   hsp_totals measure();
-  // Those areas.
+  // The areas that measure() found.
   const std::vector<double> &areas() const { return area_; }
 
   // A weighted sum of areas plus the volume, with its derivatives by every centre and radius.
@@ -121,7 +121,7 @@ class Contacts {
 
   void compute();
   hsp_complex complex() const;
-  // How many there are.
+  // The number of contacts.
   uint32_t count() const;
   size_t bytes() const { return contacts_.bytes(); }
 
@@ -133,7 +133,7 @@ class Contacts {
 // The balls of a model in a periodic box with these sides.
 class Periodic {
  public:
-  // Makes room for as much as it takes, and computes them.
+  // Makes as much room as is needed, and computes the union in the box.
   Periodic(const Model &model, const std::array<double, 3> &side, bool areas_alone = false);
 
   void compute();

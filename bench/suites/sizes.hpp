@@ -1,4 +1,5 @@
-// The sets that times over size are taken from: molecules and tilings, van der Waals and solvent-accessible balls.
+// The sets of balls of all sizes on which times are taken: molecules and tilings, van der Waals and solvent-accessible
+// balls.
 #pragma once
 
 #include <functional>

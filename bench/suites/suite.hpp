@@ -1,4 +1,4 @@
-// Parts that all benchmark programs share: their main function, how a case is registered.
+// Parts that all benchmark programs (bench_*.cpp) share: their main function, and how a case is registered.
 #pragma once
 
 #include <benchmark/benchmark.h>

@@ -12,10 +12,12 @@ namespace bench {
 // proteins are, so that a tiling is no looser than what it is made of.
 Balls tiled(const Balls &balls, int copies);
 
-// So many balls along each axis, which leave a window in every square of four: none is in general position.
+// A cubic lattice of `side` balls along each axis, with a window in every square of four: nothing is in general
+// position.
 Balls tied_lattice(int side);
 
-// How far such copies are from each other along the three axes: the sides of a periodic box with one copy in it.
+// The distances between neighbouring copies of a tiling along the three axes: the sides of a periodic box with one
+// copy.
 std::array<double, 3> tiling_period(const Balls &balls);
 
 }  // namespace bench

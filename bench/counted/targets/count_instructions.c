@@ -1,6 +1,7 @@
-/* A plugin of QEMU's: appends to the file given as counts=FILE the number of instructions between each call of
- * stage_begins and the next of stage_ends. Those of functions named mem... are left out: they are the C library's.
- * Debian's QEMU has no header for plugins, hence what is used of their interface, version 1, is declared here. */
+/* A plugin for QEMU: appends to the file given as counts=FILE the number of instructions between each call of
+ * stage_begins and the next call of stage_ends. Instructions of functions named mem... are not counted: they belong to
+ * the C library. Debian's QEMU has no header for plugins, so the parts of their interface, version 1, that are used are
+ * declared here. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,6 @@
-// A molecule in the periodic box of its tilings, and waters that fill a box, by turns with the same balls in free
-// space: model, boundary, contacts and shares of both; the gradient in the box, and second derivatives.
+// Unions in a periodic box (hsp_periodic_compute) by turns with the same balls in free space: model, boundary, contacts
+// and shares of both; in the box also the gradient and second derivatives. The sets are a molecule in the box of its
+// tiling, and waters that fill a box.
 #include <cmath>
 #include <cstdint>
 

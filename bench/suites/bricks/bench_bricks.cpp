@@ -1,5 +1,5 @@
-// Summaries of bricks over size: half of a set with the balls around it, by turns with its model and boundary; the
-// merge of both halves.
+// Bricks over size: the summary of half of a set with the balls around it, by turns with the half's model and boundary;
+// and the merge of the summaries of both halves.
 #include "alternation.hpp"
 #include "halved_set.hpp"
 #include "sizes.hpp"

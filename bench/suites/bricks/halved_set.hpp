@@ -1,4 +1,4 @@
-// A set of balls in two bricks of as many balls each, cut across its longest extent, for the benchmarks.
+// A set of balls cut across its longest extent into two bricks with equally many balls, for the benchmarks.
 #pragma once
 
 #include "bricks/brick_summaries.hpp"
@@ -12,12 +12,12 @@ class HalvedSet {
 
   // Model and boundary of the first half with the balls around it.
   void compute_first() { maker_.compute(half_[0], largest_radius_); }
-  // Its summary, after that.
+  // The summary of the first half, after compute_first.
   void summarise_first() { summary_[0] = maker_.summarise(half_[0], 0, 2, 0); }
-  // Both summaries to one.
+  // Merges the summaries of both halves.
   void merge();
 
-  // Balls that the first half owns; those around it in their part of these; bytes of its summary.
+  // The number of balls that the first half owns; the balls around it as a share of these; the bytes of its summary.
   [[nodiscard]] uint32_t owned() const { return owned_; }
   [[nodiscard]] double halo_share() const { return static_cast<double>(half_[0].size()) / owned_ - 1; }
   [[nodiscard]] double bytes() const { return static_cast<double>(summary_[0].size()); }

@@ -1,5 +1,5 @@
-// Atoms that move: what a move of one atom, of ten and of a hundred costs with areas, volume and derivatives, what
-// taking one back costs, and what computing all anew does.
+// Balls that move (hsp_moving): the time of a move of one, ten and a hundred atoms with areas, volume and derivatives,
+// the time of taking a move back, and the time of computing everything anew.
 #include <array>
 
 #include "moving_workload.hpp"
@@ -14,7 +14,7 @@ constexpr std::array<uint32_t, 3> atoms_a_move = {1, 10, 100};
 
 enum class Then { move_back, undo };
 
-// Time is of all moves; a counter tells how many these are, and another one how many balls each changes.
+// The time is that of all moves. Counters give the number of moves and the number of balls that each changes.
 void measure_moves(benchmark::State &state, const Balls &balls, double probe, uint32_t atoms, Then then) {
   try {
     MovingAtoms moving(balls, probe, moves, atoms);

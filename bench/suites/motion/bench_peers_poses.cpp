@@ -1,5 +1,6 @@
-// Whether molecules meet, beside peers: FCL, and nanoflann asked for every atom of the moving molecule. All take turns
-// on the same poses and find the same answers. Peers that are not installed are skipped.
+// Whether molecules meet in a pose (hsp_body_hits) by turns with other programs: FCL, and nanoflann asked for every
+// atom of the moving molecule. All have the same poses and must find the same answers. Programs that are not installed
+// are skipped.
 #include <stdexcept>
 
 #include "alternation.hpp"

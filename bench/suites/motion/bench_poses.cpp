@@ -1,6 +1,6 @@
-// Molecule against molecule, as docking asks: 100, 327 and 4392 atoms in many poses against the stand-in for SOD.
-// "free": a fifth of an Angstrom apart, where whatever is near has to be looked at; "overlap": half an Angstrom deep;
-// "away": 5 Angstrom apart.
+// Molecule against molecule (hsp_body_*), as docking asks: 100, 327 and 4392 atoms in many poses against the stand-in
+// for SOD. "free": a fifth of an Angstrom apart, where all balls near the contact have to be looked at; "overlap": half
+// an Angstrom deep; "away": 5 Angstrom apart.
 #include "pose_workload.hpp"
 #include "suite.hpp"
 
@@ -40,7 +40,7 @@ const Meeting &meeting_of(const Balls &balls) {
 
 using Question = double (*)(const Meeting &, const Poses &);
 
-// Time is of all poses; what the answers add up to is a counter, per pose.
+// The time is that of all poses. A counter has the sum of the answers, per pose.
 void measure(benchmark::State &state, const Balls &balls, const Question &ask, size_t place) {
   try {
     const Meeting &meeting = meeting_of(balls);

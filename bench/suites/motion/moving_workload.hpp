@@ -1,4 +1,4 @@
-// Atoms that move, as Monte-Carlo programs move them: one or a few that lie together, by a fraction of an Angstrom.
+// Moves of atoms as Monte-Carlo programs make them: one atom, or a few that lie together, by a fraction of an Angstrom.
 #pragma once
 
 #include <vector>
@@ -14,14 +14,14 @@ class MovingAtoms {
  public:
   MovingAtoms(const Balls &balls, double probe, uint32_t moves, uint32_t atoms_a_move);
 
-  // Makes all moves, one after the other, each there and back again by another move; after each the energy is read, and
-  // all that is known of the balls that changed. Returns how many these were.
+  // Makes all moves, one after the other, each there and back again by another move. After each move the energy and all
+  // numbers of the changed balls are read. Returns the number of changed balls.
   uint64_t move_all();
   // The same, but each is taken back.
   uint64_t move_and_undo_all();
   uint32_t size() const { return model_.size(); }
 
-  // The same numbers from the coordinates: what a program without updates does after each move.
+  // Computes the same numbers from the coordinates, as a program without updates does after each move.
   hsp_energy compute_anew();
 
  private:

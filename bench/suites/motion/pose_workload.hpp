@@ -35,11 +35,12 @@ std::vector<Balls> moving_molecules();
 // The molecule at rest.
 Balls resting_molecule();
 
-// How docking meets a molecule: turned in any way and slid along any line through both means until it touches, then
-// taken back so far: 0.2 Angstrom are a free pose at contact, -0.5 an overlap.
+// Poses as docking has them: the moving molecule is turned at random and slid along a random line through both means
+// until it touches, then taken back by `gap`: 0.2 Angstrom make a free pose at contact, -0.5 an overlap.
 std::vector<hsp_pose> slid_poses(const PreparedBody &fixed, const PreparedBody &moving, size_t count, double gap);
 
-// How many of the poses have balls that meet; the sum of the gaps; pairs that meet in all poses.
+// count_hits: the number of poses in which balls meet. sum_gaps: the sum of the gaps of all poses. count_pairs: the
+// number of pairs that meet, over all poses.
 size_t count_hits(const PreparedBody &fixed, const PreparedBody &moving, const std::vector<hsp_pose> &poses);
 double sum_gaps(const PreparedBody &fixed, const PreparedBody &moving, const std::vector<hsp_pose> &poses);
 size_t count_pairs(const PreparedBody &fixed, const PreparedBody &moving, const std::vector<hsp_pose> &poses);

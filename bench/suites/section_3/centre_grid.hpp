@@ -1,6 +1,6 @@
-// Section 3 with each ball stored once, in the cube of its centre. How the balls of a cube are found is left to the
-// directory, so that directories can be compared with all else equal: dense_cubes.hpp, sorted_cubes.hpp,
-// double_hashing.hpp, perfect_hashing.hpp. Each has
+// The grid of the paper's Section 3 with each ball stored once, in the cube of its centre. The directory finds the
+// balls of a cube. It is a parameter, so that directories can be compared with all else equal: dense_cubes.hpp,
+// sorted_cubes.hpp, double_hashing.hpp, perfect_hashing.hpp. Each has
 //
 //   void build(const Cubes &, const std::vector<Cube> &, std::vector<uint32_t> &numbers);  // a number for each cube
 //   uint32_t count() const;                                                                 // all numbers are below
@@ -40,7 +40,8 @@ class CentreGrid {
                  [&](uint32_t first, uint32_t last) { balls_.meeting(centre, radius, first, last, hits); });
   }
 
-  // How many ordered pairs of different balls meet. The rows around a cube are looked up once for all of its balls.
+  // The number of ordered pairs of different balls that meet. The rows around a cube are looked up once for all its
+  // balls.
   uint64_t count_pairs() const {
     std::array<uint32_t, 9> first;
     std::array<uint32_t, 9> last;

@@ -22,8 +22,8 @@ constexpr uint64_t packed(const Cube &cube) {
   return (uint64_t{cube.z} << 42) | (uint64_t{cube.y} << 21) | uint64_t{cube.x};
 }
 
-// Sorts the keys of different cubes, and returns the new place of each. Numbered so, the cubes of a row follow each
-// other in memory, and neighbouring rows are not far.
+// Sorts the keys of different cubes, and returns the new place of each key. In this order the cubes of a row follow
+// each other in memory, and neighbouring rows are near.
 inline std::vector<uint32_t> sort_cubes(std::vector<uint64_t> &keys) {
   std::vector<uint32_t> order(keys.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -56,8 +56,9 @@ struct CubeRange {
   bool empty = true;
 };
 
-// Where a cube lies is decided by one monotone function of a coordinate, for balls and queries alike, and what a query
-// reaches is padded by more than rounding can lose. So no ball is missed, as long as coordinates are below 10^6 r_max.
+// The cube of a point is found by one monotone function of each coordinate, for balls and queries alike, and the reach
+// of a query is enlarged by more than rounding can lose. So no ball is missed, as long as coordinates are below 10^6
+// r_max.
 class Cubes {
  public:
   static constexpr double most_along_axis = 1 << 21;  // so that packed() has room

@@ -1,5 +1,5 @@
-// Balls in groups, one after the other in memory, and the test which of a group meet a ball. The doubles are those of
-// the input: with them ties are right where squares of differences are exact.
+// Balls in groups, one group after the other in memory, and the test which balls of a group meet a query ball. It uses
+// the doubles of the input, so ties are decided rightly only where squares of differences are exact.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace bench {
 
-// Where hits go. Of more hits than there is room for only the number is kept.
+// The list of hits. If there are more hits than there is room for, only their number is right.
 struct Hits {
   uint32_t *ids;
   uint32_t capacity;  // at least 1

@@ -1,5 +1,5 @@
-// Section 3 to the letter: each ball is stored in every cube that the box around it meets, and a query looks at the at
-// most 8 cubes that it meets itself. It finds balls more than once.
+// The grid exactly as the paper's Section 3 has it: each ball is stored in every cube that the box around the ball
+// meets, and a query looks only at the cubes that it meets itself, at most 8. So it finds balls more than once.
 #pragma once
 
 #include <algorithm>

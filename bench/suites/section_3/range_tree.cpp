@@ -61,7 +61,8 @@ uint32_t RangeTree::build_node(Interval points, Points by_y, Points by_z) {
   return number;
 }
 
-// Level by level: a node's points by z, parted by their rank in y, are its children's points by z. rank_ holds that.
+// Builds a tree level by level: a node's points in the order of z, parted by their rank in y, are its children's points
+// in the order of z. rank_ holds the rank in y.
 void RangeTree::build_layers(const Node &node, const Points &by_z) {
   std::vector<Interval> parts{{0, node.size()}};
   Points points = by_z;

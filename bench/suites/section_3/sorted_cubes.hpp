@@ -1,5 +1,5 @@
 // A directory of the non-empty cubes in lexicographic order, with binary search: Theorem 3.1, with a sorted array in
-// place of a balanced tree. The cubes of a row follow each other, so that one search does for a row.
+// place of a balanced tree. The cubes of a row follow each other, so that a row needs one search.
 #pragma once
 
 #include <algorithm>

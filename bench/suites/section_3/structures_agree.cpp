@@ -58,7 +58,8 @@ Ids by_structure(const Structure &structure, const Query &query, uint32_t balls)
   return ids;
 }
 
-// Quarters are exact in binary and on the library's decimal lattice: with them ties are ties for everybody.
+// Multiples of 1/4 are exact in binary and on the library's decimal lattice: ties of such numbers are ties for all
+// structures.
 double quarters(double value) {
   return std::round(4 * value) / 4;
 }

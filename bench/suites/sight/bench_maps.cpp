@@ -1,6 +1,6 @@
-// The visibility map (Section 5.2) by turns with the analytic z-buffer, which says as much of what is seen as its
-// 1000 x 1000 pixels can: molecules from spread directions, random balls over size, and sets that make maps large or
-// hard to find.
+// The visibility map (Section 5.2, hsp_map_compute) by turns with the analytic z-buffer, which answers the same
+// question for 1000 x 1000 pixels. The sets are molecules from directions spread over the sphere, random balls over
+// size, and sets whose maps are large or hard to find.
 #include "alternation.hpp"
 #include "sizes.hpp"
 #include "suite.hpp"

@@ -1,4 +1,4 @@
-// The table of Section 5.1: one frame after the other, each from a new direction.
+// The table of the paper's Section 5.1: times of frames, each from a new direction.
 //
 // The boundary is computed before the clock starts, as in the paper. A frame is hsp_view_compute: with H-pieces, with
 // G-pieces, and with G-pieces from the model alone. It is timed by turns with two z-buffers of 1000 x 1000 pixels, from
@@ -20,7 +20,8 @@ constexpr size_t few_directions = 4;  // for sets so large that a frame takes lo
 constexpr int meridians = 10;
 constexpr int bands = 6;
 
-// The directions in turn, for one of several parts: all parts see the same ones in the same order.
+// Hands out the directions one after the other to one of the parts that take turns: all parts have the same ones in the
+// same order.
 class Turns {
  public:
   explicit Turns(const std::vector<Direction> &directions) : directions_(&directions) {}
@@ -36,7 +37,7 @@ class Turns {
   size_t turn_ = 0;
 };
 
-// Means over all directions.
+// Sets counters to means over all directions.
 void count(benchmark::State &state, View &view, const std::vector<Direction> &directions, const char *pieces,
            bool picture) {
   double arcs = 0;

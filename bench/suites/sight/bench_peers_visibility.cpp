@@ -1,6 +1,6 @@
-// The visibility map of crambin beside CGAL's envelope of its spheres, the only other program that finds such a map; on
-// the same balls, along the z axis, by turns. CGAL takes half a minute: one round, in which the library's map is made a
-// number of times so that its time is one.
+// The visibility map of crambin by turns with CGAL's envelope of its spheres, the only other program that finds such a
+// map; on the same balls, along the z axis. CGAL takes half a minute, so there is one round, in which the library's map
+// is made several times so that its time can be measured.
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>

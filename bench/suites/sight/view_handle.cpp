@@ -11,7 +11,7 @@ int32_t count_bytes(void *context, const char *bytes, size_t count) {
   return 0;
 }
 
-// Memory for most directions, without arcs and edges; if it is too small, more is taken on demand.
+// The first limits, which suffice for most directions, without arcs and edges; if they are too small they are raised.
 template <class Limits>
 Limits small_limits(uint32_t balls) {
   Limits limits{};

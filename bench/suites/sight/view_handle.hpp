@@ -56,10 +56,10 @@ class Sticks {
  public:
   explicit Sticks(const Balls &balls);
 
-  // In an order, or as a map.
+  // Computes a painting order, or a map.
   void compute(const Direction &towards, bool as_map);
-  // Writes the SVG of what was computed last, with the contours of a map that is computed before, if one is given, to a
-  // sink that only counts. Returns the bytes.
+  // Writes the SVG of the last computation to a sink that only counts, with the contours of `ink`, a map that was
+  // computed before, if this is not null. Returns the number of bytes.
   uint64_t write_picture(const Sticks *ink);
 
  private:

@@ -1,4 +1,4 @@
-// Sets whose visibility maps are large, or hard to find: what times of maps depend on besides the number of balls.
+// Sets whose visibility maps are large, or hard to find: the time of a map depends on more than the number of balls.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Areas and volumes beside peers: FreeSASA (areas, approximate) and CGAL (combinatorics, no areas), on the same balls
-// with the same radii and probe. All take turns; nothing is read or written meanwhile. Peers that are not installed are
-// skipped.
+// Areas and volumes by turns with other programs: FreeSASA (areas, approximate) and CGAL (combinatorics, no areas), on
+// the same balls with the same radii and probe. Nothing is read or written meanwhile. Programs that are not installed
+// are skipped.
 #include <cmath>
 #include <stdexcept>
 
@@ -21,8 +21,8 @@ namespace {
 constexpr int turns = 5;
 constexpr int turns_of_largest = 3;  // seconds each
 
-// Areas and volumes of some sets by a program that shares nothing with the library: free angles of circles in slices,
-// summed over the heights, as tests/oracle/slice_quadrature.hpp does. That takes minutes, so that it was done once.
+// Areas and volumes of some sets by a program that shares no code with the library: free angles of circles in slices,
+// summed over the heights, as tests/oracle/slice_quadrature.hpp does. This takes minutes, so the results are kept here.
 struct Reference {
   const char *key;
   double area, volume;  // square and cubic angstrom
@@ -46,7 +46,7 @@ double relative_error(double value, double right) {
 }
 
 #ifdef BENCH_FREESASA
-// The error of the total, and the mean error of a ball in units of the mean area: errors cancel in the total.
+// Reports the error of the total area, in which errors cancel, and the mean error of a ball in units of the mean area.
 void report_areas(benchmark::State &state, const std::string &name, const std::vector<double> &areas,
                   const std::vector<double> &right, double total_right) {
   double total = 0;

@@ -1,6 +1,6 @@
-// The smooth surface over size, by turns with the solvent-accessible boundary that it stands on: hsp_surface_compute,
-// hsp_surface_measure and hsp_surface_get_gradient. Triangles of that boundary. And the smooth surface's area and
-// volume of the two molecules of which other programs' results are known.
+// The smooth surface over size (hsp_surface_compute, hsp_surface_measure and hsp_surface_get_gradient) by turns with
+// the solvent-accessible boundary that it is made from; and triangles of this boundary. Also the area and volume of the
+// smooth surface of the two molecules for which results of other programs are known.
 #include <filesystem>
 #include <string>
 
@@ -17,7 +17,7 @@ constexpr double probe = 1.4;  // Angstrom
 
 void boundary_and_surface(benchmark::State &state, Subject &subject) {
   SmoothSurface surface(*subject.boundary);
-  // The surface is computed anew with the boundary: what it was computed from has changed.
+  // The surface is made anew from the boundary: computing the boundary again has made the earlier surface invalid.
   alternate(state, subject.model->size(),
             {{"boundary", [&] { subject.boundary->compute(); }},
              {"surface", [&] { surface.compute(); }},
@@ -37,7 +37,7 @@ void triangles(benchmark::State &state, Subject &subject) {
   state.counters["bytes"] = static_cast<double>(mesh.bytes());
 }
 
-// Surfaces that the report holds against known values.
+// Area and volume of a surface, which the report compares with known values.
 void area_and_volume(benchmark::State &state, Subject &subject) {
   SmoothSurface surface(*subject.boundary);
   hsp_surface_totals totals{};

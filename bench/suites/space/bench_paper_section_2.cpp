@@ -1,6 +1,7 @@
-// Section 2: the table of k, rho, and how many balls meet a ball, for the paper's molecules and radii; and Figure 4,
-// how large vertical decompositions are beside the library's cells. Free space: its cells by turns with Steps 1 and 2,
-// in which of them points lie, and, of molecules, paths between some of these.
+// The paper's Section 2: the table of k, rho and the number of balls that meet a ball, for the paper's molecules and
+// radii; and for Figure 4 the sizes of vertical decompositions beside the library's cells. Also times for free space:
+// its cells by turns with Steps 1 and 2, locating points in cells, and for molecules paths between some of these
+// points.
 #include <cstddef>
 #include <optional>
 
@@ -29,7 +30,7 @@ Balls balls_of_figure_4(uint32_t n) {
   return balls;
 }
 
-// Counted once: what matters are the counts.
+// Run once: the counts matter, not the time.
 void register_decompositions(const std::string &name, const SubjectRecipe &recipe, Spheres kind) {
   register_case(name, recipe,
                 [kind](benchmark::State &state, Subject &subject) {
@@ -66,7 +67,7 @@ struct Paths {
 
 void free_space(benchmark::State &state, Subject &subject) {
   constexpr size_t points = 10000, ways = 20;
-  constexpr uint32_t many = 5000;  // balls, of which paths are not asked for
+  constexpr uint32_t many = 5000;  // balls: paths are asked for in smaller sets only
   const Model &model = *subject.model;
   FreeSpace space(model);
   const std::vector<double> box = random_points_in_box(model, points);

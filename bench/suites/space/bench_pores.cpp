@@ -1,6 +1,6 @@
-// Free space for every probe at once over size: all maxima, gates and classes above the floor 0, by the room
-// lib/space/pores itself, also where all balls tie; and from these, once they are known, the regions beside the balls,
-// pockets, plugs in their mouths, and sizes of pockets.
+// Pores, free space for every probe at once, over size: all maxima, gates and classes above the floor 0, also where all
+// balls tie, by the library's room lib/space/pores itself. And from these pores the regions beside the balls, pockets,
+// plugs in their mouths, and sizes of pockets.
 #include <stdexcept>
 #include <vector>
 
@@ -68,7 +68,7 @@ void regions(benchmark::State &state, Subject &subject) {
   count_time_per_atom(state, subject);
 }
 
-// One stage of pockets. counted: what it returns the number of.
+// Times one stage of pockets. counted: the name of the counter for the number that the stage returns.
 void pockets(benchmark::State &state, Subject &subject, const char *counted, uint32_t (Pockets::*stage)()) {
   Pockets pockets(*subject.model);
   uint32_t count = 0;

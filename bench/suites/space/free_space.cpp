@@ -31,7 +31,7 @@ size_t FreeSpace::locate(const std::vector<double> &points) const {
 
 namespace {
 
-// The balls as they are, and room for plugs.
+// A copy of the balls, with room for plugs behind them.
 Balls with_plugs(const Pores &pores) {
   uint32_t n = 0;
   expect_ok(hsp_pores_get_plugged_balls(pores.get(), nullptr, nullptr, 0, &n), "hsp_pores_get_plugged_balls");

@@ -13,12 +13,12 @@ namespace bench {
 // The cells of free space of a model.
 class FreeSpace {
  public:
-  // Makes room for as much as it takes, and computes them.
+  // Makes as much room as is needed, and computes the cells.
   explicit FreeSpace(const Model &model);
 
   void compute();
   hsp_cells_counts counts() const;
-  // The cells of points [count][3]. Returns how many are in none.
+  // Locates points [count][3] in cells. Returns how many points are in none.
   size_t locate(const std::vector<double> &points) const;
 
  private:
@@ -29,7 +29,7 @@ class FreeSpace {
 // All maxima and gates above the floor 0, and the tree of their classes.
 class Pores {
  public:
-  // before: as in hsp_pores_options.
+  // before: earlier pores of fewer balls, as in hsp_pores_options, or null.
   explicit Pores(const Model &model, const hsp_pores *before = nullptr) : model_(model) {
     support::expect_ok(hsp_pores_options_init(&options_, sizeof options_), "hsp_pores_options_init");
     options_.before = before;
@@ -63,13 +63,13 @@ class Pockets {
  public:
   explicit Pockets(const Model &model);
 
-  // As they are found in maxima and gates. Returns how many there are.
+  // Finds the pockets in maxima and gates. Returns the number of pockets.
   uint32_t find();
-  // Of all mouths, behind the balls. Returns how many there are.
+  // Lists plugs for all mouths behind the balls. Returns the number of plugs.
   uint32_t list_plugs();
-  // Pores with the plugs, from those without. Returns how many balls they are of.
+  // Computes the pores of balls and plugs from those of the balls. Returns the number of balls and plugs.
   uint32_t compute_plugged();
-  // Returns how many pockets are closed. Leaks are left open.
+  // Finds the sizes of pockets. Leaks are left open. Returns the number of pockets that are closed.
   uint32_t measure();
 
  private:

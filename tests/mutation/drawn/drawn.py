@@ -3,10 +3,10 @@
 
     drawn.py TREE FOLDER COUNT
 
-A mistake is another operator, comparison or constant, or a statement left out. The version is the seed: statements, and of each
-one mistake, are drawn by hashes of it and their text, so that a change elsewhere draws no others. The compiler refuses some in the
-core as one file: they are left out. A first run of the tests says which mistakes each of them comes to; a mistake is tried with
-those alone, in the order of their time, until one fails, and one that is explained with those that take less than two seconds.
+A mistake is another operator, comparison or constant, or a statement left out. Statements, and one mistake for each, are drawn by
+hashes of the version and the statement's text, so that a change of code elsewhere does not change the draw. Mistakes that the
+compiler refuses are left out. A first run finds which mistakes each test reaches. A mistake is tried with the tests that reach
+it, the quickest first, until one fails; a mistake that is explained is tried with tests of less than two seconds alone.
 FOLDER/verdicts.tsv has number, test or nothing, file, line, text before and after; a later run in FOLDER tries what is left. The
 exit status is 0 if of 100 mistakes 98 are killed or explained by a line of explained.txt, with tabs between file, text before, text
 after and reason.

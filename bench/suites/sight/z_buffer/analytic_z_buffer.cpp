@@ -1,4 +1,4 @@
-// Compiled with -O3 -fno-math-errno: with these the row of pixels becomes vector instructions.
+// Compiled with -O3 -fno-math-errno, so that the compiler makes vector instructions of the loop over a row of pixels.
 #include "z_buffer/analytic_z_buffer.hpp"
 
 #include <algorithm>
@@ -21,7 +21,8 @@ void draw_row(float *__restrict depth, uint32_t *__restrict owner, unsigned vect
   for (unsigned i = 0; i < count; ++i) {
     const float offset = dx + static_cast<float>(static_cast<int>(i));
     const float z = centre + std::sqrt(square - offset * offset);
-    // Both as bits: of a selection between floats g++ 12 makes a branch, and no vectors.
+    // Both selections are made on bits: g++ 12 compiles a selection between floats to a branch, and then makes no
+    // vectors.
     const uint32_t above = z > depth[i] ? 0xFFFFFFFFU : 0U;
     const uint32_t before = std::bit_cast<uint32_t>(depth[i]);
     depth[i] = std::bit_cast<float>((std::bit_cast<uint32_t>(z) & above) | (before & ~above));

@@ -16,8 +16,8 @@ constexpr float ambient = 40;
 constexpr float diffuse = 215;
 constexpr unsigned lanes = 4;
 
-// On the unit sphere: triangles seen nearly edge on are not drawn, and edges that rise less than this meet no row but
-// by rounding. Both keep gradients and slopes from blowing rounding errors up.
+// On the unit sphere: triangles that are seen nearly edge on, to this bound, are not drawn, and edges that rise less
+// than this count as horizontal. Otherwise their gradients and slopes would magnify rounding errors.
 constexpr float edge_on = 1e-3F;
 constexpr float level = 1e-4F;
 
@@ -65,7 +65,8 @@ TriangleZBuffer::TriangleZBuffer(int meridians, int bands)
     if (ring == bands) return static_cast<uint32_t>(corner_.size() - 1);
     return static_cast<uint32_t>(1 + (ring - 1) * meridians + meridian % meridians);
   };
-  // Odd rings are turned by half a step, so the diagonal goes to the one or the other side.
+  // Odd rings are turned by half a step, so the diagonals of their quadrilaterals go alternately to one side and the
+  // other.
   for (int ring = 0; ring < bands; ++ring) {
     for (int meridian = 0; meridian < meridians; ++meridian) {
       const uint32_t a = at(ring, meridian), b = at(ring, meridian + 1);

@@ -28,8 +28,8 @@ double height(const bench::PlacedBalls &balls, size_t i, int x, int y) {
   return static_cast<double>(balls.z[i]) + std::sqrt(radius * radius - dx * dx - dy * dy);
 }
 
-// The part of some 20,000 pixels whose owner is another ball than the one found by trying all, which is not equally
-// high to a hundredth of a pixel. On a rim rounding decides whether a pixel belongs to the disc at all.
+// The share of wrong owners among some 20,000 pixels. An owner is wrong if trying all balls finds one that is higher
+// there by more than a hundredth of a pixel. At a rim rounding decides whether a pixel belongs to the disc at all.
 double wrong_part(const bench::PlacedBalls &balls, const bench::AnalyticZBuffer &image) {
   int wrong = 0;
   int tried = 0;

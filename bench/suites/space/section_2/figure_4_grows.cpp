@@ -1,6 +1,6 @@
-// Figure 4 in numbers (Theorems 2.3 and 2.4): the vertical decomposition of its spheres grows with the square of their
-// number in all of space, and with the number in cubes, as do the library's cells. In all of space the events of
-// disjoint spheres are known in closed form, so these counts are exact.
+// A test of the paper's Figure 4 in numbers (Theorems 2.3 and 2.4): the vertical decomposition of its spheres grows
+// with the square of their number in all of space, and linearly in cubes, as do the library's cells. In all of space
+// the events of disjoint spheres are known in closed form, so these counts are exact.
 #include <cstdint>
 #include <cstdio>
 

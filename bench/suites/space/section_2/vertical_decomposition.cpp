@@ -37,7 +37,7 @@ constexpr bool is_upper(Arc arc) {
   return (arc & 1) != 0;
 }
 
-// The source of a wall: the end of a circle, or which of the crossings of two arcs.
+// The source of a wall: the end of a circle, or one of the crossings of two arcs.
 struct Wall {
   enum Kind : uint32_t { region_begins, region_ends, circle_begins, circle_ends, crossing } kind;
   uint32_t first, second, which;
@@ -271,7 +271,8 @@ class CellCount {
   }
 
  private:
-  // Where spheres and circles begin and end; of disjoint spheres, too, where equators cross, and cubes' sides.
+  // The abscissae where spheres and circles begin and end; for disjoint spheres also those where equators cross, and
+  // where the sides of cubes are met.
   std::vector<double> find_abscissae() const {
     double low = region_.side[0].low, high = region_.side[0].high;
     if (!region_.bounded) {

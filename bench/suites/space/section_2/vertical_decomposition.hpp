@@ -1,12 +1,12 @@
-// How many cells the vertical decomposition of an arrangement of spheres has (Theorem 2.3; Clarkson, Edelsbrunner,
-// Guibas and Sharir 1990), in all of space or cube by cube (Theorem 2.4): counted in doubles, to be shown beside the
-// cells of the library, which are of another kind.
+// The number of cells in the vertical decomposition of an arrangement of spheres (Theorem 2.3; Clarkson, Edelsbrunner,
+// Guibas and Sharir 1990), in all of space or cube by cube (Theorem 2.4). It is counted in doubles, without the
+// library, and shown beside the library's cells, which are of another kind.
 //
-// The plane x = t cuts the decomposition in that of circles: trapezoids between two arcs and two walls, and a wall
-// stands at each end of a circle and at each crossing of two. A cell is a maximal interval of t in which a trapezoid
-// exists. So it is enough to look at slices between the abscissae where anything happens. Of disjoint spheres these are
-// known in closed form and the count in all of space is exact; else they are found by bisection to 1e-7, and the count
-// is approximate.
+// The plane x = t cuts the decomposition of spheres in the decomposition of circles: trapezoids between two arcs and
+// two walls, with a wall at each end of a circle and at each crossing of two circles. A cell is a maximal interval of t
+// in which a trapezoid exists. So it is enough to look at slices between the abscissae where anything changes. For
+// disjoint spheres these abscissae are known in closed form, and the count in all of space is exact; else they are
+// found by bisection to 1e-7, and the count is approximate.
 #pragma once
 
 #include <cstdint>
@@ -27,11 +27,11 @@ struct DecompositionSize {
 enum class Spheres { disjoint, any };
 
 DecompositionSize decomposition_of_space(const std::vector<Sphere> &spheres, Spheres kind);
-// In each cube of twice the largest radius that a ball meets, with nothing beyond its sides.
+// The sum over all cubes, of side twice the largest radius, that a ball meets. Each cube is decomposed alone.
 DecompositionSize decomposition_in_cubes(const std::vector<Sphere> &spheres, Spheres kind);
 
-// The paper's Figure 4: n/2 unit spheres one below the other, and as many above them and across, which are seen past
-// each other from everywhere: (n/2)^2 pairs of equators cross within sight.
+// The paper's Figure 4: a row of n/2 unit spheres, and above it a row of as many spheres across. No other sphere hides
+// them from each other, so that (n/2)^2 pairs of equators cross within sight.
 std::vector<Sphere> figure_4(uint32_t n);
 
 }  // namespace bench
