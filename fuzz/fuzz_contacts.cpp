@@ -192,7 +192,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const std::vector<uint32_t> order = fuzz::shuffled(set.n(), bytes);
   const fuzz::ComputedSet other(fuzz::permuted(set, order));
   const Result mixed = result_of(contacts, other.get(), false);
-  // Equal balls can be told apart by their order alone, so results may be exchanged between them.
+  // Equal balls differ by their order alone, so results may be exchanged between them.
   bool distinct = true;
   for (uint32_t i = 0; i < set.n(); ++i)
     for (uint32_t k = 0; k < i; ++k) distinct = distinct && set.balls[i] != set.balls[k];

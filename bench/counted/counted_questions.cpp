@@ -4,7 +4,7 @@
 //   valgrind --tool=callgrind --callgrind-out-file=DUMP counted_questions DUMP COPIES [FUNCTION ..]
 //   counted_questions - COPIES [FUNCTION ..]
 // The set is COPIES x COPIES x COPIES times crambin. Each line: function, balls, questions, the most instructions
-// between two questions, and all instructions. Where there are more than the interface promises the file DUMP.<number>
+// between two questions, and all instructions. If there are more than the interface promises the file DUMP.<number>
 // is kept for callgrind_annotate.
 #include <hardsphere.h>
 #include <hardsphere_workspace.h>

@@ -1,4 +1,4 @@
-/* Where more than one status fits, a function returns the one that hardsphere.h puts first (section STATUS): handles,
+/* If more than one status fits, a function returns the one that hardsphere.h puts first (section STATUS): handles,
  * then versions, arguments, states, values, capacities. Every two faults of different ranks are tried together. */
 #include <math.h>
 #include <stdio.h>

@@ -13,7 +13,7 @@ struct BoundaryRecord {
   struct Vertex {
     std::array<uint32_t, 3> ball;  // a < b < c
     int sign;                      // side along (c_b - c_a) x (c_c - c_a)
-    // For the balls as given: two circles touch here, or the sphere of a further ball, not contained, goes through here.
+    // For the balls as given: two circles touch here, or the sphere of a further ball, not contained, passes through.
     bool tied;
   };
   struct Arc {

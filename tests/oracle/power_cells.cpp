@@ -20,7 +20,7 @@ Int128 triple(const Vector &a, const Vector &b, const Vector &c) {
 }
 
 // Has a fifth ball less power than four balls at the point where the four have equal power? The sign is that of the
-// determinant of the rows (v, |v|^2 - w + w_fifth), expanded by its last column. Where it is 0, its derivatives by the
+// determinant of the rows (v, |v|^2 - w + w_fifth), expanded by its last column. If it is 0, its derivatives by the
 // weights decide, in the order of the infinitesimals.
 bool is_nearer(const TiedBalls &set, const Four &four, uint32_t fifth) {
   const Balls &balls = set.balls();

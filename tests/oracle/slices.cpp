@@ -88,7 +88,7 @@ class BreakHeights {
     const Real height = std::sqrt(std::max<Real>(0, height2) / n2);
     for (const Real side : {height, -height})
       add({a.x + foot[0] + side * n[0], a.y + foot[1] + side * n[1], a.z + foot[2] + side * n[2]});
-    // Where circles touch, the root magnifies the noise in height2: the true point is the foot.
+    // If circles touch, the root magnifies the noise in height2: the true point is the foot.
     if (height2 < tangency) add({a.x + foot[0], a.y + foot[1], a.z + foot[2]});
   }
 

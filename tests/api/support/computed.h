@@ -1,5 +1,5 @@
 /* One set of balls with its model and boundary, and everything that the interface tells about them, in memory of its
- * own: the input of all invariants (..._invariants.h). */
+ * own: the input of all invariants of this folder. */
 #pragma once
 
 #include <hardsphere.h>

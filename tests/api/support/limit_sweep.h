@@ -39,7 +39,7 @@ typedef struct size_bound {
 } size_bound;
 
 /* The sizes of a kind's memory for all combinations of limits out of `values`, which ascend. Property 1: the macro
- * bounds the sizes. Property 2: the sizes grow with each limit. Where size_t has 32 bits, just the sizes of 2 GiB and
+ * bounds the sizes. Property 2: the sizes grow with each limit. If size_t has 32 bits, just the sizes of 2 GiB and
  * more are refused. */
 void sweep_sizes(const handle_kind *kind, const size_bound *bound, const uint32_t *values, int count);
 

@@ -41,7 +41,7 @@ static int is_too_small(const hsp_topology_edge *edge, double sphere_radius) {
 }
 
 /* The area over radius squared. NaN, and so unchecked, where directions are too uncertain: on small circles, and at
- * cusps, where a turn to the left cannot be told from one to the right. */
+ * cusps, where a turn to the left is no different from one to the right. */
 static double face_angle(const topology_result *t, const hsp_simple_face *face) {
   const computed *c = t->base;
   const double *centre = c->xyz + 3 * face->ball;

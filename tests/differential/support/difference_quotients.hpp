@@ -19,7 +19,7 @@ inline constexpr size_t quotient_levels = 4;
 // The error of the extrapolation from four steps is taken to be its distance from the extrapolation that leaves the
 // widest step out. This distance is h^6 / 4096 times the sixth Taylor coefficient of f', while the true error is h^8 /
 // 4096 times the eighth: where f is analytic within 2 h of x the distance is the larger, as a rule by a factor of 4.
-// Where f is not analytic (an arc that is born within the steps makes a term like a power 3/2) the quotients do not
+// If f is not analytic (an arc that is born within the steps makes a term like a power 3/2) the quotients do not
 // settle, and the distance is as large as their error.
 DifferenceQuotient extrapolated_quotient(std::span<const long double, quotient_levels> differences, long double h,
                                          long double noise);

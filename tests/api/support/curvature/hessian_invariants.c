@@ -97,7 +97,7 @@ static int row_gives(const hessian *h, uint32_t i, const double *x, const double
 /* A bound for the terms that cancel within the block of balls i and j at distance d. The volume has terms of 2 pi r_i
  * r_j / d, for which 7 (r_i + r_j)^2 / d is taken, as terms remain that cancel if a radius is 0. The area has the
  * change of these terms as radii grow by their weights: the ends of arcs on a circle of small radius rho move by (r /
- * rho)^2. Where a vertex is near the plane of its centres there are larger terms, but the block's own entries show
+ * rho)^2. If a vertex is near the plane of its centres there are larger terms, but the block's own entries show
  * them. */
 static double size_of_terms(const computed *c, const hsp_gradient_request *request, uint32_t i, uint32_t j) {
   const double own = c->radius[i], other = c->radius[j], sum = own + other;

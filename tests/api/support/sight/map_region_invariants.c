@@ -16,7 +16,7 @@ static const char *broken_sight(const map_result *m, const placed_balls *balls, 
   if (seen == HSP_NONE) {
     if (sight.depth != -INFINITY) return "the background has a depth";
   } else {
-    /* Where a ball's front is steep, a small move of the ball changes the depth by more. */
+    /* At a steep place of a ball's front a small move of the ball changes the depth by more. */
     const double front = front_height(balls, seen, p);
     const double steep = balls->c->radius[seen] / fmax(1e-9, front - balls->position[seen][2]);
     if (!near(sight.depth, front, balls->margin + 4 * steep * m->info.perturbation))

@@ -146,7 +146,7 @@ const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t
     for (k = 0; k < samples && broken == NULL; ++k) {
       const double part = 0.999 * sqrt(random_fraction(&state)), angle = 2 * pi * random_fraction(&state);
       int tries;
-      /* A defect covers an area. What rounding does to an arc no longer shows a little aside: hence three tries. */
+      /* A defect covers an area. An effect of rounding on an arc is gone a little aside: hence three tries. */
       for (tries = 0; tries < 3; ++tries) {
         const double aside = 1e-5 * tries;
         const double p[2] = {s.balls.position[i][0] + (part - aside) * c->radius[i] * cos(angle + aside),

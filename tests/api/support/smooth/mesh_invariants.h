@@ -1,4 +1,4 @@
-/* Where the vertices of a mesh lie, checked against all balls. */
+/* The places of the vertices of a mesh, checked against all balls. */
 #pragma once
 
 #include "mesh_result.h"
