@@ -33,7 +33,8 @@ enum {
 /* Whether an argument may be NULL. empty: if it has no entries. box: in a periodic box, which the laws do not use. */
 enum { NULL_never, NULL_always, NULL_empty, NULL_box };
 
-/* The kinds of values that functions return. id: an unsigned number that is HSP_NONE where other functions return a failing status. */
+/* The kinds of values that functions return. id: an unsigned number that is HSP_NONE where other functions return a
+ * failing status. */
 enum { RESULT_status, RESULT_id, RESULT_number, RESULT_text };
 
 /* The kinds of handles. */
