@@ -36,10 +36,11 @@ int surd_sign(const BigInteger &a, const BigInteger &b, const BigInteger &D) {
 }
 
 // The point x in the convex hull of two to four centres that is equally far from their balls. Let c be the first
-// centre, and C_i and e_i the differences of the other centres and radii from the first. With x = c + sum m_i C_i and s
-// = |x - c|, 2 C_i.(x - c) + 2 e_i s = |C_i|^2 - e_i^2 = w_i for every i. Gram's matrix of the C_i gives m = (alpha - 2
-// eta s) / (2 det), and |x - c|^2 = s^2 becomes a quadratic equation in s. The level of the point is its distance from
-// the balls, s less the first radius.
+// centre, and C_i and e_i the differences of the other centres and radii from the first. With x = c + sum m_i C_i and
+// the distance s = |x - c|,
+//   2 C_i.(x - c) + 2 e_i s = |C_i|^2 - e_i^2 = w_i for every i.
+// Gram's matrix of the C_i gives m = (alpha - 2 eta s) / (2 det), and |x - c|^2 = s^2 becomes a quadratic equation in
+// s. The level of the point is its distance from the balls, s less the first radius.
 class HullPoint {
  public:
   HullPoint(const Balls &balls, const std::vector<uint32_t> &ids) : balls_(&balls), ids_(ids) {

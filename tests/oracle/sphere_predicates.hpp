@@ -1,8 +1,9 @@
 // The geometric questions that decide the boundary of a union of balls, answered naively: determinants without any
-// factoring, in integers of any size. If the value for the balls as given is zero, simulation of simplicity decides,
-// by the library's rule but in polynomials of infinitesimals: every squared radius w is enlarged by w eps_0 + eps_1 + x
-// eps_2 + y eps_3 + z eps_4 + M(x, y, z) eps_5, where x, y, z is the centre and M a quadratic form, and last by an
-// infinitesimal of the ball's own, the larger the lower the ball's rank. Here 1 >> eps_0 >> eps_1 >> ...
+// factoring, in integers of any size. If the value for the balls as given is zero, simulation of simplicity decides, by
+// the library's rule but in polynomials of infinitesimals 1 >> eps_0 >> eps_1 >> ... Every squared radius w grows by
+//   w eps_0 + eps_1 + x eps_2 + y eps_3 + z eps_4 + M(x, y, z) eps_5,
+// where x, y, z is the centre and M a quadratic form, and last by an infinitesimal of the ball's own, the larger the
+// lower the ball's rank.
 //
 // Everything is seen from one ball a. With y = x - c_a the sphere of a is |y|^2 = w_a (w = radius squared), and a ball
 // b contains the points of that sphere with 2 v.y > g, where v = c_b - c_a and g = |v|^2 + w_a - w_b.
