@@ -1,7 +1,7 @@
-// Model, boundary and measures (hsp_model_set, hsp_boundary_compute, hsp_boundary_measure) of sets in which nothing is in
-// general position: cubic lattices of spacing 1 with four spheres through every vertex (radius 0.8), where doubles cannot
-// answer any question. run.sh compiles this file with version 0.1.0, too, so it uses only the parts of suite.hpp that
-// this version has.
+// Model, boundary and measures (hsp_model_set, hsp_boundary_compute, hsp_boundary_measure) of sets in which nothing is
+// in general position: cubic lattices of spacing 1 with four spheres through every vertex (radius 0.8), where doubles
+// cannot answer any question. run.sh compiles this file with version 0.1.0, too, so it uses only the parts of suite.hpp
+// that this version has.
 #include "suite.hpp"
 
 namespace bench {

@@ -57,9 +57,9 @@ struct AreaAndVolume {
   double area = 0, volume = 0;
 };
 
-// Along each axis run `lines` x `lines` lines. A surface element dA with the unit normal n has the area |n_x| dA as seen
-// along x. So crossings of lines along x with the weight |n_x| sum to the integral of n_x^2, and the three directions
-// together make the area, as n_x^2 + n_y^2 + n_z^2 = 1.
+// Along each axis run `lines` x `lines` lines. A surface element dA with the unit normal n has the area |n_x| dA as
+// seen along x. So crossings of lines along x with the weight |n_x| sum to the integral of n_x^2, and the three
+// directions together make the area, as n_x^2 + n_y^2 + n_z^2 = 1.
 AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines,
                                         const Room &room = everywhere);
 

@@ -1,6 +1,6 @@
-// Unions in a periodic box (hsp_periodic_compute_with) by turns with the same balls in free space: model, boundary, contacts
-// and shares of both; in the box also the gradient and second derivatives. The sets are a molecule in the box of its
-// tiling, and waters that fill a box.
+// Unions in a periodic box (hsp_periodic_compute_with) by turns with the same balls in free space: model, boundary,
+// contacts and shares of both; in the box also the gradient and second derivatives. The sets are a molecule in the box
+// of its tiling, and waters that fill a box.
 #include <cmath>
 #include <cstdint>
 

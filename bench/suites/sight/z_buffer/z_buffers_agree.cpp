@@ -29,7 +29,8 @@ double height(const bench::PlacedBalls &balls, size_t i, int x, int y) {
 }
 
 // The share of wrong owners among some 20,000 pixels. An owner is wrong if trying all balls finds one that is higher
-// there by more than a hundredth of a pixel, or if its stored depth is off by as much. At a rim rounding decides whether a pixel belongs to the disc at all.
+// there by more than a hundredth of a pixel, or if its stored depth is off by as much. At a rim rounding decides
+// whether a pixel belongs to the disc at all.
 double wrong_part(const bench::PlacedBalls &balls, const bench::AnalyticZBuffer &image) {
   int wrong = 0;
   int tried = 0;
