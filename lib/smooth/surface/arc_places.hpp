@@ -24,7 +24,7 @@ void find_axis(const ActualPoints<Number> &actual, uint32_t vertex, uint32_t acr
 template <class Number>
 [[gnu::noinline]] void find_middle(const ActualPoints<Number> &actual, const BorderArc &arc, ArcPlace<Number> &place) {
   place.middle = place.axis;
-  place.middle *= (arc.across & PatchArc::side_bit) != 0 ? actual.number(0) : actual.number(1).scaled(-1);
+  place.middle *= arc.is_side() ? actual.number(0) : actual.number(1).scaled(-1);
 }
 template <class Number>
 [[gnu::noinline]] void find_place(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,

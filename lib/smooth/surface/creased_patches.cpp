@@ -1,11 +1,12 @@
 #include "surface/creased_patches.hpp"
 
 #include "core/begin_array.hpp"
+#include "surface/patch_corners.hpp"
 
 namespace hsp {
 
-void CreasedPatches::push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end, uint32_t crease) {
-  BorderArc arc{across, start, end, no_id, no_id, no_id, crease, {}, {}};
+void CreasedPatches::push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end) {
+  BorderArc arc{across, start, end, no_id, no_id, no_id, {}, {}};
   if (start != no_id) {
     arc.from = in.creases.point(start);
     arc.to = in.creases.point(end);
@@ -23,11 +24,11 @@ void CreasedPatches::add_sides(const Inputs &in, uint32_t v) {
     const uint32_t a = record.ball[side.first], b = record.ball[side.second];
     const uint32_t cusp_at_a = in.cusped.cusp(a, b, a);
     if (cusp_at_a == no_id) {
-      push(in, PatchArc::side(slot), start, end, no_id);
+      push(in, PatchArc::side(slot), start, end);
       continue;
     }
-    push(in, PatchArc::side(slot), start, first_cusp + (cusp_at_a ^ 1), no_id);
-    push(in, PatchArc::side(slot), first_cusp + cusp_at_a, end, no_id);
+    push(in, PatchArc::side(slot), start, first_cusp + (cusp_at_a ^ 1));
+    push(in, PatchArc::side(slot), first_cusp + cusp_at_a, end);
   }
 }
 
@@ -35,7 +36,7 @@ void CreasedPatches::add_creases(const Inputs &in, const NearVertices &near, uin
   for (const uint32_t w : near.list()) {
     for (const uint32_t k : in.creases.between(v < w ? v : w, v < w ? w : v)) {
       const Crease &crease = in.creases.creases()[k];
-      push(in, w, v < w ? crease.start : crease.end, v < w ? crease.end : crease.start, k);
+      push(in, w, v < w ? crease.start : crease.end, v < w ? crease.end : crease.start);
     }
   }
 }
@@ -63,8 +64,8 @@ Status CreasedPatches::fill(const Inputs &in, CutPatches &cut, Patience &patienc
     if (status != Status::ok) return status;
   }
   cut.finish(vertices);
-  if (!cut.overflowed()) cut.number_joints(in.creases.first_corner());
-  return Status::ok;
+  if (cut.overflowed() || join_patches(in.actual.boundary(), in.cusped, patience, cut) == 0) return Status::ok;
+  return patience.allows(0) ? Status::degenerate : Status::stopped;
 }
 
 // The loops of a piece one after the other. Of two solid angles that differ by the whole sphere's one is that of a part
@@ -80,7 +81,7 @@ void CreasedPatches::measure_piece(const PatchLoops &loops, uint32_t piece, doub
     uint32_t k = loop;
     do {
       vector_area = vector_area + figures[k].vector_area();
-      if (arcs[k].crease != no_id) sums.add(figures[k]);
+      if (!arcs[k].is_side()) sums.add(figures[k]);
       k = arcs[k].next;
     } while (k != loop);
   }
@@ -124,7 +125,7 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
           continue;
         uint32_t k = loop;
         do {
-          store_arc(in, k, cut);
+          cut.add_arc(arcs[k].across, figures[k].angle, arcs[k].next == arcs[k].loop);
           k = arcs[k].next;
         } while (k != loop);
       }
@@ -132,29 +133,6 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
   }
   cut.set_patch(v, scale.patch(whole, whole_vector));
   return Status::ok;
-}
-
-// The second of the two arcs of a crease meets the first. The first of the three that start in a corner of creases says
-// where it is numbered.
-void CreasedPatches::store_arc(const Inputs &in, uint32_t k, CutPatches &cut) {
-  const BorderArc &arc = arcs_[k];
-  const uint32_t stored = clamped_count(cut.required_arcs());
-  cut.add_arc(arc.across, figures_[k].angle, arc.next == arc.loop);
-  if (stored >= cut.arc_capacity()) return;
-  cut.arc(stored).corner = arc.start;
-  if (!arc.is_whole() && arc.start >= in.creases.first_corner()) {
-    uint32_t &first = in.creases.corners()[arc.start - in.creases.first_corner()].arc;
-    if (first == no_id) first = stored;
-    cut.arc(stored).corner = in.creases.first_corner() + first;
-  }
-  if (arc.crease == no_id) return;
-  uint32_t &first = in.creases.creases()[arc.crease].arc;
-  if (first == no_id) {
-    first = stored;
-    return;
-  }
-  cut.arc(stored).twin = first;
-  cut.arc(first).twin = stored;
 }
 
 }  // namespace hsp

@@ -1,5 +1,4 @@
-// Concave patches with creases: their borders chained to loops, the loops gathered to pieces, these measured and put
-// with their corners, which have the same number in all patches that meet there.
+// Concave patches with creases: their borders chained to loops, the loops gathered to pieces, these measured and put.
 #pragma once
 
 #include "surface/concave_patches.hpp"
@@ -21,7 +20,7 @@ class CreasedPatches {
     const ChosenFaces &chosen;
     const ProbeGrid &grid;
     const CuspedCircles &cusped;
-    Creases &creases;  // whose numbers of arcs and corners are written
+    Creases &creases;  // whose list of near vertices is used
   };
 
   // Memory for the borders of one patch: so many words for each arc.
@@ -38,8 +37,7 @@ class CreasedPatches {
  private:
   void add_sides(const Inputs &in, uint32_t v);
   void add_creases(const Inputs &in, const NearVertices &near, uint32_t v);
-  void push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end, uint32_t crease);
-  void store_arc(const Inputs &in, uint32_t k, CutPatches &cut);
+  void push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end);
   // Behind what borders and figures use, from patch to patch, as long as there is room.
   void keep_vertices(const Inputs &in, uint32_t first);
   Status store_patch(const Inputs &in, uint32_t v, CutPatches &cut);

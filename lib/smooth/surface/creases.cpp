@@ -64,8 +64,8 @@ Status Creases::find_corners(NearVertices &near, Patience &patience) {
       for (uint32_t j = k + 1; others[k] > a && j < others.size(); ++j) {
         const uint32_t b = others[k], c = others[j];
         const uint32_t corners = on_one_circle(a, b, c) ? 0 : actual_->corners(a, b, c, others);
-        if ((corners & 1) != 0) corners_.push({{a, b, c}, -1, no_id});
-        if ((corners & 2) != 0) corners_.push({{a, b, c}, 1, no_id});
+        if ((corners & 1) != 0) corners_.push({{a, b, c}, -1});
+        if ((corners & 2) != 0) corners_.push({{a, b, c}, 1});
       }
     }
   }
@@ -168,7 +168,7 @@ Status Creases::add_creases(const ProbeGrid &grid, uint32_t v, uint32_t w, bool 
     const BorderPoint anywhere{BorderPoint::Kind::on_crease, axis, {v, w, no_id}};
     if (actual_->is_left(anywhere, near_.items()) <= 0) return Status::ok;
     if (actual_->in_patch(anywhere, w) <= 0) return Status::degenerate;
-    creases_.push({v, w, no_id, no_id, no_id});
+    creases_.push({v, w, no_id, no_id});
     return Status::ok;
   }
   for (uint32_t k = 1; k < n; ++k) {
@@ -190,7 +190,7 @@ Status Creases::add_creases(const ProbeGrid &grid, uint32_t v, uint32_t w, bool 
   for (uint32_t k = 0; k < n; ++k) {
     const CreaseEnd &end = ends[k], &next = ends[k + 1 < n ? k + 1 : 0];
     if (end.starts == next.starts) return Status::degenerate;
-    if (end.starts) creases_.push({v, w, end.number, next.number, no_id});
+    if (end.starts) creases_.push({v, w, end.number, next.number});
   }
   return Status::ok;
 }

@@ -15,14 +15,12 @@ namespace hsp {
 struct CreaseCorner {
   uint32_t vertex[3];  // ascending
   int32_t sign;
-  uint32_t arc;  // where it is numbered, written with the patches (creased_patches.hpp)
 };
 
 struct Crease {
   uint32_t low, high;   // vertices
   uint32_t start, end;  // numbers as in cut_patches.hpp, counter-clockwise about the way from low to high; no_id if it
                         // is a whole circle
-  uint32_t arc;         // written with the patches
 };
 
 // An end of a crease of the pair of vertices at hand.
@@ -45,16 +43,13 @@ class Creases {
   uint32_t required_creases() const { return clamped_count(creases_.required()); }
 
   Span<const CreaseCorner> corners() const { return corners_.items(); }
-  Span<CreaseCorner> corners() { return corners_.items(); }
   Span<const Crease> creases() const { return creases_.items(); }
-  Span<Crease> creases() { return creases_.items(); }
   // Those of two vertices.
   IdRange between(uint32_t low, uint32_t high) const;
   // The list that vertices near one come into.
   FixedVector<uint32_t> &near_list() { return near_; }
   // By its number.
   BorderPoint point(uint32_t corner) const;
-  uint32_t first_corner() const { return first_crease_corner_; }
 
  private:
   Status find_corners(NearVertices &near, Patience &patience);

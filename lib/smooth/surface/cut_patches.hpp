@@ -102,7 +102,6 @@ class CutPatches {
 
   uint32_t piece_count() const { return pieces_.size(); }
   uint32_t arc_count() const { return arcs_.size(); }
-  uint32_t arc_capacity() const { return arcs_.capacity(); }
   // None for a patch that is whole.
   IdRange pieces(uint32_t vertex) const { return {first_piece_[vertex], first_piece_[vertex + 1]}; }
   bool is_cut(uint32_t vertex) const { return first_piece_[vertex] < first_piece_[vertex + 1]; }

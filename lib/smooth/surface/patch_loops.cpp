@@ -155,7 +155,7 @@ bool group_in(const ActualPoints<Number> &actual, uint32_t vertex, Span<BorderAr
         do {
           const bool starts = arcs[k].across == arcs[a].across, ends = arcs[k].across == arcs[on_b].across;
           // On a great circle the other point is opposite.
-          if (!((starts || ends) && (arcs[k].across & PatchArc::side_bit) != 0)) {
+          if (!((starts || ends) && arcs[k].is_side())) {
             odd = odd != crossings.odd(vertex, arcs[k], starts ? &from : ends ? &to : nullptr);
           }
           k = arcs[k].next;

@@ -16,10 +16,10 @@ struct BorderArc {
   uint32_t next;         // in its loop
   uint32_t loop;         // the first arc of its loop
   uint32_t piece;        // the first arc of the first loop of its piece
-  uint32_t crease;       // its number; no_id of a side
   BorderPoint from, to;  // where they are, but of a whole circle
 
   bool is_whole() const { return start == no_id; }
+  bool is_side() const { return (across & PatchArc::side_bit) != 0; }
 };
 
 // Of an arc on the unit sphere about the vertex.

@@ -17,7 +17,7 @@ using hsp::BorderArc;
 using hsp::no_id;
 
 BorderArc arc(uint32_t start, uint32_t end) {
-  return {0, start, end, no_id, no_id, no_id, no_id, {}, {}};
+  return {0, start, end, no_id, no_id, no_id, {}, {}};
 }
 
 // One large ball beside a vertex without anything else to say.
