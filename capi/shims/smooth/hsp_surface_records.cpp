@@ -70,8 +70,7 @@ static_assert(number_of(hsp::SurfaceEdgeKind::side) == HSP_SURFACE_SIDE &&
 hsp_surface_patch patch_record(const SurfaceResults &results, uint32_t id) {
   const hsp::SurfacePatch patch = results.map.patch(id);
   hsp_surface_patch record{};
-  record.area =
-      results.balls.lattice.area(hsp::measure_patch(results.balls, results.boundary, results.surface, id).area);
+  record.area = results.balls.lattice.area(hsp::measure_patch(results.map, id).area);
   record.kind = number_of(patch.kind);
   record.source = patch.source;
   record.part = patch.part;
@@ -89,7 +88,7 @@ hsp_surface_patch patch_record(const SurfaceResults &results, uint32_t id) {
 
 hsp_surface_edge edge_record(const SurfaceResults &results, uint32_t id) {
   const hsp::SurfaceEdge edge = results.map.edge(id);
-  const hsp::ArcPosition position = hsp::position_of_edge(results.balls, results.boundary, results.surface, id);
+  const hsp::ArcPosition position = hsp::position_of_edge(results.map, id);
   hsp_surface_edge record{};
   hsp::to_coordinates(results.balls, position.centre, record.centre);
   to_array(position.axis, record.axis);
@@ -113,8 +112,7 @@ hsp_surface_edge edge_record(const SurfaceResults &results, uint32_t id) {
 hsp_surface_corner corner_record(const SurfaceResults &results, uint32_t id) {
   const uint32_t corner = results.corner_from_c(id);
   hsp_surface_corner record{};
-  hsp::to_coordinates(results.balls, hsp::position_of_corner(results.balls, results.boundary, results.surface, corner),
-                      record.xyz);
+  hsp::to_coordinates(results.balls, hsp::position_of_corner(results.map, corner), record.xyz);
   for (uint32_t &ball : record.ball) ball = HSP_NONE;
   for (uint32_t &vertex : record.vertex) vertex = HSP_NONE;
   record.shell = results.map.shell_of_corner(corner);
@@ -132,7 +130,7 @@ hsp_surface_corner corner_record(const SurfaceResults &results, uint32_t id) {
     record.kind = HSP_CORNER_CREASE;
     const hsp::CutPatches &cut = results.surface.cut_patches();
     const uint32_t arc = cut.crease_corners().member(corner - results.map.first_crease_corner());
-    record.vertex[0] = cut.piece(cut.piece_of_arc(arc)).vertex;
+    record.vertex[0] = cut.vertex_of_arc(arc);
     record.vertex[1] = cut.arc(arc).across;
     record.vertex[2] = cut.arc(cut.previous(arc)).across;
   }
@@ -229,14 +227,13 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
   for (uint32_t id = 0; id < results.map.patch_count(); ++id) {
     const uint32_t shell = results.map.shell_of(id);
     if (shell == HSP_NONE) continue;
-    const hsp::PatchMeasure measure = hsp::measure_patch(results.balls, results.boundary, results.surface, id);
+    const hsp::PatchMeasure measure = hsp::measure_patch(results.map, id);
     out[shell].area += measure.area;
     out[shell].volume += measure.volume;
     ++out[shell].patches;
     out[shell].chosen = results.map.is_chosen(id) ? 1 : 0;
   }
-  hsp::count_euler(results.balls, results.boundary, results.surface,
-                   [out](uint32_t shell, int32_t n) { out[shell].euler += n; });
+  hsp::count_euler(results.map, [out](uint32_t shell, int32_t n) { out[shell].euler += n; });
   for (uint32_t s = 0; s < shells; ++s) {
     out[s].area = results.balls.lattice.area(out[s].area);
     out[s].volume = results.balls.lattice.volume(out[s].volume);
@@ -250,5 +247,5 @@ int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *i
   if (const int32_t status = check_results(surface, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   const SurfaceResults results(*surface);
-  return report(hsp::check_surface(results.balls, results.boundary, results.surface), invariant, id);
+  return report(hsp::check_surface(results.map), invariant, id);
 }

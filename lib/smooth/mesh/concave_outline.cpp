@@ -39,8 +39,7 @@ void ConcaveOutline::add_corner(uint32_t corner, uint32_t curve, SphericalPatch 
     const uint32_t ball = curves_.boundary().vertex(vertex_).ball[corner % 3];
     start.direction = direction_from(curves_.balls(), ball, sphere_.centre());
   } else {
-    start.direction =
-        sphere_.way_from(position_of_corner(curves_.balls(), curves_.boundary(), curves_.surface(), corner));
+    start.direction = sphere_.way_from(position_of_corner(curves_.map(), corner));
     start.other_patch[0] = BorderSample::any_patch;
   }
   patch.add(start);
@@ -55,7 +54,7 @@ void ConcaveOutline::add_crease(uint32_t h, uint32_t first, SphericalPatch &patc
   const bool forwards = h % 2 == 0;
   const uint32_t arc = map.edge(c).source;
   const uint32_t across = cut.arc(forwards ? arc : cut.arc(arc).twin).across;
-  const CreasePoints points(curves_.balls(), curves_.boundary(), curves_.surface(), c, map.origin(2 * c));
+  const CreasePoints points(map, c, map.origin(2 * c));
   for (uint32_t k = first; k < curve.segments; ++k) {
     const uint32_t at = forwards ? k : curve.segments - 1 - k + first;
     patch.add({sphere_.way_from(points.at(at, curve.segments)), curve.first_sample + at - first, c, {across, no_id}});

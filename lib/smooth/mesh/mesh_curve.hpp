@@ -2,7 +2,7 @@
 // patches that share it share them.
 #pragma once
 
-#include "measure/boundary_positions.hpp"
+#include "surface/surface_positions.hpp"
 
 namespace hsp {
 
@@ -34,12 +34,6 @@ inline double segments_of(double length_of_curve, double length, double fewest) 
 inline bool has_ends_of_same_balls(const Boundary &boundary, uint32_t half_edge) {
   const HalfEdge &start = boundary.half_edge(half_edge);
   return boundary.half_edge(start.next).circle == boundary.previous_circle(boundary.ball_of(half_edge), start);
-}
-
-// The same direction, of length 1; what `instead` says if it has no length.
-inline Vec3 unit(const Vec3 &v, const Vec3 &instead) {
-  const double square = dot(v, v);
-  return square > 0.0 ? 1.0 / std::sqrt(square) * v : instead;
 }
 
 // A direction perpendicular to a unit vector: away from its longest axis.

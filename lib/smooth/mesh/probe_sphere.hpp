@@ -12,9 +12,7 @@ class ProbeSphere {
 
   const Position &centre() const { return centre_; }
   // The way from a point to the centre, along the outward normal of the patch.
-  Vec3 way_from(const Position &position) const {
-    return balls_.difference(position.ball, centre_.ball) + (centre_.offset - position.offset);
-  }
+  Vec3 way_from(const Position &position) const { return difference(balls_, position, centre_); }
   // The ball that the probe touches nearest to where this direction from the centre leads; the first one in the
   // caller's order of several.
   uint32_t nearest_ball(const Vec3 &direction) const {

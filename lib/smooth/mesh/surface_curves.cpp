@@ -5,32 +5,30 @@ namespace hsp {
 // How near each other points of a curve may be, as a share of the probe's radius.
 constexpr double least_segment = 0x1p-24;
 
-CreasePoints::CreasePoints(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t edge,
-                           uint32_t start)
-    : arc_(position_of_edge(balls, boundary, surface, edge)) {
+CreasePoints::CreasePoints(const SurfaceMap &map, uint32_t edge, uint32_t start) : arc_(position_of_edge(map, edge)) {
   x_ = arc_.radius * perpendicular_to(arc_.axis);
   if (start != no_id) {
-    const Position from = position_of_corner(balls, boundary, surface, start);
-    x_ = direction_from(balls, arc_.centre.ball, from) - arc_.centre.offset;
+    const Position from = position_of_corner(map, start);
+    x_ = direction_from(map.balls(), arc_.centre.ball, from) - arc_.centre.offset;
   }
 }
 
 SaddleBand SurfaceCurves::band_of_arc(uint32_t half_edge) const {
-  const uint32_t on_ball_1 = map_.side_of(half_edge) == 1 ? half_edge : boundary_.twin(half_edge);
-  return {balls_, boundary_, on_ball_1, map_.cusped_circle_of(half_edge) != no_id};
+  const uint32_t on_ball_1 = map_.side_of(half_edge) == 1 ? half_edge : boundary().twin(half_edge);
+  return {balls(), boundary(), on_ball_1, map_.cusped_circle_of(half_edge) != no_id};
 }
 
 ClosedHalfEdge SurfaceCurves::on_ball(uint32_t circle, uint32_t side) const {
-  const CircleRecord &record = boundary_.circle(circle);
-  return {circle, balls_.given_before(record.ball[0], record.ball[1]) ? side : 1 - side};
+  const CircleRecord &record = boundary().circle(circle);
+  return {circle, balls().given_before(record.ball[0], record.ball[1]) ? side : 1 - side};
 }
 
 SaddleBand SurfaceCurves::band_of_circle(uint32_t circle) const {
-  return {balls_, boundary_, on_ball(circle, 1), surface_.cusped_circles().of_circle(circle) != no_id};
+  return {balls(), boundary(), on_ball(circle, 1), surface().cusped_circles().of_circle(circle) != no_id};
 }
 
 SaddleBand SurfaceCurves::band_of_saddle(uint32_t k) const {
-  const uint32_t arcs = boundary_.arc_count();
+  const uint32_t arcs = boundary().arc_count();
   return k < arcs ? band_of_arc(map_.half_edge_of(k, 1)) : band_of_circle(k - arcs);
 }
 
@@ -38,14 +36,14 @@ double SurfaceCurves::segments(uint32_t c, double length) const {
   const SurfaceEdge edge = map_.edge(c);
   if (edge.kind == SurfaceEdgeKind::rim) {
     return segments_of(band_of_arc(edge.source).width(), length,
-                       has_ends_of_same_balls(boundary_, edge.source) ? 2.0 : 1.0);
+                       has_ends_of_same_balls(boundary(), edge.source) ? 2.0 : 1.0);
   }
   if (edge.kind == SurfaceEdgeKind::circle_rim) {
     return segments_of(band_of_circle(ClosedHalfEdge::from_id(edge.source).circle()).width(), length, fewest_of_circle);
   }
   if (edge.kind == SurfaceEdgeKind::side) return segments_of(band_of_arc(edge.source).length(edge.part), length, 1.0);
   // Several creases may join the same two corners.
-  const ArcPosition arc = position_of_edge(balls_, boundary_, surface_, c);
+  const ArcPosition arc = position_of_edge(map_, c);
   return segments_of(arc.radius * arc.angle, length, is_closed(c) ? fewest_of_circle : 2.0);
 }
 
@@ -70,7 +68,7 @@ bool SurfaceCurves::is_too_fine(uint32_t c) const {
   const SurfaceEdge edge = map_.edge(c);
   double length = 0.0;
   if (edge.kind == SurfaceEdgeKind::crease) {
-    const ArcPosition arc = position_of_edge(balls_, boundary_, surface_, c);
+    const ArcPosition arc = position_of_edge(map_, c);
     length = arc.radius * arc.angle;
   } else {
     const SaddleBand band = band_of_arc(edge.source);

@@ -6,14 +6,13 @@
 #include "core/patience.hpp"
 #include "mesh/mesh_curve.hpp"
 #include "mesh/saddle_band.hpp"
-#include "surface/surface_positions.hpp"
 
 namespace hsp {
 
 // The points of a crease at equal angles, from its start; no_id: a whole circle.
 class CreasePoints {
  public:
-  CreasePoints(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t edge, uint32_t start);
+  CreasePoints(const SurfaceMap &map, uint32_t edge, uint32_t start);
 
   Position at(uint32_t k, uint32_t segments) const {
     const SinCos turn = sin_cos(arc_.angle * k / segments);
@@ -30,13 +29,13 @@ class SurfaceCurves {
  public:
   // Memory for the map's edges; none if only lengths are asked for. The surface must be closed, its probe not 0.
   SurfaceCurves(const BallSet &balls, const Boundary &boundary, const Surface &surface, Span<MeshCurve> room)
-      : balls_(balls), boundary_(boundary), surface_(surface), map_(balls, boundary, surface), curve_(room) {}
+      : map_(balls, boundary, surface), curve_(room) {}
 
-  const BallSet &balls() const { return balls_; }
-  const Boundary &boundary() const { return boundary_; }
-  const Surface &surface() const { return surface_; }
+  const BallSet &balls() const { return map_.balls(); }
+  const Boundary &boundary() const { return map_.boundary(); }
+  const Surface &surface() const { return map_.surface(); }
   const SurfaceMap &map() const { return map_; }
-  double probe() const { return static_cast<double>(balls_.probe_steps); }
+  double probe() const { return static_cast<double>(balls().probe_steps); }
 
   uint32_t count() const { return map_.edge_count(); }
   const MeshCurve &curve(uint32_t c) const { return curve_[c]; }
@@ -53,7 +52,7 @@ class SurfaceCurves {
   uint32_t partner(uint32_t c) const;
 
   // Saddles: of arcs, then of circles.
-  uint32_t saddle_count() const { return boundary_.arc_count() + boundary_.circle_count(); }
+  uint32_t saddle_count() const { return boundary().arc_count() + boundary().circle_count(); }
   SaddleBand band_of_saddle(uint32_t k) const;
   SaddleBand band_of_arc(uint32_t half_edge) const;
   SaddleBand band_of_circle(uint32_t circle) const;
@@ -61,9 +60,6 @@ class SurfaceCurves {
  private:
   ClosedHalfEdge on_ball(uint32_t circle, uint32_t side) const;
 
-  const BallSet &balls_;
-  const Boundary &boundary_;
-  const Surface &surface_;
   const SurfaceMap map_;
   Span<MeshCurve> curve_;
 };

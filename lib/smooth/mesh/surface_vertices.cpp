@@ -38,7 +38,7 @@ MeshVertex SurfaceVertices::corner(uint32_t id) const {
     const double R = balls.r[ball];
     return mesh_vertex(balls, {ball, (R - curves_.probe()) / R * arm}, unit(arm, {0.0, 0.0, 1.0}), ball);
   }
-  const Position position = position_of_corner(balls, boundary, curves_.surface(), id);
+  const Position position = position_of_corner(map, id);
   if (id < map.first_crease_corner()) {
     const uint32_t k = (id - map.first_cusp()) / 2;
     const uint32_t side = (id - map.first_cusp()) % 2;
@@ -47,8 +47,7 @@ MeshVertex SurfaceVertices::corner(uint32_t id) const {
   }
   const CutPatches &cut = curves_.surface().cut_patches();
   const uint32_t arc = cut.crease_corners().member(id - map.first_crease_corner());
-  const uint32_t vertices[3] = {cut.piece(cut.piece_of_arc(arc)).vertex, cut.arc(arc).across,
-                                cut.arc(cut.previous(arc)).across};
+  const uint32_t vertices[3] = {cut.vertex_of_arc(arc), cut.arc(arc).across, cut.arc(cut.previous(arc)).across};
   return at_creases(position, vertices, 3);
 }
 
@@ -75,8 +74,8 @@ void SurfaceVertices::add_samples(uint32_t c, FixedVector<MeshVertex> &vertices)
   } else {
     const CutPatches &cut = curves_.surface().cut_patches();
     const uint32_t start = map.origin(2 * c);
-    const CreasePoints points(balls, boundary, curves_.surface(), c, start);
-    const uint32_t both[2] = {cut.piece(cut.piece_of_arc(edge.source)).vertex, cut.arc(edge.source).across};
+    const CreasePoints points(map, c, start);
+    const uint32_t both[2] = {cut.vertex_of_arc(edge.source), cut.arc(edge.source).across};
     for (uint32_t k = start == no_id ? 0 : 1; k < segments; ++k) {
       vertices.push(at_creases(points.at(k, segments), both, 2));
     }

@@ -116,6 +116,7 @@ class CutPatches {
   PatchArc &arc(uint32_t k) { return arcs_[k]; }
   // The piece that an arc bounds.
   uint32_t piece_of_arc(uint32_t arc) const;
+  uint32_t vertex_of_arc(uint32_t arc) const { return piece(piece_of_arc(arc)).vertex; }
   // Walks back along its loop.
   uint32_t previous(uint32_t arc) const;
   // Where an arc ends.

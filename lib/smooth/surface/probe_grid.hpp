@@ -29,6 +29,10 @@ struct ProbePositions {
   Position operator[](uint32_t vertex) const { return {ball[vertex], offset[vertex]}; }
 };
 
+inline Vec3 difference(const BallSet &balls, const Position &from, const Position &to) {
+  return balls.difference(from.ball, to.ball) + (to.offset - from.offset);
+}
+
 class ProbeGrid {
  public:
   // For at most so many vertices; with a measuring workspace it only counts. Once all searches are done the memory is
@@ -47,7 +51,7 @@ class ProbeGrid {
   Position position(uint32_t vertex) const { return position_[vertex]; }
   // From one vertex to another. The reverse is the negative, bit for bit.
   Vec3 difference(const BallSet &balls, uint32_t from, uint32_t to) const {
-    return balls.difference(position_.ball[from], position_.ball[to]) + (position_.offset[to] - position_.offset[from]);
+    return hsp::difference(balls, position_[from], position_[to]);
   }
 
   bool has_buckets() const { return buckets_ != 0; }

@@ -14,12 +14,12 @@ constexpr double tolerance = 1e-6;
 
 class SurfaceChecker : FirstViolation<SurfaceInvariant> {
  public:
-  SurfaceChecker(const BallSet &balls, const Boundary &boundary, const Surface &surface)
-      : balls_(balls),
-        boundary_(boundary),
-        surface_(surface),
-        map_(balls, boundary, surface),
-        length_(static_cast<double>(balls.largest_radius)) {}
+  explicit SurfaceChecker(const SurfaceMap &map)
+      : map_(map),
+        balls_(map.balls()),
+        boundary_(map.boundary()),
+        surface_(map.surface()),
+        length_(static_cast<double>(balls_.largest_radius)) {}
 
   SurfaceViolation check() {
     for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) check_steps(h);
@@ -104,13 +104,13 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     const CutPatches &cut = surface_.cut_patches();
     const uint32_t a = map_.edge(id).source;
     const PatchArc &arc = cut.arc(a);
-    const ArcPosition at = position_of_edge(balls_, boundary_, surface_, id);
+    const ArcPosition at = position_of_edge(map_, id);
     const double off = arc.angle - cut.arc(arc.twin).angle, most = tolerance * length_ / at.radius;
     bool good = off <= most && -off <= most;
     const auto from_centre = [&](uint32_t corner) {
-      return from_origin(position_of_corner(balls_, boundary_, surface_, corner)) - from_origin(at.centre);
+      return from_origin(position_of_corner(map_, corner)) - from_origin(at.centre);
     };
-    for (const uint32_t b : cut.arcs_of_vertex(cut.piece(cut.piece_of_arc(a)).vertex)) {
+    for (const uint32_t b : cut.arcs_of_vertex(cut.vertex_of_arc(a))) {
       const PatchArc &other = cut.arc(b);
       if (b == a || other.across != arc.across || !good) continue;
       good = arc.corner != no_id && other.corner != no_id;
@@ -132,8 +132,8 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
   void check_corner(uint32_t h) {
     const uint32_t corner = map_.origin(h);
     if (corner == no_id) return;
-    const ArcPosition arc = position_of_edge(balls_, boundary_, surface_, h / 2);
-    const Vec3 arm = from_origin(position_of_corner(balls_, boundary_, surface_, corner)) - from_origin(arc.centre);
+    const ArcPosition arc = position_of_edge(map_, h / 2);
+    const Vec3 arm = from_origin(position_of_corner(map_, corner)) - from_origin(arc.centre);
     const double above = dot(arm, arc.axis);
     const double beside = std::sqrt(dot(arm, arm)) - arc.radius;
     const double most = tolerance * length_;
@@ -145,8 +145,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     // 2 minus the characteristic, modulo 2^32.
     const Span<uint32_t> lacking = surface_.scratch().part(0, shells);
     for (uint32_t &e : lacking) e = 2;
-    count_euler(balls_, boundary_, surface_,
-                [lacking](uint32_t shell, int32_t n) { lacking[shell] -= static_cast<uint32_t>(n); });
+    count_euler(map_, [lacking](uint32_t shell, int32_t n) { lacking[shell] -= static_cast<uint32_t>(n); });
     for (uint32_t s = 0; s < shells && holds(); ++s) {
       if (lacking[s] >> 31 != 0 || lacking[s] % 2 != 0) fail(SurfaceInvariant::shells, s);
     }
@@ -203,7 +202,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     }
     for (uint32_t id = 0; id < map_.patch_count(); ++id) {
       if (!map_.is_chosen(id)) continue;
-      const PatchMeasure measure = measure_patch(balls_, boundary_, surface_, id);
+      const PatchMeasure measure = measure_patch(map_, id);
       area.add(-measure.area);
       volume.add(-measure.volume);
     }
@@ -214,7 +213,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
   // x x dx along them (Stokes). The outward normal of a sphere is along the radius, or against it.
   void check_patch(uint32_t id) {
     const SurfacePatch record = map_.patch(id);
-    const PatchMeasure measure = measure_patch(balls_, boundary_, surface_, id);
+    const PatchMeasure measure = measure_patch(map_, id);
     if (!(measure.area >= 0.0)) fail(SurfaceInvariant::areas, id);
     if (record.kind != PatchKind::convex && record.kind != PatchKind::concave) return;
     Position centre;
@@ -238,30 +237,29 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
   }
 
   Vec3 vector_area_along(uint32_t h, const Vec3 &origin) const {
-    const ArcPosition arc = position_of_edge(balls_, boundary_, surface_, h / 2);
+    const ArcPosition arc = position_of_edge(map_, h / 2);
     const uint32_t first = map_.origin(h & ~1U);
     Vec3 chord{0.0, 0.0, 0.0};
     if (first != no_id) {
-      chord = from_origin(position_of_corner(balls_, boundary_, surface_, map_.origin(h | 1U))) -
-              from_origin(position_of_corner(balls_, boundary_, surface_, first));
+      chord = from_origin(position_of_corner(map_, map_.origin(h | 1U))) - from_origin(position_of_corner(map_, first));
     }
     const Vec3 forward = combine(0.5, cross(from_origin(arc.centre) - origin, chord),
                                  0.5 * arc.radius * arc.radius * arc.angle, arc.axis);
     return h % 2 == 0 ? forward : -forward;
   }
 
+  const SurfaceMap &map_;
   const BallSet &balls_;
   const Boundary &boundary_;
   const Surface &surface_;
-  const SurfaceMap map_;
   const double length_;
   uint32_t visited_ = 0;
 };
 
 }  // namespace
 
-SurfaceViolation check_surface(const BallSet &balls, const Boundary &boundary, const Surface &surface) {
-  return SurfaceChecker(balls, boundary, surface).check();
+SurfaceViolation check_surface(const SurfaceMap &map) {
+  return SurfaceChecker(map).check();
 }
 
 }  // namespace hsp

@@ -23,13 +23,12 @@ enum class SurfaceInvariant : uint32_t {
 // Where: the id of a directed edge, patch, corner or shell.
 using SurfaceViolation = Violation<SurfaceInvariant>;
 
-SurfaceViolation check_surface(const BallSet &balls, const Boundary &boundary, const Surface &surface);
+SurfaceViolation check_surface(const SurfaceMap &map);
 
 // Calls add(shell, n) for all parts of the shells' Euler characteristics: a corner counts 1, an edge -1, a patch with k
 // loops 2 - k. A whole circle is no edge, and has no corner.
 template <class Add>
-void count_euler(const BallSet &balls, const Boundary &boundary, const Surface &surface, Add add) {
-  const SurfaceMap map(balls, boundary, surface);
+void count_euler(const SurfaceMap &map, Add add) {
   for (uint32_t h = 0; h < 2 * map.edge_count(); h += 2) {
     if (map.origin(h) != no_id) add(map.shell_of(map.left(h)), -1);
   }

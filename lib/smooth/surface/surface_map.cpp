@@ -63,8 +63,8 @@ uint32_t SurfaceMap::shell_of(uint32_t id) const {
 
 // The half-edges of a circle on one ball are neighbours.
 uint32_t SurfaceMap::other_shell_of_cusp(uint32_t corner) const {
-  if (surface_.chosen().all() || corner < first_cusp() || corner >= first_crease_corner()) return no_id;
-  const uint32_t cusp = corner - first_cusp();
+  const uint32_t cusp = cusp_of(corner);
+  if (surface_.chosen().all() || cusp == no_id) return no_id;
   const LoopElement element = surface_.cusped_circles().element(cusp / 2);
   if (element.is_circle()) return no_id;
   const uint32_t first = element.half_edge();
@@ -173,7 +173,7 @@ uint32_t SurfaceMap::edge_of_patch_arc(uint32_t arc) const {
     const uint32_t first = arc < record.twin ? arc : record.twin;
     return 2 * (first_crease() + cut.creases().rank(first)) + (arc == first ? 0 : 1);
   }
-  const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
+  const uint32_t vertex = cut.vertex_of_arc(arc);
   return twin(side_of_saddle(half_edge_on_circle(vertex, record.slot()), record.corner < first_cusp()));
 }
 

@@ -43,6 +43,10 @@ class SurfaceMap {
   SurfaceMap(const BallSet &balls, const Boundary &boundary, const Surface &surface)
       : balls_(balls), boundary_(boundary), surface_(surface) {}
 
+  const BallSet &balls() const { return balls_; }
+  const Boundary &boundary() const { return boundary_; }
+  const Surface &surface() const { return surface_; }
+
   uint32_t patch_count() const { return first_extra_piece() + surface_.cut_patches().extra_pieces().size(); }
   uint32_t edge_count() const { return first_crease() + surface_.cut_patches().creases().size(); }
   uint32_t corner_count() const { return first_crease_corner() + surface_.cut_patches().crease_corners().size(); }
@@ -74,6 +78,10 @@ class SurfaceMap {
 
   uint32_t first_cusp() const { return 3 * boundary_.vertex_count(); }
   uint32_t first_crease_corner() const { return first_cusp() + 2 * surface_.cusped_circles().count(); }
+  // Its number among cusps; no_id of other corners.
+  uint32_t cusp_of(uint32_t corner) const {
+    return corner >= first_cusp() && corner < first_crease_corner() ? corner - first_cusp() : no_id;
+  }
 
   // Calls visit(h) for one directed edge of each loop of a patch.
   template <class Visit>

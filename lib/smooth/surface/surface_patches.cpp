@@ -32,8 +32,10 @@ PatchMeasure measure_saddle(const BallSet &balls, const Boundary &boundary, Loop
 
 }  // namespace
 
-PatchMeasure measure_patch(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t patch) {
-  const SurfaceMap map(balls, boundary, surface);
+PatchMeasure measure_patch(const SurfaceMap &map, uint32_t patch) {
+  const BallSet &balls = map.balls();
+  const Boundary &boundary = map.boundary();
+  const Surface &surface = map.surface();
   const SurfacePatch record = map.patch(patch);
   if (record.kind == PatchKind::convex) return measure_convex(balls, boundary, record.source);
   if (record.kind == PatchKind::concave) {

@@ -11,6 +11,6 @@ struct PatchMeasure {
   uint32_t origin = 0;  // the ball of lowest rank of the component
 };
 
-PatchMeasure measure_patch(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t patch);
+PatchMeasure measure_patch(const SurfaceMap &map, uint32_t patch);
 
 }  // namespace hsp

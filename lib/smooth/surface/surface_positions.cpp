@@ -9,25 +9,10 @@
 namespace hsp {
 namespace {
 
-Vec3 difference(const BallSet &balls, const Position &from, const Position &to) {
-  return balls.difference(from.ball, to.ball) + (to.offset - from.offset);
-}
-
-// 0 if it has no direction.
-Vec3 unit(const Vec3 &v) {
-  const double length = std::sqrt(dot(v, v));
-  return length > 0.0 ? (1.0 / length) * v : Vec3{0.0, 0.0, 0.0};
-}
+constexpr Vec3 none{0.0, 0.0, 0.0};
 
 Vec3 towards(const BallSet &balls, const Position &position, uint32_t ball) {
-  return unit(balls.difference(position.ball, ball) - position.offset);
-}
-
-// The unit normal of the side that is opposite to a ball, away from this.
-Vec3 beyond_side(const BallSet &balls, const VertexRecord &vertex, const Position &from, uint32_t slot) {
-  const Vec3 normal =
-      unit(cross(towards(balls, from, vertex.ball[(slot + 1) % 3]), towards(balls, from, vertex.ball[(slot + 2) % 3])));
-  return dot(normal, towards(balls, from, vertex.ball[slot])) > 0.0 ? -normal : normal;
+  return unit(balls.difference(position.ball, ball) - position.offset, none);
 }
 
 // The cap that another probe cuts out of the one at a position: unit vector and height on the unit sphere.
@@ -35,24 +20,14 @@ struct ProbeCap {
   Vec3 axis;
   double height;
 
-  // That of the way to another probe.
+  // That of a way between two probes.
   ProbeCap(const Vec3 &to, double p) {
     // Squares of the shortest ways are below the range of doubles.
     constexpr double least = 0x1p-400;
     const double length = std::sqrt(dot(to, to));
-    axis = length > least ? unit(to) : unit(1.0 / least * (1.0 / least * to));
+    axis = unit(length > least ? to : 1.0 / least * (1.0 / least * to), none);
     height = length / (2 * p);
     if (height > 1.0) height = 1.0;
-  }
-  // That of an arc of the patch of a vertex at a position; a side's is the half of the sphere beyond it.
-  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, const PatchArc &arc) {
-    if (!arc.is_side()) {
-      const Vec3 to = difference(balls, from, position_of_vertex(balls, boundary, arc.across));
-      *this = ProbeCap(to, static_cast<double>(balls.probe_steps));
-      return;
-    }
-    axis = beyond_side(balls, boundary.vertex(vertex), from, arc.slot());
-    height = 0.0;
   }
   // If both vertices of a crease are on one circle: its axis is at right angles to that circle's and to the way from
   // there to the middle of the vertices. False if they are not, or if nothing tells which vertex is the first of them
@@ -65,7 +40,7 @@ struct ProbeCap {
     const CirclePosition circle = position_of_circle(balls, ball[0], ball[1]);
     const double p = static_cast<double>(balls.probe_steps);
     const Vec3 out = combine(1.0, difference(balls, circle.centre, from), p * height, axis);
-    const Vec3 turned = unit(cross(circle.axis, out));
+    const Vec3 turned = unit(cross(circle.axis, out), none);
     const double cosine = order == 0.0 ? dot(turned, axis) : order;
     if (!(std::fabs(cosine) > 0.75)) return false;
     axis = cosine > 0.0 ? turned : -turned;
@@ -79,25 +54,17 @@ struct ProbeCap {
   }
 };
 
-Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uint32_t circle, uint32_t side) {
-  const uint32_t a = cusped.ball(circle, 0), b = cusped.ball(circle, 1);
+Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uint32_t cusp) {
+  const uint32_t a = cusped.ball(cusp / 2, 0), b = cusped.ball(cusp / 2, 1);
   const CirclePosition position = position_of_circle(balls, a, b);
   const double along = half_way_between_cusps(balls, a, b);
-  return {position.centre.ball, position.centre.offset + (side == 0 ? -along : along) * position.axis};
-}
-
-// The number 2 k + s of the cusp that is this corner of a cut patch; no_id if it is none.
-uint32_t cusp_of_corner(const Boundary &boundary, const Surface &surface, uint32_t corner) {
-  const uint32_t first = 3 * boundary.vertex_count();
-  return corner >= first && corner - first < 2 * surface.cusped_circles().count() ? corner - first : no_id;
+  return {position.centre.ball, position.centre.offset + (cusp % 2 == 0 ? -along : along) * position.axis};
 }
 
 // The name of the corner of three creases where an arc of a cut patch begins. Of two points the one where its crease
 // leaves the probe of the arc before.
-BorderPoint name_of_start(const Surface &surface, uint32_t vertex, uint32_t arc) {
-  const CutPatches &cut = surface.cut_patches();
-  const uint32_t across = cut.arc(arc).across;
-  BorderPoint corner{BorderPoint::Kind::corner, 1, {vertex, across, cut.arc(cut.previous(arc)).across}};
+BorderPoint name_of_start(uint32_t vertex, uint32_t across, uint32_t before) {
+  BorderPoint corner{BorderPoint::Kind::corner, 1, {vertex, across, before}};
   sort_three(corner.id[0], corner.id[1], corner.id[2], [](uint32_t a, uint32_t b) { return a < b; });
   const bool is_low = vertex < across;
   if (ActualBalls::starts_at_corner(corner, is_low ? vertex : across, is_low ? across : vertex) != is_low)
@@ -105,26 +72,23 @@ BorderPoint name_of_start(const Surface &surface, uint32_t vertex, uint32_t arc)
   return corner;
 }
 
-// Where an arc of a cut patch begins, seen from the vertex on the unit sphere: there its circle leaves the cap of the
-// arc before it.
-Vec3 start_of_arc(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, const Position &centre,
-                  uint32_t vertex, uint32_t arc) {
-  return ProbeCap(balls, boundary, centre, vertex, cut.arc(arc))
-      .exit_of(ProbeCap(balls, boundary, centre, vertex, cut.arc(cut.previous(arc))));
-}
-
-Position position_of_crease_corner(const BallSet &balls, const Boundary &boundary, const Surface &surface,
-                                   uint32_t arc) {
-  const CutPatches &cut = surface.cut_patches();
-  const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
-  const Position centre = position_of_vertex(balls, boundary, vertex);
-  if (surface.is_of_actual_balls()) {
-    Vec3 way;
-    if (ActualBalls(balls, boundary).find_way(vertex, name_of_start(surface, vertex, arc), way))
-      return {centre.ball, centre.offset + way};
+// In doubles it is where the circle of the arc leaves the cap of the one before it.
+Position position_of_crease_corner(const SurfaceMap &map, uint32_t arc) {
+  const BallSet &balls = map.balls();
+  const CutPatches &cut = map.surface().cut_patches();
+  const uint32_t vertex = cut.vertex_of_arc(arc), across = cut.arc(arc).across,
+                 before = cut.arc(cut.previous(arc)).across;
+  const Position centre = position_of_vertex(balls, map.boundary(), vertex);
+  const double p = static_cast<double>(balls.probe_steps);
+  Vec3 way;
+  if (!map.surface().is_of_actual_balls() ||
+      !ActualBalls(balls, map.boundary()).find_way(vertex, name_of_start(vertex, across, before), way)) {
+    const auto cap_of = [&](uint32_t other) {
+      return ProbeCap(difference(balls, centre, position_of_vertex(balls, map.boundary(), other)), p);
+    };
+    way = p * cap_of(across).exit_of(cap_of(before));
   }
-  return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) *
-                                           start_of_arc(balls, boundary, cut, centre, vertex, arc)};
+  return {centre.ball, centre.offset + way};
 }
 
 // The convex patch is the face, shrunk towards the centre of its ball.
@@ -136,8 +100,9 @@ ArcPosition position_of_rim(const BallSet &balls, uint32_t own, uint32_t other, 
   return {{own, shrinkage * from_own}, circle.axis, shrinkage * circle.radius, angle};
 }
 
-ArcPosition position_of_side(const BallSet &balls, const Boundary &boundary, const SurfaceMap &map,
-                             const SurfaceEdge &edge) {
+ArcPosition position_of_side(const SurfaceMap &map, const SurfaceEdge &edge) {
+  const BallSet &balls = map.balls();
+  const Boundary &boundary = map.boundary();
   const Position centre = position_of_vertex(balls, boundary, boundary.half_edge(edge.source).vertex);
   const uint32_t own = boundary.ball_of(edge.source);
   const uint32_t other = boundary.half_edge(edge.source).circle;
@@ -154,29 +119,28 @@ ArcPosition position_of_side(const BallSet &balls, const Boundary &boundary, con
     angle = arc_tangent(circle.height, circle.radius) - arc_tangent(to_cusp, circle.radius);
     if (!(angle > 0.0)) angle = 0.0;
   }
-  return {centre, unit(normal), p, angle};
+  return {centre, unit(normal, none), p, angle};
 }
 
 }  // namespace
 
-Position position_of_corner(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t corner) {
-  const SurfaceMap map(balls, boundary, surface);
+Position position_of_corner(const SurfaceMap &map, uint32_t corner) {
+  const BallSet &balls = map.balls();
   if (corner >= map.first_crease_corner()) {
-    const CutPatches &cut = surface.cut_patches();
-    return position_of_crease_corner(balls, boundary, surface,
-                                     cut.crease_corners().member(corner - map.first_crease_corner()));
+    const RankedBits &arcs = map.surface().cut_patches().crease_corners();
+    return position_of_crease_corner(map, arcs.member(corner - map.first_crease_corner()));
   }
   if (corner >= map.first_cusp()) {
-    const uint32_t cusp = corner - map.first_cusp();
-    return position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
+    return position_of_cusp(balls, map.surface().cusped_circles(), corner - map.first_cusp());
   }
-  const Position vertex = position_of_vertex(balls, boundary, corner / 3);
-  const uint32_t ball = boundary.vertex(corner / 3).ball[corner % 3];
+  const Position vertex = position_of_vertex(balls, map.boundary(), corner / 3);
+  const uint32_t ball = map.boundary().vertex(corner / 3).ball[corner % 3];
   return {vertex.ball, vertex.offset + static_cast<double>(balls.probe_steps) * towards(balls, vertex, ball)};
 }
 
-ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t edge) {
-  const SurfaceMap map(balls, boundary, surface);
+ArcPosition position_of_edge(const SurfaceMap &map, uint32_t edge) {
+  const BallSet &balls = map.balls();
+  const Boundary &boundary = map.boundary();
   const SurfaceEdge record = map.edge(edge);
   if (record.kind == SurfaceEdgeKind::rim) {
     return position_of_rim(balls, boundary.ball_of(record.source), boundary.half_edge(record.source).circle,
@@ -186,14 +150,14 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
     const ClosedHalfEdge circle = ClosedHalfEdge::from_id(record.source);
     return position_of_rim(balls, boundary.ball_of(circle), boundary.neighbour(circle), 2 * pi);
   }
-  if (record.kind == SurfaceEdgeKind::side) return position_of_side(balls, boundary, map, record);
-  const CutPatches &cut = surface.cut_patches();
+  if (record.kind == SurfaceEdgeKind::side) return position_of_side(map, record);
+  const CutPatches &cut = map.surface().cut_patches();
   const PatchArc &arc = cut.arc(record.source);
-  const uint32_t vertex = cut.piece(cut.piece_of_arc(record.source)).vertex;
+  const uint32_t vertex = cut.vertex_of_arc(record.source);
   const Position centre = position_of_vertex(balls, boundary, vertex);
   const double p = static_cast<double>(balls.probe_steps);
   Vec3 to = difference(balls, centre, position_of_vertex(balls, boundary, arc.across));
-  if (surface.is_of_actual_balls()) ActualBalls(balls, boundary).find_way_to_vertex(vertex, arc.across, to);
+  if (map.surface().is_of_actual_balls()) ActualBalls(balls, boundary).find_way_to_vertex(vertex, arc.across, to);
   const ProbeCap cap(to, p);
   return {{centre.ball, centre.offset + p * cap.height * cap.axis},
           cap.axis,
@@ -215,22 +179,25 @@ bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32
 // the way from one to the other tells of the axis by half the digits or fewer. If they are on one circle the plane of
 // the crease contains that circle's axis, which tells better. A cusp at an end of it is found from its circle, too, as
 // the planes of crease and side, which meet there, may be nearly one.
-VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc) {
+VertexCrease crease_on_probe(const SurfaceMap &map, uint32_t arc) {
   // From this height down ways between vertices have too few digits for the axis.
   constexpr double low = 0x1p-12;
-  const CutPatches &cut = surface.cut_patches();
-  const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
-  const Position centre = position_of_vertex(balls, boundary, vertex);
-  ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
-  VertexCrease crease{{own.axis, own.height, cut.arc(arc).angle, {0.0, 0.0, 0.0}}, true};
+  const BallSet &balls = map.balls();
+  const Boundary &boundary = map.boundary();
+  const CutPatches &cut = map.surface().cut_patches();
   const double p = static_cast<double>(balls.probe_steps);
-  const uint32_t next = cut.arc(arc).next, across = cut.arc(arc).across;
+  const uint32_t vertex = cut.vertex_of_arc(arc), next = cut.arc(arc).next, across = cut.arc(arc).across;
+  const Position centre = position_of_vertex(balls, boundary, vertex);
+  const auto way_to = [&](const Position &from, uint32_t other) {
+    return difference(balls, from, position_of_vertex(balls, boundary, other));
+  };
+  ProbeCap own(way_to(centre, across), p);
+  VertexCrease crease{{own.axis, own.height, cut.arc(arc).angle, none}, true};
   if (next == arc) {
     if (2 * own.height < coincident_distance) crease.arc.height = 0.0;
     return crease;
   }
-  const uint32_t start_cusp = cusp_of_corner(boundary, surface, cut.arc(arc).corner);
-  const uint32_t end_cusp = cusp_of_corner(boundary, surface, cut.arc(next).corner);
+  const uint32_t start_cusp = map.cusp_of(cut.arc(arc).corner), end_cusp = map.cusp_of(cut.arc(next).corner);
   const bool has_cusps = start_cusp != no_id && end_cusp != no_id;
   if (own.height < low) {
     // Between cusps a crease lies on the other side of the circle's axis than its vertices.
@@ -243,26 +210,23 @@ VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, con
     crease.arc.height = 0.0;
     return crease;
   }
-  // Where the crease meets another arc, of which it may be the one before.
+  // Where the crease ends: in a cusp, or where it meets another crease, of which it may be the one before.
   const auto end_at = [&](uint32_t cusp, uint32_t other, bool is_start) {
     if (cusp != no_id) {
-      const Position position = position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
-      return 1.0 / p * difference(balls, centre, position);
+      return 1.0 / p * difference(balls, centre, position_of_cusp(balls, map.surface().cusped_circles(), cusp));
     }
-    ProbeCap cap(balls, boundary, centre, vertex, cut.arc(other));
-    if (!cut.arc(other).is_side()) {
-      const uint32_t third = cut.arc(other).across;
-      if (cap.height < low) {
-        cap.turn(balls, boundary, centre, vertex, third, 0.0);
-      } else if (own.height >= low) {
-        // Of three vertices the two others may be near each other. Then both planes are nearly one, and theirs, which
-        // has the same line with each, tells where it is.
-        const Position opposite = position_of_vertex(balls, boundary, across);
-        ProbeCap between(difference(balls, opposite, position_of_vertex(balls, boundary, third)), p);
-        if (between.height < low && between.turn(balls, boundary, opposite, across, third, 0.0)) {
-          cap.height = dot(between.axis, 1.0 / p * difference(balls, centre, opposite)) + between.height;
-          cap.axis = between.axis;
-        }
+    const uint32_t third = cut.arc(other).across;
+    ProbeCap cap(way_to(centre, third), p);
+    if (cap.height < low) {
+      cap.turn(balls, boundary, centre, vertex, third, 0.0);
+    } else if (own.height >= low) {
+      // Of three vertices the two others may be near each other. Then both planes are nearly one, and theirs, which
+      // has the same line with each, tells where it is.
+      const Position opposite = position_of_vertex(balls, boundary, across);
+      ProbeCap between(way_to(opposite, third), p);
+      if (between.height < low && between.turn(balls, boundary, opposite, across, third, 0.0)) {
+        cap.height = dot(between.axis, 1.0 / p * difference(balls, centre, opposite)) + between.height;
+        cap.axis = between.axis;
       }
     }
     return is_start ? own.exit_of(cap) : cap.exit_of(own);

@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-Position position_of_corner(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t corner);
+Position position_of_corner(const SurfaceMap &map, uint32_t corner);
 
 // A piece of a circle: counter-clockwise about the axis, a unit vector.
 struct ArcPosition {
@@ -15,7 +15,7 @@ struct ArcPosition {
   Vec3 axis;
   double radius, angle;
 };
-ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t edge);
+ArcPosition position_of_edge(const SurfaceMap &map, uint32_t edge);
 
 // An arc of a cut patch that is a crease, on the unit sphere about the vertex of its patch; its axis points to the
 // vertex across.
@@ -23,9 +23,15 @@ struct VertexCrease {
   SphereArc arc;
   bool is_certain;  // if not, its axis is lost in rounding, and its height and chord are 0
 };
-VertexCrease crease_on_probe(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t arc);
+VertexCrease crease_on_probe(const SurfaceMap &map, uint32_t arc);
 
 // The circle that two vertices are on, by its balls; false if they share fewer balls, or all three.
 bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32_t (&ball)[2]);
+
+// The same direction, of length 1; what `instead` says if it has no length.
+inline Vec3 unit(const Vec3 &v, const Vec3 &instead) {
+  const double square = dot(v, v);
+  return square > 0.0 ? 1.0 / std::sqrt(square) * v : instead;
+}
 
 }  // namespace hsp

@@ -147,7 +147,7 @@ Vec3 WeightedJoints::crease_part(uint32_t vertex, const Vec3 &offset, double mea
     if (arc.is_side()) continue;
     const double half_difference = 0.5 * (mean - weight_of_vertex(arc.across));
     if (half_difference == 0.0) continue;
-    const VertexCrease found = crease_on_probe(balls_, boundary_, surface_, a);
+    const VertexCrease found = crease_on_probe({balls_, boundary_, surface_}, a);
     const SphereArc &crease = found.arc;
     const double c = crease.height;
     const Vec3 radial = cross(crease.chord, crease.axis);

@@ -27,7 +27,7 @@ TEST(SurfaceCurves, PartnersHaveAsManySegments) {
       if (curves.is_closed(c)) {
         EXPECT_GE(curves.curve(c).segments, 6U);
       }
-      const hsp::ArcPosition arc = hsp::position_of_edge(built.balls(), built.boundary(), built.surface(), c);
+      const hsp::ArcPosition arc = hsp::position_of_edge(curves.map(), c);
       EXPECT_LE(arc.radius * arc.angle, 150.0 * curves.curve(c).segments * (1 + 1e-9));
     }
   }
@@ -49,8 +49,8 @@ TEST(SurfaceCurves, PointsOfCreases) {
       if (edge.kind != hsp::SurfaceEdgeKind::crease) continue;
       const uint32_t start = curves.map().origin(2 * c);
       const uint32_t segments = curves.curve(c).segments;
-      const hsp::CreasePoints points(built.balls(), built.boundary(), built.surface(), c, start);
-      const uint32_t probe[2] = {cut.piece(cut.piece_of_arc(edge.source)).vertex, cut.arc(edge.source).across};
+      const hsp::CreasePoints points(curves.map(), c, start);
+      const uint32_t probe[2] = {cut.vertex_of_arc(edge.source), cut.arc(edge.source).across};
       for (uint32_t k = 0; k <= segments; ++k) {
         for (const uint32_t v : probe) {
           const hsp::Position centre = hsp::position_of_vertex(built.balls(), built.boundary(), v);
@@ -59,9 +59,8 @@ TEST(SurfaceCurves, PointsOfCreases) {
       }
       const uint32_t end = curves.map().origin(2 * c + 1);
       (start == hsp::no_id ? closed : open) += 1;
-      const hsp::Position last = start == hsp::no_id
-                                     ? points.at(0, segments)
-                                     : hsp::position_of_corner(built.balls(), built.boundary(), built.surface(), end);
+      const hsp::Position last =
+          start == hsp::no_id ? points.at(0, segments) : hsp::position_of_corner(curves.map(), end);
       EXPECT_NEAR(distance_between(built.balls(), points.at(segments, segments), last), 0.0, 1e-3);
     }
   }

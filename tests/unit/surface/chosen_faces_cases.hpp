@@ -9,14 +9,12 @@ namespace cases {
 
 // The rest's surface is there, too, and both are maps.
 inline bool is_a_map() {
-  return hsp::check_surface(small_union().balls(), small_union().boundary(), small_surface().builder().surface())
-             .invariant == hsp::SurfaceInvariant::none;
+  return hsp::check_surface(small_map()).invariant == hsp::SurfaceInvariant::none;
 }
 
 inline int32_t euler_number() {
   int32_t euler = 0;
-  hsp::count_euler(small_union().balls(), small_union().boundary(), small_surface().builder().surface(),
-                   [&euler](uint32_t, int32_t n) { euler += n; });
+  hsp::count_euler(small_map(), [&euler](uint32_t, int32_t n) { euler += n; });
   return euler;
 }
 
@@ -38,7 +36,7 @@ inline uint32_t void_apart() {
     double area = 0;
     for (uint32_t patch = 0; patch < map.patch_count(); ++patch) {
       if (!map.is_chosen(patch)) continue;
-      area += hsp::measure_patch(small_union().balls(), small_union().boundary(), surface, patch).area;
+      area += hsp::measure_patch(small_map(), patch).area;
     }
     if (!near(small_union().balls().lattice.area(area), parts[shell].area(), 1e-9 * whole.area())) return 5;
   }

@@ -125,8 +125,8 @@ TEST(PatchLoops, MeasuresSides) {
     const auto towards = [&](uint32_t of) {
       return hsp::BorderPoint{hsp::BorderPoint::Kind::towards_ball, 0, {0, record.ball[of], no_id}};
     };
-    arcs.push_back({hsp::PatchArc::side(slot), side.second, side.first, no_id, no_id, no_id, no_id,
-                    towards(side.second), towards(side.first)});
+    arcs.push_back({hsp::PatchArc::side(slot), side.second, side.first, no_id, no_id, no_id, towards(side.second),
+                    towards(side.first)});
   }
   hsp::PatchLoops loops(actual, 0, {arcs.data(), 3});
   ASSERT_TRUE(loops.chain());

@@ -27,7 +27,7 @@ TEST(SurfaceBuilder, AreasOfTouchingBallsAreThoseOfInflatedOnes) {
     ASSERT_EQ(inflated.status(), hsp::Status::ok);
     EXPECT_NEAR(built.total().area(), inflated.total().area(), 0.1);
     EXPECT_NEAR(built.total().concave, inflated.total().concave, 0.1);
-    EXPECT_EQ(hsp::check_surface(built.balls(), built.boundary(), built.surface()).invariant,
+    EXPECT_EQ(hsp::check_surface({built.balls(), built.boundary(), built.surface()}).invariant,
               hsp::SurfaceInvariant::none);
   }
 }

@@ -7,8 +7,7 @@
 namespace cases {
 
 inline hsp::SurfaceInvariant checked() {
-  return hsp::check_surface(small_union().balls(), small_union().boundary(), small_surface().builder().surface())
-      .invariant;
+  return hsp::check_surface(small_map()).invariant;
 }
 
 inline uint32_t sound_surfaces() {
@@ -44,8 +43,7 @@ inline uint32_t euler_numbers() {
   return first_failing(euler_cases, [](const EulerCase &c) {
     if (!small_surface().build(*c.scene)) return false;
     int32_t euler = 0;
-    hsp::count_euler(small_union().balls(), small_union().boundary(), small_surface().builder().surface(),
-                     [&euler](uint32_t, int32_t n) { euler += n; });
+    hsp::count_euler(small_map(), [&euler](uint32_t, int32_t n) { euler += n; });
     return euler == c.euler;
   });
 }
@@ -133,7 +131,7 @@ inline uint32_t every_wrong_patch_is_named() {
   const hsp::CutPatches &cut = surface.cut_patches();
   const hsp::SurfaceMap map(small_union().balls(), small_union().boundary(), surface);
   const auto finds = [&](hsp::SurfaceInvariant invariant, uint32_t id) {
-    const hsp::SurfaceViolation found = hsp::check_surface(small_union().balls(), small_union().boundary(), surface);
+    const hsp::SurfaceViolation found = hsp::check_surface({small_union().balls(), small_union().boundary(), surface});
     return found.invariant == invariant && found.id == id;
   };
   const uint32_t vertices = small_union().boundary().vertex_count();

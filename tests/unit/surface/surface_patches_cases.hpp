@@ -9,12 +9,10 @@ namespace cases {
 inline bool patches_sum_to_total() {
   const hsp::SurfaceMap map = small_map();
   const hsp::SurfaceMeasure total = small_surface().total();
-  const hsp::Surface &surface = small_surface().builder().surface();
   double area[4] = {0, 0, 0, 0};
   double volume = 0;
   for (uint32_t patch = 0; patch < map.patch_count(); ++patch) {
-    const hsp::PatchMeasure measure =
-        hsp::measure_patch(small_union().balls(), small_union().boundary(), surface, patch);
+    const hsp::PatchMeasure measure = hsp::measure_patch(map, patch);
     if (!(measure.area >= 0)) return false;
     area[static_cast<uint32_t>(map.patch(patch).kind)] += measure.area;
     volume += measure.volume;

@@ -16,18 +16,13 @@ inline hsp::Vec3 place_of(const hsp::Position &position) {
 inline uint32_t edges_lead_from_corner_to_corner() {
   for (uint32_t seed = 0; seed < 150; ++seed) {
     if (!small_surface().build(random_scene(seed))) return seed;
-    const hsp::Surface &surface = small_surface().builder().surface();
     const hsp::SurfaceMap map = small_map();
     for (uint32_t edge = 0; edge < map.edge_count(); ++edge) {
       if (map.origin(2 * edge) == hsp::no_id) continue;
-      const hsp::BallSet &balls = small_union().balls();
-      const hsp::Boundary &boundary = small_union().boundary();
-      const hsp::ArcPosition arc = hsp::position_of_edge(balls, boundary, surface, edge);
+      const hsp::ArcPosition arc = hsp::position_of_edge(map, edge);
       const hsp::Vec3 centre = place_of(arc.centre);
-      const hsp::Vec3 start =
-          place_of(hsp::position_of_corner(balls, boundary, surface, map.origin(2 * edge))) - centre;
-      const hsp::Vec3 end =
-          place_of(hsp::position_of_corner(balls, boundary, surface, map.origin(2 * edge + 1))) - centre;
+      const hsp::Vec3 start = place_of(hsp::position_of_corner(map, map.origin(2 * edge))) - centre;
+      const hsp::Vec3 end = place_of(hsp::position_of_corner(map, map.origin(2 * edge + 1))) - centre;
       const hsp::SinCos turn = hsp::sin_cos(arc.angle);
       const hsp::Vec3 off = hsp::combine(turn.cosine, start, turn.sine, hsp::cross(arc.axis, start)) - end;
       if (!(std::sqrt(hsp::dot(off, off)) < 10.0)) return seed;  // of 1.4e8 steps
@@ -44,7 +39,7 @@ inline uint32_t cusps_of_a_circle() {
   const hsp::Surface &surface = small_surface().builder().surface();
   hsp::Vec3 cusp[2];
   for (uint32_t s = 0; s < 2; ++s) {
-    cusp[s] = place_of(hsp::position_of_corner(small_union().balls(), small_union().boundary(), surface, s));
+    cusp[s] = place_of(hsp::position_of_corner(small_map(), s));
   }
   const hsp::Vec3 between = cusp[1] - cusp[0];
   const double half = std::sqrt(1.4e8 * 1.4e8 - (3.1e8 * 3.1e8 - 3.05e8 * 3.05e8));
