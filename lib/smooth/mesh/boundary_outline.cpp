@@ -6,9 +6,6 @@
 
 namespace hsp {
 
-// How near each other points of a curve may be, as a share of the balls' radius.
-constexpr double least_straight_segment = 0x1p-24;
-
 Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits) {
   MeshSizes sizes;
   sizes.add_points(boundary.vertex_count());
@@ -49,6 +46,11 @@ MeshVertex mesh_vertex(const BallSet &balls, const Position &position, const Vec
   return vertex;
 }
 
+MeshVertex vertex_on_ball(const BallSet &balls, uint32_t ball, double radius, const Vec3 &direction) {
+  const Vec3 normal = unit(direction, upwards);
+  return mesh_vertex(balls, {ball, radius * normal}, normal, ball);
+}
+
 void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_t ball, SphericalPatch &patch) {
   uint32_t latest = no_id;
   const auto keep_off = [&](uint32_t other) {
@@ -64,9 +66,7 @@ void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_
 
 double MeshedFaces::steradians(const BallSet &balls, uint32_t ball) const {
   double area = 0.0;
-  for (const uint32_t face : boundary_.faces(ball)) {
-    if (has(face)) area += measure_face(balls, boundary_, face).area;
-  }
+  visit(ball, [&](uint32_t face, uint32_t) { area += measure_face(balls, boundary_, face).area; });
   const double r = balls.r[ball];
   return r > 0.0 ? area / (r * r) : 0.0;
 }
@@ -91,7 +91,7 @@ MeshVertex BoundaryOutline::vertex_at(const Position &position, const uint32_t *
     if (length > 0.0) sum = combine(1.0, sum, 1.0 / length, arm);
     if (balls_.given_before(owners[k], ball)) ball = owners[k];
   }
-  return mesh_vertex(balls_, position, unit(sum, {0.0, 0.0, 1.0}), ball);
+  return mesh_vertex(balls_, position, unit(sum, upwards), ball);
 }
 
 MeshVertex BoundaryOutline::corner(uint32_t v) const {
@@ -107,31 +107,23 @@ void BoundaryOutline::add_samples(uint32_t c, FixedVector<MeshVertex> &vertices)
   for (uint32_t k = is_circle ? 0 : 1; k < curve.segments; ++k) vertices.push(vertex_at(points.at(k), owners, 2));
 }
 
-MeshVertex BoundaryOutline::inner_vertex(uint32_t sphere, const Vec3 &direction) const {
-  const Vec3 normal = 1.0 / std::sqrt(dot(direction, direction)) * direction;
-  return mesh_vertex(balls_, {sphere, balls_.r[sphere] * normal}, normal, sphere);
-}
-
 bool BoundaryOutline::is_too_fine(uint32_t c) const {
   const MeshCurve &curve = curves_.curve(c);
   if (curves_.is_circle(c)) return false;
   const uint32_t own = boundary_.ball_of(curve.element);
   const double length = angle_of(balls_, boundary_, own, curve.element) *
                         CircleGeometry(balls_, own, boundary_.half_edge(curve.element).circle).radius;
-  return length < least_straight_segment * balls_.r[own] * curve.segments;
+  return length < least_segment * balls_.r[own] * curve.segments;
 }
 
 void BoundaryOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {
   keep_off_neighbours(balls_, boundary_, sphere, patch);
-  uint32_t number = 0;
-  for (const uint32_t face : boundary_.faces(sphere)) {
-    if (!faces_.has(face)) continue;
+  faces_.visit(sphere, [&](uint32_t face, uint32_t number) {
     for (const uint32_t loop : boundary_.loops_of_face(face)) {
       patch.begin_loop(number);
       add_loop(sphere, loop, patch);
     }
-    ++number;
-  }
+  });
 }
 
 void BoundaryOutline::add_loop(uint32_t ball, uint32_t loop, SphericalPatch &patch) const {

@@ -19,42 +19,48 @@ Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, doub
 double spacing_on(double radius, double edge);
 
 MeshVertex mesh_vertex(const BallSet &balls, const Position &position, const Vec3 &normal, uint32_t ball);
+// In a direction from the centre of a ball, so far away.
+MeshVertex vertex_on_ball(const BallSet &balls, uint32_t ball, double radius, const Vec3 &direction);
 
 // The centres of caps whose circles bound the ball's faces.
 void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_t ball, SphericalPatch &patch);
 
-// The faces of a boundary that a mesh is made of, numbered on each ball: all, or chosen ones.
+// The chosen faces of a boundary, of which a mesh is made, numbered on each ball.
 class MeshedFaces {
  public:
-  // NULL: all.
-  MeshedFaces(const Boundary &boundary, const ChosenFaces *chosen) : boundary_(boundary), chosen_(chosen) {}
+  MeshedFaces(const Boundary &boundary, const ChosenFaces &chosen) : boundary_(boundary), chosen_(chosen) {}
 
-  bool has(uint32_t face) const { return chosen_ == nullptr || chosen_->has(face); }
+  // Calls visit(face, number) for those of a ball.
+  template <class Visit>
+  void visit(uint32_t ball, Visit visit) const {
+    uint32_t number = 0;
+    for (const uint32_t face : boundary_.faces(ball)) {
+      if (chosen_.has(face)) visit(face, number++);
+    }
+  }
   bool any(uint32_t ball) const {
     bool found = false;
-    for (const uint32_t face : boundary_.faces(ball)) found = found || has(face);
+    visit(ball, [&found](uint32_t, uint32_t) { found = true; });
     return found;
   }
   // Of these faces on the unit sphere.
   double steradians(const BallSet &balls, uint32_t ball) const;
   // Number k of the ball.
   uint32_t face(uint32_t ball, uint32_t k) const {
-    if (chosen_ == nullptr) return boundary_.faces(ball).first + k;
-    uint32_t before = 0;
-    for (const uint32_t face : boundary_.faces(ball)) {
-      if (has(face) && before++ == k) return face;
-    }
-    return no_id;
+    if (chosen_.all()) return boundary_.faces(ball).first + k;
+    uint32_t found = no_id;
+    visit(ball, [&found, k](uint32_t face, uint32_t number) { found = number == k ? face : found; });
+    return found;
   }
 
  private:
   const Boundary &boundary_;
-  const ChosenFaces *chosen_;
+  const ChosenFaces &chosen_;
 };
 
 class BoundaryOutline {
  public:
-  BoundaryOutline(const BallSet &balls, const Boundary &boundary, BoundaryCurves &curves, const ChosenFaces *chosen)
+  BoundaryOutline(const BallSet &balls, const Boundary &boundary, BoundaryCurves &curves, const ChosenFaces &chosen)
       : balls_(balls), boundary_(boundary), curves_(curves), faces_(boundary, chosen) {}
 
   uint32_t sphere_count() const { return balls_.n; }
@@ -85,7 +91,9 @@ class BoundaryOutline {
   double steradians(uint32_t sphere) const { return faces_.steradians(balls_, sphere); }
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
   // A point inside a patch.
-  MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const;
+  MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const {
+    return vertex_on_ball(balls_, sphere, balls_.r[sphere], direction);
+  }
   uint32_t patch(uint32_t sphere, uint32_t face) const { return faces_.face(sphere, face); }
   PatchKind kind(uint32_t) const { return PatchKind::convex; }
   // Of a triangle with this middle.

@@ -99,7 +99,7 @@ void ConcaveOutline::keep_off_probes(SphericalPatch &patch) const {
 }
 
 MeshVertex ConcaveOutline::inner_vertex(const Vec3 &direction) const {
-  const Vec3 normal = 1.0 / std::sqrt(dot(direction, direction)) * direction;
+  const Vec3 normal = unit(direction, upwards);
   const Position &centre = sphere_.centre();
   return mesh_vertex(curves_.balls(), {centre.ball, centre.offset - curves_.probe() * normal}, normal,
                      sphere_.nearest_ball(-normal));

@@ -2,8 +2,6 @@
 // by their outward normals, which point to the probe's centre.
 #pragma once
 
-#include "mesh/boundary_outline.hpp"
-#include "mesh/probe_sphere.hpp"
 #include "mesh/surface_curves.hpp"
 
 namespace hsp {

@@ -4,15 +4,12 @@ namespace hsp {
 
 void ConvexOutline::add_border(SphericalPatch &patch) const {
   keep_off_neighbours(curves_.balls(), curves_.boundary(), ball_, patch);
-  uint32_t number = 0;
-  for (const uint32_t face : curves_.boundary().faces(ball_)) {
-    if (!faces_.has(face)) continue;
+  curves_.faces().visit(ball_, [&](uint32_t face, uint32_t number) {
     curves_.map().for_each_loop(face, [&](uint32_t loop) {
       patch.begin_loop(number);
       add_loop(loop, patch);
     });
-    ++number;
-  }
+  });
 }
 
 void ConvexOutline::add_loop(uint32_t loop, SphericalPatch &patch) const {
@@ -52,12 +49,6 @@ void ConvexOutline::add_arc(uint32_t h, uint32_t corner, SphericalPatch &patch) 
     const Position probe = band.probe(band.outward(at, curve.segments));
     patch.add({direction_from(balls, ball_, probe), curve.first_sample + at - 1, c, {no_id, no_id}});
   }
-}
-
-MeshVertex ConvexOutline::inner_vertex(const Vec3 &direction) const {
-  const Vec3 normal = 1.0 / std::sqrt(dot(direction, direction)) * direction;
-  const BallSet &balls = curves_.balls();
-  return mesh_vertex(balls, {ball_, (balls.r[ball_] - curves_.probe()) * normal}, normal, ball_);
 }
 
 }  // namespace hsp

@@ -2,19 +2,19 @@
 // from the ball: a ball that is nothing but a point has its patches, too.
 #pragma once
 
-#include "mesh/boundary_outline.hpp"
 #include "mesh/surface_curves.hpp"
 
 namespace hsp {
 
 class ConvexOutline {
  public:
-  ConvexOutline(const SurfaceCurves &curves, const MeshedFaces &faces, uint32_t ball)
-      : curves_(curves), faces_(faces), ball_(ball) {}
+  ConvexOutline(const SurfaceCurves &curves, uint32_t ball) : curves_(curves), ball_(ball) {}
 
   void add_border(SphericalPatch &patch) const;
   // A point inside a patch.
-  MeshVertex inner_vertex(const Vec3 &direction) const;
+  MeshVertex inner_vertex(const Vec3 &direction) const {
+    return vertex_on_ball(curves_.balls(), ball_, curves_.balls().r[ball_] - curves_.probe(), direction);
+  }
 
  private:
   void add_loop(uint32_t loop, SphericalPatch &patch) const;
@@ -22,7 +22,6 @@ class ConvexOutline {
   void add_arc(uint32_t h, uint32_t corner, SphericalPatch &patch) const;
 
   const SurfaceCurves &curves_;
-  const MeshedFaces &faces_;
   uint32_t ball_;
 };
 

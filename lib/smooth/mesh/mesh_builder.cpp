@@ -32,14 +32,15 @@ void MeshBuilder::carve(Workspace &workspace, const MeshLimits &limits) {
 }
 
 Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, double edge, Patience patience) {
-  BoundaryOutline outline(balls, boundary, curves_, nullptr);
+  const ChosenFaces all;
+  BoundaryOutline outline(balls, boundary, curves_, all);
   return build_all(outline, edge, patience);
 }
 
 Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
                           Patience patience) {
   if (balls.probe_steps == 0) {
-    BoundaryOutline outline(balls, boundary, curves_, &surface.chosen());
+    BoundaryOutline outline(balls, boundary, curves_, surface.chosen());
     return build_all(outline, edge, patience);
   }
   SurfaceOutline outline(balls, boundary, surface, curves_.room());

@@ -18,6 +18,9 @@ struct MeshCurve {
 // touch in a point it has no length at all.
 inline constexpr double least_circle = 0x1p-18;
 
+// How near each other points of a curve may be, as a share of the radius of the ball or probe.
+inline constexpr double least_segment = 0x1p-24;
+
 // Closed curves have no fewer segments.
 inline constexpr double fewest_of_circle = 6.0;
 
@@ -36,12 +39,13 @@ inline bool has_ends_of_same_balls(const Boundary &boundary, uint32_t half_edge)
   return boundary.half_edge(start.next).circle == boundary.previous_circle(boundary.ball_of(half_edge), start);
 }
 
+// Where there is no other direction.
+inline constexpr Vec3 upwards{0.0, 0.0, 1.0};
+
 // A direction perpendicular to a unit vector: away from its longest axis.
 inline Vec3 perpendicular_to(const Vec3 &axis) {
-  const double x = std::fabs(axis.x);
-  const double y = std::fabs(axis.y);
-  const double z = std::fabs(axis.z);
-  const Vec3 other = x <= y && x <= z ? Vec3{1.0, 0.0, 0.0} : y <= z ? Vec3{0.0, 1.0, 0.0} : Vec3{0.0, 0.0, 1.0};
+  constexpr Vec3 axes[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  const Vec3 &other = axes[axis_least_along(axis)];
   return unit(cross(axis, other), other);
 }
 

@@ -1,7 +1,5 @@
 #include "mesh/saddle_grids.hpp"
 
-#include "mesh/surface_vertices.hpp"
-
 namespace hsp {
 
 namespace {

@@ -1,7 +1,6 @@
 // The saddles of the smooth surface as triangles: every part of a saddle is a grid of as many points on opposite edges.
 #pragma once
 
-#include "mesh/boundary_outline.hpp"
 #include "mesh/mesh_sizes.hpp"
 #include "mesh/surface_curves.hpp"
 

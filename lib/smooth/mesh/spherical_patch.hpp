@@ -118,7 +118,7 @@ class SphericalPatch {
   bool is_near_cap(const Vec3 &direction);
   bool is_circle_near_caps(double sine, double cosine) const;
   bool is_covered(const Vec3 &direction) const;
-  Vec3 direction_of(uint32_t sample) const { return unit(samples_[sample].direction, {0.0, 0.0, 1.0}); }
+  Vec3 direction_of(uint32_t sample) const { return unit(samples_[sample].direction, upwards); }
   Vec3 direction_between(uint32_t a, uint32_t b) const;
   uint32_t choose_octahedron() const;
   void add_inner_points();

@@ -2,9 +2,6 @@
 
 namespace hsp {
 
-// How near each other points of a curve may be, as a share of the probe's radius.
-constexpr double least_segment = 0x1p-24;
-
 CreasePoints::CreasePoints(const SurfaceMap &map, uint32_t edge, uint32_t start) : arc_(position_of_edge(map, edge)) {
   x_ = arc_.radius * perpendicular_to(arc_.axis);
   if (start != no_id) {
@@ -49,7 +46,7 @@ double SurfaceCurves::segments(uint32_t c, double length) const {
 
 bool SurfaceCurves::divide(double length, Patience &patience) {
   double all = 0.0;
-  for (uint32_t c = 0; c < count(); ++c) {
+  for (uint32_t c = 0; c < curve_count(); ++c) {
     if (!patience.allows(1000)) return false;
     const double wanted = segments(c, length);
     all += wanted;

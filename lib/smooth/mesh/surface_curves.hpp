@@ -1,10 +1,9 @@
-// The edges of the smooth surface (surface_map.hpp) as polygons: how many points each has. The two rims of a saddle
-// have equally many, and so have its two sides, as bands demand.
+// The edges of the smooth surface (surface_map.hpp) as polygons: how many points each has, and where. The two rims of a
+// saddle have equally many, and so have its two sides, as bands demand.
 #pragma once
 
-#include "core/elementary.hpp"
-#include "core/patience.hpp"
-#include "mesh/mesh_curve.hpp"
+#include "mesh/boundary_outline.hpp"
+#include "mesh/probe_sphere.hpp"
 #include "mesh/saddle_band.hpp"
 
 namespace hsp {
@@ -35,9 +34,11 @@ class SurfaceCurves {
   const Boundary &boundary() const { return map_.boundary(); }
   const Surface &surface() const { return map_.surface(); }
   const SurfaceMap &map() const { return map_; }
+  // The part that is measured.
+  MeshedFaces faces() const { return {boundary(), surface().chosen()}; }
   double probe() const { return static_cast<double>(balls().probe_steps); }
 
-  uint32_t count() const { return map_.edge_count(); }
+  uint32_t curve_count() const { return map_.edge_count(); }
   const MeshCurve &curve(uint32_t c) const { return curve_[c]; }
   MeshCurve &curve(uint32_t c) { return curve_[c]; }
   bool is_closed(uint32_t c) const { return map_.origin(2 * c) == no_id; }
@@ -51,6 +52,11 @@ class SurfaceCurves {
   // The curve that has as many points, if not itself.
   uint32_t partner(uint32_t c) const;
 
+  // The vertices that patches share (surface_vertices.cpp): a corner by the map's number, and every point between the
+  // ends of a divided curve.
+  MeshVertex corner(uint32_t id) const;
+  void add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const;
+
   // Saddles: of arcs, then of circles.
   uint32_t saddle_count() const { return boundary().arc_count() + boundary().circle_count(); }
   SaddleBand band_of_saddle(uint32_t k) const;
@@ -59,9 +65,17 @@ class SurfaceCurves {
 
  private:
   ClosedHalfEdge on_ball(uint32_t circle, uint32_t side) const;
+  ProbeSphere probe_at(uint32_t v) const { return {balls(), boundary(), v}; }
+  Vec3 normal_at_cusp(uint32_t k, uint32_t side, const Position &position) const;
+  MeshVertex at_creases(const Position &position, const uint32_t *vertices, uint32_t count) const;
 
   const SurfaceMap map_;
   Span<MeshCurve> curve_;
 };
+
+// The point of a band as a vertex.
+inline MeshVertex vertex_of_band(const BallSet &balls, const SaddleBand::Point &point) {
+  return mesh_vertex(balls, point.position, point.normal, point.ball);
+}
 
 }  // namespace hsp

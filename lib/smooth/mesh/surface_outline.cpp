@@ -3,29 +3,29 @@
 namespace hsp {
 
 double SurfaceOutline::spacing(uint32_t sphere, double edge) const {
-  return spacing_on(sphere < balls() ? curves_.balls().r[sphere] - curves_.probe() : curves_.probe(), edge);
+  return spacing_on(sphere < ball_count() ? balls().r[sphere] - probe() : probe(), edge);
 }
 
 double SurfaceOutline::steradians(uint32_t sphere) const {
-  if (sphere < balls()) return faces_.steradians(curves_.balls(), sphere);
+  if (sphere < ball_count()) return faces().steradians(balls(), sphere);
   if (!has_patches(sphere)) return 0.0;
-  return curves_.surface().patch(sphere - balls()).area / (curves_.probe() * curves_.probe());
+  return surface().patch(sphere - ball_count()).area / (probe() * probe());
 }
 
 bool SurfaceOutline::has_next_to_no_area(uint32_t sphere, double least) const {
-  const Surface &surface = curves_.surface();
-  return sphere >= balls() && (surface.is_of_actual_balls() || surface.cut_patches().is_cut(sphere - balls())) &&
+  return sphere >= ball_count() &&
+         (surface().is_of_actual_balls() || surface().cut_patches().is_cut(sphere - ball_count())) &&
          steradians(sphere) < least;
 }
 
 uint32_t SurfaceOutline::patch(uint32_t sphere, uint32_t face) const {
-  if (sphere < balls()) return faces_.face(sphere, face);
-  const uint32_t v = sphere - balls();
-  return map().concave_patch(v, curves_.surface().cut_patches().pieces(v).first + face);
+  if (sphere < ball_count()) return faces().face(sphere, face);
+  const uint32_t v = sphere - ball_count();
+  return map().concave_patch(v, surface().cut_patches().pieces(v).first + face);
 }
 
 void SurfaceOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {
-  if (sphere < balls()) {
+  if (sphere < ball_count()) {
     on_ball(sphere).add_border(patch);
   } else {
     on_probe(sphere).add_border(patch);
@@ -33,11 +33,11 @@ void SurfaceOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {
 }
 
 MeshVertex SurfaceOutline::inner_vertex(uint32_t sphere, const Vec3 &direction) const {
-  return sphere < balls() ? on_ball(sphere).inner_vertex(direction) : on_probe(sphere).inner_vertex(direction);
+  return sphere < ball_count() ? on_ball(sphere).inner_vertex(direction) : on_probe(sphere).inner_vertex(direction);
 }
 
 uint32_t SurfaceOutline::ball_at(uint32_t sphere, const double (&middle)[3]) const {
-  return sphere < balls() ? sphere : on_probe(sphere).ball_at(middle);
+  return sphere < ball_count() ? sphere : on_probe(sphere).ball_at(middle);
 }
 
 // ---- limits ----
@@ -51,31 +51,29 @@ Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, cons
 
 double SurfaceOutline::segments_around(uint32_t patch, double edge) const {
   double border = 0.0;
-  map().for_each_loop(patch, [&](uint32_t loop) {
-    map().for_each_edge(loop, [&](uint32_t h) { border += curves_.segments(h / 2, edge); });
-  });
+  map().for_each_loop(
+      patch, [&](uint32_t loop) { map().for_each_edge(loop, [&](uint32_t h) { border += segments(h / 2, edge); }); });
   return border;
 }
 
 Status SurfaceOutline::expected_limits(double edge, MeshLimits &limits) const {
-  const Boundary &boundary = curves_.boundary();
   MeshSizes sizes;
   sizes.add_points(map().corner_count());
-  for (uint32_t c = 0; c < curve_count(); ++c) sizes.add_points(curves_.segments(c, edge));
+  for (uint32_t c = 0; c < curve_count(); ++c) sizes.add_points(segments(c, edge));
   for (uint32_t s = 0; s < sphere_count(); ++s) {
     if (!has_patches(s)) continue;
     double border = 0.0;
-    if (s < balls()) {
-      for (const uint32_t face : boundary.faces(s)) border += segments_around(face, edge);
+    if (s < ball_count()) {
+      for (const uint32_t face : boundary().faces(s)) border += segments_around(face, edge);
     } else {
-      const uint32_t v = s - balls();
-      const IdRange pieces = curves_.surface().cut_patches().pieces(v);
+      const uint32_t v = s - ball_count();
+      const IdRange pieces = surface().cut_patches().pieces(v);
       const uint32_t count = pieces.empty() ? 1 : pieces.size();
       for (uint32_t k = 0; k < count; ++k) border += segments_around(map().concave_patch(v, pieces.first + k), edge);
     }
     sizes.add_sphere(border, steradians(s), spacing(s, edge));
   }
-  SaddleGrids(curves_).add_sizes(edge, sizes);
+  SaddleGrids(*this).add_sizes(edge, sizes);
   return sizes.limits(sphere_count(), curve_count(), limits);
 }
 

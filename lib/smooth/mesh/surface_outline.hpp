@@ -9,7 +9,6 @@
 #include "mesh/concave_outline.hpp"
 #include "mesh/convex_outline.hpp"
 #include "mesh/saddle_grids.hpp"
-#include "mesh/surface_vertices.hpp"
 
 namespace hsp {
 
@@ -17,39 +16,30 @@ namespace hsp {
 Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
                             MeshLimits &limits);
 
-class SurfaceOutline {
+class SurfaceOutline : public SurfaceCurves {
  public:
-  // The surface must be closed, and its probe is not 0.
-  SurfaceOutline(const BallSet &balls, const Boundary &boundary, const Surface &surface, Span<MeshCurve> curves)
-      : curves_(balls, boundary, surface, curves), faces_(boundary, &surface.chosen()), vertices_(curves_, faces_) {}
-  SurfaceOutline(const SurfaceOutline &) = delete;
-  SurfaceOutline &operator=(const SurfaceOutline &) = delete;
+  using SurfaceCurves::SurfaceCurves;
 
   // Balls, then vertices.
-  uint32_t sphere_count() const { return balls() + curves_.boundary().vertex_count(); }
+  uint32_t sphere_count() const { return ball_count() + boundary().vertex_count(); }
   uint32_t corner_count() const { return map().corner_count(); }
-  uint32_t curve_count() const { return curves_.count(); }
-  MeshCurve &curve(uint32_t c) { return curves_.curve(c); }
   bool divide_curves(double length, Patience &patience) {
-    return curves_.divide(length, patience) && SaddleGrids(curves_).fit(length, patience);
+    return divide(length, patience) && SaddleGrids(*this).fit(length, patience);
   }
   Status expected_limits(double edge, MeshLimits &limits) const;
 
-  MeshVertex corner(uint32_t id) const { return vertices_.corner(id); }
-  void add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const { vertices_.add_samples(c, vertices); }
-  bool is_too_fine(uint32_t c) const { return curves_.is_too_fine(c); }
-  uint32_t partner(uint32_t c) const { return curves_.partner(c); }
   template <class Sink>
   void for_each_sphere(uint32_t c, Sink sink) const {
     for (uint32_t h = 2 * c; h < 2 * c + 2; ++h) {
       const SurfacePatch patch = map().patch(map().left(h));
-      if (patch.kind == PatchKind::convex) sink(curves_.boundary().face(patch.source).ball);
-      if (patch.kind == PatchKind::concave) sink(balls() + patch.source);
+      if (patch.kind == PatchKind::convex) sink(boundary().face(patch.source).ball);
+      if (patch.kind == PatchKind::concave) sink(ball_count() + patch.source);
     }
   }
 
   bool has_patches(uint32_t sphere) const {
-    return sphere < balls() ? faces_.any(sphere) : faces_.has(face_at_vertex(curves_.boundary(), sphere - balls()));
+    return sphere < ball_count() ? faces().any(sphere)
+                                 : surface().chosen().has(face_at_vertex(boundary(), sphere - ball_count()));
   }
   double spacing(uint32_t sphere, double edge) const;
   double steradians(uint32_t sphere) const;
@@ -58,27 +48,22 @@ class SurfaceOutline {
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
   MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const;
   uint32_t patch(uint32_t sphere, uint32_t face) const;
-  PatchKind kind(uint32_t sphere) const { return sphere < balls() ? PatchKind::convex : PatchKind::concave; }
+  PatchKind kind(uint32_t sphere) const { return sphere < ball_count() ? PatchKind::convex : PatchKind::concave; }
   // Of a triangle with this middle.
   uint32_t ball_at(uint32_t sphere, const double (&middle)[3]) const;
 
   // The saddles. False if there are more triangles than any limit allows.
   bool add_bands(double length, Patience &patience, FixedVector<MeshVertex> &vertices,
                  FixedVector<MeshTriangle> &triangles) const {
-    return SaddleGrids(curves_).add_triangles(length, patience, vertices, triangles);
+    return SaddleGrids(*this).add_triangles(length, patience, vertices, triangles);
   }
 
  private:
-  uint32_t balls() const { return curves_.balls().n; }
-  const SurfaceMap &map() const { return curves_.map(); }
-  ConvexOutline on_ball(uint32_t ball) const { return {curves_, faces_, ball}; }
-  ConcaveOutline on_probe(uint32_t sphere) const { return {curves_, sphere - balls()}; }
+  uint32_t ball_count() const { return balls().n; }
+  ConvexOutline on_ball(uint32_t ball) const { return {*this, ball}; }
+  ConcaveOutline on_probe(uint32_t sphere) const { return {*this, sphere - ball_count()}; }
   // The segments around a patch.
   double segments_around(uint32_t patch, double edge) const;
-
-  SurfaceCurves curves_;
-  const MeshedFaces faces_;
-  const SurfaceVertices vertices_;
 };
 
 }  // namespace hsp

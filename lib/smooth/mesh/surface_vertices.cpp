@@ -1,80 +1,72 @@
-#include "mesh/surface_vertices.hpp"
+// The vertices of a mesh that patches of the smooth surface share: its corners, and the points of its curves.
+#include "mesh/surface_curves.hpp"
 
 namespace hsp {
 
 // Where creases are, patches of several probes meet.
-MeshVertex SurfaceVertices::at_creases(const Position &position, const uint32_t *vertices, uint32_t count) const {
+MeshVertex SurfaceCurves::at_creases(const Position &position, const uint32_t *vertices, uint32_t count) const {
   Vec3 sum{0.0, 0.0, 0.0};
   for (uint32_t k = 0; k < count; ++k) sum = sum + probe_at(vertices[k]).way_from(position);
   const ProbeSphere first = probe_at(vertices[0]);
-  return mesh_vertex(curves_.balls(), position, unit(sum, {0.0, 0.0, 1.0}),
-                     first.nearest_ball(-first.way_from(position)));
+  return mesh_vertex(balls(), position, unit(sum, upwards), first.nearest_ball(-first.way_from(position)));
 }
 
 // The patches there are those of the probes at the ends of the circle's arcs; around a whole circle they turn about the
 // axis. The half-edges of a circle on one ball are neighbours.
-Vec3 SurfaceVertices::normal_at_cusp(uint32_t k, uint32_t side, const Position &position) const {
-  const Boundary &boundary = curves_.boundary();
-  const CuspedCircles &cusped = curves_.surface().cusped_circles();
-  const CirclePosition circle = position_of_circle(curves_.balls(), cusped.ball(k, side), cusped.ball(k, 1 - side));
+Vec3 SurfaceCurves::normal_at_cusp(uint32_t k, uint32_t side, const Position &position) const {
+  const CuspedCircles &cusped = surface().cusped_circles();
+  const CirclePosition circle = position_of_circle(balls(), cusped.ball(k, side), cusped.ball(k, 1 - side));
   if (cusped.element(k).is_circle()) return circle.axis;
   Vec3 sum{0.0, 0.0, 0.0};
-  for (uint32_t e = cusped.element(k).half_edge(); e < boundary.half_edges(cusped.ball(k, 0)).last; ++e) {
-    if (boundary.half_edge(e).circle != cusped.ball(k, 1)) break;
-    if (!faces_.has(boundary.face_of(e))) continue;
-    const uint32_t ends[2] = {boundary.half_edge(e).vertex, boundary.end_vertex(e)};
+  for (uint32_t e = cusped.element(k).half_edge(); e < boundary().half_edges(cusped.ball(k, 0)).last; ++e) {
+    if (boundary().half_edge(e).circle != cusped.ball(k, 1)) break;
+    if (!surface().chosen().has(boundary().face_of(e))) continue;
+    const uint32_t ends[2] = {boundary().half_edge(e).vertex, boundary().end_vertex(e)};
     for (const uint32_t v : ends) sum = sum + probe_at(v).way_from(position);
   }
   return unit(sum, circle.axis);
 }
 
-MeshVertex SurfaceVertices::corner(uint32_t id) const {
-  const BallSet &balls = curves_.balls();
-  const Boundary &boundary = curves_.boundary();
-  const SurfaceMap &map = curves_.map();
-  if (id < map.first_cusp()) {
-    const uint32_t ball = boundary.vertex(id / 3).ball[id % 3];
-    const Vec3 arm = direction_from(balls, ball, probe_at(id / 3).centre());
-    const double R = balls.r[ball];
-    return mesh_vertex(balls, {ball, (R - curves_.probe()) / R * arm}, unit(arm, {0.0, 0.0, 1.0}), ball);
+MeshVertex SurfaceCurves::corner(uint32_t id) const {
+  if (id < map().first_cusp()) {
+    const uint32_t ball = boundary().vertex(id / 3).ball[id % 3];
+    const Vec3 arm = direction_from(balls(), ball, probe_at(id / 3).centre());
+    const double R = balls().r[ball];
+    return mesh_vertex(balls(), {ball, (R - probe()) / R * arm}, unit(arm, upwards), ball);
   }
-  const Position position = position_of_corner(map, id);
-  if (id < map.first_crease_corner()) {
-    const uint32_t k = (id - map.first_cusp()) / 2;
-    const uint32_t side = (id - map.first_cusp()) % 2;
-    return mesh_vertex(balls, position, normal_at_cusp(k, side, position),
-                       curves_.surface().cusped_circles().ball(k, side));
+  const Position position = position_of_corner(map(), id);
+  if (id < map().first_crease_corner()) {
+    const uint32_t k = (id - map().first_cusp()) / 2;
+    const uint32_t side = (id - map().first_cusp()) % 2;
+    return mesh_vertex(balls(), position, normal_at_cusp(k, side, position), surface().cusped_circles().ball(k, side));
   }
-  const CutPatches &cut = curves_.surface().cut_patches();
-  const uint32_t arc = cut.crease_corners().member(id - map.first_crease_corner());
+  const CutPatches &cut = surface().cut_patches();
+  const uint32_t arc = cut.crease_corners().member(id - map().first_crease_corner());
   const uint32_t vertices[3] = {cut.vertex_of_arc(arc), cut.arc(arc).across, cut.arc(cut.previous(arc)).across};
   return at_creases(position, vertices, 3);
 }
 
-void SurfaceVertices::add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const {
-  const BallSet &balls = curves_.balls();
-  const Boundary &boundary = curves_.boundary();
-  const SurfaceMap &map = curves_.map();
-  const SurfaceEdge edge = map.edge(c);
-  const uint32_t segments = curves_.curve(c).segments;
-  const auto push = [&](const SaddleBand::Point &point) { vertices.push(vertex_of_band(balls, point)); };
+void SurfaceCurves::add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const {
+  const SurfaceEdge edge = map().edge(c);
+  const uint32_t segments = curve(c).segments;
+  const auto push = [&](const SaddleBand::Point &point) { vertices.push(vertex_of_band(balls(), point)); };
   if (edge.kind == SurfaceEdgeKind::circle_rim) {
     const ClosedHalfEdge circle = ClosedHalfEdge::from_id(edge.source);
-    const SaddleBand band = curves_.band_of_circle(circle.circle());
-    const uint32_t side = band.ball(0) == boundary.ball_of(circle) ? 0 : 1;
+    const SaddleBand band = band_of_circle(circle.circle());
+    const uint32_t side = band.ball(0) == boundary().ball_of(circle) ? 0 : 1;
     for (uint32_t k = 0; k < segments; ++k) push(band.on_ball(side, band.outward(k, segments)));
   } else if (edge.kind == SurfaceEdgeKind::rim) {
-    const SaddleBand band = curves_.band_of_arc(edge.source);
-    const uint32_t side = map.side_of(edge.source);
+    const SaddleBand band = band_of_arc(edge.source);
+    const uint32_t side = map().side_of(edge.source);
     for (uint32_t k = 1; k < segments; ++k) push(band.on_ball(side, band.outward(k, segments)));
   } else if (edge.kind == SurfaceEdgeKind::side) {
-    const SaddleBand band = curves_.band_of_arc(edge.source);
-    const Vec3 outward = band.outward_at_end(1 - map.side_of(edge.source));
+    const SaddleBand band = band_of_arc(edge.source);
+    const Vec3 outward = band.outward_at_end(1 - map().side_of(edge.source));
     for (uint32_t l = 1; l < segments; ++l) push(band.at(outward, edge.part, l, segments));
   } else {
-    const CutPatches &cut = curves_.surface().cut_patches();
-    const uint32_t start = map.origin(2 * c);
-    const CreasePoints points(map, c, start);
+    const CutPatches &cut = surface().cut_patches();
+    const uint32_t start = map().origin(2 * c);
+    const CreasePoints points(map(), c, start);
     const uint32_t both[2] = {cut.vertex_of_arc(edge.source), cut.arc(edge.source).across};
     for (uint32_t k = start == no_id ? 0 : 1; k < segments; ++k) {
       vertices.push(at_creases(points.at(k, segments), both, 2));

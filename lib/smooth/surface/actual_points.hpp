@@ -9,13 +9,6 @@
 
 namespace hsp {
 
-// The coordinate axis that a vector is least along.
-inline int8_t axis_least_along(const Vec3 &d) {
-  const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-  if (x <= y && x <= z) return 0;
-  return y <= z ? 1 : 2;
-}
-
 template <class Number>
 class ActualPoints : public ActualNumbers<Number> {
  public:

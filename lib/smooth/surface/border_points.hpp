@@ -5,6 +5,13 @@
 
 namespace hsp {
 
+// The coordinate axis that a vector is least along.
+inline int8_t axis_least_along(const Vec3 &d) {
+  const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+  if (x <= y && x <= z) return 0;
+  return y <= z ? 1 : 2;
+}
+
 struct BorderPoint {
   enum class Kind : uint8_t {
     corner,        // of the creases of vertices id[0] < id[1] < id[2]; one of two, by the sign

@@ -18,7 +18,6 @@ TEST(ConcaveOutline, BoundsPatches) {
     ASSERT_EQ(built.status(), hsp::Status::ok);
     const hsp::BallSet &balls = built.balls();
     const DividedCurves divided(built, length);
-    const hsp::MeshedFaces faces(built.boundary(), nullptr);
     for (uint32_t v = 0; v < built.boundary().vertex_count(); ++v) {
       CarvedMemory memory;
       hsp::SphericalPatch patch;

@@ -15,14 +15,13 @@ void check_balls(const BuiltSurface &built, double length) {
   const hsp::BallSet &balls = built.balls();
   const double p = static_cast<double>(balls.probe_steps);
   const DividedCurves divided(built, length);
-  const hsp::MeshedFaces faces(built.boundary(), nullptr);
   for (uint32_t i = 0; i < balls.n; ++i) {
     CarvedMemory memory;
     hsp::SphericalPatch patch;
     memory.carve(patch, 20000U);
     const double radius = balls.r[i] - p;
     patch.begin(length / radius);
-    const hsp::ConvexOutline outline(divided.get(), faces, i);
+    const hsp::ConvexOutline outline(divided.get(), i);
     outline.add_border(patch);
     ASSERT_EQ(patch.triangulate(), hsp::PatchState::complete);
     uint32_t inside = 0, triangles = 0;

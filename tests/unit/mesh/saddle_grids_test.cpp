@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "divided_curves.hpp"
-#include "mesh/surface_vertices.hpp"
 
 namespace {
 
@@ -20,12 +19,10 @@ struct Bands {
     triangles = hsp::FixedVector(hsp::Span<hsp::MeshTriangle>(triangle_room.data(), 200000U));
     DividedCurves divided(built, length);
     hsp::SurfaceCurves &curves = divided.get();
-    const hsp::MeshedFaces faces(built.boundary(), nullptr);
-    const hsp::SurfaceVertices source(curves, faces);
-    for (uint32_t id = 0; id < curves.map().corner_count(); ++id) vertices.push(source.corner(id));
-    for (uint32_t c = 0; c < curves.count(); ++c) {
+    for (uint32_t id = 0; id < curves.map().corner_count(); ++id) vertices.push(curves.corner(id));
+    for (uint32_t c = 0; c < curves.curve_count(); ++c) {
       curves.curve(c).first_sample = vertices.size();
-      source.add_samples(c, vertices);
+      curves.add_samples(c, vertices);
     }
     hsp::Patience endless;
     EXPECT_TRUE(hsp::SaddleGrids(curves).add_triangles(length, endless, vertices, triangles));

@@ -16,7 +16,7 @@ TEST(SurfaceCurves, PartnersHaveAsManySegments) {
     ASSERT_EQ(built.status(), hsp::Status::ok);
     const DividedCurves divided(built, 150.0);
     const hsp::SurfaceCurves &curves = divided.get();
-    for (uint32_t c = 0; c < curves.count(); ++c) {
+    for (uint32_t c = 0; c < curves.curve_count(); ++c) {
       const uint32_t partner = curves.partner(c);
       EXPECT_EQ(curves.partner(partner), c);
       EXPECT_EQ(curves.curve(partner).segments, curves.curve(c).segments);
@@ -44,7 +44,7 @@ TEST(SurfaceCurves, PointsOfCreases) {
     const DividedCurves divided(built, 0.1 * p);
     const hsp::SurfaceCurves &curves = divided.get();
     const hsp::CutPatches &cut = built.surface().cut_patches();
-    for (uint32_t c = 0; c < curves.count(); ++c) {
+    for (uint32_t c = 0; c < curves.curve_count(); ++c) {
       const hsp::SurfaceEdge edge = curves.map().edge(c);
       if (edge.kind != hsp::SurfaceEdgeKind::crease) continue;
       const uint32_t start = curves.map().origin(2 * c);
@@ -81,7 +81,7 @@ TEST(SurfaceCurves, RefusesMorePointsThanAnyLimitAllows) {
 TEST(SurfaceCurves, KnowsWhenPointsAreTooNear) {
   const BuiltSurface built(three_around(2.9), 1400.0);
   DividedCurves divided(built, 150.0);
-  for (uint32_t c = 0; c < divided.get().count(); ++c) {
+  for (uint32_t c = 0; c < divided.get().curve_count(); ++c) {
     if (divided.get().is_closed(c)) continue;
     divided.get().curve(c).segments = UINT32_C(1) << 28;
     EXPECT_TRUE(divided.get().is_too_fine(c));

@@ -1,5 +1,3 @@
-#include "mesh/surface_vertices.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,13 +31,12 @@ TEST(SurfaceVertices, LieOnTheSurface) {
     const hsp::BallSet &balls = built.balls();
     const double p = static_cast<double>(balls.probe_steps);
     const DividedCurves divided(built, 0.3 * p);
-    const hsp::MeshedFaces faces(built.boundary(), &built.surface().chosen());
-    const hsp::SurfaceVertices source(divided.get(), faces);
+    const hsp::SurfaceCurves &source = divided.get();
     const auto expect_unit = [](const hsp::MeshVertex &vertex) {
       const double *const n = vertex.normal;
       EXPECT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1.0, 1e-12);
     };
-    const hsp::SurfaceMap &map = divided.get().map();
+    const hsp::SurfaceMap &map = source.map();
     for (uint32_t id = 0; id < map.corner_count(); ++id) {
       const hsp::MeshVertex vertex = source.corner(id);
       expect_unit(vertex);
@@ -47,11 +44,11 @@ TEST(SurfaceVertices, LieOnTheSurface) {
       EXPECT_NEAR(depth_in_probes(built, position_of(balls, vertex)), 0.0, 1e-4 * p) << seed << " corner " << id;
     }
     std::vector<hsp::MeshVertex> room(1000);
-    for (uint32_t c = 0; c < divided.get().count(); ++c) {
+    for (uint32_t c = 0; c < source.curve_count(); ++c) {
       hsp::FixedVector<hsp::MeshVertex> vertices(hsp::Span<hsp::MeshVertex>(room.data(), 1000U));
       source.add_samples(c, vertices);
-      const uint32_t ends = divided.get().is_closed(c) ? 0 : 1;
-      ASSERT_EQ(vertices.required(), divided.get().curve(c).segments - ends);
+      const uint32_t ends = source.is_closed(c) ? 0 : 1;
+      ASSERT_EQ(vertices.required(), source.curve(c).segments - ends);
       const hsp::SurfaceEdgeKind kind = map.edge(c).kind;
       ++kinds[static_cast<uint32_t>(kind)];
       for (uint32_t k = 0; k < vertices.size(); ++k) {
