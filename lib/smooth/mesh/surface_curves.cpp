@@ -15,13 +15,8 @@ SaddleBand SurfaceCurves::band_of_arc(uint32_t half_edge) const {
   return {balls(), boundary(), on_ball_1, map_.cusped_circle_of(half_edge) != no_id};
 }
 
-ClosedHalfEdge SurfaceCurves::on_ball(uint32_t circle, uint32_t side) const {
-  const CircleRecord &record = boundary().circle(circle);
-  return {circle, balls().given_before(record.ball[0], record.ball[1]) ? side : 1 - side};
-}
-
 SaddleBand SurfaceCurves::band_of_circle(uint32_t circle) const {
-  return {balls(), boundary(), on_ball(circle, 1), surface().cusped_circles().of_circle(circle) != no_id};
+  return {balls(), boundary(), map_.circle_on(circle, 1), surface().cusped_circles().of_circle(circle) != no_id};
 }
 
 SaddleBand SurfaceCurves::band_of_saddle(uint32_t k) const {

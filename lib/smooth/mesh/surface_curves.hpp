@@ -64,7 +64,6 @@ class SurfaceCurves {
   SaddleBand band_of_circle(uint32_t circle) const;
 
  private:
-  ClosedHalfEdge on_ball(uint32_t circle, uint32_t side) const;
   ProbeSphere probe_at(uint32_t v) const { return {balls(), boundary(), v}; }
   Vec3 normal_at_cusp(uint32_t k, uint32_t side, const Position &position) const;
   MeshVertex at_creases(const Position &position, const uint32_t *vertices, uint32_t count) const;

@@ -12,14 +12,12 @@ MeshVertex SurfaceCurves::at_creases(const Position &position, const uint32_t *v
 }
 
 // The patches there are those of the probes at the ends of the circle's arcs; around a whole circle they turn about the
-// axis. The half-edges of a circle on one ball are neighbours.
+// axis.
 Vec3 SurfaceCurves::normal_at_cusp(uint32_t k, uint32_t side, const Position &position) const {
   const CuspedCircles &cusped = surface().cusped_circles();
   const CirclePosition circle = position_of_circle(balls(), cusped.ball(k, side), cusped.ball(k, 1 - side));
-  if (cusped.element(k).is_circle()) return circle.axis;
   Vec3 sum{0.0, 0.0, 0.0};
-  for (uint32_t e = cusped.element(k).half_edge(); e < boundary().half_edges(cusped.ball(k, 0)).last; ++e) {
-    if (boundary().half_edge(e).circle != cusped.ball(k, 1)) break;
+  for (const uint32_t e : cusped.half_edges(k)) {
     if (!surface().chosen().has(boundary().face_of(e))) continue;
     const uint32_t ends[2] = {boundary().half_edge(e).vertex, boundary().end_vertex(e)};
     for (const uint32_t v : ends) sum = sum + probe_at(v).way_from(position);

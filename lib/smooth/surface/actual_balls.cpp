@@ -94,14 +94,6 @@ int ActualBalls::is_left(const BorderPoint &point, Span<const uint32_t> near) co
   });
 }
 
-int ActualBalls::in_patch(const BorderPoint &point, uint32_t v) const {
-  return decide_at(v, [&](const auto &actual) {
-    auto arm = vector_of(actual);
-    actual.find_arm(v, point, arm);
-    return actual.inside_of_sides(v, arm);
-  });
-}
-
 // For the corner J of u, v and w, a, b and c by number, with the sign s: seen from a, J is s r n + something in the
 // plane of the three, r > 0 and n = (b - a) x (c - a). So det(w - v, J - v, J - u) = s r n.((w - v) x (u - v)), which
 // has the sign s if v, w and u are in the order of a, b and c, or of b, c and a, and else the other one.

@@ -32,9 +32,8 @@ class ActualBalls {
   // Which of the two points that the probes at three vertices have in common are in the patch of the first, and in none
   // of the probes near it: 1 for that with the negative sign, 2 for the other one, or both. 0 also if not decided.
   uint32_t corners(uint32_t a, uint32_t b, uint32_t c, Span<const uint32_t> near) const;
-  // The same of a point of the crease of a vertex and another one; whether it is in the patch of another vertex.
+  // The same of a point of the crease of a vertex and another one.
   int is_left(const BorderPoint &point, Span<const uint32_t> near) const;
-  int in_patch(const BorderPoint &point, uint32_t v) const;
   // Whether the crease of vertices v < w, counter-clockwise about the axis from v to w, starts where it meets the probe
   // at a third vertex, rather than ends; and in a cusp, where v is the vertex at one end of a covered gap of this
   // circle.

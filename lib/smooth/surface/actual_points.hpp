@@ -135,16 +135,9 @@ class ActualPoints : public ActualNumbers<Number> {
   }
   // At right angles to a vector, of about its length if the axis is the one that it is least along.
   [[gnu::noinline]] void find_across(const Vector &u, int axis, Vector &across) const {
-    constexpr int64_t large = 104, middle = 39, small = 25;
-    Vector aside;
-    if (axis == 0) {
-      aside = {number(large), number(middle), number(small)};
-    } else if (axis == 1) {
-      aside = {number(small), number(large), number(middle)};
-    } else {
-      aside = {number(middle), number(small), number(large)};
-    }
-    across = cross(u, aside);
+    constexpr int64_t along[] = {104, 39, 25, 104, 39};  // the axis, the next one, the last one
+    const int first = (3 - axis) % 3;
+    across = cross(u, Vector{number(along[first]), number(along[first + 1]), number(along[first + 2])});
     across *= number(1).scaled(-7);
   }
 

@@ -166,9 +166,7 @@ Status Creases::add_creases(const ProbeGrid &grid, uint32_t v, uint32_t w, bool 
     if (share_cusps || actual_->overlap(v, w) <= 0) return Status::ok;
     const int8_t axis = axis_least_along(grid.difference(actual_->balls(), v, w));
     const BorderPoint anywhere{BorderPoint::Kind::on_crease, axis, {v, w, no_id}};
-    if (actual_->is_left(anywhere, near_.items()) <= 0) return Status::ok;
-    if (actual_->in_patch(anywhere, w) <= 0) return Status::degenerate;
-    creases_.push({v, w, no_id, no_id});
+    if (actual_->is_left(anywhere, near_.items()) > 0) creases_.push({v, w, no_id, no_id});
     return Status::ok;
   }
   for (uint32_t k = 1; k < n; ++k) {

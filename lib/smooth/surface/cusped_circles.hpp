@@ -38,8 +38,12 @@ class CuspedCircles {
   }
   uint32_t half_edge(uint32_t arc_number) const;
   uint32_t first_whole() const { return first_whole_; }
-  // A half-edge of the boundary on one of these circles, or the whole circle that it is.
-  LoopElement element(uint32_t k) const { return k < first_whole_ ? LoopElement::arc(circle_[k].element) : whole(k); }
+  // The half-edges on ball 0 of one of these circles, which are neighbours; none of a whole one, which has this number.
+  IdRange half_edges(uint32_t k) const {
+    const uint32_t first = circle_[k].element, behind = k + 1 < count() ? circle_[k + 1].first_arc : arcs_;
+    return {first, first + (behind - circle_[k].first_arc)};
+  }
+  uint32_t whole_circle(uint32_t k) const { return circle_[k].element; }
   // Number 2 k + s of the cusp of the circle of two balls on the side of one of them; no_id if it has none.
   uint32_t cusp(uint32_t a, uint32_t b, uint32_t at) const {
     const uint32_t k = of_arc(a, b);
@@ -54,7 +58,6 @@ class CuspedCircles {
     uint32_t element;    // the first half-edge of this circle on ball[0], or the circle
     uint32_t first_arc;  // number of arcs on the circles before
   };
-  LoopElement whole(uint32_t k) const { return LoopElement::circle(ClosedHalfEdge(circle_[k].element, 0)); }
 
   FixedVector<Circle> circle_;  // those with arcs by their first ball, then the whole ones by their numbers
   uint32_t first_whole_ = 0;

@@ -1,6 +1,5 @@
 #include "surface/near_vertices.hpp"
 
-#include "core/first_index.hpp"
 #include "core/sorting.hpp"
 #include "surface/probe_caps.hpp"
 
@@ -44,12 +43,6 @@ void NearVertices::find_by_floats(uint32_t vertex) {
   for_each_near_probe(boundary.target(), search, [&](uint32_t other) {
     if (other != vertex && may_cut(boundary, chosen_, vertex, other)) list_.push(other);
   });
-}
-
-bool NearVertices::has(uint32_t vertex) const {
-  const Span<const uint32_t> near = list();
-  const uint32_t k = first_index(0, near.size(), [&](uint32_t j) { return near[j] >= vertex; });
-  return k < near.size() && near[k] == vertex;
 }
 
 }  // namespace hsp

@@ -19,7 +19,6 @@ class NearVertices {
   // Lists those of this vertex by their numbers. False if there is no room.
   bool find(uint32_t vertex);
   Span<const uint32_t> list() const { return list_.items(); }
-  bool has(uint32_t vertex) const;
   // The room that was needed for it, or would be.
   uint64_t required() const { return required_; }
   // How many of those were asked about, if there was room.

@@ -50,9 +50,7 @@ uint32_t SurfaceMap::face_beside(uint32_t id) const {
   if (record.kind == PatchKind::convex) return record.source;
   if (record.kind == PatchKind::saddle) return boundary_.face_of(half_edge_of(record.source, record.part));
   if (record.kind == PatchKind::concave) return face_at_vertex(boundary_, record.source);
-  const ClosedHalfEdge first(record.source, 0);
-  const ClosedHalfEdge at_part = circle_side_of(first) == record.part ? first : ClosedHalfEdge(record.source, 1);
-  return boundary_.face_of_loop(boundary_.loop_of(at_part));
+  return boundary_.face_of_loop(boundary_.loop_of(circle_on(record.source, record.part)));
 }
 
 uint32_t SurfaceMap::shell_of(uint32_t id) const {
@@ -61,18 +59,13 @@ uint32_t SurfaceMap::shell_of(uint32_t id) const {
   return surface_.shells().of_face(face_beside(id));
 }
 
-// The half-edges of a circle on one ball are neighbours.
 uint32_t SurfaceMap::other_shell_of_cusp(uint32_t corner) const {
   const uint32_t cusp = cusp_of(corner);
   if (surface_.chosen().all() || cusp == no_id) return no_id;
-  const LoopElement element = surface_.cusped_circles().element(cusp / 2);
-  if (element.is_circle()) return no_id;
-  const uint32_t first = element.half_edge();
-  const uint32_t ball = boundary_.ball_of(first);
-  for (uint32_t e = first; e < boundary_.half_edges(ball).last; ++e) {
-    if (boundary_.half_edge(e).circle != boundary_.half_edge(first).circle) break;
-    if (surface_.chosen().together(boundary_.face_of(e), boundary_.face_of(first))) continue;
-    return surface_.shells().of_face(boundary_.face_of(cusp % 2 == 0 ? e : boundary_.twin(e)));
+  const IdRange half_edges = surface_.cusped_circles().half_edges(cusp / 2);
+  for (const uint32_t e : half_edges) {
+    const bool is_other = !surface_.chosen().together(boundary_.face_of(e), boundary_.face_of(half_edges.first));
+    if (is_other) return shell_at_cusp(cusp, e);
   }
   return no_id;
 }
@@ -80,12 +73,9 @@ uint32_t SurfaceMap::other_shell_of_cusp(uint32_t corner) const {
 uint32_t SurfaceMap::shell_of_corner(uint32_t corner) const {
   const SurfaceShells &shells = surface_.shells();
   if (corner < first_cusp()) return shells.of_face(boundary_.face_of(boundary_.half_edge_at(corner / 3, corner % 3)));
-  if (corner < first_crease_corner()) {
-    const uint32_t cusp = corner - first_cusp();
-    const LoopElement element = surface_.cusped_circles().element(cusp / 2);
-    if (element.is_circle()) return no_id;
-    const uint32_t e = element.half_edge();  // on ball 0
-    return shells.of_face(boundary_.face_of(cusp % 2 == 0 ? e : boundary_.twin(e)));
+  if (const uint32_t cusp = cusp_of(corner); cusp != no_id) {
+    const IdRange half_edges = surface_.cusped_circles().half_edges(cusp / 2);
+    return half_edges.empty() ? no_id : shell_at_cusp(cusp, half_edges.first);
   }
   const CutPatches &cut = surface_.cut_patches();
   return shells.of_piece(cut.piece_of_arc(cut.crease_corners().member(corner - first_crease_corner())));
@@ -111,8 +101,7 @@ SurfacePatch SurfaceMap::patch(uint32_t id) const {
   }
   if (id < first_extra_circle()) return {PatchKind::saddle, arc_of(cusped.half_edge(id - first_extra_saddle())), 1};
   if (id < first_extra_piece()) {
-    const uint32_t k = cusped.first_whole() + (id - first_extra_circle());
-    return {PatchKind::circle_saddle, cusped.element(k).closed_half_edge().circle(), 1};
+    return {PatchKind::circle_saddle, cusped.whole_circle(cusped.first_whole() + (id - first_extra_circle())), 1};
   }
   const uint32_t piece = cut.extra_pieces().member(id - first_extra_piece());
   return {PatchKind::concave, cut.piece(piece).vertex, piece};
@@ -122,9 +111,7 @@ SurfaceEdge SurfaceMap::edge(uint32_t id) const {
   if (id < first_circle_rim()) return {SurfaceEdgeKind::rim, half_edge_of(id / 2, id % 2), 0};
   if (id < first_side()) {
     const uint32_t k = id - first_circle_rim();
-    const ClosedHalfEdge first(k / 2, 0);
-    return {SurfaceEdgeKind::circle_rim, circle_side_of(first) == k % 2 ? first.id() : ClosedHalfEdge(k / 2, 1).id(),
-            0};
+    return {SurfaceEdgeKind::circle_rim, circle_on(k / 2, k % 2).id(), 0};
   }
   // End e of an arc is where the half-edge on its ball 1 - e starts.
   if (id < first_extra_side()) {
@@ -298,10 +285,7 @@ uint32_t SurfaceMap::first_edge(uint32_t id) const {
     return loops.empty() ? no_id : along_loop(boundary_.loop_start(loops.first));
   }
   if (record.kind == PatchKind::saddle) return twin(along_rim(half_edge_of(record.source, record.part)));
-  if (record.kind == PatchKind::circle_saddle) {
-    const ClosedHalfEdge first(record.source, 0);
-    return twin(along_circle_rim(circle_side_of(first) == record.part ? first : ClosedHalfEdge(record.source, 1)));
-  }
+  if (record.kind == PatchKind::circle_saddle) return twin(along_circle_rim(circle_on(record.source, record.part)));
   if (record.part == no_id) return twin(side_of_saddle(boundary_.half_edge_at(record.source, 0), false));
   return edge_of_patch_arc(surface_.cut_patches().arcs(record.part).first);
 }

@@ -109,6 +109,11 @@ class SurfaceMap {
   uint32_t side_of(uint32_t half_edge) const;  // the slot of its ball among the two of the arc
   uint32_t half_edge_of(uint32_t arc, uint32_t side) const;
   uint32_t cusped_circle_of(uint32_t half_edge) const;  // no_id if there are no cusps
+  // A whole circle, as that one of its two balls sees it.
+  ClosedHalfEdge circle_on(uint32_t circle, uint32_t side) const {
+    const ClosedHalfEdge first(circle, 0);
+    return circle_side_of(first) == side ? first : ClosedHalfEdge(circle, 1);
+  }
 
  private:
   uint32_t first_saddle() const { return boundary_.face_count(); }
@@ -154,6 +159,10 @@ class SurfaceMap {
   uint32_t cusped_arc_of(uint32_t half_edge) const;
   uint32_t corner_at(uint32_t vertex, uint32_t ball) const;
   uint32_t cusp_at(uint32_t circle, uint32_t ball) const;
+  // Of a half-edge on ball 0 of the circle that a cusp is on.
+  uint32_t shell_at_cusp(uint32_t cusp, uint32_t half_edge) const {
+    return surface_.shells().of_face(boundary_.face_of(cusp % 2 == 0 ? half_edge : boundary_.twin(half_edge)));
+  }
 
   const BallSet &balls_;
   const Boundary &boundary_;

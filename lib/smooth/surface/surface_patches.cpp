@@ -53,11 +53,8 @@ PatchMeasure measure_patch(const SurfaceMap &map, uint32_t patch) {
     return measure_saddle(balls, boundary, LoopElement::arc(half_edge), LoopElement::arc(boundary.twin(half_edge)),
                           map.cusped_circle_of(half_edge) == no_id);
   }
-  const CircleRecord &circle = boundary.circle(record.source);
-  const bool in_order = balls.given_before(circle.ball[0], circle.ball[1]);
-  const uint32_t side = in_order == (record.part == 0) ? 0 : 1;
-  return measure_saddle(balls, boundary, LoopElement::circle(ClosedHalfEdge(record.source, side)),
-                        LoopElement::circle(ClosedHalfEdge(record.source, 1 - side)),
+  return measure_saddle(balls, boundary, LoopElement::circle(map.circle_on(record.source, record.part)),
+                        LoopElement::circle(map.circle_on(record.source, 1 - record.part)),
                         surface.cusped_circles().of_circle(record.source) == no_id);
 }
 
