@@ -78,12 +78,10 @@ void CreasedPatches::measure_piece(const PatchLoops &loops, uint32_t piece, doub
   for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
     if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
     steradians += loops.steradians(loop, figures) - 4 * pi;
-    uint32_t k = loop;
-    do {
+    for_each_of_loop(arcs, loop, [&](uint32_t k) {
       vector_area = vector_area + figures[k].vector_area();
       if (!arcs[k].is_side()) sums.add(figures[k]);
-      k = arcs[k].next;
-    } while (k != loop);
+    });
   }
   if (!(steradians > 0.0)) steradians = 0.0;
 }
@@ -123,11 +121,8 @@ Status CreasedPatches::store_patch(const Inputs &in, uint32_t v, CutPatches &cut
       for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
         if (arcs[loop].piece != piece || arcs[loop].loop != loop || loops.is_around_hole(loop, figures) != (holes == 1))
           continue;
-        uint32_t k = loop;
-        do {
-          cut.add_arc(arcs[k].across, figures[k].angle, arcs[k].next == arcs[k].loop);
-          k = arcs[k].next;
-        } while (k != loop);
+        for_each_of_loop(arcs, loop,
+                         [&](uint32_t k) { cut.add_arc(arcs[k].across, figures[k].angle, arcs[k].next == loop); });
       }
     }
   }

@@ -78,6 +78,45 @@ struct PatchArc {
   uint32_t slot() const { return across & ~side_bit; }
 };
 
+// Calls visit(k) for the arcs of a loop, from this one on. Arcs of any kind, each with the next one in its loop.
+template <class Arc, class Visit>
+void for_each_of_loop(Span<Arc> arcs, uint32_t loop, Visit visit) {
+  uint32_t k = loop;
+  do {
+    visit(k);
+    k = arcs[k].next;
+  } while (k != loop);
+}
+// Gives all arcs their loop, by its first arc, where they had none.
+template <class Arc>
+void label_loops(Span<Arc> arcs) {
+  for (uint32_t first = 0; first < arcs.size(); ++first) {
+    if (arcs[first].loop == no_id) for_each_of_loop(arcs, first, [&](uint32_t k) { arcs[k].loop = first; });
+  }
+}
+// Which loops around parts of a patch that is less than half a sphere bound one piece: gives all arcs their piece, by the
+// first arc of the loop around it. excess(loop): the area on the left of a loop, less that of half a sphere. A loop
+// around a piece has less than that on its left, one around a hole more. All holes are in the same piece if there is but
+// one. False if there are several, and a hole in one of them, or if an excess may be 0: sums are right to far less than
+// the margin, as every angle has the right sign.
+template <class Arc, class Excess>
+bool gather_pieces(Span<Arc> arcs, Excess excess, int32_t &characteristic) {
+  constexpr double margin = 1e-3;
+  int32_t pieces = 0, holes = 0;
+  uint32_t outer = no_id;
+  for (uint32_t k = 0; k < arcs.size(); ++k) {
+    if (arcs[k].loop != k) continue;
+    const double own = excess(k);
+    if (!(own < -margin || own > margin)) return false;
+    ++(own < 0.0 ? pieces : holes);
+    if (own < 0.0) outer = k;
+  }
+  characteristic = pieces - holes;
+  if (holes > 0 && pieces != 1) return false;
+  for (Arc &arc : arcs) arc.piece = holes > 0 ? outer : arc.loop;
+  return true;
+}
+
 class CutPatches {
  public:
   void carve(Workspace &workspace, uint32_t vertices, uint32_t pieces, uint32_t arcs);

@@ -49,7 +49,7 @@ struct RegionArc {
   uint32_t start, end;  // corners; no_id for a whole circle
   uint32_t next;        // the arc that starts where this one ends
   double angle;
-  double curvature;       // height * angle, minus the exterior angle where it starts
+  double curvature;       // height * angle, minus the exterior angle where it starts, if it does
   Vec3 vector_area;       // its term
   uint32_t loop = no_id;  // the first arc of its loop, and of the loop around its piece (find_pieces)
   uint32_t piece = no_id;
@@ -60,20 +60,18 @@ struct FreeRegion {
   // characteristic (Gauss-Bonnet).
   double curvature = 0.0;
   Vec3 vector_area{0.0, 0.0, 0.0};  // integral of the point over the region
-  uint32_t arcs = 0;                // free arcs, whole circles included
-  uint32_t cutting_arcs = 0;        // of these, on circles from `sides` on
 };
 
 class FreeRegionFinder {
  public:
   // amplification >= 1.
   FreeRegionFinder(const Caps &caps, double amplification, FixedVector<RegionCorner> &corners,
-                   FixedVector<RegionArc> &arcs, uint32_t sides)
-      : caps_(caps), error_(amplification * unit_roundoff), corners_(corners), arcs_(arcs), sides_(sides) {}
+                   FixedVector<RegionArc> &arcs)
+      : caps_(caps), error_(amplification * unit_roundoff), corners_(corners), arcs_(arcs) {}
 
   // False if an answer that matters is unknown, or the answers contradict each other.
   bool find(FreeRegion &region) {
-    region_ = {};
+    region = {};
     crossed_ = 0;
     corners_.clear();
     arcs_.clear();
@@ -85,7 +83,7 @@ class FreeRegionFinder {
     if (corners_.overflowed()) return false;
     for (RegionCorner &corner : corners_.items()) {
       corner.turn = exterior_angle(corner);
-      region_.curvature -= corner.turn;
+      region.curvature -= corner.turn;
     }
     list_corners();
     for (uint32_t k = 0; k < caps_.count; ++k) {
@@ -94,8 +92,9 @@ class FreeRegionFinder {
     if (arcs_.overflowed()) return false;
     for (RegionArc &arc : arcs_.items()) {
       if (arc.end != no_id) arc.next = corners_[arc.end].arc;
+      region.curvature += caps_.b[arc.circle] * arc.angle;
+      region.vector_area = region.vector_area + arc.vector_area;
     }
-    region = region_;
     return true;
   }
 
@@ -182,8 +181,7 @@ class FreeRegionFinder {
       good = good && end != nullptr;
       if (!good) return;
       exit.arc = clamped_count(arcs_.required());
-      arcs_.push({k, number_of(exit), number_of(*end), no_id, angle, -exit.turn, {}});
-      add_arc(k, angle, end->point - exit.point);
+      add_arc(k, number_of(exit), number_of(*end), exit.turn, angle, end->point - exit.point);
     });
     return good && (has_exits || add_whole_circle(k));
   }
@@ -226,23 +224,14 @@ class FreeRegionFinder {
       const Answer inside = crosses ? Answer::yes : lies_inside(k, r);
       if (inside != Answer::no) covered = inside;
     }
-    if (covered == Answer::no) {
-      arcs_.push({k, no_id, no_id, clamped_count(arcs_.required()), 2 * pi, 0.0, {}});
-      add_arc(k, 2 * pi, {0, 0, 0});
-    }
+    if (covered == Answer::no) add_arc(k, no_id, no_id, 0.0, 2 * pi, {0, 0, 0});
     return covered != Answer::unknown;
   }
 
-  void add_arc(uint32_t k, double angle, const Vec3 &chord) {
-    const Vec3 vector_area = SphereArc{caps_.axis(k), caps_.b[k], angle, chord}.vector_area();
-    region_.curvature += caps_.b[k] * angle;
-    region_.vector_area = region_.vector_area + vector_area;
-    if (region_.arcs < arcs_.size()) {
-      arcs_[region_.arcs].curvature += caps_.b[k] * angle;
-      arcs_[region_.arcs].vector_area = vector_area;
-    }
-    ++region_.arcs;
-    region_.cutting_arcs += k >= sides_ ? 1U : 0U;
+  // Its own successor, until that of an arc that ends is known.
+  void add_arc(uint32_t k, uint32_t start, uint32_t end, double turn, double angle, const Vec3 &chord) {
+    const SphereArc arc{caps_.axis(k), caps_.b[k], angle, chord};
+    arcs_.push({k, start, end, clamped_count(arcs_.required()), angle, arc.height * angle - turn, arc.vector_area()});
   }
 
   // Of the first circles; others have none.
@@ -258,41 +247,22 @@ class FreeRegionFinder {
   const double error_;
   FixedVector<RegionCorner> &corners_;
   FixedVector<RegionArc> &arcs_;
-  const uint32_t sides_;
-  FreeRegion region_;
   uint64_t crossed_ = 0;                // circles that cross others
   bool are_listed_ = false;             // the next two hold something:
   uint64_t exits_[few], entries_[few];  // corners of each circle
 };
 
-// The loops of the region, if it lies inside a spherical triangle, and the pieces that they bound: sets `loop` and
-// `piece` of all arcs, and the Euler characteristic. False if there are several pieces, and a hole in one of them, or
-// if doubles do not know a hole.
-//
-// A loop is the border of a piece or of a hole in one. Put K for the sum of its arcs' heights * angles, minus its
-// exterior angles: by Gauss and Bonnet what the loop leaves on its region's side has the area 2 pi + K. A piece is
-// smaller than the triangle, so K < 0; the outside of a hole is larger than a half sphere, so K > 0.
+// The loops of the region, if it lies inside a spherical triangle, and the pieces that they bound, with the Euler
+// characteristic (gather_pieces): by Gauss and Bonnet what a loop leaves on its region's side has the area 2 pi plus the
+// sum of its arcs' heights * angles, minus its exterior angles.
 inline bool find_pieces(Span<RegionArc> arcs, int32_t &characteristic) {
-  constexpr double margin = 1e-3;
-  int32_t pieces = 0, holes = 0;
-  uint32_t last_piece = no_id;
-  for (uint32_t first = 0; first < arcs.size(); ++first) {
-    if (arcs[first].loop != no_id) continue;
-    double K = 0.0;
-    uint32_t a = first;
-    do {
-      K += arcs[a].curvature;
-      arcs[a].loop = arcs[a].piece = first;
-      a = arcs[a].next;
-    } while (a != first);
-    if (!(K < -margin || K > margin)) return false;
-    ++(K < 0.0 ? pieces : holes);
-    if (K < 0.0) last_piece = first;
-  }
-  characteristic = pieces - holes;
-  if (holes == 0) return true;
-  for (RegionArc &arc : arcs) arc.piece = last_piece;
-  return pieces == 1;
+  label_loops(arcs);
+  const auto excess = [arcs](uint32_t loop) {
+    double sum = 0.0;
+    for_each_of_loop(arcs, loop, [&](uint32_t k) { sum += arcs[k].curvature; });
+    return sum;
+  };
+  return gather_pieces(arcs, excess, characteristic);
 }
 
 }  // namespace hsp

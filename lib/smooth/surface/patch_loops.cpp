@@ -151,15 +151,13 @@ bool group_in(const ActualPoints<Number> &actual, uint32_t vertex, Span<BorderAr
       for (uint32_t c = 0; c < n && same && signs.all(); ++c) {
         if (!is_loop(c)) continue;
         bool odd = false;
-        uint32_t k = c;
-        do {
+        for_each_of_loop(arcs, c, [&](uint32_t k) {
           const bool starts = arcs[k].across == arcs[a].across, ends = arcs[k].across == arcs[on_b].across;
           // On a great circle the other point is opposite.
           if (!((starts || ends) && arcs[k].is_side())) {
             odd = odd != crossings.odd(vertex, arcs[k], starts ? &from : ends ? &to : nullptr);
           }
-          k = arcs[k].next;
-        } while (k != c);
+        });
         same = c == a ? inside_a != odd : c == b ? inside_b != odd : !odd;
       }
       if (!signs.all()) return false;
@@ -184,61 +182,27 @@ bool PatchLoops::chain() {
       continue;
     }
     for (uint32_t j = 0; j < n; ++j) {
+      if (j != k && arcs_[j].end == arcs_[k].end) return false;
       if (arcs_[j].start != arcs_[k].end) continue;
       if (arcs_[k].next != no_id) return false;
       arcs_[k].next = j;
     }
     if (arcs_[k].next == no_id) return false;
   }
-  // Every arc is followed by one, so it has one before it if no two are followed by the same.
-  for (uint32_t first = 0; first < n; ++first) {
-    if (arcs_[first].loop != no_id) continue;
-    uint32_t k = first;
-    do {
-      if (arcs_[k].loop != no_id) return false;
-      arcs_[k].loop = arcs_[k].piece = first;
-      k = arcs_[k].next;
-    } while (k != first);
-  }
+  label_loops(arcs_);
   return true;
 }
 
 double PatchLoops::steradians(uint32_t loop, Span<const ArcFigures> figures) const {
   double sum = 2 * pi;
-  uint32_t k = loop;
-  do {
-    sum += figures[k].height * figures[k].angle - figures[k].exterior;
-    k = arcs_[k].next;
-  } while (k != loop);
+  for_each_of_loop(arcs_, loop, [&](uint32_t k) { sum += figures[k].height * figures[k].angle - figures[k].exterior; });
   return sum;
 }
 
-// A patch is less than a half sphere. So a loop around a piece has less than that on its left side, and one around a
-// hole has more. All holes are in the same piece if there is but one. Sums are right to far less than the margin, as
-// every angle has the right sign; in between nothing is known from them.
-bool PatchLoops::group_by_size(Span<const ArcFigures> figures) {
-  constexpr double margin = 1e-3;
-  uint32_t outer = no_id, pieces = 0, holes = 0;
-  for (uint32_t k = 0; k < arcs_.size(); ++k) {
-    if (arcs_[k].loop != k) continue;
-    const double left = steradians(k, figures);
-    if (!(left < 2 * pi - margin || left > 2 * pi + margin)) return false;
-    if (left > 2 * pi) {
-      ++holes;
-    } else {
-      ++pieces;
-      outer = k;
-    }
-  }
-  if (pieces == 0 || (pieces > 1 && holes > 0)) return false;
-  for (BorderArc &arc : arcs_) arc.piece = holes > 0 ? outer : arc.loop;
-  return true;
-}
-
 bool PatchLoops::group(Span<const ArcFigures> figures) {
-  uint32_t loops = 0;
-  for (uint32_t k = 0; k < arcs_.size(); ++k) loops += arcs_[k].loop == k ? 1U : 0U;
-  if (loops < 2 || group_by_size(figures)) return true;
+  int32_t characteristic = 0;
+  const auto excess = [&](uint32_t loop) { return steradians(loop, figures) - 2 * pi; };
+  if (gather_pieces(arcs_, excess, characteristic)) return true;
   return actual_.decide_at(vertex_, [&](const auto &actual) { return group_in(actual, vertex_, arcs_) ? 1 : 0; }) != 0;
 }
 

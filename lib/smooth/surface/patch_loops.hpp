@@ -45,8 +45,6 @@ class PatchLoops {
   bool group(Span<const ArcFigures> figures);
 
  private:
-  bool group_by_size(Span<const ArcFigures> figures);
-
   const ActualBalls &actual_;
   const uint32_t vertex_;
   Span<BorderArc> arcs_;

@@ -211,15 +211,13 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, con
     cut.begin_piece(vertex, measured.area, measured.volume, creases);
     for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
       if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
-      uint32_t a = loop;
-      do {
-        const uint32_t circle = arcs[a].circle;
+      for_each_of_loop(arcs, loop, [&](uint32_t k) {
+        const uint32_t circle = arcs[k].circle;
         const uint32_t across = circle < ProbeCaps::sides
                                     ? PatchArc::side(boundary.vertex(vertex).slot_of(probe_.ball_opposite(circle)))
                                     : caps.ball[circle];
-        cut.add_arc(across, arcs[a].angle, arcs[a].next == loop);
-        a = arcs[a].next;
-      } while (a != loop);
+        cut.add_arc(across, arcs[k].angle, arcs[k].next == loop);
+      });
     }
   }
 }
@@ -228,10 +226,13 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, con
 bool SurfaceBuilder::cut_in_doubles(const BallSet &balls, const Boundary &boundary, uint32_t vertex) {
   FreeRegion region;
   int32_t characteristic = 0;
-  FreeRegionFinder finder(probe_.caps(), probe_.amplification(), corners_, arcs_, ProbeCaps::sides);
-  if (!finder.find(region) || region.arcs == 0) return false;
-  if (region.cutting_arcs == 0) return true;
-  if (!find_pieces(arcs_.items(), characteristic)) return false;
+  FreeRegionFinder finder(probe_.caps(), probe_.amplification(), corners_, arcs_);
+  if (!finder.find(region) || arcs_.items().empty()) return false;
+  const Span<RegionArc> arcs = arcs_.items();
+  bool is_cut = false;
+  for (const RegionArc &arc : arcs) is_cut = is_cut || arc.circle >= ProbeCaps::sides;
+  if (!is_cut) return true;
+  if (!find_pieces(arcs, characteristic)) return false;
   ++surface_.counts_.cut_patches;
   const ConcaveScale scale(balls, boundary, grid_.position(vertex));
   const double steradians = region.curvature + 2 * pi * characteristic;
