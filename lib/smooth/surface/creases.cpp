@@ -105,21 +105,16 @@ BorderPoint Creases::point(uint32_t corner) const {
 // there is a circle with cusps at all.
 bool Creases::add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w) {
   const Boundary &boundary = actual_->boundary();
-  const VertexRecord &record = boundary.vertex(v), &other = boundary.vertex(w);
   bool share = false;
-  for (uint32_t slot = 0; slot < 3; ++slot) {
-    const uint32_t ball = record.ball[slot], e = boundary.half_edge_at(v, slot);
-    const uint32_t circle = boundary.half_edge(e).circle;
-    if (!other.has(ball) || !other.has(circle)) continue;
-    const uint32_t k = cusped_->of_arc(ball, circle);
-    if (k == no_id) continue;
-    share = true;
-    if (vertex_across_gap(actual_->balls(), boundary, chosen, ball, e) != w) continue;
+  for_each_common_circle(boundary, v, w, [&](uint32_t slot, uint32_t e) {
+    const uint32_t ball = boundary.vertex(v).ball[slot], k = cusped_->of_arc(ball, boundary.half_edge(e).circle);
+    share = share || k != no_id;
+    if (k == no_id || vertex_across_gap(actual_->balls(), boundary, chosen, ball, e) != w) return;
     for (uint32_t side = 0; side < 2; ++side) {
       const uint32_t number = first_cusp_ + 2 * k + side;
       ends_.push({number, actual_->starts_at_cusp(point(number), v, w) > 0, false});
     }
-  }
+  });
   return share;
 }
 

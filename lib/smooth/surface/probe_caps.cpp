@@ -128,32 +128,25 @@ void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, co
 // sphere share the two cusps if the circle is smaller than the probe: of these caps only that of the vertex across the
 // covered gap next to this one matters, the others cover less of the patch (PROOFS.md, section 6).
 bool ProbeCaps::counts_on_circle(const BallSet &balls, const Boundary &boundary, uint32_t other) {
-  const VertexRecord &own = boundary.vertex(vertex_);
-  const VertexRecord &record = boundary.vertex(other);
-  for (uint32_t slot = 0; slot < 3; ++slot) {
-    // Every half-edge that starts here lies on another one of the vertex's three circles.
-    const uint32_t half_edge = boundary.half_edge_at(vertex_, slot);
-    const uint32_t ball = own.ball[slot];
-    if (!record.has(ball) || !record.has(boundary.half_edge(half_edge).circle)) continue;
+  bool counts = true;
+  for_each_common_circle(boundary, vertex_, other, [&](uint32_t slot, uint32_t half_edge) {
+    const uint32_t ball = boundary.vertex(vertex_).ball[slot];
     if (!gap_known_[slot]) across_[slot] = vertex_across_gap(balls, boundary, *chosen_, ball, half_edge);
     gap_known_[slot] = true;
-    if (across_[slot] != other) return false;
-  }
-  return true;
+    counts = counts && across_[slot] == other;
+  });
+  return counts;
 }
 
 // Coincident vertices are one corner of several spheres, or ends of an arc of length 0: their patches are the pieces of
 // one polygon and do not cut each other. But if the gap between them is closed the outside has an edge there and no
 // corner (PROOFS.md, section 7): it surely is not if it is the rest of a circle with this arc alone.
 bool ProbeCaps::may_be_pinched(const BallSet &balls, const Boundary &boundary, uint32_t other) const {
-  const VertexRecord &own = boundary.vertex(vertex_);
-  const VertexRecord &record = boundary.vertex(other);
-  for (uint32_t slot = 0; slot < 3; ++slot) {
-    const uint32_t half_edge = boundary.half_edge_at(vertex_, slot);
-    if (!record.has(own.ball[slot]) || !record.has(boundary.half_edge(half_edge).circle)) continue;
-    if (boundary.end_vertex(half_edge) != other || angle_of_arc(balls, boundary, half_edge) >= pi) return true;
-  }
-  return false;
+  bool may_be = false;
+  for_each_common_circle(boundary, vertex_, other, [&](uint32_t, uint32_t half_edge) {
+    may_be = may_be || boundary.end_vertex(half_edge) != other || angle_of_arc(balls, boundary, half_edge) >= pi;
+  });
+  return may_be;
 }
 
 // By position, so that ids have no effect; of several vertices at one position the first stays, the others come last.

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "lanes/angle.hpp"
+#include "measure/lane_sums.hpp"
 #include "surface/saddle_sums.hpp"
 
 namespace hsp {
@@ -115,20 +116,18 @@ struct SaddleKernel {
   //   area         phi p (rho T - p S)
   //   vector area  p [ (S - p C2 / rho) rho I - phi (rho Q - p SC) u ]
   //   integral of (x - m).n   phi p [ (rho^2 + p^2) S - rho p (C2 + T) ]
-  struct MeasureSums {
-    Real area = L::all(0.0), triple_volume = L::all(0.0);
-
-    void add(const Slot &s, const Profile &own, const RolledBall &ball) {
-      const Real term = s.angle * s.probe * (s.rho * own.T - s.probe * own.S);
-      area += L::kept(term > 0.0, term);
-      const Real about_centre =
-          s.angle * s.probe * ((s.rho * s.rho + s.probe * s.probe) * own.S - s.rho * s.probe * (own.C2 + own.T));
-      const Vector vector_area = s.probe * (own.S - s.probe * own.C2 * s.inverse_rho) * s.half_X -
-                                 s.probe * s.angle * (s.rho * own.Q - s.probe * own.SC) * s.axis;
-      const Vector arm = Vector{L::all(ball.arm[0]), L::all(ball.arm[1]), L::all(ball.arm[2])} + s.height * s.axis;
-      triple_volume += about_centre + dot(arm, vector_area);
-    }
-  };
+  // The first two of these sums.
+  using Sums = FourSums<n>;
+  static void add_measures(const Slot &s, const Profile &own, const RolledBall &ball, Sums &sums) {
+    const Real term = s.angle * s.probe * (s.rho * own.T - s.probe * own.S);
+    sums.a += L::kept(term > 0.0, term);
+    const Real about_centre =
+        s.angle * s.probe * ((s.rho * s.rho + s.probe * s.probe) * own.S - s.rho * s.probe * (own.C2 + own.T));
+    const Vector vector_area = s.probe * (own.S - s.probe * own.C2 * s.inverse_rho) * s.half_X -
+                               s.probe * s.angle * (s.rho * own.Q - s.probe * own.SC) * s.axis;
+    const Vector arm = Vector{L::all(ball.arm[0]), L::all(ball.arm[1]), L::all(ball.arm[2])} + s.height * s.axis;
+    sums.b += about_centre + dot(arm, vector_area);
+  }
 
   // The ball's share of the normal speed is alpha = R (h' cos a - rho sin a)/(rho d), and the mean curvature's factor
   // 1/(rho - p cos a) cancels against the area element:
@@ -136,8 +135,8 @@ struct SaddleKernel {
   // k_c = h'/(rho d), k_s = -1/d. Derivatives by the centre are w (rho I + h phi u), by the radius w R phi; the area's
   // by the offset is phi (rho T - 2 p S).
   struct DerivativeSums {
-    Vector area_centre{L::all(0.0), L::all(0.0), L::all(0.0)}, volume_centre = area_centre;
-    Real area_radius = L::all(0.0), volume_radius = L::all(0.0), area_offset = L::all(0.0);
+    Sums area, volume;  // by the centre and the radius
+    Real area_offset = L::all(0.0);
 
     void add(const Slot &s, const Profile &whole) {
       const Real k_c = s.other_height * s.inverse_rho * s.inverse_distance;
@@ -147,77 +146,54 @@ struct SaddleKernel {
       const Real w_A =
           k_c * (2.0 * s.probe * whole.C2 - along) - s.inverse_distance * (2.0 * s.probe * whole.SC - across);
       const Vector g = s.half_X + s.height * s.angle * s.axis;
-      area_centre = area_centre + w_A * g;
-      volume_centre = volume_centre + w_V * g;
-      area_radius += w_A * s.radius * s.angle;
-      volume_radius += w_V * s.radius * s.angle;
+      add_times(area, w_A, g, s);
+      add_times(volume, w_V, g, s);
       area_offset += 0.5 * s.angle * (s.rho * whole.T - 2.0 * s.probe * whole.S);
     }
-  };
 
-  // The four lanes of a sum, filled by kernels of any width.
-  struct Lanes {
-    double of[sum_lanes];
-
-    void put(uint32_t lane, const Real &a) { L::store(of + lane, a); }
-    double sum() const { return (of[0] + of[1]) + (of[2] + of[3]); }
-  };
-  struct VectorLanes {
-    Lanes x, y, z;
-
-    void put(uint32_t lane, const Vector &a) {
-      x.put(lane, a.x);
-      y.put(lane, a.y);
-      z.put(lane, a.z);
-    }
-    void sum(double (&to)[3]) const {
-      to[0] = x.sum();
-      to[1] = y.sum();
-      to[2] = z.sum();
+   private:
+    static void add_times(Sums &sums, const Real &w, const Vector &g, const Slot &s) {
+      sums.a += w * g.x;
+      sums.b += w * g.y;
+      sums.c += w * g.z;
+      sums.d += w * s.radius * s.angle;
     }
   };
 
   static SaddleMeasures measure(const ArcBatch &b, const SaddleCircles &circles, const RolledBall &ball) {
-    Lanes area, triple_volume;
+    Sums sums[sum_lanes / n];
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
-      MeasureSums sums;
       for (uint32_t s = lane; s < b.count; s += sum_lanes) {
         const Slot slot(by_one_register(b), circles, ball, s);
-        sums.add(slot, slot.own_profile(), ball);
+        add_measures(slot, slot.own_profile(), ball, sums[lane / n]);
       }
-      area.put(lane, sums.area);
-      triple_volume.put(lane, sums.triple_volume);
     }
-    return {area.sum(), triple_volume.sum()};
+    double of[4];
+    store_sums(sums, of);
+    return {of[0], of[1]};
   }
 
   static SaddleDerivatives differentiate(const ArcBatch &b, const SaddleCircles &circles, const RolledBall &ball) {
-    Lanes area, triple_volume, area_radius, volume_radius, area_offset;
-    VectorLanes area_centre, volume_centre;
+    Sums measures[sum_lanes / n], area[sum_lanes / n], volume[sum_lanes / n];
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
-      MeasureSums measures;
       DerivativeSums sums;
       for (uint32_t s = lane; s < b.count; s += sum_lanes) {
         const Slot slot(by_one_register(b), circles, ball, s);
         const Profile own = slot.own_profile();
-        measures.add(slot, own, ball);
+        add_measures(slot, own, ball, measures[lane / n]);
         sums.add(slot, Profile(own, slot.other_profile()));
       }
-      area.put(lane, measures.area);
-      triple_volume.put(lane, measures.triple_volume);
-      area_centre.put(lane, sums.area_centre);
-      volume_centre.put(lane, sums.volume_centre);
-      area_radius.put(lane, sums.area_radius);
-      volume_radius.put(lane, sums.volume_radius);
-      area_offset.put(lane, sums.area_offset);
+      area[lane / n] = sums.area;
+      volume[lane / n] = sums.volume;
+      measures[lane / n].c = sums.area_offset;
     }
+    double of[4];
     SaddleDerivatives result;
-    result.measures = {area.sum(), triple_volume.sum()};
-    area_centre.sum(result.area_centre);
-    volume_centre.sum(result.volume_centre);
-    result.area_radius = area_radius.sum();
-    result.volume_radius = volume_radius.sum();
-    result.area_offset = area_offset.sum();
+    store_sums(area, result.area);
+    store_sums(volume, result.volume);
+    store_sums(measures, of);
+    result.measures = {of[0], of[1]};
+    result.area_offset = of[2];
     return result;
   }
 };

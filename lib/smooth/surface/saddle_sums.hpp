@@ -24,8 +24,7 @@ struct SaddleMeasures {
 // by the offset t (surface_gradients.hpp).
 struct SaddleDerivatives {
   SaddleMeasures measures;
-  double area_centre[3], volume_centre[3];
-  double area_radius, volume_radius;
+  double area[4], volume[4];  // by the centre, and by the radius
   double area_offset;
 };
 

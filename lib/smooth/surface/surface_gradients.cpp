@@ -8,7 +8,7 @@
 namespace hsp {
 namespace {
 
-Vec3 to_vector(const double (&a)[3]) {
+Vec3 by_centre(const double (&a)[4]) {
   return {a[0], a[1], a[2]};
 }
 
@@ -74,10 +74,10 @@ SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary
     const SaddleDerivatives saddle = saddles.differentiate(batch);
     result.measure.saddle += saddle.measures.area;
     triple_volume += saddle.measures.triple_volume;
-    result.area_centre = result.area_centre + to_vector(saddle.area_centre);
-    result.volume_centre = result.volume_centre + to_vector(saddle.volume_centre);
-    result.area_radius += saddle.area_radius;
-    result.volume_radius += saddle.volume_radius;
+    result.area_centre = result.area_centre + by_centre(saddle.area);
+    result.volume_centre = result.volume_centre + by_centre(saddle.volume);
+    result.area_radius += saddle.area[3];
+    result.volume_radius += saddle.volume[3];
     result.area_offset += saddle.area_offset;
     if (weighted) joints.add_saddles(batch, saddles);
   }

@@ -13,10 +13,6 @@ namespace {
 using JointKernel = SaddleKernel<1>;
 using Profile = JointKernel::Profile;
 
-Vec3 to_vector(const JointKernel::Vector &v) {
-  return {v.x[0], v.y[0], v.z[0]};
-}
-
 JointKernel::Real lane(double x) {
   return JointKernel::L::all(x);
 }
@@ -93,8 +89,8 @@ void WeightedJoints::add_saddles(const ArcBatch &batch, const SaddlePatches &sad
     const Profile other = slot.other_profile();
     JointKernel::DerivativeSums part;
     part.add(slot, Profile(0.0, other, other_weight - weight_, other));
-    sums_.centre = sums_.centre + to_vector(part.area_centre);
-    sums_.radius += part.area_radius[0];
+    sums_.centre = sums_.centre + Vec3{part.area.a[0], part.area.b[0], part.area.c[0]};
+    sums_.radius += part.area.d[0];
     sums_.offset += part.area_offset[0];
     if (!(circles.half_way[s] > 0.0)) add_waist(batch, s, circles.radius[s], weight_ - other_weight);
   }

@@ -112,7 +112,7 @@ TEST(SaddleKernel, GivesTheSameBitsForEveryWidth) {
     expect_same(kernel<1>().run(saddles), two);
     for (const hsp::Target target : runnable_targets()) expect_same(kernel_of(target).run(saddles), two);
     EXPECT_EQ(std::memcmp(&two.measures, &two.derivatives.measures, sizeof two.measures), 0);
-    EXPECT_TRUE(std::isfinite(two.derivatives.area_centre[0] + two.derivatives.volume_radius));
+    EXPECT_TRUE(std::isfinite(two.derivatives.area[0] + two.derivatives.volume[3]));
     if (HasFailure()) return;
   }
   EXPECT_GT(unserved, 100U);
