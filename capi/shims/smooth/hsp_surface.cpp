@@ -45,10 +45,8 @@ int32_t compute(hsp_surface *surface, const hsp_boundary *boundary, const hsp_su
     if (shell >= boundary->structure().shell_count()) return HSP_E_ID;
   }
   hsp::SurfaceBuilder &builder = surface->builder;
-  const hsp::Patience patience(&executor);
-  const hsp::Status status = asked.shells == nullptr
-                                 ? builder.build(boundary->balls(), boundary->structure(), patience)
-                                 : builder.build(boundary->balls(), boundary->structure(), chosen, patience);
+  const hsp::Status status = builder.build(boundary->balls(), boundary->structure(), hsp::Patience(&executor),
+                                           asked.shells == nullptr ? nullptr : &chosen);
   surface->boundary.set(boundary);
   return finish(*surface, status, limits);
 }

@@ -148,22 +148,13 @@ Status MeshBuilder::triangulate_rest(Outline &outline, double edge, Patience &pa
     bool done = range_[s].outdated && triangulate(outline, edge, s, true);
     uint64_t needed = range_[s].outdated ? patch_.needed_points() : 0;
     if (!done && outline.has_next_to_no_area(s, small_area)) {
-      done = triangulate_from_loops(outline, edge, s);
+      done = attempt(outline, edge, s, Borders::without_area) == PatchState::complete;
       needed = needed > patch_.needed_points() ? needed : patch_.needed_points();
     }
     needed_.points = larger_count(needed_.points, clamped_count(needed));
     if (!done && needed_.points <= limits_.points) return Status::degenerate;
   }
   return needed_.points > limits_.points ? Status::capacity : Status::ok;
-}
-
-template <class Outline>
-bool MeshBuilder::triangulate_from_loops(Outline &outline, double edge, uint32_t sphere) {
-  patch_.begin(outline.spacing(sphere, edge));
-  outline.add_border(sphere, patch_);
-  const PatchState state = patch_.triangulate_from_loops();
-  if (state == PatchState::complete) emit(outline, sphere, patch_);
-  return state != PatchState::too_coarse;
 }
 
 template <class Outline>
@@ -174,28 +165,15 @@ void MeshBuilder::add_samples(Outline &outline, uint32_t c) {
 
 // The triangles have the sphere as their ball until name_balls.
 template <class Outline>
-bool MeshBuilder::triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched) {
-  if (outline.has_next_to_no_area(sphere, no_area)) return triangulate_from_loops(outline, edge, sphere);
-  const auto attempt = [&](bool pinch) {
-    patch_.begin(outline.spacing(sphere, edge));
-    outline.add_border(sphere, patch_);
-    return patch_.triangulate(pinch);
-  };
-  PatchState state = attempt(false);
-  if (state == PatchState::too_coarse && pinched) state = attempt(true);
-  if (state == PatchState::too_coarse) {
-    patch_.for_each_coarse_curve([&](uint32_t c) { outline.curve(c).refine = true; });
-  }
-  if (state != PatchState::complete) return false;
-  emit(outline, sphere, patch_);
-  return true;
-}
-
-template <class Outline, class Triangles>
-void MeshBuilder::emit(Outline &outline, uint32_t sphere, Triangles &triangles) {
+PatchState MeshBuilder::attempt(Outline &outline, double edge, uint32_t sphere, Borders borders) {
+  patch_.begin(outline.spacing(sphere, edge));
+  outline.add_border(sphere, patch_);
+  const PatchState state = borders == Borders::without_area ? patch_.triangulate_from_loops()
+                                                            : patch_.triangulate(borders == Borders::pinched);
+  if (state != PatchState::complete) return state;
   range_[sphere].first = clamped_count(mesh_.triangles_.required());
   const PatchKind kind = outline.kind(sphere);
-  triangles.emit(
+  patch_.emit(
       [&](const Vec3 &direction) {
         const uint32_t number = clamped_count(mesh_.vertices_.required());
         mesh_.vertices_.push(outline.inner_vertex(sphere, direction));
@@ -205,6 +183,20 @@ void MeshBuilder::emit(Outline &outline, uint32_t sphere, Triangles &triangles) 
         mesh_.triangles_.push({{corners[0], corners[1], corners[2]}, outline.patch(sphere, face), sphere, kind});
       });
   range_[sphere].last = clamped_count(mesh_.triangles_.required());
+  return state;
+}
+
+template <class Outline>
+bool MeshBuilder::triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched) {
+  const bool has_no_area = outline.has_next_to_no_area(sphere, no_area);
+  PatchState state = attempt(outline, edge, sphere, has_no_area ? Borders::without_area : Borders::apart);
+  if (state == PatchState::too_coarse && pinched && !has_no_area) {
+    state = attempt(outline, edge, sphere, Borders::pinched);
+  }
+  if (state == PatchState::too_coarse && !has_no_area) {
+    patch_.for_each_coarse_curve([&](uint32_t c) { outline.curve(c).refine = true; });
+  }
+  return state == PatchState::complete;
 }
 
 // Twice as many points on the curves that want them, and on those that must have as many; the spheres on both sides are

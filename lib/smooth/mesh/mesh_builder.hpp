@@ -36,12 +36,11 @@ class MeshBuilder : public Limited<MeshLimits> {
   Status triangulate_all(Outline &outline, double edge, Patience &patience);
   template <class Outline>
   Status triangulate_rest(Outline &outline, double edge, Patience &patience);
+  enum class Borders : uint8_t { apart, pinched, without_area };
   template <class Outline>
-  bool triangulate_from_loops(Outline &outline, double edge, uint32_t sphere);
+  PatchState attempt(Outline &outline, double edge, uint32_t sphere, Borders borders);
   template <class Outline>
   bool triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched);
-  template <class Outline, class Triangles>
-  void emit(Outline &outline, uint32_t sphere, Triangles &triangles);
   template <class Outline>
   void add_samples(Outline &outline, uint32_t c);
   template <class Outline>

@@ -37,10 +37,5 @@ void for_each_ring_point(double spacing, Needs needs, Sink sink) {
     }
   }
 }
-template <class Sink>
-void for_each_ring_point(double spacing, Sink sink) {
-  for_each_ring_point(
-      spacing, [](double, double) { return true; }, sink);
-}
 
 }  // namespace hsp

@@ -42,17 +42,8 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   creases_.carve(workspace, limits.neighbours, limits.arcs / arcs_for_crease, limits.arcs / arcs_for_corner);
 }
 
-Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Patience patience) {
-  return build(balls, boundary, nullptr, patience);
-}
-
-Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells,
-                             Patience patience) {
-  return build(balls, boundary, &shells, patience);
-}
-
-Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells,
-                             Patience &patience) {
+Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Patience patience,
+                             const Span<const uint32_t> *shells) {
   CutPatches &cut = surface_.cut_patches_;
   CuspedCircles &cusped = surface_.cusped_circles_;
   surface_.counts_ = {};

@@ -17,15 +17,13 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
 
   // Status::capacity if a limit is too small; needed() then reports what suffices. Status::degenerate if a sign of the
   // actual set is not certain in any width, or borders do not close. Status::stopped if more is not allowed.
-  Status build(const BallSet &balls, const Boundary &boundary, Patience patience = Patience());
-  // Of some shells of the boundary alone.
-  Status build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells,
-               Patience patience = Patience());
+  // shells: of these of the boundary alone.
+  Status build(const BallSet &balls, const Boundary &boundary, Patience patience = Patience(),
+               const Span<const uint32_t> *shells = nullptr);
 
   const Surface &surface() const { return surface_; }
 
  private:
-  Status build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells, Patience &patience);
   Status find_patches(const ActualBalls &actual, Patience &patience);
   bool cut_patches(const BallSet &balls, const Boundary &boundary, Patience &patience);
   Status cut_actual_patches(const ActualBalls &actual, Patience &patience);

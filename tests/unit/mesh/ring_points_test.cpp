@@ -7,11 +7,13 @@
 
 namespace {
 
+const auto everywhere = [](double, double) { return true; };
+
 // Everywhere on the sphere there is a point, and none has another one too near it.
 TEST(RingPoints, CoverTheSphereEvenly) {
   for (const double spacing : {0.7, 0.2, 0.05}) {
     std::vector<hsp::Vec3> points;
-    hsp::for_each_ring_point(spacing, [&](const hsp::Vec3 &p) { points.push_back(p); });
+    hsp::for_each_ring_point(spacing, everywhere, [&](const hsp::Vec3 &p) { points.push_back(p); });
     const double expected = hsp::expected_ring_points(spacing);
     EXPECT_NEAR(static_cast<double>(points.size()), expected, 0.2 * expected) << spacing;
     double nearest = 4.0;
@@ -21,7 +23,7 @@ TEST(RingPoints, CoverTheSphereEvenly) {
     }
     EXPECT_GT(std::sqrt(nearest), 0.5 * spacing);
     double farthest = 0.0;
-    hsp::for_each_ring_point(0.23, [&](const hsp::Vec3 &place) {
+    hsp::for_each_ring_point(0.23, everywhere, [&](const hsp::Vec3 &place) {
       double least = 4.0;
       for (const hsp::Vec3 &p : points) least = std::min(least, dot(place - p, place - p));
       farthest = std::max(farthest, least);
@@ -35,7 +37,7 @@ TEST(RingPoints, CirclesThatAreNotNeededAreLeftOut) {
   for (const double spacing : {0.3, 0.01}) {
     const auto is_needed = [](double cosine) { return cosine > 0.2 && cosine < 0.4; };
     std::vector<hsp::Vec3> all, some;
-    hsp::for_each_ring_point(spacing, [&](const hsp::Vec3 &p) {
+    hsp::for_each_ring_point(spacing, everywhere, [&](const hsp::Vec3 &p) {
       if (is_needed(p.z)) all.push_back(p);
     });
     uint32_t others = 0;
@@ -55,7 +57,7 @@ TEST(RingPoints, CirclesThatAreNotNeededAreLeftOut) {
 
 TEST(RingPoints, LargeDistancesYieldAFewPoints) {
   int points = 0;
-  hsp::for_each_ring_point(1e30, [&](const hsp::Vec3 &) { ++points; });
+  hsp::for_each_ring_point(1e30, everywhere, [&](const hsp::Vec3 &) { ++points; });
   EXPECT_GT(points, 2);
   EXPECT_LT(points, 20);
 }

@@ -13,6 +13,8 @@
 
 namespace {
 
+const auto everywhere = [](double, double) { return true; };
+
 using hsp::PatchState;
 using hsp::SphericalPatch;
 using hsp::Vec3;
@@ -188,7 +190,7 @@ TEST(SphericalPatch, HasAllPointsOfAPatchFarSmallerThanItsSphere) {
     for (const auto &[axis, cosine] : caps) patch.keep_off(axis, cosine);
     static_cast<void>(patch.triangulate());
     uint64_t points = 0;
-    hsp::for_each_ring_point(spacing, [&](const Vec3 &p) {
+    hsp::for_each_ring_point(spacing, everywhere, [&](const Vec3 &p) {
       bool near = false;
       for (const auto &[axis, cosine] : caps) near = near || dot(p, axis) > std::cos(std::acos(cosine) + 0.6 * spacing);
       points += near ? 0 : 1;

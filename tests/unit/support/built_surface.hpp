@@ -27,7 +27,7 @@ class BuiltSurface {
     const hsp::Span<const uint32_t> chosen(shells.data(), static_cast<uint32_t>(shells.size()));
     status_ = surface_memory_.build(
         surface_, hsp::default_surface_limits(found.vertex_count(), found.face_count(), found.circle_count()), balls(),
-        found, chosen);
+        found, hsp::Patience(), &chosen);
     return status_;
   }
 

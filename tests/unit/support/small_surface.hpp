@@ -70,7 +70,8 @@ class SmallSurface {
   // Builds the surface over some shells of the boundary alone.
   bool build_of(const SurfaceScene &scene, const uint32_t *shells, uint32_t count) {
     if (!carve(scene, most)) return false;
-    status_ = builder_.build(small_union().balls(), small_union().boundary(), {shells, count});
+    const hsp::Span<const uint32_t> chosen(shells, count);
+    status_ = builder_.build(small_union().balls(), small_union().boundary(), hsp::Patience(), &chosen);
     return status_ == hsp::Status::ok;
   }
 
