@@ -33,10 +33,14 @@ CurvePoints::CurvePoints(const BallSet &balls, const Boundary &boundary, const M
   y_ = cross(x_, circle.axis);
 }
 
-double segments_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge, double length) {
+double length_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge) {
   const uint32_t own = boundary.ball_of(half_edge);
-  const double radius = CircleGeometry(balls, own, boundary.half_edge(half_edge).circle).radius;
-  return segments_of(angle_of(balls, boundary, own, half_edge) * radius, length,
+  return angle_of(balls, boundary, own, half_edge) *
+         CircleGeometry(balls, own, boundary.half_edge(half_edge).circle).radius;
+}
+
+double segments_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge, double length) {
+  return segments_of(length_of_arc(balls, boundary, half_edge), length,
                      has_ends_of_same_balls(boundary, half_edge) ? 2.0 : 1.0);
 }
 

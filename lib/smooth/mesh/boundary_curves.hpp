@@ -56,6 +56,8 @@ class BoundaryCurves {
   uint32_t count_ = 0;
 };
 
+// Of the arc of a half-edge on the ball of lower rank.
+double length_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge);
 // The segments of the arc of a half-edge on the ball of lower rank, and of a circle, as BoundaryCurves::build has them;
 // in doubles, which may be more than fits.
 double segments_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge, double length);

@@ -110,10 +110,8 @@ void BoundaryOutline::add_samples(uint32_t c, FixedVector<MeshVertex> &vertices)
 bool BoundaryOutline::is_too_fine(uint32_t c) const {
   const MeshCurve &curve = curves_.curve(c);
   if (curves_.is_circle(c)) return false;
-  const uint32_t own = boundary_.ball_of(curve.element);
-  const double length = angle_of(balls_, boundary_, own, curve.element) *
-                        CircleGeometry(balls_, own, boundary_.half_edge(curve.element).circle).radius;
-  return length < least_segment * balls_.r[own] * curve.segments;
+  const double radius = balls_.r[boundary_.ball_of(curve.element)];
+  return length_of_arc(balls_, boundary_, curve.element) < least_segment * radius * curve.segments;
 }
 
 void BoundaryOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {

@@ -18,7 +18,6 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
-#include "core/small_code.hpp"
 #include "sphere/arc_geometry.hpp"
 #include "sphere/caps.hpp"
 #include "surface/cut_patches.hpp"
@@ -27,20 +26,15 @@ namespace hsp {
 
 enum class Answer : uint8_t { no, yes, unknown };
 
-// A corner of the region: p+ or p- of the circles of two caps, first < second. Circle `first` leaves cap `second` in p+
-// and enters it in p-; for circle `second` it is the reverse.
+// A corner of the region: p+ or p- of the circles of two caps. That of the first leaves the cap of the second in p+ and
+// enters it in p-; for that of the second it is the reverse.
 struct RegionCorner {
-  uint32_t first, second;
-  int32_t sign;
-  double root;  // of the discriminant
+  uint32_t exit, entry;  // the circle that leaves the other cap here, and the other one
+  double root;           // of the discriminant
   Vec3 point;
   double error;          // of axis.point - height for any cap
   double turn = 0.0;     // exterior angle
   uint32_t arc = no_id;  // that starts here
-
-  bool on(uint32_t circle) const { return first == circle || second == circle; }
-  // Whether `circle` leaves the other cap here.
-  bool is_exit_of(uint32_t circle) const { return (sign > 0) == (first == circle); }
 };
 
 // A free arc, counter-clockwise about the axis of its circle: the region lies on its right, seen from outside.
@@ -85,7 +79,6 @@ class FreeRegionFinder {
       corner.turn = exterior_angle(corner);
       region.curvature -= corner.turn;
     }
-    list_corners();
     for (uint32_t k = 0; k < caps_.count; ++k) {
       if (!add_arcs(k)) return false;
     }
@@ -139,8 +132,8 @@ class FreeRegionFinder {
     return margin > 0.0 && margin * margin * radius_squared > error * error ? angle : -1.0;
   }
   double exterior_angle(const RegionCorner &corner) const {
-    const double g = dot(caps_.axis(corner.first), caps_.axis(corner.second));
-    return arc_tangent(corner.root, g - caps_.b[corner.first] * caps_.b[corner.second]);
+    const double g = dot(caps_.axis(corner.exit), caps_.axis(corner.entry));
+    return arc_tangent(corner.root, g - caps_.b[corner.exit] * caps_.b[corner.entry]);
   }
 
   bool add_corners(uint32_t j, uint32_t k) {
@@ -157,7 +150,8 @@ class FreeRegionFinder {
       }
       if (covered == Answer::unknown) return false;
       if (covered == Answer::no) {
-        corners_.push({j, k, sign, crossing.root, crossing.point[sign > 0 ? 1 : 0], crossing.error});
+        corners_.push(
+            {sign > 0 ? j : k, sign > 0 ? k : j, crossing.root, crossing.point[sign > 0 ? 1 : 0], crossing.error});
       }
     }
     return true;
@@ -166,50 +160,24 @@ class FreeRegionFinder {
   // From every exit to the next entry: where all corners are certain the two take turns.
   bool add_arcs(uint32_t k) {
     bool has_exits = false;
-    bool good = true;
-    for_each_corner(k, true, [&](RegionCorner &exit) {
+    for (RegionCorner &exit : corners_.items()) {
+      if (exit.exit != k) continue;
       has_exits = true;
       double angle = 7.0;
       const RegionCorner *end = nullptr;
-      for_each_corner(k, false, [&](const RegionCorner &entry) {
+      for (const RegionCorner &entry : corners_.items()) {
+        if (entry.entry != k) continue;
         const double own = arc_angle(k, exit, entry);
-        good = good && own >= 0.0;
-        if (own >= angle) return;
+        if (!(own >= 0.0)) return false;
+        if (own >= angle) continue;
         angle = own;
         end = &entry;
-      });
-      good = good && end != nullptr;
-      if (!good) return;
+      }
+      if (end == nullptr) return false;
       exit.arc = clamped_count(arcs_.required());
       add_arc(k, number_of(exit), number_of(*end), exit.turn, angle, end->point - exit.point);
-    });
-    return good && (has_exits || add_whole_circle(k));
-  }
-
-  // Every corner is an exit of one circle and an entry of another. As bits, if there are few of both.
-  void list_corners() {
-    are_listed_ = !small_code && caps_.count <= few && corners_.size() <= few;
-    if (!are_listed_) return;
-    for (uint32_t k = 0; k < caps_.count; ++k) exits_[k] = entries_[k] = 0;
-    for (uint32_t c = 0; c < corners_.size(); ++c) {
-      const RegionCorner &corner = corners_[c];
-      const bool forward = corner.sign > 0;
-      exits_[forward ? corner.first : corner.second] |= uint64_t{1} << c;
-      entries_[forward ? corner.second : corner.first] |= uint64_t{1} << c;
     }
-  }
-  // In the order of the corners.
-  template <class Visit>
-  void for_each_corner(uint32_t k, bool exits, Visit visit) {
-    if (!small_code && are_listed_) {
-      for (uint64_t left = exits ? exits_[k] : entries_[k]; left != 0; left &= left - 1) {
-        visit(corners_[static_cast<uint32_t>(__builtin_ctzll(left))]);
-      }
-      return;
-    }
-    for (RegionCorner &corner : corners_.items()) {
-      if (corner.on(k) && corner.is_exit_of(k) == exits) visit(corner);
-    }
+    return has_exits || add_whole_circle(k);
   }
 
   // Circle k has no corner: it is covered as a whole, or free as a whole.
@@ -247,9 +215,7 @@ class FreeRegionFinder {
   const double error_;
   FixedVector<RegionCorner> &corners_;
   FixedVector<RegionArc> &arcs_;
-  uint64_t crossed_ = 0;                // circles that cross others
-  bool are_listed_ = false;             // the next two hold something:
-  uint64_t exits_[few], entries_[few];  // corners of each circle
+  uint64_t crossed_ = 0;  // circles that cross others
 };
 
 // The loops of the region, if it lies inside a spherical triangle, and the pieces that they bound, with the Euler
