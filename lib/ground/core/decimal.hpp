@@ -20,4 +20,10 @@ inline int64_t nearest(double x) {
   return static_cast<int64_t>(x + __builtin_copysign(0x1.fffffffffffffp-2, x));  // no call at -O0
 }
 
+// The next integer below, if it is none, for |x| < 2^62.
+inline int64_t floor_of(double x) {
+  const int64_t truncated = static_cast<int64_t>(x);
+  return truncated - static_cast<int64_t>(static_cast<double>(truncated) > x);
+}
+
 }  // namespace hsp

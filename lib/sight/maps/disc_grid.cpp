@@ -1,17 +1,10 @@
 #include "maps/disc_grid.hpp"
 
+#include "core/decimal.hpp"
 #include "core/rows.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
-namespace {
-
-int64_t floor_of(double x) {
-  const int64_t truncated = static_cast<int64_t>(x);
-  return static_cast<double>(truncated) > x ? truncated - 1 : truncated;
-}
-
-}  // namespace
 
 uint32_t DiscGrid::level_of(double r) const {
   uint32_t level = 0;

@@ -4,9 +4,13 @@
 
 namespace hsp {
 
-// Samples counter-clockwise, at most six. Edges between points that other patches may join, too, are those of the cell
+// Samples counter-clockwise, at most six, and no_id where there is none. Edges between points that other patches may join, too, are those of the cell
 // and never across it.
-void SphericalPatch::add_cell(uint32_t face, const uint32_t *corner, uint32_t count) {
+void SphericalPatch::add_cell(uint32_t face, const uint32_t *all, uint32_t most) {
+  uint32_t corner[6], count = 0;
+  for (uint32_t k = 0; k < most; ++k) {
+    if (all[k] != no_id) corner[count++] = all[k];
+  }
   if (count < 3) return;
   if (count == 3) {
     ears_.push({face, {corner[0], corner[1], corner[2]}});
@@ -84,13 +88,8 @@ bool SphericalPatch::close_wedge(uint32_t sample, const TriangleEdge &way) {
     divided = add_extra(links_[sample].face, direction_between(strand, sample));
   }
   parts_[t].middle[edge] = divided;
-  uint32_t cell[5];
-  uint32_t count = 0;
-  const uint32_t all[5] = {strand, end, links_[sample].middle, sample, divided};
-  for (const uint32_t corner : all) {
-    if (corner != no_id) cell[count++] = corner;
-  }
-  add_cell(links_[sample].face, cell, count);
+  const uint32_t cell[5] = {strand, end, links_[sample].middle, sample, divided};
+  add_cell(links_[sample].face, cell, 5);
   return true;
 }
 
@@ -103,13 +102,8 @@ void SphericalPatch::add_corridors() {
     if (c < a) continue;
     const uint32_t b = links_[a].next;
     const uint32_t d = links_[c].next;
-    uint32_t cell[6];
-    uint32_t count = 0;
-    const uint32_t all[6] = {a, b, links_[c].middle, b == c ? no_id : c, d == a ? no_id : d, links_[a].middle};
-    for (const uint32_t corner : all) {
-      if (corner != no_id) cell[count++] = corner;
-    }
-    add_cell(links_[a].face, cell, count);
+    const uint32_t cell[6] = {a, b, links_[c].middle, b == c ? no_id : c, d == a ? no_id : d, links_[a].middle};
+    add_cell(links_[a].face, cell, 6);
   }
 }
 

@@ -156,7 +156,7 @@ class SphericalPatch {
   uint32_t add_extra(uint32_t face, const Vec3 &direction);
   uint32_t middle_of(uint32_t a, uint32_t b);
   uint32_t middle_of_wedge(uint32_t sample);
-  void add_cell(uint32_t face, const uint32_t *corner, uint32_t count);
+  void add_cell(uint32_t face, const uint32_t *all, uint32_t most);
   template <class Visit>
   void for_each_of_neck(uint32_t sample, Visit visit) const;
 

@@ -2,6 +2,7 @@
 
 #include "core/begin_array.hpp"
 #include "core/decimal.hpp"
+#include "core/extremes.hpp"
 #include "core/first_index.hpp"
 #include "core/rows.hpp"
 #include "core/sorting.hpp"
@@ -41,17 +42,8 @@ uint32_t buckets_for(uint32_t vertices) {
   return static_cast<uint32_t>(buckets);
 }
 
-int64_t floor_of(double x) {
-  const int64_t truncated = static_cast<int64_t>(x);
-  return truncated - static_cast<int64_t>(static_cast<double>(truncated) > x);
-}
 CubeCoordinates cube_at(const Vec3 &at) {
   return {floor_of(at.x), floor_of(at.y), floor_of(at.z)};
-}
-
-void widen(double x, double &low, double &high) {
-  low = x < low ? x : low;
-  high = x > high ? x : high;
 }
 
 // The slots of a vertex's balls in its record, by rank, in two bits each; and a bit for the sign that it has then.
@@ -144,17 +136,17 @@ void ProbeGrid::lay_out(uint32_t vertices) {
 // The differences of balls to the centre, an integer, are exact, what is added to them is not: positions have an error
 // of 2^-52 of the set's extent, less than a step, which the side allows for. Floats have another one of 2^-24.
 void ProbeGrid::choose_units(const BallSet &balls) {
-  double low[3], high[3];
   const Span<double> *const axes[3] = {&balls.x, &balls.y, &balls.z};
-  double extent = 0.0;
-  double middle[3];
+  double extent = 0.0, middle[3];
   for (int axis = 0; axis < 3; ++axis) {
     const double *const x = axes[axis]->data();
-    low[axis] = high[axis] = x[0];
-    for (uint32_t i = 1; i < balls.n; ++i) widen(x[i], low[axis], high[axis]);
-    middle[axis] = static_cast<double>(nearest(0.5 * low[axis] + 0.5 * high[axis]));
-    const double half = high[axis] - middle[axis] + 1.0;
-    extent = half > extent ? half : extent;
+    double low = x[0], high = x[0];
+    for (uint32_t i = 1; i < balls.n; ++i) {
+      low = smaller_of(x[i], low);
+      high = larger_of(x[i], high);
+    }
+    middle[axis] = static_cast<double>(nearest(0.5 * low + 0.5 * high));
+    extent = larger_of(high - middle[axis] + 1.0, extent);
   }
   centre_ = {middle[0], middle[1], middle[2]};
   const double diameter = 2 * static_cast<double>(balls.probe_steps);
