@@ -131,12 +131,10 @@ void BoundaryOutline::add_loop(uint32_t ball, uint32_t loop, SphericalPatch &pat
     const uint32_t c = curves_.of_circle(e.circle());
     const MeshCurve &curve = curves_.curve(c);
     const CurvePoints points(balls_, boundary_, curve, true, least_circle * balls_.r[ball]);
-    const bool forwards = balls_.ranks_before(ball, boundary_.neighbour(e));
-    for (uint32_t k = 0; k < curve.segments; ++k) {
-      const uint32_t at = forwards ? k : curve.segments - 1 - k;
-      patch.add(
-          {direction_from(balls_, ball, points.at(at)), curve.first_sample + at, c, {boundary_.neighbour(e), no_id}});
-    }
+    const uint32_t other = boundary_.neighbour(e);
+    for_each_point(curve, true, balls_.ranks_before(ball, other), [&](uint32_t k, uint32_t vertex) {
+      patch.add({direction_from(balls_, ball, points.at(k)), vertex, c, {other, no_id}});
+    });
     return;
   }
   uint32_t e = start.half_edge();
@@ -151,12 +149,9 @@ void BoundaryOutline::add_loop(uint32_t ball, uint32_t loop, SphericalPatch &pat
                {boundary_.previous_circle(ball, half_edge), half_edge.circle}});
     if (curve.segments > 1) {
       const CurvePoints points(balls_, boundary_, curve, false);
-      const bool forwards = curve.element == e;
-      for (uint32_t k = 1; k < curve.segments; ++k) {
-        const uint32_t at = forwards ? k : curve.segments - k;
-        patch.add(
-            {direction_from(balls_, ball, points.at(at)), curve.first_sample + at - 1, c, {half_edge.circle, no_id}});
-      }
+      for_each_point(curve, false, curve.element == e, [&](uint32_t k, uint32_t vertex) {
+        patch.add({direction_from(balls_, ball, points.at(k)), vertex, c, {half_edge.circle, no_id}});
+      });
     }
     e = half_edge.next;
   } while (e != start.half_edge());

@@ -1,6 +1,29 @@
-#include "mesh/concave_outline.hpp"
+// The borders of the concave patch of one vertex, or of the pieces that other probes leave of it. They are triangulated
+// by their outward normals, which point to the probe's centre.
+#include "mesh/surface_outline.hpp"
 
 namespace hsp {
+namespace {
+
+class ConcaveOutline {
+ public:
+  ConcaveOutline(const SurfaceCurves &curves, uint32_t vertex)
+      : curves_(curves), vertex_(vertex), sphere_(curves.balls(), curves.boundary(), vertex) {}
+
+  void add_border(SphericalPatch &patch) const;
+
+ private:
+  void add_loop(uint32_t loop, SphericalPatch &patch) const;
+  void add_corner(uint32_t corner, uint32_t curve, SphericalPatch &patch) const;
+  void add_crease(uint32_t h, bool is_closed, SphericalPatch &patch) const;
+  void add_side(uint32_t h, SphericalPatch &patch) const;
+  void keep_off_sides(SphericalPatch &patch) const;
+  void keep_off_probes(SphericalPatch &patch) const;
+
+  const SurfaceCurves &curves_;
+  const uint32_t vertex_;
+  const ProbeSphere sphere_;
+};
 
 void ConcaveOutline::add_border(SphericalPatch &patch) const {
   keep_off_sides(patch);
@@ -22,10 +45,9 @@ void ConcaveOutline::add_loop(uint32_t loop, SphericalPatch &patch) const {
     const uint32_t c = h / 2;
     const uint32_t corner = map.origin(h);
     if (corner != no_id) add_corner(corner, c, patch);
-    const uint32_t first = corner == no_id ? 0 : 1;
-    if (curves_.curve(c).segments == first) return;
+    if (corner != no_id && curves_.curve(c).segments == 1) return;
     if (map.edge(c).kind == SurfaceEdgeKind::crease) {
-      add_crease(h, first, patch);
+      add_crease(h, corner == no_id, patch);
     } else {
       add_side(h, patch);
     }
@@ -46,7 +68,7 @@ void ConcaveOutline::add_corner(uint32_t corner, uint32_t curve, SphericalPatch 
 }
 
 // Other pieces share points of creases.
-void ConcaveOutline::add_crease(uint32_t h, uint32_t first, SphericalPatch &patch) const {
+void ConcaveOutline::add_crease(uint32_t h, bool is_closed, SphericalPatch &patch) const {
   const CutPatches &cut = curves_.surface().cut_patches();
   const SurfaceMap &map = curves_.map();
   const uint32_t c = h / 2;
@@ -55,10 +77,9 @@ void ConcaveOutline::add_crease(uint32_t h, uint32_t first, SphericalPatch &patc
   const uint32_t arc = map.edge(c).source;
   const uint32_t across = cut.arc(forwards ? arc : cut.arc(arc).twin).across;
   const CreasePoints points(map, c, map.origin(2 * c));
-  for (uint32_t k = first; k < curve.segments; ++k) {
-    const uint32_t at = forwards ? k : curve.segments - 1 - k + first;
-    patch.add({sphere_.way_from(points.at(at, curve.segments)), curve.first_sample + at - first, c, {across, no_id}});
-  }
+  for_each_point(curve, is_closed, forwards, [&](uint32_t k, uint32_t vertex) {
+    patch.add({sphere_.way_from(points.at(k, curve.segments)), vertex, c, {across, no_id}});
+  });
 }
 
 void ConcaveOutline::add_side(uint32_t h, SphericalPatch &patch) const {
@@ -67,10 +88,9 @@ void ConcaveOutline::add_side(uint32_t h, SphericalPatch &patch) const {
   const SurfaceEdge edge = curves_.map().edge(c);
   const SaddleBand band = curves_.band_of_arc(edge.source);
   const Vec3 outward = band.outward_at_end(1 - curves_.map().side_of(edge.source));
-  for (uint32_t k = 1; k < curve.segments; ++k) {
-    const uint32_t at = h % 2 == 0 ? k : curve.segments - k;
-    patch.add({band.at(outward, edge.part, at, curve.segments).normal, curve.first_sample + at - 1, c, {no_id, no_id}});
-  }
+  for_each_point(curve, false, h % 2 == 0, [&](uint32_t k, uint32_t vertex) {
+    patch.add({band.at(outward, edge.part, k, curve.segments).normal, vertex, c, {no_id, no_id}});
+  });
 }
 
 // Outward normals lie within the cone of the ways from the three balls to the probe's centre.
@@ -98,17 +118,10 @@ void ConcaveOutline::keep_off_probes(SphericalPatch &patch) const {
   }
 }
 
-MeshVertex ConcaveOutline::inner_vertex(const Vec3 &direction) const {
-  const Vec3 normal = unit(direction, upwards);
-  const Position &centre = sphere_.centre();
-  return mesh_vertex(curves_.balls(), {centre.ball, centre.offset - curves_.probe() * normal}, normal,
-                     sphere_.nearest_ball(-normal));
-}
+}  // namespace
 
-uint32_t ConcaveOutline::ball_at(const double (&point)[3]) const {
-  double centre[3];
-  to_coordinates(curves_.balls(), sphere_.centre(), centre);
-  return sphere_.nearest_ball({point[0] - centre[0], point[1] - centre[1], point[2] - centre[2]});
+void SurfaceOutline::add_concave_border(uint32_t vertex, SphericalPatch &patch) const {
+  ConcaveOutline(*this, vertex).add_border(patch);
 }
 
 }  // namespace hsp

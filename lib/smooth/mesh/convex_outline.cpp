@@ -1,54 +1,52 @@
-#include "mesh/convex_outline.hpp"
+// The borders of the convex patches of one ball. They are triangulated by the directions of the probe's centre, seen
+// from the ball: a ball that is nothing but a point has its patches, too.
+#include "mesh/surface_outline.hpp"
 
 namespace hsp {
+namespace {
 
-void ConvexOutline::add_border(SphericalPatch &patch) const {
-  keep_off_neighbours(curves_.balls(), curves_.boundary(), ball_, patch);
-  curves_.faces().visit(ball_, [&](uint32_t face, uint32_t number) {
-    curves_.map().for_each_loop(face, [&](uint32_t loop) {
+void add_circle(const SurfaceCurves &curves, uint32_t ball, uint32_t h, SphericalPatch &patch) {
+  const BallSet &balls = curves.balls();
+  const uint32_t c = h / 2;
+  const MeshCurve &curve = curves.curve(c);
+  const SaddleBand band = curves.band_of_circle(ClosedHalfEdge::from_id(curves.map().edge(c).source).circle());
+  for_each_point(curve, true, h % 2 == 0, [&](uint32_t k, uint32_t vertex) {
+    const Position probe = band.probe(band.outward(k, curve.segments), least_circle * balls.r[ball]);
+    patch.add({direction_from(balls, ball, probe), vertex, c, {no_id, no_id}});
+  });
+}
+
+void add_arc(const SurfaceCurves &curves, uint32_t ball, uint32_t h, uint32_t corner, SphericalPatch &patch) {
+  const BallSet &balls = curves.balls();
+  const uint32_t c = h / 2;
+  const MeshCurve &curve = curves.curve(c);
+  const Position start = position_of_vertex(balls, curves.boundary(), corner / 3);
+  patch.add({direction_from(balls, ball, start), corner, c, {no_id, no_id}});
+  if (curve.segments == 1) return;
+  const SaddleBand band = curves.band_of_arc(curves.map().edge(c).source);
+  for_each_point(curve, false, h % 2 == 0, [&](uint32_t k, uint32_t vertex) {
+    const Position probe = band.probe(band.outward(k, curve.segments));
+    patch.add({direction_from(balls, ball, probe), vertex, c, {no_id, no_id}});
+  });
+}
+
+}  // namespace
+
+void SurfaceOutline::add_convex_border(uint32_t ball, SphericalPatch &patch) const {
+  keep_off_neighbours(balls(), boundary(), ball, patch);
+  faces().visit(ball, [&](uint32_t face, uint32_t number) {
+    map().for_each_loop(face, [&](uint32_t loop) {
       patch.begin_loop(number);
-      add_loop(loop, patch);
+      map().for_each_edge(loop, [&](uint32_t h) {
+        const uint32_t corner = map().origin(h);
+        if (corner == no_id) {
+          add_circle(*this, ball, h, patch);
+        } else {
+          add_arc(*this, ball, h, corner, patch);
+        }
+      });
     });
   });
-}
-
-void ConvexOutline::add_loop(uint32_t loop, SphericalPatch &patch) const {
-  const SurfaceMap &map = curves_.map();
-  map.for_each_edge(loop, [&](uint32_t h) {
-    const uint32_t corner = map.origin(h);
-    if (corner == no_id) {
-      add_circle(h, patch);
-    } else {
-      add_arc(h, corner, patch);
-    }
-  });
-}
-
-void ConvexOutline::add_circle(uint32_t h, SphericalPatch &patch) const {
-  const BallSet &balls = curves_.balls();
-  const uint32_t c = h / 2;
-  const MeshCurve &curve = curves_.curve(c);
-  const SaddleBand band = curves_.band_of_circle(ClosedHalfEdge::from_id(curves_.map().edge(c).source).circle());
-  for (uint32_t k = 0; k < curve.segments; ++k) {
-    const uint32_t at = h % 2 == 0 ? k : curve.segments - 1 - k;
-    const Position probe = band.probe(band.outward(at, curve.segments), least_circle * balls.r[ball_]);
-    patch.add({direction_from(balls, ball_, probe), curve.first_sample + at, c, {no_id, no_id}});
-  }
-}
-
-void ConvexOutline::add_arc(uint32_t h, uint32_t corner, SphericalPatch &patch) const {
-  const BallSet &balls = curves_.balls();
-  const uint32_t c = h / 2;
-  const MeshCurve &curve = curves_.curve(c);
-  const Position start = position_of_vertex(balls, curves_.boundary(), corner / 3);
-  patch.add({direction_from(balls, ball_, start), corner, c, {no_id, no_id}});
-  if (curve.segments == 1) return;
-  const SaddleBand band = curves_.band_of_arc(curves_.map().edge(c).source);
-  for (uint32_t k = 1; k < curve.segments; ++k) {
-    const uint32_t at = h % 2 == 0 ? k : curve.segments - k;
-    const Position probe = band.probe(band.outward(at, curve.segments));
-    patch.add({direction_from(balls, ball_, probe), curve.first_sample + at - 1, c, {no_id, no_id}});
-  }
 }
 
 }  // namespace hsp

@@ -14,6 +14,17 @@ struct MeshCurve {
   bool refined;           // has more segments than its length demands
 };
 
+// Calls visit(k, vertex) for the points of a curve between its ends, or all of a closed one, along it or against it, with
+// their numbers in the mesh.
+template <class Visit>
+void for_each_point(const MeshCurve &curve, bool is_closed, bool forwards, Visit visit) {
+  const uint32_t first = is_closed ? 0 : 1;
+  for (uint32_t k = first; k < curve.segments; ++k) {
+    const uint32_t at = forwards ? k : curve.segments - 1 - k + first;
+    visit(at, curve.first_sample + (at - first));
+  }
+}
+
 // A circle smaller than this, as a share of the sphere's radius, is triangulated as if it were so large: where balls
 // touch in a point it has no length at all.
 inline constexpr double least_circle = 0x1p-18;

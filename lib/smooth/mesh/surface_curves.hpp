@@ -34,6 +34,7 @@ class SurfaceCurves {
   const Boundary &boundary() const { return map_.boundary(); }
   const Surface &surface() const { return map_.surface(); }
   const SurfaceMap &map() const { return map_; }
+  ProbeSphere probe_at(uint32_t v) const { return {balls(), boundary(), v}; }
   // The part that is measured.
   MeshedFaces faces() const { return {boundary(), surface().chosen()}; }
   double probe() const { return static_cast<double>(balls().probe_steps); }
@@ -64,7 +65,6 @@ class SurfaceCurves {
   SaddleBand band_of_circle(uint32_t circle) const;
 
  private:
-  ProbeSphere probe_at(uint32_t v) const { return {balls(), boundary(), v}; }
   Vec3 normal_at_cusp(uint32_t k, uint32_t side, const Position &position) const;
   MeshVertex at_creases(const Position &position, const uint32_t *vertices, uint32_t count) const;
 

@@ -26,18 +26,26 @@ uint32_t SurfaceOutline::patch(uint32_t sphere, uint32_t face) const {
 
 void SurfaceOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {
   if (sphere < ball_count()) {
-    on_ball(sphere).add_border(patch);
+    add_convex_border(sphere, patch);
   } else {
-    on_probe(sphere).add_border(patch);
+    add_concave_border(sphere - ball_count(), patch);
   }
 }
 
 MeshVertex SurfaceOutline::inner_vertex(uint32_t sphere, const Vec3 &direction) const {
-  return sphere < ball_count() ? on_ball(sphere).inner_vertex(direction) : on_probe(sphere).inner_vertex(direction);
+  if (sphere < ball_count()) return vertex_on_ball(balls(), sphere, balls().r[sphere] - probe(), direction);
+  const ProbeSphere at = probe_at(sphere - ball_count());
+  const Vec3 normal = unit(direction, upwards);
+  return mesh_vertex(balls(), {at.centre().ball, at.centre().offset - probe() * normal}, normal,
+                     at.nearest_ball(-normal));
 }
 
 uint32_t SurfaceOutline::ball_at(uint32_t sphere, const double (&middle)[3]) const {
-  return sphere < ball_count() ? sphere : on_probe(sphere).ball_at(middle);
+  if (sphere < ball_count()) return sphere;
+  const ProbeSphere at = probe_at(sphere - ball_count());
+  double centre[3];
+  to_coordinates(balls(), at.centre(), centre);
+  return at.nearest_ball({middle[0] - centre[0], middle[1] - centre[1], middle[2] - centre[2]});
 }
 
 // ---- limits ----

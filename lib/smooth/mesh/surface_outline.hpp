@@ -6,8 +6,6 @@
 // share no two points of theirs with others but along an edge, and pieces at vertices share their creases' points.
 #pragma once
 
-#include "mesh/concave_outline.hpp"
-#include "mesh/convex_outline.hpp"
 #include "mesh/saddle_grids.hpp"
 
 namespace hsp {
@@ -46,10 +44,11 @@ class SurfaceOutline : public SurfaceCurves {
   // A patch that others may cut has less area than this, on the unit sphere.
   bool has_next_to_no_area(uint32_t sphere, double least) const;
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
+  // A point inside a patch.
   MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const;
   uint32_t patch(uint32_t sphere, uint32_t face) const;
   PatchKind kind(uint32_t sphere) const { return sphere < ball_count() ? PatchKind::convex : PatchKind::concave; }
-  // Of a triangle with this middle.
+  // Of a triangle with this middle, the ball that the probe touches nearest to it.
   uint32_t ball_at(uint32_t sphere, const double (&middle)[3]) const;
 
   // The saddles. False if there are more triangles than any limit allows.
@@ -60,8 +59,8 @@ class SurfaceOutline : public SurfaceCurves {
 
  private:
   uint32_t ball_count() const { return balls().n; }
-  ConvexOutline on_ball(uint32_t ball) const { return {*this, ball}; }
-  ConcaveOutline on_probe(uint32_t sphere) const { return {*this, sphere - ball_count()}; }
+  void add_convex_border(uint32_t ball, SphericalPatch &patch) const;
+  void add_concave_border(uint32_t vertex, SphericalPatch &patch) const;
   // The segments around a patch.
   double segments_around(uint32_t patch, double edge) const;
 };

@@ -1,5 +1,3 @@
-#include "mesh/concave_outline.hpp"
-
 #include <gtest/gtest.h>
 
 #include "carved_memory.hpp"
@@ -23,8 +21,9 @@ TEST(ConcaveOutline, BoundsPatches) {
       hsp::SphericalPatch patch;
       memory.carve(patch, 40000U);
       patch.begin(length / p);
-      const hsp::ConcaveOutline outline(divided.get(), v);
-      outline.add_border(patch);
+      const hsp::SurfaceOutline &outline = divided.get();
+      const uint32_t number = balls.n + v;
+      outline.add_border(number, patch);
       ASSERT_EQ(patch.triangulate(), hsp::PatchState::complete);
       uint32_t inside = 0, triangles = 0;
       const hsp::ProbeSphere sphere(balls, built.boundary(), v);
@@ -32,11 +31,11 @@ TEST(ConcaveOutline, BoundsPatches) {
       hsp::to_coordinates(balls, sphere.centre(), centre);
       patch.emit(
           [&](const hsp::Vec3 &direction) {
-            const hsp::MeshVertex vertex = outline.inner_vertex(direction);
+            const hsp::MeshVertex vertex = outline.inner_vertex(number, direction);
             double along = 0.0;
             for (int axis = 0; axis < 3; ++axis) along += (centre[axis] - vertex.position[axis]) * vertex.normal[axis];
             EXPECT_NEAR(along, p, 1e-9 * p);
-            EXPECT_EQ(outline.ball_at(vertex.position), vertex.ball);
+            EXPECT_EQ(outline.ball_at(number, vertex.position), vertex.ball);
             EXPECT_LT(built.boundary().vertex(v).slot_of(vertex.ball), 3U);
             ++inside;
             return UINT32_C(1) << 20;

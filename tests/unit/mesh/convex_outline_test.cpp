@@ -1,5 +1,3 @@
-#include "mesh/convex_outline.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,13 +19,13 @@ void check_balls(const BuiltSurface &built, double length) {
     memory.carve(patch, 20000U);
     const double radius = balls.r[i] - p;
     patch.begin(length / radius);
-    const hsp::ConvexOutline outline(divided.get(), i);
-    outline.add_border(patch);
+    const hsp::SurfaceOutline &outline = divided.get();
+    outline.add_border(i, patch);
     ASSERT_EQ(patch.triangulate(), hsp::PatchState::complete);
     uint32_t inside = 0, triangles = 0;
     patch.emit(
         [&](const hsp::Vec3 &direction) {
-          const hsp::MeshVertex vertex = outline.inner_vertex(direction);
+          const hsp::MeshVertex vertex = outline.inner_vertex(i, direction);
           EXPECT_EQ(vertex.ball, i);
           const double arm[3] = {vertex.position[0] - balls.lattice.length(static_cast<double>(balls.x[i])),
                                  vertex.position[1] - balls.lattice.length(static_cast<double>(balls.y[i])),

@@ -8,7 +8,7 @@
 
 #include "built_surface.hpp"
 #include "lattice_lengths.hpp"
-#include "mesh/surface_curves.hpp"
+#include "mesh/surface_outline.hpp"
 #include "random_balls.hpp"
 
 class DividedCurves {
@@ -21,12 +21,12 @@ class DividedCurves {
     EXPECT_TRUE(curves_.divide(length, endless));
   }
 
-  hsp::SurfaceCurves &get() { return curves_; }
-  const hsp::SurfaceCurves &get() const { return curves_; }
+  hsp::SurfaceOutline &get() { return curves_; }
+  const hsp::SurfaceOutline &get() const { return curves_; }
 
  private:
   std::vector<hsp::MeshCurve> room_;
-  hsp::SurfaceCurves curves_;
+  hsp::SurfaceOutline curves_;
 };
 
 // Three equal balls around a point: a hole in each concave patch at 2.9 and 3.09, three whole spindles at 3.2.
