@@ -14,8 +14,8 @@ struct MeshCurve {
   bool refined;           // has more segments than its length demands
 };
 
-// Calls visit(k, vertex) for the points of a curve between its ends, or all of a closed one, along it or against it, with
-// their numbers in the mesh.
+// Calls visit(k, vertex) for the points of a curve between its ends, or all of a closed one, along it or against it,
+// with their numbers in the mesh.
 template <class Visit>
 void for_each_point(const MeshCurve &curve, bool is_closed, bool forwards, Visit visit) {
   const uint32_t first = is_closed ? 0 : 1;

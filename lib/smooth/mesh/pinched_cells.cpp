@@ -4,8 +4,8 @@
 
 namespace hsp {
 
-// Samples counter-clockwise, at most six, and no_id where there is none. Edges between points that other patches may join, too, are those of the cell
-// and never across it.
+// Samples counter-clockwise, at most six, and no_id where there is none. Edges between points that other patches may
+// join, too, are those of the cell and never across it.
 void SphericalPatch::add_cell(uint32_t face, const uint32_t *all, uint32_t most) {
   uint32_t corner[6], count = 0;
   for (uint32_t k = 0; k < most; ++k) {

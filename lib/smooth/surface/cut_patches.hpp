@@ -94,11 +94,11 @@ void label_loops(Span<Arc> arcs) {
     if (arcs[first].loop == no_id) for_each_of_loop(arcs, first, [&](uint32_t k) { arcs[k].loop = first; });
   }
 }
-// Which loops around parts of a patch that is less than half a sphere bound one piece: gives all arcs their piece, by the
-// first arc of the loop around it. excess(loop): the area on the left of a loop, less that of half a sphere. A loop
-// around a piece has less than that on its left, one around a hole more. All holes are in the same piece if there is but
-// one. False if there are several, and a hole in one of them, or if an excess may be 0: sums are right to far less than
-// the margin, as every angle has the right sign.
+// Which loops around parts of a patch that is less than half a sphere bound one piece: gives all arcs their piece, by
+// the first arc of the loop around it. excess(loop): the area on the left of a loop, less that of half a sphere. A loop
+// around a piece has less than that on its left, one around a hole more. All holes are in the same piece if there is
+// but one. False if there are several, and a hole in one of them, or if an excess may be 0: sums are right to far less
+// than the margin, as every angle has the right sign.
 template <class Arc, class Excess>
 bool gather_pieces(Span<Arc> arcs, Excess excess, int32_t &characteristic) {
   constexpr double margin = 1e-3;

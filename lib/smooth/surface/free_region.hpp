@@ -219,8 +219,8 @@ class FreeRegionFinder {
 };
 
 // The loops of the region, if it lies inside a spherical triangle, and the pieces that they bound, with the Euler
-// characteristic (gather_pieces): by Gauss and Bonnet what a loop leaves on its region's side has the area 2 pi plus the
-// sum of its arcs' heights * angles, minus its exterior angles.
+// characteristic (gather_pieces): by Gauss and Bonnet what a loop leaves on its region's side has the area 2 pi plus
+// the sum of its arcs' heights * angles, minus its exterior angles.
 inline bool find_pieces(Span<RegionArc> arcs, int32_t &characteristic) {
   label_loops(arcs);
   const auto excess = [arcs](uint32_t loop) {
