@@ -7,7 +7,7 @@
 namespace hsp {
 namespace {
 
-double sum_of_lanes(const double (&lanes)[sum_lanes]) {
+inline double sum_of_lanes(const double (&lanes)[sum_lanes]) {
   return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
