@@ -18,6 +18,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/small_code.hpp"
 #include "sphere/arc_geometry.hpp"
 #include "sphere/caps.hpp"
 #include "surface/cut_patches.hpp"
@@ -79,6 +80,7 @@ class FreeRegionFinder {
       corner.turn = exterior_angle(corner);
       region.curvature -= corner.turn;
     }
+    list_corners();
     for (uint32_t k = 0; k < caps_.count; ++k) {
       if (!add_arcs(k)) return false;
     }
@@ -159,25 +161,47 @@ class FreeRegionFinder {
 
   // From every exit to the next entry: where all corners are certain the two take turns.
   bool add_arcs(uint32_t k) {
-    bool has_exits = false;
-    for (RegionCorner &exit : corners_.items()) {
-      if (exit.exit != k) continue;
+    bool has_exits = false, good = true;
+    for_each_corner(k, true, [&](RegionCorner &exit) {
       has_exits = true;
       double angle = 7.0;
       const RegionCorner *end = nullptr;
-      for (const RegionCorner &entry : corners_.items()) {
-        if (entry.entry != k) continue;
+      for_each_corner(k, false, [&](const RegionCorner &entry) {
         const double own = arc_angle(k, exit, entry);
-        if (!(own >= 0.0)) return false;
-        if (own >= angle) continue;
+        good = good && own >= 0.0;
+        if (own >= angle) return;
         angle = own;
         end = &entry;
-      }
-      if (end == nullptr) return false;
+      });
+      good = good && end != nullptr;
+      if (!good) return;
       exit.arc = clamped_count(arcs_.required());
       add_arc(k, number_of(exit), number_of(*end), exit.turn, angle, end->point - exit.point);
+    });
+    return good && (has_exits || add_whole_circle(k));
+  }
+  // Those of each circle as bits, if there are few of both.
+  void list_corners() {
+    are_listed_ = !small_code && caps_.count <= few && corners_.size() <= few;
+    if (!are_listed_) return;
+    for (uint32_t k = 0; k < caps_.count; ++k) exits_[k] = entries_[k] = 0;
+    for (uint32_t c = 0; c < corners_.size(); ++c) {
+      exits_[corners_[c].exit] |= uint64_t{1} << c;
+      entries_[corners_[c].entry] |= uint64_t{1} << c;
     }
-    return has_exits || add_whole_circle(k);
+  }
+  // In the order of the corners.
+  template <class Visit>
+  void for_each_corner(uint32_t k, bool exits, Visit visit) {
+    if (!small_code && are_listed_) {
+      for (uint64_t left = exits ? exits_[k] : entries_[k]; left != 0; left &= left - 1) {
+        visit(corners_[static_cast<uint32_t>(__builtin_ctzll(left))]);
+      }
+      return;
+    }
+    for (RegionCorner &corner : corners_.items()) {
+      if ((exits ? corner.exit : corner.entry) == k) visit(corner);
+    }
   }
 
   // Circle k has no corner: it is covered as a whole, or free as a whole.
@@ -215,7 +239,9 @@ class FreeRegionFinder {
   const double error_;
   FixedVector<RegionCorner> &corners_;
   FixedVector<RegionArc> &arcs_;
-  uint64_t crossed_ = 0;  // circles that cross others
+  uint64_t crossed_ = 0;                // circles that cross others
+  bool are_listed_ = false;             // the next two hold something:
+  uint64_t exits_[few], entries_[few];  // corners of each circle
 };
 
 // The loops of the region, if it lies inside a spherical triangle, and the pieces that they bound, with the Euler
