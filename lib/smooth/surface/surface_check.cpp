@@ -115,11 +115,12 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
       if (b == a || other.across != arc.across || !good) continue;
       good = arc.corner != no_id && other.corner != no_id;
       if (!good) continue;
+      // From 0 to a whole turn; corners of nearly one place may be either.
       const double turn = turn_about(at.axis, from_centre(arc.corner), from_centre(other.corner));
       const auto is_apart = [&](double start) {
         return start >= arc.angle - most && start + other.angle <= 2 * pi + most;
       };
-      good = is_apart(turn) || is_apart(turn - 2 * pi);
+      good = is_apart(turn) || is_apart(turn - 2 * pi) || is_apart(turn + 2 * pi);
     }
     if (!good) fail(SurfaceInvariant::creases, 2 * id);
   }

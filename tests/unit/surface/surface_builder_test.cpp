@@ -32,4 +32,19 @@ TEST(SurfaceBuilder, AreasOfTouchingBallsAreThoseOfInflatedOnes) {
   }
 }
 
+// Two creases of one patch begin in one place, as far as doubles tell: which is the first one around their circle?
+TEST(SurfaceBuilder, CreasesThatBeginInOnePlace) {
+  support::BallList list;
+  list.add(0.000000002, -0.000000006, -0.000000006, 0);
+  list.add(-1.875000002, -0.000000006, 0.000000002, 1.125);
+  list.add(-0.750000005, -0.000000006, -0.000000006, 0.25);
+  list.add(-0.000000002, 0.999999999, -0.000000001, 0.25);
+  list.add(-0.250000004, -0.800000008, 0.600000008, 0);
+  list.add(0.249999996, 0.999999991, -0.000000007, 0.25);
+  const BuiltSurface built(list, 1.0, 0.0);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  EXPECT_EQ(hsp::check_surface({built.balls(), built.boundary(), built.surface()}).invariant,
+            hsp::SurfaceInvariant::none);
+}
+
 }  // namespace
