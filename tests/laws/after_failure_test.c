@@ -5,13 +5,15 @@
 
 #include "law.h"
 
-/* A function that reads results of this kind of handle and needs no other results; NULL if there is none. */
+/* A function that reads results of this kind of handle and needs no other results. Each kind shall have one; NULL if
+ * none is found. */
 static const function *reader_of(int noun) {
   size_t k;
   for (k = 0; k < registry_size; ++k) {
     const function *const f = &registry[k];
     if (noun == NOUN_model && strcmp(f->name, "hsp_query_ray") == 0) return f;
     if (noun == NOUN_body && strcmp(f->name, "hsp_body_hits") == 0) return f;
+    if (noun == NOUN_paths && strcmp(f->name, "hsp_paths_get_points") == 0) return f;
     if (f->count == 2 && f->arguments[0].noun == noun && f->arguments[0].is_const && has_status(f, HSP_E_STATE) &&
         f->arguments[1].kind == KIND_struct_out)
       return f;
@@ -21,7 +23,7 @@ static const function *reader_of(int noun) {
 
 static void check_reading(const function *reader, const char *what, const char *after, int32_t status) {
   call c;
-  call_prepare_next(&c, reader, 0);
+  call_prepare_next(&c, reader, PLENTY);
   check_scene("%s after %s: %s", reader->name, after, what);
   call_run(&c);
   CHECK_EQUAL(c.result, status);
@@ -50,6 +52,8 @@ static void after_failure(const function *f, uint32_t capacity) {
   reader = reader_of(f->arguments[0].noun);
   is_const = f->arguments[0].is_const;
   computes = replaces_contents(f);
+  check_scene("%s: results that can be read", f->name);
+  CHECK(reader != NULL);
   if (reader == NULL || (!is_const && !computes)) return;
   for (i = 1; i < f->count; ++i) {
     call c;

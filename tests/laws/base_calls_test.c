@@ -10,12 +10,24 @@ static int may_stay(const function *f, int i) {
   return strcmp(f->arguments[i].name, "scratch") == 0;
 }
 
+/* Whether every number of an output array is another one than before. Numbers are compared by words of four bytes, as a
+ * byte of a double may well stay; of smaller numbers only all that make the last entry. */
+static int is_written_whole(int i, const argument *a) {
+  const size_t word = 4, size = fence_size(i);
+  size_t at;
+  if (a->size % word != 0) return !fence_unchanged(i, size - a->size);
+  for (at = 0; at < size; at += word) {
+    if (memcmp(fence_data(i) + at, fence_copy(i) + at, word) == 0) return 0;
+  }
+  return 1;
+}
+
 static void check_written_whole(const call *c) {
   int i;
   for (i = 0; i < c->f->count; ++i) {
     const argument *const a = &c->f->arguments[i];
     if (a->kind != KIND_array_out || fence_size(i) == 0 || may_stay(c->f, i)) continue;
-    check_true(!fence_unchanged(i, fence_size(i) - a->size), a->name, __FILE__, __LINE__);
+    check_true(is_written_whole(i, a), a->name, __FILE__, __LINE__);
   }
 }
 

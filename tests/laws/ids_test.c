@@ -1,20 +1,23 @@
 /* Ids that do not exist are refused with HSP_E_ID, or the function returns HSP_NONE. Arguments that are ids are known
- * by their names, which are listed below. */
+ * by their names, which are listed below, as are those of all other numbers: a new name has to be added to either. */
+#include <stdio.h>
 #include <string.h>
 
 #include "fenced_memory.h"
 #include "law.h"
 
-static int is_id(const argument *a) {
-  static const char *const ids[] = {"ball",   "vertex",  "edge", "face",   "cell",   "region", "patch",
-                                    "shell",  "h",       "q",    "first",  "stage",  "worker", "atomic_number",
-                                    "shells", "maximum", "gate", "pocket", "avoided"};
-  size_t k;
-  if (strcmp(a->base, "uint32_t") != 0 || (a->kind != KIND_value && a->kind != KIND_array_in)) return 0;
-  for (k = 0; k < sizeof ids / sizeof ids[0]; ++k) {
-    if (strcmp(ids[k], a->name) == 0) return 1;
-  }
-  return 0;
+static const char ids_by_name[] =
+    "|ball|edge|face|cell|region|patch|shell|h|q|first|atomic_number|shells|maximum|other|gate|pocket|avoided|owner|";
+static const char others_by_name[] = "|set|tangency|flags|count|brick|bricks|patches|cheapest|";
+
+static int is_in(const char *names, const char *name) {
+  char between[64];
+  snprintf(between, sizeof between, "|%s|", name);
+  return strstr(names, between) != NULL;
+}
+
+static int is_uint(const argument *a) {
+  return strcmp(a->base, "uint32_t") == 0 && (a->kind == KIND_value || a->kind == KIND_array_in);
 }
 
 static void ids(const function *f, uint32_t capacity) {
@@ -26,16 +29,20 @@ static void ids(const function *f, uint32_t capacity) {
   size_t k;
   if (f->result != RESULT_id && !(f->result == RESULT_status && has_status(f, HSP_E_ID))) return;
   for (i = 0; i < f->count; ++i) {
-    for (k = 0; k < sizeof bad / sizeof bad[0] && is_id(&f->arguments[i]); ++k) {
+    const char *const name = f->arguments[i].name;
+    if (!is_uint(&f->arguments[i])) continue;
+    check_scene("%s: whether %s is an id", f->name, name);
+    CHECK(is_in(ids_by_name, name) != is_in(others_by_name, name));
+    for (k = 0; k < sizeof bad / sizeof bad[0] && is_in(ids_by_name, name); ++k) {
       call c;
-      if (bad[k] == balls && strcmp(f->arguments[i].name, "ball") != 0) continue;
+      if (bad[k] == balls && strcmp(name, "ball") != 0) continue;
       call_prepare(&c, f, capacity);
       if (f->arguments[i].kind == KIND_value) {
         c.v[i].u = bad[k];
       } else {
         memcpy(fence_data(i), &bad[k], sizeof bad[k]);
       }
-      law_refused(&c, "no such", f->arguments[i].name, HSP_E_ID, "");
+      law_refused(&c, "no such", name, HSP_E_ID, "");
     }
   }
 }

@@ -24,6 +24,7 @@ typedef struct faults {
 
 static void add(faults *all, int rank, int place, int where, int32_t status, const char *what) {
   const fault one = {rank, place, where, status, what};
+  CHECK(all->count < MOST_FAULTS); /* else a fault would go untried */
   if (all->count < MOST_FAULTS) all->of[all->count++] = one;
 }
 
@@ -33,12 +34,10 @@ static int is_handle(const argument *a) {
 
 /* The faults that can be made in the arguments of f. That each fault alone is refused is tried by the other laws. */
 static faults faults_of(const function *f, uint32_t needed) {
-  static const uint32_t far_off = 100000;
   const int first = place_of(f, "first");
   faults all;
   int i;
   all.count = 0;
-  (void)far_off;
   for (i = 0; i < f->count; ++i) {
     const argument *const a = &f->arguments[i];
     if (is_handle(a)) {
