@@ -1,6 +1,8 @@
 #include "built_sticks.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 #include <utility>
 
@@ -191,23 +193,45 @@ size_t lines_between_strands(const hsp::StickMap &map, uint32_t path) {
   return count;
 }
 
-// By counts: without the lines between strands, there must be as many lines of paths as edges of regions, and one or
-// two outline arcs for each. And the areas of loops must sum to the areas within outlines.
+// Whether a line of a path runs along an edge of the map: between its vertices, bit for bit, and through its middle, as
+// two edges may have the same ends.
+bool runs_along(const oracle::PathArc &line, const hsp::StickMap &map, const hsp::MapEdge &edge) {
+  const hsp::MapVertex &v = map.vertices[edge.vertex[0]], &w = map.vertices[edge.vertex[1]];
+  if (line.start != std::array<double, 2>{v.x, v.y} || line.end != std::array<double, 2>{w.x, w.y}) return false;
+  const hsp::Vec3 middle = map.scene.at(edge.body, edge.nearer, (edge.from + edge.to) / 2);
+  const std::array<double, 2> at = line.at((line.from + line.to) / 2);
+  return std::hypot(at[0] - middle.x, at[1] - middle.y) <= hsp::position_tolerance(map);
+}
+
+// Without the lines between strands, each edge of regions must be one line of a path, and there must be one or two
+// outline arcs for each. And the areas of loops must sum to the areas within outlines.
 std::string broken_lines(const BuiltSticks &built) {
   const hsp::StickMap &map = built.builder().map();
   if (!map.exist) return "";
-  size_t lines = 0, outlines = 0;
+  oracle::Path lines;
+  size_t outlines = 0;
   double area = 0, swept = 0;
   for (uint32_t p = 0; p < map.owners; ++p) {
-    lines += path_of(built, p, hsp::PathPart::lines).arcs.size() - lines_between_strands(map, p);
+    // Those between strands come last.
+    const oracle::Path arcs = path_of(built, p, hsp::PathPart::lines).arcs;
+    const auto between = static_cast<std::ptrdiff_t>(lines_between_strands(map, p));
+    lines.insert(lines.end(), arcs.begin(), arcs.end() - between);
     const DrawnPath outline = path_of(built, p, hsp::PathPart::outline);
     outlines += outline.arcs.size();
     for (const oracle::PathArc &arc : outline.arcs) swept += arc.swept_area();
   }
   for (const hsp::MapLoop &loop : map.loops.items()) area += loop.owner == hsp::no_id ? 0 : loop.area;
   if (std::abs(area - swept) > 1e-7 * area) return "areas of loops are not those of paths";
-  if (lines != map.edges.size()) return "lines that are missing, or drawn twice";
-  return outlines < lines || outlines > 2 * lines ? "outlines that are missing" : "";
+  if (lines.size() != map.edges.size()) return "lines that are missing, or drawn twice";
+  if (outlines < lines.size() || outlines > 2 * lines.size()) return "outlines that are missing";
+  for (const hsp::MapEdge &edge : map.edges.items()) {
+    const auto line = std::find_if(lines.begin(), lines.end(),
+                                   [&](const oracle::PathArc &arc) { return runs_along(arc, map, edge); });
+    if (line == lines.end()) return "an edge without a line of its own";
+    *line = lines.back();
+    lines.pop_back();
+  }
+  return "";
 }
 
 double length_of(const oracle::Path &path) {
