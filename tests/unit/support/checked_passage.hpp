@@ -68,6 +68,7 @@ inline uint32_t cell_of(BuiltTopology &topology, const Vector &point) {
 // Whether two free points are in one region of the complement; null is the outside.
 inline bool joined(const Balls &balls, const Vector &from, const Vector *to) {
   BuiltTopology topology(balls);
+  EXPECT_EQ(topology.status(), hsp::Status::ok) << oracle::to_text(balls);
   return cell_of(topology, from) == (to == nullptr ? 0 : cell_of(topology, *to));
 }
 

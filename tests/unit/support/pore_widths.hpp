@@ -74,7 +74,9 @@ inline void compare_with_gates(oracle::RandomSource &random, int kind, int pairs
     const double *const end_in_lengths = end == nullptr ? nullptr : last.data();
     support::ProbeByCells cells(oracle::in_lengths(balls, 1), 1.0);
     const auto is_open = [&](support::ProbeByCells &free_space, double probe) {
-      return free_space.passes(probe, start.data(), end_in_lengths);
+      const std::optional<bool> open = free_space.passes(probe, start.data(), end_in_lengths);
+      EXPECT_FALSE(free_space.has_failed()) << oracle::to_text(balls);
+      return open;
     };
     ASSERT_EQ(is_open(cells, std::max(0.0, std::floor(ours) - 1.0)), passage.passes) << oracle::to_text(balls);
     if (!passage.passes) continue;
@@ -91,7 +93,6 @@ inline void compare_with_gates(oracle::RandomSource &random, int kind, int pairs
       if (ball != hsp::no_id) without[ball].radius -= 5;
     support::ProbeByCells opened(oracle::in_lengths(without, 1), 1.0);
     ASSERT_EQ(is_open(opened, std::floor(ours) + 2.0), true) << oracle::to_text(balls);
-    ASSERT_FALSE(cells.has_failed() || opened.has_failed());
   }
 }
 
