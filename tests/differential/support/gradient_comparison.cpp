@@ -67,6 +67,10 @@ void GradientTally::add(const GradientTally &other) {
   worst_of_bounds = std::max(worst_of_bounds, other.worst_of_bounds);
 }
 
+bool nearly_all_known(const GradientTally &tally) {
+  return tally.compared > 0 && tally.beyond * 50 <= tally.compared && tally.worst_of_bounds <= 1e-4L;
+}
+
 std::string to_text(const GradientTally &tally) {
   std::ostringstream text;
   text.precision(2);

@@ -23,8 +23,12 @@ inline constexpr long double gradient_tolerance = 1e-8L;
 
 // Compares dA_i/dx for every ball i, dV/dx, and the derivatives of the total area and of a weighted energy, where x
 // runs through the four numbers of each ball of `movers`. Empty if all agree. A quotient that is not known, with an
-// infinite bound, agrees with everything: callers must limit tally.beyond.
+// infinite bound, agrees with everything: callers must ask for nearly_all_known.
 std::string gradients_differ(const oracle::Balls &balls, const std::vector<size_t> &movers, const Measure &measure,
                              GradientTally &tally);
+
+// Near an arc that is about to be born or to die a quotient is known less well than to the tolerance. That must stay
+// rare, and all of them must be known to four digits, or nothing is compared.
+bool nearly_all_known(const GradientTally &tally);
 
 std::string to_text(const GradientTally &tally);
