@@ -116,7 +116,9 @@ TEST(FloodFill, Cages) {
     ASSERT_TRUE(inner.has_value());
     const FloodFill::Region &void_region = fill.certain()[*inner];
     EXPECT_FALSE(fill.perhaps()[void_region.perhaps].reaches_border);
-    EXPECT_NE(fill.perhaps_at({0, 0, box.high[2] - 1}), void_region.perhaps);
+    const auto around = fill.perhaps_at({0, 0, box.high[2] - 1});
+    ASSERT_TRUE(around.has_value());
+    EXPECT_NE(*around, void_region.perhaps);
     const long double now = fill.perhaps()[void_region.perhaps].volume - void_region.volume;
     EXPECT_LT(now, 0.6L * difference);
     difference = now;

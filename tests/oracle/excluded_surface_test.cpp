@@ -36,6 +36,10 @@ TEST(ExcludedSurface, BallAndSaddle) {
   const double saddle = 2 * pi * (3 * 2 * t - 2 * 0.8);
   const double caps = 2 * (2 * pi * 4 * (4 + 3.2));
   EXPECT_NEAR(two.area, saddle + caps, (saddle + caps) * 3e-3);
+  // The saddle's meridian 3 - sqrt(1 - x^2) runs from x = -.8 to .8, and takes a cap of height .8 off each ball.
+  const double within = pi * (9 * 1.6 - 6 * (t + 0.48) + 1.6 - 2 * 0.512 / 3);
+  const double balls = 2 * (4 * pi / 3 * 64 - pi * 0.64 * (12 - 0.8) / 3);
+  EXPECT_NEAR(two.volume, within + balls, (within + balls) * 3e-3);
 }
 
 }  // namespace
