@@ -42,7 +42,7 @@ const double *hessian_block(const hessian *h, uint32_t i, uint32_t j) {
 /* Centres as they are on the lattice, which is where derivatives are taken. */
 static double *rounded_centres(const computed *c) {
   double *xyz = test_zeros(3 * (size_t)c->n + 1, sizeof *xyz);
-  hsp_model_get_balls(c->model, xyz, NULL, c->n, NULL);
+  CHECK_EQUAL(hsp_model_get_balls(c->model, xyz, NULL, c->n, NULL), HSP_OK);
   return xyz;
 }
 
@@ -164,7 +164,7 @@ static const char *broken_dilation(const laws *l) {
   hsp_gradient_outputs outputs = {.struct_size = sizeof outputs, .capacity = c->n, .d_centre = by_radii};
   const char *broken = NULL;
   uint32_t i, axis;
-  hsp_model_get_balls(c->model, NULL, radius, c->n, NULL);
+  CHECK_EQUAL(hsp_model_get_balls(c->model, NULL, radius, c->n, NULL), HSP_OK);
   if (hsp_boundary_get_gradient(c->boundary, &areas, &outputs) != HSP_OK)
     broken = "hsp_boundary_get_gradient: not HSP_OK";
   for (i = 0; i < c->n && broken == NULL; ++i) {
@@ -251,6 +251,8 @@ const char *hessian_difference_after_permutation(const computed *c, const comput
   for (i = 0; i < c->n && broken == NULL; ++i) {
     if (here.flags[i] != there.flags[place[i]])
       broken = "hsp_boundary_get_hessian_rows, property 4: flags by the order";
+    else if (here.first[i + 1] - here.first[i] != there.first[place[i] + 1] - there.first[place[i]])
+      broken = "hsp_boundary_get_hessian_rows, property 4: the number of blocks by the order of the balls";
     for (k = here.first[i]; k < here.first[i + 1] && broken == NULL; ++k) {
       const double *const block = hessian_block(&there, place[i], place[here.ball[k]]);
       if (block == NULL || memcmp(block, here.block + 9 * (size_t)k, 9 * sizeof *block) != 0)
