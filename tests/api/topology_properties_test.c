@@ -306,5 +306,8 @@ int main(void) {
   known_sets();
   nesting();
   every_set();
+  check_scene("%s", "all sets");
+  CHECK(mostly_decided(&face_areas_decided, 0.9));
+  CHECK(mostly_decided(&start_faces_decided, 0.7));
   return check_report();
 }

@@ -213,5 +213,8 @@ int main(void) {
   no_more_than_a_ball();
   two_balls();
   hidden_partly();
+  check_scene("%s", "all sets");
+  CHECK(mostly_decided(&map_points_decided, 0.9));
+  CHECK(mostly_decided(&map_sides_decided, 0.6));
   return check_report();
 }

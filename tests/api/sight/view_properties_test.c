@@ -321,5 +321,8 @@ int main(void) {
   hidden_in_any_order();
   two_balls();
   touching_balls();
+  check_scene("%s", "all sets");
+  CHECK(mostly_decided(&view_pieces_decided, 0.9));
+  CHECK(mostly_decided(&view_sights_decided, 0.9));
   return check_report();
 }

@@ -64,6 +64,8 @@ static double face_angle(const topology_result *t, const hsp_simple_face *face) 
   return angle;
 }
 
+decided_count face_areas_decided;
+
 const char *broken_topology_face_areas(const topology_result *t) {
   const computed *c = t->base;
   const char *broken = NULL;
@@ -80,6 +82,7 @@ const char *broken_topology_face_areas(const topology_result *t) {
   }
   for (i = 0; i < c->counts.faces && broken == NULL; ++i) {
     const double r = c->radius[c->faces[i].ball];
+    count_decided(&face_areas_decided, !isnan(sum[i]));
     if (isnan(sum[i])) continue;
     if (!(fabs(sum[i] * r * r - area[i]) <= 1e-7 * r * r + 100 * c->rounding * r)) {
       broken = "the simple faces of a maximal face do not sum to its area";

@@ -2,6 +2,7 @@
  * the first one that does not hold. Later ones rely on what the earlier ones have found sound. */
 #pragma once
 
+#include "decided_count.h"
 #include "topology_result.h"
 
 #ifdef __cplusplus
@@ -23,11 +24,14 @@ const char *broken_topology_shells(const topology_result *t);
 /* Positions, axes and angles within rounding errors. Time is edges times balls. */
 const char *broken_topology_positions(const topology_result *t);
 
-/* The areas that the loops of simple faces enclose. */
+/* The areas that the loops of simple faces enclose. The count is of maximal faces. */
 const char *broken_topology_face_areas(const topology_result *t);
+extern decided_count face_areas_decided;
 
-/* Scans of outer shells start where the highest point is. */
+/* Scans of outer shells start where the highest point is. The count is of components whose
+ * loop is elsewhere. */
 const char *broken_topology_start_faces(const topology_result *t);
+extern decided_count start_faces_decided;
 
 /* The order of the balls has no effect but on ids. `other` has the balls of t in another order: positions and angles
  * agree bit for bit, areas and volumes up to rounding. */

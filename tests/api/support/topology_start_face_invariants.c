@@ -111,19 +111,26 @@ static int touches_top(const topology_result *t, uint32_t face) {
   return 0;
 }
 
+decided_count start_faces_decided;
+
 const char *broken_topology_start_faces(const topology_result *t) {
   uint32_t i;
   for (i = 0; i < t->counts.components; ++i) {
     const uint32_t start = t->shells[t->components[i].outer_shell].start_face;
     const uint32_t ball = t->faces[start].ball;
     uint32_t q = t->faces[start].q;
-    if (!(position_error(t->base->xyz + 3 * ball) < 1e-9 * t->base->radius[ball]) || touches_top(t, start)) continue;
+    int holds = UNSURE;
+    if (touches_top(t, start)) continue;
+    if (!(position_error(t->base->xyz + 3 * ball) < 1e-9 * t->base->radius[ball])) {
+      count_decided(&start_faces_decided, 0);
+      continue;
+    }
     do {
-      const int holds = holds_top(t, start, q);
+      holds = holds_top(t, start, q);
       if (holds == 0) return "start_face: does not hold the highest point";
-      if (holds == 1) break;
       q = hsp_topology_lnext(t->topology, q);
-    } while (q != t->faces[start].q);
+    } while (holds == UNSURE && q != t->faces[start].q);
+    count_decided(&start_faces_decided, holds != UNSURE);
   }
   return NULL;
 }

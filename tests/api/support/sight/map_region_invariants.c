@@ -7,9 +7,12 @@
 #include "random_numbers.h"
 #include "vectors.h"
 
+decided_count map_points_decided, map_sides_decided;
+
 static const char *broken_sight(const map_result *m, const placed_balls *balls, const double p[2]) {
   const uint32_t seen = seen_ball(balls, p);
   hsp_map_sight sight;
+  count_decided(&map_points_decided, seen != UNSURE_BALL);
   if (seen == UNSURE_BALL) return NULL;
   if (hsp_map_pick(m->map, p[0], p[1], &sight) != HSP_OK) return "hsp_map_pick fails";
   if (sight.ball != seen) return "hsp_map_pick finds another ball than the highest";
@@ -47,15 +50,20 @@ static const char *broken_sides(const map_result *m, const placed_balls *balls, 
     if (m->faces[edge->face[1]].ball != edge->ball[1]) return "a crease has another ball on its right";
   }
   /* The curve turns away from its tangent by less than a hundredth of the step aside. */
-  if (speed * (edge->to - edge->from) < 0.02 * radius) return NULL;
+  if (speed * (edge->to - edge->from) < 0.02 * radius) {
+    map_sides_decided.all += 2;
+    return NULL;
+  }
   for (side = 0; side < 2; ++side) {
     const double aside = (side == 0 ? 1e-3 : -1e-3) * radius / speed;
     const double p[2] = {point.xyz[0] - aside * forward[1], point.xyz[1] + aside * forward[0]};
     const uint32_t seen = seen_ball(balls, p), expected = m->faces[edge->face[side]].ball;
     hsp_map_sight sight;
-    if (seen == UNSURE_BALL || hsp_map_pick(m->map, p[0], p[1], &sight) != HSP_OK) continue;
     /* another edge may be as close */
-    if (sight.face != edge->face[side]) continue;
+    const int is_decided =
+        seen != UNSURE_BALL && hsp_map_pick(m->map, p[0], p[1], &sight) == HSP_OK && sight.face == edge->face[side];
+    count_decided(&map_sides_decided, is_decided);
+    if (!is_decided) continue;
     if (seen != expected) return "beside an edge another ball is seen than its face says";
     if (seen != HSP_NONE && edge->ball[1] == HSP_NONE && side == 1 &&
         !near(point.xyz[2] - point.gap[1], front_height(balls, seen, p), 0.1 * radius))

@@ -2,6 +2,7 @@
  * first one that does not hold. Later ones rely on what the earlier ones have found sound. */
 #pragma once
 
+#include "decided_count.h"
 #include "view_result.h"
 
 #ifdef __cplusplus
@@ -19,8 +20,10 @@ const char *broken_view_records(const view_result *v);
 const char *broken_view_arcs(const view_result *v);
 
 /* The regions that loops enclose against the definition of a piece, and the last piece painted against the ball that is
- * seen, at `samples` points of every ball, chosen by seed. */
+ * seen, at `samples` points of every ball, chosen by seed. The counts are of points of pieces, and of points at which a
+ * ball is seen. */
 const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t seed);
+extern decided_count view_pieces_decided, view_sights_decided;
 
 /* The order of the balls has no effect but on ids. `other` has the balls of v in another order: doubles agree bit for
  * bit, and records come in the same order. */

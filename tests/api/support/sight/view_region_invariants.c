@@ -111,10 +111,14 @@ static int outside_disc(const hsp_view_piece *piece, const double p[2]) {
   return hypot(p[0] - piece->centre[0], p[1] - piece->centre[1]) > piece->radius * (1 + 1e-9);
 }
 
+decided_count view_pieces_decided, view_sights_decided;
+
 static const char *broken_at(const scene *s, uint32_t i, const double p[2]) {
   const view_result *v = s->v;
   const int cut = cut_away(s, i, p);
   const uint32_t visible = seen_ball(&s->balls, p);
+  count_decided(&view_sights_decided, visible != UNSURE_BALL);
+  if (s->piece[i] != HSP_NONE) count_decided(&view_pieces_decided, cut >= 0);
   if (s->piece[i] != HSP_NONE) {
     const int turns = winding(v, s->piece[i], p);
     if (turns != 0 && turns != 1) return "loops of a piece wind about a point neither once nor not at all";
