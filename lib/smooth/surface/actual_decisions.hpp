@@ -1,4 +1,4 @@
-// Asks a question in numbers of one width after the other (actual_balls.hpp).
+// Asks a question in numbers of ever greater width, until one answers (actual_balls.hpp).
 #pragma once
 
 #include "surface/actual_balls.hpp"
@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-// A vector of the numbers that points are in.
+// A vector of the number type of these points.
 template <class Number>
 NumberVector<Number> vector_of(const ActualPoints<Number> &) {
   return {};

@@ -1,4 +1,4 @@
-// The balls of the actual set (actual_balls.hpp) in numbers that know their error: doubles, or floats of some width.
+// The balls of the actual set (actual_balls.hpp) in numbers with an error bound: doubles, or floats of some width.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -18,9 +18,11 @@ struct ActualNumbers<BoundedDouble> {
   KeptVertices &kept;
   static constexpr uint32_t bits = 53;
 
-  // The input and the actual set differ by far less than the last bit, but by more than the smallest double.
+  // A bound on how far coordinates of the actual set differ from the input: far less than the last bit of a double, but
+  // more than the smallest double.
   static constexpr double shift = 0x1p-590;
 
+  // Positions are relative to the ball at hand, where doubles are precise; those of floats to the component's origin.
   static constexpr bool from_one_place = false;
   uint32_t origin_for(uint32_t ball) const { return ball; }
   BoundedDouble number(int64_t value) const { return {static_cast<double>(value)}; }
@@ -39,9 +41,9 @@ struct ActualNumbers<BoundedDouble> {
     const BoundedDouble rest = product(balls.r[i] - p, balls.r[i] + p);
     return {rest.value, rest.error + 0x1p-180 * balls.r[i] * balls.r[i]};
   }
-  // Of 4 w N - q.q for the vertex (exact/PROOFS.md): that of the input is exact and rounded once, and that of the
-  // actual set differs by less than 2^-185 of its terms, so the root by less than the root of that. The balls meet, so
-  // the sum of their radii bounds their distances.
+  // The root of 4 w N - q.q for the vertex (exact/PROOFS.md). The value for the input is exact and rounded once. The
+  // value for the actual set differs from it by less than 2^-185 of its terms, so the roots differ by less than the
+  // root of that. The balls meet, so the sum of their radii bounds their distances.
   BoundedDouble root_discriminant(uint32_t v, const BoundedDouble &, const NumberVector<BoundedDouble> &) const {
     const double root = boundary.root_discriminant(v);
     const VertexRecord &record = boundary.vertex(v);
@@ -73,7 +75,8 @@ struct ActualNumbers<WideFloat> {
   WideFloat root_discriminant(uint32_t v, const WideFloat &square, const NumberVector<WideFloat> &q) const;
 };
 
-// Of two circles on one sphere of a weight, with the square of the normal n and q as in exact/PROOFS.md.
+// The discriminant of two circles on a sphere with this weight: 4 weight n.n - q.q, where `square` is n.n, with n and q
+// as in exact/PROOFS.md.
 template <class Number>
 [[gnu::noinline]] Number discriminant_of(const Number &square, const NumberVector<Number> &q, const Number &weight) {
   return (weight * square).scaled(2) - dot(q, q);

@@ -1,5 +1,5 @@
-// Where the points of the actual set lie that the smooth surface is decided about (actual_balls.hpp), in numbers that
-// know their error: doubles, or floats of some width.
+// Positions of the points of the actual set (actual_balls.hpp) by which the smooth surface is decided, in numbers with
+// an error bound: doubles, or floats of some width.
 #pragma once
 
 #include "core/extremes.hpp"
@@ -16,7 +16,7 @@ class ActualPoints : public ActualNumbers<Number> {
   using Base = ActualNumbers<Number>;
   using Base::number;
 
-  // All points as seen from the centre of this ball.
+  // All positions are relative to the centre of this ball, or for floats to the origin of its component.
   ActualPoints(const Base &numbers, uint32_t ball) : Base(numbers), ball_(ball), origin_(this->origin_for(ball)) {}
 
   uint32_t ball() const { return ball_; }
@@ -26,9 +26,10 @@ class ActualPoints : public ActualNumbers<Number> {
     return p * p;
   }
   Number square_of_diameter() const { return probe_weight().scaled(2); }
-  // Each into x.
+  // Writes the position of a ball's centre to x.
   void find_centre(uint32_t ball, Vector &x) const { this->find_difference(origin_, ball, x); }
-  // Floats are kept as they are found; doubles as seen from the first ball, where they are precise.
+  // Writes the position of a vertex to x. Floats are kept as they are returned; doubles are kept relative to the
+  // vertex's first ball, where they are precise.
   void find_vertex(uint32_t v, Vector &x) const {
     const bool found = find_kept(v, x);
     if (!found) find_from_first_ball(v, x);
@@ -36,7 +37,7 @@ class ActualPoints : public ActualNumbers<Number> {
     if (!found || !Base::from_one_place) add_centre(this->boundary.vertex(v).ball[0], x);
     if (!found && Base::from_one_place) keep(v, x);
   }
-  // A point as seen from a vertex.
+  // The vector from a vertex to a point.
   [[gnu::noinline]] void find_arm(uint32_t v, const BorderPoint &point, Vector &arm) const {
     find_point(point, arm);
     if (point.kind == BorderPoint::Kind::cusp || v != point.id[0]) add_way_to_origin_of(point, v, arm);
@@ -62,15 +63,16 @@ class ActualPoints : public ActualNumbers<Number> {
     find_vertex(v, here);
     arm -= here;
   }
-  // The normal of a side of a patch, towards its inside: the way to the first ball times that to the second.
+  // The normal of a side of the patch of v, towards the inside of the patch: the cross product of the vectors from v to
+  // the first ball and to the second.
   [[gnu::noinline]] void find_inward(uint32_t v, uint32_t first, uint32_t second, Vector &normal) const {
     Vector arm;
     find_arm_to_ball(v, first, normal);
     find_arm_to_ball(v, second, arm);
     normal = cross(normal, arm);
   }
-  // Where the probes at three vertices meet, as seen from the first: in the points middle - half and middle + half, or
-  // in none if D is less than 0. Its sign is returned; nothing is certain of half if it is not.
+  // The probes' spheres at three vertices meet in the points middle - half and middle + half, relative to the first
+  // vertex, or in none if D < 0. Returns the sign of D, or 0 if it is not certain; then `half` is not certain either.
   [[gnu::noinline]] int find_meeting(uint32_t a, uint32_t b, uint32_t c, Vector &middle, Vector &half) const {
     find_planes(a, b, c, half, middle);
     const Number square = dot(half, half);
@@ -81,7 +83,8 @@ class ActualPoints : public ActualNumbers<Number> {
     to_meeting(half, middle, square, root);
     return sign;
   }
-  // Whether a point that is seen from a vertex is in its patch.
+  // Whether the point at `arm` from vertex v lies inside the three sides of v's patch: 1, -1, or 0 if that is not
+  // certain.
   [[gnu::noinline]] int inside_of_sides(uint32_t v, const Vector &arm) const {
     int sure = 1;
     for (uint32_t slot = 0; slot < 3 && sure >= 0; ++slot) {
@@ -97,8 +100,9 @@ class ActualPoints : public ActualNumbers<Number> {
     find_inward(v, record.ball[side.first], record.ball[side.second], inward);
     return dot(arm, inward).sign();
   }
-  // Whether the probe at another vertex cuts something off the patch of v, which is none of its corners: it lies over
-  // the patch, or it reaches over a side, and between the ends of this is what is nearest to it (near_probes.hpp).
+  // Whether the probe at another vertex cuts something off the patch of v. It never cuts off a corner. So its centre
+  // lies over the patch, or it reaches over a side whose point nearest to it lies between the side's ends
+  // (near_probes.hpp).
   [[gnu::noinline]] int cuts_patch(uint32_t other, uint32_t v) const {
     Vector way;
     find_arm_to_vertex(v, other, way);
@@ -110,8 +114,8 @@ class ActualPoints : public ActualNumbers<Number> {
     for (uint32_t slot = 0; slot < 3 && cuts < 0; ++slot) cuts = reaches_over_side(v, slot, way, reach);
     return cuts;
   }
-  // Whether a point at the probe's radius from vertex v, seen from there, is in another probe: with d the way from this
-  // one's centre to v, (arm + d)^2 < arm^2.
+  // Whether the point at `arm` from vertex v, |arm| = p, is in the probe at `other`: with d the vector from `other` to
+  // v, (arm + d)^2 < arm^2.
   [[gnu::noinline]] int in_probe(uint32_t other, uint32_t v, const Vector &arm) const {
     Vector way, sum;
     find_arm_to_vertex(other, v, way);
@@ -119,21 +123,21 @@ class ActualPoints : public ActualNumbers<Number> {
     sum += way;
     return -dot(way, sum).sign();
   }
-  // rho^2 - p^2, times the square of twice the distance of the centres: where that is less than 0, and both centres are
-  // on their own sides of the circle's plane, saddles reach the axis.
+  // rho^2 - p^2, times the square of twice the distance of the centres. If this is less than 0 and the circle's plane
+  // lies between the centres, saddles reach the axis.
   Number height_over_axis(uint32_t a, uint32_t b) const {
     Vector u;
     this->find_difference(a, b, u);
     const Number square = dot(u, u), twice = square + this->weight_difference(a, b);
     return (square * this->weight_over_probe(a)).scaled(2) - twice * twice;
   }
-  // Twice the distance of ball a's centre from the plane of its circle with b, times that of the centres.
+  // Twice the distance of ball a's centre from the plane of its circle with b, times the distance of the two centres.
   Number height_of_circle(uint32_t a, uint32_t b) const {
     Vector u;
     this->find_difference(a, b, u);
     return height(a, b, u);
   }
-  // At right angles to a vector, of about its length if the axis is the one that it is least along.
+  // A vector at right angles to u, of about its length if `axis` is the coordinate axis that u is least along.
   [[gnu::noinline]] void find_across(const Vector &u, int axis, Vector &across) const {
     constexpr int64_t along[] = {104, 39, 25, 104, 39};  // the axis, the next one, the last one
     const int first = (3 - axis) % 3;
@@ -150,8 +154,8 @@ class ActualPoints : public ActualNumbers<Number> {
   }
 
   // Where three spheres meet (exact/PROOFS.md), as seen from the centre of the first: u and z are the centres of the
-  // others, h_u and h_z twice the distances of the planes, times those of the centres, n = u x z, q = h_u z - h_z u,
-  // D = 4 w n.n - q.q. n comes into u, and q into z.
+  // others, h_u and h_z twice the distances of the planes, times those of the centres, n = u x z, q = h_u z - h_z u, D
+  // = 4 w n.n - q.q. Writes n to u, and q to z.
   [[gnu::noinline]] static void to_normals(Vector &u, const Number &h_u, Vector &z, const Number &h_z) {
     Vector n = cross(u, z);
     z *= h_u;
@@ -161,7 +165,7 @@ class ActualPoints : public ActualNumbers<Number> {
   }
   [[gnu::noinline]] Number half_over(const Number &square) const { return (number(1) / square).scaled(-1); }
   [[gnu::noinline]] static void to_cross(Vector &a, const Vector &b) { a = cross(a, b); }
-  // q x n / (2 n.n), into q, and root n / (2 n.n), into n.
+  // Writes q x n / (2 n.n) to q, and root n / (2 n.n) to n.
   [[gnu::noinline]] void to_meeting(Vector &n, Vector &q, const Number &square, const Number &root) const {
     const Number factor = half_over(square);
     to_cross(q, n);
@@ -174,7 +178,7 @@ class ActualPoints : public ActualNumbers<Number> {
     const Number h_n = height(record.ball[0], record.ball[1], n);
     to_normals(n, h_n, q, height(record.ball[0], record.ball[2], q));
   }
-  // Points by a number that no vertex has.
+  // name: a vertex, or for another point a number that no vertex has.
   bool find_kept(uint32_t name, Vector &x) const {
     if constexpr (small_code) return false;
     return this->kept.find(name, this->bits, x);
@@ -182,8 +186,8 @@ class ActualPoints : public ActualNumbers<Number> {
   void keep(uint32_t name, const Vector &x) const {
     if constexpr (!small_code) this->kept.keep(name, this->bits, x);
   }
-  // For a way w, the side's normal g and t the probe's diameter: w.g < 0 and
-  // (w.g)^2 t^2 < w^2 (t^2 - w^2) g^2 = reach g^2.
+  // With w = way, g the side's normal and t the probe's diameter: the ends as below, w.g < 0 and (w.g)^2 t^2 < w^2 (t^2
+  // - w^2) g^2 = reach g^2.
   [[gnu::noinline]] int reaches_over_side(uint32_t v, uint32_t slot, const Vector &way, const Number &reach) const {
     const VertexRecord &record = this->boundary.vertex(v);
     const SideOfPatch side = side_of_patch(record, slot);
@@ -200,7 +204,8 @@ class ActualPoints : public ActualNumbers<Number> {
     if (outside < 0) return outside;
     return smaller_of(outside, (reach * dot(normal, normal) - along * along * square_of_diameter()).sign());
   }
-  // For the ends d and e: w.(e d^2 - d d.e) > 0, and the other way round.
+  // Whether the point of the side's circle nearest to w = way lies between the side's ends d and e: w.(e d^2 - d d.e) >
+  // 0, and the same with d and e exchanged.
   [[gnu::noinline]] int between_ends(uint32_t v, uint32_t first, uint32_t last, const Vector &way) const {
     Vector d, e;
     find_arm_to_ball(v, first, d);
@@ -210,8 +215,8 @@ class ActualPoints : public ActualNumbers<Number> {
     if (beyond_first < 0) return beyond_first;
     return smaller_of(beyond_first, (to_first * dot(e, e) - to_last * together).sign());
   }
-  // A cusp as seen from the centre of its first ball, others from their first vertex. Doubles are not kept, as their
-  // last bits are those of the place that all is seen from.
+  // A cusp is relative to the centre of its first ball, any other point to its first vertex. Doubles are not kept, as
+  // their last bits depend on the ball that positions are relative to.
   [[gnu::noinline]] void find_point(const BorderPoint &point, Vector &x) const {
     const bool has_name = Base::from_one_place && point.number < BorderPoint::no_number;
     const uint32_t name = ~point.number;
@@ -246,7 +251,7 @@ class ActualPoints : public ActualNumbers<Number> {
       middle -= half;
     }
   }
-  // Of the probes at three vertices, as seen from the first.
+  // n and q for the probes' spheres at three vertices, relative to the first.
   [[gnu::noinline]] void find_planes(uint32_t a, uint32_t b, uint32_t c, Vector &n, Vector &q) const {
     find_arm_to_vertex(a, b, n);
     find_arm_to_vertex(a, c, q);

@@ -1,4 +1,4 @@
-// Where the arcs around a patch are, in numbers of any width.
+// Positions of the arcs around a patch, in numbers of any width.
 #pragma once
 
 #include "surface/actual_decisions.hpp"
@@ -7,7 +7,8 @@
 
 namespace hsp {
 
-// An arc as seen from its vertex: it runs about `axis`, in the plane through `middle`; its ends are as seen from there.
+// An arc runs about `axis`, in the plane through `middle`. `middle` is relative to the vertex of the patch; `start` and
+// `end` are relative to `middle`.
 template <class Number>
 struct ArcPlace {
   NumberVector<Number> axis, middle, start, end;
@@ -20,7 +21,7 @@ void find_axis(const ActualPoints<Number> &actual, uint32_t vertex, uint32_t acr
   const SideOfPatch side = side_of_patch(record, across & ~PatchArc::side_bit);
   actual.find_inward(vertex, record.ball[side.second], record.ball[side.first], axis);
 }
-// Apart, so that its numbers are not on the stack below ends.
+// A function of its own, so that its temporaries are not on the stack while ends are computed.
 template <class Number>
 [[gnu::noinline]] void find_middle(const ActualPoints<Number> &actual, const BorderArc &arc, ArcPlace<Number> &place) {
   place.middle = place.axis;

@@ -1,6 +1,6 @@
-// The part of a boundary whose smooth surface is asked for: all of it, or some of its shells, as those of one region of
-// the complement, which is then all the room that a probe has. The rest has its own surface, as if it were alone: no
-// probe of one part cuts a patch of the other.
+// The part of a boundary whose smooth surface is asked for: all of it, or some of its shells, such as those of one
+// region of the complement. That region is then all the room that a probe has. The other part of the boundary has its
+// own surface, as if it were alone: no probe of one part cuts a patch of the other.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -34,12 +34,13 @@ class ChosenFaces {
   RankedBits faces_;
 };
 
-// All faces at a vertex are of one shell.
+// One of the faces at a vertex. All of them are of one shell.
 inline uint32_t face_at_vertex(const Boundary &boundary, uint32_t vertex) {
   return boundary.face_of(boundary.half_edge_at(vertex, 0));
 }
 
-// Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
+// Whether the probe at `other` has to be considered for the patch of `vertex`. Probes of other components of the union
+// cut nothing that no probe of this one cuts (PROOFS.md, section 5).
 inline bool may_cut(const Boundary &boundary, const ChosenFaces &chosen, uint32_t vertex, uint32_t other) {
   return boundary.component(boundary.vertex(other).ball[0]) == boundary.component(boundary.vertex(vertex).ball[0]) &&
          (chosen.all() || chosen.together(face_at_vertex(boundary, other), face_at_vertex(boundary, vertex)));

@@ -1,4 +1,4 @@
-// The rest of the concave patches of all vertices, after other probes have cut them.
+// Areas and volumes of the concave patches of all vertices, as far as other probes leave them.
 #pragma once
 
 #include "measure/areas.hpp"
@@ -7,7 +7,8 @@
 
 namespace hsp {
 
-// A part of the unit sphere about a vertex, in lattice steps. The outward normal is towards the probe's centre.
+// Turns measures of a part of the unit sphere about a vertex into those of the probe's sphere, in lattice steps. The
+// outward normal of the surface points to the probe's centre.
 struct ConcaveScale {
   double p;
   Vec3 arm;  // from the origin of the component to the vertex
@@ -20,19 +21,18 @@ struct ConcaveScale {
   }
 };
 
-// They are stored where the grid of probes was, once nobody searches any more: there is memory for one of both. So
-// whole patches, which the search has measured already, are measured once more.
+// Patches are stored in the memory of the grid of probes, after its last search: there is memory for only one of the
+// two. So whole patches, which the search has measured already, are measured once more.
 class ConcavePatches {
  public:
   void use(const ProbeGrid &grid) {
     vector_area_ = grid.shared_vectors();
     area_and_volume_ = grid.shared_doubles();
   }
-  // The probes must stand at their positions; they do not any more thereafter.
-  // False if that is stopped.
+  // The positions of the probes must still be there; they are overwritten. False if `patience` stops it.
   bool measure(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions, const CutPatches &cut,
                Patience &patience);
-  // Without a probe.
+  // All measures are 0, as without a probe.
   void clear(uint32_t vertices);
 
   ConcavePatch operator[](uint32_t vertex) const {

@@ -6,7 +6,7 @@
 namespace hsp {
 
 // Calls visit(slot, half_edge) for the half-edges that start at vertex v on a circle that vertex w is on, too, with the
-// number of their ball in the record of v. Every one lies on another one of the three circles of v.
+// number of their ball in the record of v. Each lies on a different one of the three circles of v.
 template <class Visit>
 void for_each_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, Visit visit) {
   const VertexRecord &own = boundary.vertex(v), &other = boundary.vertex(w);
@@ -16,9 +16,9 @@ void for_each_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, Vi
   }
 }
 
-// A half-edge starts at a vertex and runs clockwise about its circle's axis; counter-clockwise from the vertex the
-// circle is covered, up to the end of some arc: the vertex there, never the same one. Arcs of the other part of the
-// boundary do not interrupt the gap.
+// A half-edge on `ball` starts at a vertex and runs clockwise about its circle's axis. Counter-clockwise from that
+// vertex the circle is covered, up to the end of some arc. Returns the vertex at that end, which is never the vertex
+// itself. Arcs of the other part of the boundary (chosen_faces.hpp) do not interrupt the gap.
 uint32_t vertex_across_gap(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, uint32_t ball,
                            uint32_t half_edge);
 

@@ -1,4 +1,5 @@
-// Concave patches with creases: their borders chained to loops, the loops gathered to pieces, these measured and put.
+// Concave patches with creases, cut by decisions about the actual set: their borders are chained to loops, the loops
+// gathered to pieces, and the pieces measured and stored.
 #pragma once
 
 #include "surface/concave_patches.hpp"
@@ -7,7 +8,7 @@
 
 namespace hsp {
 
-// The words of so many T.
+// The words of 8 bytes for `count` objects of type T.
 template <class T>
 constexpr uint32_t words_of(uint32_t count) {
   return static_cast<uint32_t>((sizeof(T) + 7) / 8) * count;
@@ -27,18 +28,18 @@ class CreasedPatches {
   static constexpr uint32_t words_of_arc = words_of<BorderArc>(1) + words_of<ArcFigures>(1);
   void use(Span<uint64_t> memory) { memory_ = memory; }
 
-  // Status::degenerate if borders do not close, or no width tells what they bound. Cut patches may have no room.
-  // Status::stopped if more is not allowed.
+  // Fills `cut`, which may overflow. Status::degenerate if borders do not close, or no width tells what they bound.
+  // Status::stopped if `patience` stops it.
   Status fill(const Inputs &in, CutPatches &cut, Patience &patience);
 
-  // The border of the patch of the vertex whose near ones are listed, in no order; none if no crease is there.
+  // The arcs around the patch of v, in no order; none if the patch has no crease. `near` must list the vertices near v.
   Span<BorderArc> find_border(const Inputs &in, const NearVertices &near, uint32_t v);
 
  private:
   void add_sides(const Inputs &in, uint32_t v);
   void add_creases(const Inputs &in, const NearVertices &near, uint32_t v);
   void push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end);
-  // Behind what borders and figures use, from patch to patch, as long as there is room.
+  // Keeps positions of vertices from patch to patch in the memory from word `first` on, behind borders and figures.
   void keep_vertices(const Inputs &in, uint32_t first);
   Status store_patch(const Inputs &in, uint32_t v, CutPatches &cut);
   void measure_piece(const PatchLoops &loops, uint32_t piece, double &steradians, Vec3 &vector_area,

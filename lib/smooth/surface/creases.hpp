@@ -1,9 +1,9 @@
-// Where the probes at two vertices meet on the smooth surface: the creases, the corners where three of them do, and
-// where each ends. All of it is decided once for all patches that it bounds, by signs of one actual set
-// (actual_balls.hpp), so that these patches fit together. PROOFS.md, section 10, has the rules.
+// The creases of the smooth surface, where the patches of two probes meet; the corners where three creases meet; and
+// the ends of each crease. Each of these is decided once for all patches beside it, by signs of one actual set
+// (actual_balls.hpp), so that the patches fit together. PROOFS.md, section 10, has the rules.
 //
-// Nothing is stored of vertices but what is there: corners in the order of their vertices, creases in that of theirs.
-// Which probes may cut a patch is searched whenever it is asked for.
+// Only the creases and corners that exist are stored, both in the order of their vertices. The probes that may cut a
+// patch are not stored, but searched for each time.
 #pragma once
 
 #include "surface/actual_balls.hpp"
@@ -19,11 +19,12 @@ struct CreaseCorner {
 
 struct Crease {
   uint32_t low, high;   // vertices
-  uint32_t start, end;  // numbers as in cut_patches.hpp, counter-clockwise about the way from low to high; no_id if it
-                        // is a whole circle
+  uint32_t start, end;  // corners, numbered as in cut_patches.hpp; the crease runs counter-clockwise about the vector
+                        // from low to high. no_id if it is a whole circle
 };
 
-// An end of a crease of the pair of vertices at hand.
+// An end of a crease of the pair of vertices at hand; in_second_half: more than half a turn behind the pair's first
+// end.
 struct CreaseEnd {
   uint32_t number;
   bool starts, in_second_half;
@@ -37,18 +38,19 @@ class Creases {
   Status build(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid, const CuspedCircles &cusped,
                Patience &patience);
 
-  // Near any one vertex, and all of them: also if there is no room, but of creases only if there is for the others.
+  // The most vertices near one vertex, and the numbers of all corners and creases. They are counted also where there is
+  // no room, but creases only if there was room for the other two.
   uint32_t most_near() const { return most_near_; }
   uint32_t required_corners() const { return clamped_count(corners_.required()); }
   uint32_t required_creases() const { return clamped_count(creases_.required()); }
 
   Span<const CreaseCorner> corners() const { return corners_.items(); }
   Span<const Crease> creases() const { return creases_.items(); }
-  // Those of two vertices.
+  // The creases of two vertices.
   IdRange between(uint32_t low, uint32_t high) const;
-  // The list that vertices near one come into.
+  // The list that receives the vertices near one vertex.
   FixedVector<uint32_t> &near_list() { return near_; }
-  // By its number.
+  // The name of a corner, by its number.
   BorderPoint point(uint32_t corner) const;
 
  private:
