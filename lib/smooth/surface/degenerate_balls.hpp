@@ -1,6 +1,6 @@
-// Balls at which derivatives of the smooth surface jump though none of their own vertices shows it: those whose spheres
-// pass through a vertex or a whole circle that other balls have, so that they have no face there or one without area;
-// those of probes that touch each other. Everything but the last is decided in integers.
+// Balls at which derivatives of the smooth surface jump though none of their own vertices shows it: balls whose spheres
+// pass through a vertex or a whole circle of other balls, so that they have no face there or one without area; and
+// balls of a vertex whose probe touches another probe. All but the latter are decided in integers.
 #pragma once
 
 #include "model/cube_grid.hpp"
@@ -13,14 +13,14 @@ bool passes_through_vertex(const BallSet &balls, const VertexRecord &vertex, uin
 // Whether it contains the whole circle of two balls that meet.
 bool contains_circle(const BallSet &balls, uint32_t first, uint32_t second, uint32_t ball);
 
-// False for three centres that are not on one line: products that are equal are so when they are rounded, too.
+// False only if the three centres are not on one line: equal products are equal when they are rounded, too.
 inline bool may_be_on_one_line(const BallSet &balls, uint32_t a, uint32_t b, uint32_t c) {
   const Vec3 u = balls.difference(a, b);
   const Vec3 v = balls.difference(a, c);
   return u.x * v.y == u.y * v.x && u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z;
 }
 
-// Calls visit(ball), several times for some. any_tied: false if no vertex is.
+// Calls visit(ball), several times for some. any_tied: false if no vertex is tied.
 template <class Visit>
 void visit_degenerate_balls(const CubeGrid &grid, const Boundary &boundary, const Surface &surface, bool any_tied,
                             Visit visit) {

@@ -1,9 +1,9 @@
 // The part of a unit sphere outside all of its caps, in doubles: its area up to multiples of 2 pi, its vector area, its
-// border and pieces. All that is answered is certain, given a bound on the errors of the caps; else there is no result.
+// border and pieces. Every answer is certain, given a bound on the errors of the caps; otherwise there is no result.
 //
-// Every pair of circles is asked for its crossing points once, every point whether any cap contains it. The rest
-// are the corners of the region. Along a circle they are, counter-clockwise, where another cap ends and where the next
-// one begins, by turns; between such two the circle bounds the region.
+// The crossing points of each pair of circles are computed once. Those that no cap contains are the corners of the
+// region. Counter-clockwise along a circle, corners where it leaves another cap (exits) and corners where it enters one
+// (entries) take turns; from an exit to the next entry the circle bounds the region.
 //
 // For circles u.x = a and v.x = b put n = u x v, q = a v - b u and D = n.n - q.q (exact/circle_crossing.hpp). Unlike
 // 1 - g^2 - a^2 - b^2 + 2 g a b this keeps its precision where two circles are almost the same, as those of two close
@@ -27,13 +27,13 @@ namespace hsp {
 
 enum class Answer : uint8_t { no, yes, unknown };
 
-// A corner of the region: p+ or p- of the circles of two caps. That of the first leaves the cap of the second in p+ and
-// enters it in p-; for that of the second it is the reverse.
+// A corner of the region: p+ or p- of the circles of two caps. The first circle leaves the cap of the second in p+ and
+// enters it in p-; for the second circle it is the reverse.
 struct RegionCorner {
-  uint32_t exit, entry;  // the circle that leaves the other cap here, and the other one
+  uint32_t exit, entry;  // the circle that leaves the other cap here, and the one that enters
   double root;           // of the discriminant
   Vec3 point;
-  double error;          // of axis.point - height for any cap
+  double error;          // bound for axis.point - height of any cap
   double turn = 0.0;     // exterior angle
   uint32_t arc = no_id;  // that starts here
 };
@@ -117,7 +117,8 @@ class FreeRegionFinder {
     const double above = dot(caps_.axis(r), crossing.point[sign > 0 ? 1 : 0]) - caps_.b[r];
     return above > crossing.error ? Answer::yes : above < -crossing.error ? Answer::no : Answer::unknown;
   }
-  // Of a circle that crosses none, by its centre a u: error of a g - b at most 7 A + (2 * 3.5 A + 3) + 7 A + 2.
+  // Whether cap r contains circle k, which does not cross its circle, by the centre a u of k: error of a g - b at most
+  // 7 A + (2 * 3.5 A + 3) + 7 A + 2.
   Answer lies_inside(uint32_t k, uint32_t r) const {
     const double above = caps_.b[k] * dot(caps_.axis(k), caps_.axis(r)) - caps_.b[r];
     const double certain = 32 * error_;
@@ -180,7 +181,7 @@ class FreeRegionFinder {
     });
     return good && (has_exits || add_whole_circle(k));
   }
-  // Those of each circle as bits, if there are few of both.
+  // Lists the corners of each circle as bits, if circles and corners are few.
   void list_corners() {
     are_listed_ = !small_code && caps_.count <= few && corners_.size() <= few;
     if (!are_listed_) return;
@@ -190,7 +191,7 @@ class FreeRegionFinder {
       entries_[corners_[c].entry] |= uint64_t{1} << c;
     }
   }
-  // In the order of the corners.
+  // Calls visit(corner) for the exits or the entries of circle k, in the order of the corners.
   template <class Visit>
   void for_each_corner(uint32_t k, bool exits, Visit visit) {
     if (!small_code && are_listed_) {
@@ -206,7 +207,7 @@ class FreeRegionFinder {
 
   // Circle k has no corner: it is covered as a whole, or free as a whole.
   bool add_whole_circle(uint32_t k) {
-    // Where circles cross and leave no corner, the rest is in other caps.
+    // If it crosses other circles and has no corner, it is in other caps as a whole.
     if ((crossed_ & bit(k)) != 0) return true;
     Answer covered = Answer::no;
     for (uint32_t r = 0; r < caps_.count && covered != Answer::yes; ++r) {
@@ -220,13 +221,13 @@ class FreeRegionFinder {
     return covered != Answer::unknown;
   }
 
-  // Its own successor, until that of an arc that ends is known.
+  // A new arc is its own successor; find() sets that of an arc with ends.
   void add_arc(uint32_t k, uint32_t start, uint32_t end, double turn, double angle, const Vec3 &chord) {
     const SphereArc arc{caps_.axis(k), caps_.b[k], angle, chord};
     arcs_.push({k, start, end, clamped_count(arcs_.required()), angle, arc.height * angle - turn, arc.vector_area()});
   }
 
-  // Of the first circles; others have none.
+  // The bit of one of the first circles; 0 for others.
   static uint64_t bit(uint32_t k) { return k < few ? uint64_t{1} << k : 0; }
 
   uint32_t number_of(const RegionCorner &corner) const {
@@ -240,13 +241,13 @@ class FreeRegionFinder {
   FixedVector<RegionCorner> &corners_;
   FixedVector<RegionArc> &arcs_;
   uint64_t crossed_ = 0;                // circles that cross others
-  bool are_listed_ = false;             // the next two hold something:
+  bool are_listed_ = false;             // whether the next two are filled:
   uint64_t exits_[few], entries_[few];  // corners of each circle
 };
 
-// The loops of the region, if it lies inside a spherical triangle, and the pieces that they bound, with the Euler
-// characteristic (gather_pieces): by Gauss and Bonnet what a loop leaves on its region's side has the area 2 pi plus
-// the sum of its arcs' heights * angles, minus its exterior angles.
+// Finds the loops of a region inside a spherical triangle, the pieces that they bound, and the Euler characteristic
+// (gather_pieces). By Gauss and Bonnet the area on the region's side of a loop is 2 pi plus the sum of height * angle
+// over its arcs, minus its exterior angles.
 inline bool find_pieces(Span<RegionArc> arcs, int32_t &characteristic) {
   label_loops(arcs);
   const auto excess = [arcs](uint32_t loop) {

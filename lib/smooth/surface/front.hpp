@@ -10,13 +10,13 @@
 namespace hsp {
 namespace {
 
-// A bit for each of the lowest `count` of n lanes, for all of them from n on.
+// A bit for each of the lowest `count` of n lanes; for all n if count >= n.
 template <uint32_t n>
 uint32_t first_of(uint32_t count) {
   return (1U << (count < n ? count : n)) - 1U;
 }
 
-// Chosen are lanes by their bits. Where they are written there must be room for all n.
+// Lane k is chosen if bit k is set. Wherever the chosen lanes are written there must be room for all n.
 template <uint32_t n>
 class Front {
  public:

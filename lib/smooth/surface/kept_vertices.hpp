@@ -1,6 +1,6 @@
-// Where vertices and other points of the actual set lie, as they were computed in some width: kept in memory that
-// nothing else needs now, as most questions are about the same few. The oldest ones make room. Nothing depends on how
-// many are kept.
+// A cache of positions: vertices and other points of the actual set, as they were computed in some width. Most
+// questions are about the same few points. The memory is lent by the caller; the oldest positions make room for new
+// ones. No answer depends on how many are kept.
 #pragma once
 
 #include "core/span.hpp"
@@ -20,7 +20,7 @@ class KeptVertices {
     for (uint64_t &word : places_) word = no_id;
   }
 
-  // Into x; false if it is not there.
+  // Writes the position to x; false if it is not kept.
   template <class Number>
   bool find(uint32_t vertex, uint32_t bits, NumberVector<Number> &x) const {
     if (places_.empty()) return false;
@@ -38,7 +38,7 @@ class KeptVertices {
   void keep(uint32_t vertex, uint32_t bits, const NumberVector<Number> &x) {
     const uint32_t size = 3 * Number::words_of(bits);
     if (size > words_.size()) return;
-    // In one piece.
+    // The words of a position are consecutive.
     if (end_ % words_.size() + size > words_.size()) end_ += words_.size() - end_ % words_.size();
     uint64_t *const place = place_of(vertex, bits);
     place[0] = name(vertex, bits);
@@ -53,11 +53,11 @@ class KeptVertices {
   }
 
  private:
-  // A place for each so many words, with two of its own.
+  // There is one place for so many words of memory; a place takes two of them.
   static constexpr uint32_t words_for_place = 16;
 
   static uint64_t name(uint32_t vertex, uint32_t bits) { return uint64_t{vertex} << 32 | bits; }
-  // The name of what is there, and the number of its first word, as they are counted from the beginning.
+  // A place holds the name of a position, and the number of its first word; words are counted on without starting anew.
   uint64_t *place_of(uint32_t vertex, uint32_t bits) const {
     return places_.data() + uint64_t{(vertex * 7 + bits / 64) % (places_.size() / 2)} * 2;
   }

@@ -2,14 +2,14 @@
 // are found.
 //
 // Lengths are in units of the side of the cubes that the probes are sorted by, positions relative to one point. With q
-// from this vertex to the other one, t the probe's diameter, g the normals of the triangle's sides and d its corners:
-// the other probe overlaps this one iff |q| < t, and cuts off the directions w with w.q/|q| > |q|/t. No corner is ever
-// cut off, as it lies on a ball. So something of the triangle is cut off only
+// the vector from this vertex to the other one, t the probe's diameter, g the normals of the triangle's sides and d its
+// corners: the other probe overlaps this one iff |q| < t, and cuts off the directions w with w.q/|q| > |q|/t. No corner
+// is ever cut off, as it lies on a ball. So something of the triangle is cut off only
 //   if q lies over it, q.g_k >= 0 for all k, or
 //   if for some side k with ends a and b  q.g_k < 0, (q.g_k)^2 < q^2 (1 - q^2/t^2), so that the cap reaches it, and
 //      what is nearest to q lies between the ends: q.(d_b - (d_a.d_b) d_a) > 0 and q.(d_a - (d_a.d_b) d_b) > 0.
-// All numbers have errors of at most `error` in each coordinate of q, and of that order elsewhere; the margins below
-// have these and the roundings in them (lengths are at most 1.1):
+// Each coordinate of q has an error of at most `error`, and other numbers have errors of that order. The margins below
+// cover these errors and the roundings (lengths are at most 1.1):
 //   q.g, q.d            2 error + 8e, e = 2^-24                   less than margin = 4 error + 2^-19
 //   combinations        twice that and two roundings              2 margin
 //   squares             2.2 (2 error + 8e) + 8e twice             8 margin
@@ -26,7 +26,7 @@ struct ProbeRange {
 };
 
 struct ProbeSearch {
-  // Found in one go, at most; and what the functions may write behind these.
+  // How many probes one call finds at most, and how many more places it may write behind them.
   static constexpr uint32_t room = 64;
   static constexpr uint32_t spare = 8;
 
@@ -34,7 +34,7 @@ struct ProbeSearch {
   const uint32_t *vertex;
 
   float own[3];
-  float square_of_reach;          // probes from here on do not overlap this one for certain
+  float square_of_reach;          // probes at least so far away certainly do not overlap this one
   float inverse_square_of_reach;  // 1/t^2
   float margin;
   float inward[3][3], corner[3][3], cosine[3];
@@ -47,8 +47,8 @@ struct ProbeSearch {
   bool done() const { return at == ranges; }
 };
 
-// Looks on until everything has been seen or there is no room for more in found. Returns how many are there.
-// found [room + spare].
+// Searches on until all ranges are done or `found` has no more room. Returns how many vertices are in `found`. found
+// [room + spare].
 HSP_KERNEL(uint32_t, find_near_probes, (ProbeSearch & search, uint32_t *found), (search, found))
 
 // Calls visit(vertex) for all of them.

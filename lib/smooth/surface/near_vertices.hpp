@@ -1,5 +1,5 @@
-// The vertices whose probes may cut the patch of one: floats leave out others for certain (near_probes.hpp). Of many
-// that they leave, the actual set says which do.
+// The vertices whose probes may cut the patch of a given vertex. A search in floats leaves out only probes that
+// certainly do not cut it (near_probes.hpp). If it leaves many, the actual set decides about each.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -16,19 +16,19 @@ class NearVertices {
   NearVertices(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid, FixedVector<uint32_t> &list)
       : actual_(actual), chosen_(chosen), grid_(grid), list_(list) {}
 
-  // Lists those of this vertex by their numbers. False if there is no room.
+  // Lists the vertices near this one, in ascending order. False if there is no room.
   bool find(uint32_t vertex);
   Span<const uint32_t> list() const { return list_.items(); }
-  // The room that was needed for it, or would be.
+  // The room that the list needed before any decision of the actual set, also if there was too little.
   uint64_t required() const { return required_; }
-  // How many of those were asked about, if there was room.
+  // How many of them the actual set was asked about, if there was room.
   uint64_t asked() const { return !small_code && required_ > many ? required_ : 0; }
 
  private:
-  // So many that it pays to ask whether each does cut.
+  // With more than this it pays to ask the actual set about each.
   static constexpr uint32_t many = 32;
 
-  // Nothing of the search stays on the stack.
+  // A function of its own, so that nothing of the search stays on the stack.
   [[gnu::noinline]] void find_by_floats(uint32_t vertex);
 
   const ActualBalls &actual_;

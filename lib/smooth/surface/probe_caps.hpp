@@ -1,6 +1,7 @@
-// The borders of the concave patch of a vertex on the sphere of the probe there, as caps of the unit sphere:
-// the great circles through the directions of its three balls, and the bisector planes towards probes at other vertices
-// that overlap this one. No other probe ever cuts the patch, neither on an arc nor on a face (PROOFS.md, section 5).
+// The borders of the concave patch of a vertex on the sphere of the probe there, as caps of the unit sphere: the great
+// circles through the directions of its three balls, and the bisector planes towards probes at other vertices that
+// overlap this one. Probes with their centres on an arc or a face, rather than at a vertex, never cut the patch
+// (PROOFS.md, section 5).
 #pragma once
 
 #include "sphere/caps.hpp"
@@ -20,8 +21,8 @@ class ProbeCaps {
   // For at most so many caps of other probes.
   void carve(Workspace &workspace, uint32_t neighbours);
 
-  // Finds the caps of the vertex; vertices come in order from the first on. False if there are none but the three
-  // sides, or doubles know too little of the place. If there is no room, met() tells how much would have sufficed.
+  // Finds the caps of a vertex. Vertices must be passed in order, from the first on. False if there are no caps but the
+  // three sides, or if is_doubtful(). If there is no room, met() is the number of neighbours that would have sufficed.
   bool gather(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
               uint32_t vertex);
 
@@ -30,11 +31,11 @@ class ProbeCaps {
   // the other side, else up to rounding.
   bool touches() const { return touches_; }
   bool overflowed() const { return others_.overflowed(); }
-  // Probes that may cut this one, before any closer look.
+  // How many probes the search has found, before any closer look.
   uint32_t found() const { return found_; }
-  // Whether doubles know too little of the place: balls that touch in the vertex, a triangle without area, vertices so
-  // near to it that directions to them are noise, but not at the same position, an edge of the outside, or a probe that
-  // may touch this one.
+  // Whether doubles cannot decide the patch: the balls touch in the vertex, the triangle has no area, another vertex is
+  // so near that the direction to it is noise but not at the same position, the outside may have an edge here rather
+  // than a corner, or another probe may touch this one.
   bool is_doubtful() const { return doubtful_; }
   const Caps &caps() const { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2
@@ -43,18 +44,18 @@ class ProbeCaps {
   // The ball of the vertex that a side is opposite to.
   uint32_t ball_opposite(uint32_t side) const { return triangles_.ball[side][lane_]; }
 
-  // How much larger the errors of the caps are than sphere/caps.hpp has them.
+  // The factor by which the errors of the caps exceed those stated in sphere/caps.hpp.
   double amplification() const { return amplification_; }
 
  private:
   struct Other {
     Vec3 axis;
-    double height;  // l / (2p)
+    double height;  // distance / (2p)
     double distance;
     uint32_t vertex;
   };
   Vec3 in_lane(const double (&a)[3][ProbeTriangles::lanes]) const { return {a[0][lane_], a[1][lane_], a[2][lane_]}; }
-  // The unit normal of the side opposite ball k, on its side.
+  // The unit normal of the side opposite ball k, towards ball k.
   Vec3 inward(uint32_t k) const { return in_lane(triangles_.inward[k]); }
   void measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid);
   void take(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t other);

@@ -2,10 +2,11 @@
 // overlap are in neighbouring cubes.
 //
 // A cube (x, y, z) belongs to bucket x + B y + C z modulo the number of buckets, so that three cubes of a row are
-// neighbouring buckets and what lies in them is one range of the sorted probes, or two where buckets start anew. B and
-// C keep the nine rows around a cube apart. A bucket may hold the probes of several cubes; distances tell them apart.
-// Cubes can be chosen that share a bucket. Where too many probes of others lie in one, all are sorted by their cubes
-// instead, and binary search finds the rows: what is near is found in the same order.
+// neighbouring buckets, and their probes are one range of the sorted probes, or two ranges if bucket numbers start anew
+// between them. B and C keep the nine rows around a cube apart. A bucket may hold the probes of several cubes;
+// distances tell them apart. Input can be made whose cubes share a bucket. If a bucket has too many probes of cubes
+// other than that of its first probe, all probes are sorted by their cubes instead, and binary search finds the rows:
+// near probes are found in the same order.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -20,8 +21,8 @@ namespace hsp {
 struct ProbePositions {
   Span<uint32_t> ball;
   Span<Vec3> offset;
-  // The slots of the three balls in the record of the vertex, by rank, in two bits each, and above them whether the
-  // vertex is p- of the circles of balls 1 and 2 on ball 0.
+  // The slots of the three balls in the record of the vertex, by rank, in two bits each; and above them whether the
+  // vertex is p- of the circles of balls 1 and 2 on ball 0, in this order.
   Span<uint8_t> order;
 
   static constexpr uint32_t negative_bit = UINT32_C(1) << 6;
@@ -36,15 +37,14 @@ inline Vec3 difference(const BallSet &balls, const Position &from, const Positio
 class ProbeGrid {
  public:
   // For at most so many vertices; with a measuring workspace it only counts. Once all searches are done the memory is
-  // free for other use: two arrays of numbers, of which `shared` asks for so many each, a vector and two doubles for
-  // every vertex.
+  // free for other use: two arrays of at least `shared` numbers each, and for every vertex a vector and two doubles.
   void carve(Workspace &workspace, uint32_t vertices, uint64_t shared = 0);
   Span<uint32_t> first_shared() const { return first_; }
   Span<uint32_t> second_shared() const { return position_.ball; }
   Span<Vec3> shared_vectors() const { return position_.offset; }
   Span<double> shared_doubles() const { return doubles_; }
-  // The boundary must not have more vertices, the probe must not be 0.
-  // False if that is stopped.
+  // The boundary must not have more vertices than carve() made room for, and the probe must not be 0. False if
+  // `patience` stops it.
   bool build(const BallSet &balls, const Boundary &boundary, Patience &patience);
 
   const ProbePositions &positions() const { return position_; }
@@ -56,7 +56,7 @@ class ProbeGrid {
 
   bool has_buckets() const { return buckets_ != 0; }
 
-  // The input of a search around this vertex, but for the triangle. It finds the vertex itself, too.
+  // Fills in a search around this vertex, but for its triangle (aim). The search finds the vertex itself, too.
   void start_search(const BallSet &balls, uint32_t vertex, ProbeSearch &search) const;
 
  private:
@@ -83,13 +83,14 @@ class ProbeGrid {
   float square_of_reach_ = 0.0F, inverse_square_of_reach_ = 0.0F, margin_ = 0.0F;
 };
 
-// The balls of four vertices, by rank, with signs and discriminants; then everything about their triangles.
+// gather_triangles finds the balls of four vertices, by rank, with signs and discriminants; measure_triangles finds
+// everything about their triangles.
 using FourVertices = uint32_t[ProbeTriangles::lanes];
 void gather_triangles(const Boundary &boundary, const ProbePositions &positions, const FourVertices &vertices,
                       ProbeTriangles &triangles);
 void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
                        const FourVertices &vertices, ProbeTriangles &triangles);
-// The triangle in this lane as that of a search.
+// Makes the triangle in this lane the one of the search.
 void aim(const ProbeTriangles &triangles, uint32_t lane, ProbeSearch &search);
 
 }  // namespace hsp

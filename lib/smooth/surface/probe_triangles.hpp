@@ -18,10 +18,10 @@ struct ProbeTriangles {
   double sign[lanes];
   double root_discriminant[lanes];
 
-  // From the centre of ball 0 to the vertex; place_probes leaves what doubles do not serve as no number.
+  // From the centre of ball 0 to the vertex; place_probes writes NaN where doubles are not precise enough.
   double offset[3][lanes];
 
-  // The rest is measure_triangles': unit vectors from the vertex to the three centres; of side k, which faces ball k,
+  // measure_triangles finds the rest: unit vectors from the vertex to the three centres; of side k, which faces ball k,
   // the unit normal towards ball k and the cosine of its length; the largest error of these normals in units of that of
   // the vertex's position; solid angle and vector area of the unit sphere's triangle. No solid angle is less than 0; it
   // is -1 where a side has no direction, because two of the centres are in line with the vertex.

@@ -7,9 +7,10 @@
 
 namespace hsp {
 
-// The surface of a circle meets its own axis in two cusps if the circle is smaller than the probe, and its plane lies
-// above either centre, towards the other one. How far these are from the middle of the circle of two balls, the root of
-// p^2 - rho^2: from exact integers, as probe and circle may be nearly one. 0 if there are none.
+// A circle's saddle meets the circle's axis in two cusps if the circle is smaller than the probe and its plane lies
+// strictly between the two centres. Returns the distance of the cusps from the middle of the circle of balls a and b,
+// the root of p^2 - rho^2; it is computed from exact integers, as p and rho may be nearly equal. Returns 0 if there are
+// no cusps.
 double half_way_between_cusps(const BallSet &balls, uint32_t a, uint32_t b);
 
 // The saddle patches around one ball; the probe is not 0.
@@ -21,7 +22,7 @@ class SaddlePatches {
   SaddleDerivatives differentiate(const ArcBatch &batch);
 
   const RolledBall &rolled() const { return rolled_; }
-  // Of the last batch: those of its slots.
+  // The circles in the slots of the last batch.
   const SaddleCircles &circles() const { return circles_; }
 
  private:

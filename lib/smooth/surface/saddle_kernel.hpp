@@ -23,8 +23,8 @@ struct SaddleKernel {
   using Mask = typename L::Mask;
   using Vector = VectorOf<Real>;
 
-  // Below these shares, of squares, rounding of the height tells in the circle's radius, and in how far its cusps are
-  // from its middle.
+  // Below these ratios of squares the rounding of the height matters too much: for the circle's radius, and for the
+  // distance of its cusps from its middle.
   static constexpr double least_square_of_radius = 1.0 / 64, least_square_of_half_way = 0x1p-16;
 
   // p^2 - rho^2 is h^2 - (R^2 - p^2), which loses less where balls are small.
@@ -48,9 +48,9 @@ struct SaddleKernel {
   }
 
   // Integrals of 1, cos, sin, cos^2 and sin cos over a side's part of the profile, -t <= a <= min(0, t'), or up to its
-  // cusp; 0 if that is empty. Between balls that are near each other it is as short as their distance, by which
-  // derivatives are divided, so nothing here is the small difference of two rounded numbers. From its end a to its end
-  // b it has the sine
+  // cusp; 0 if that is empty. Between balls that are near each other this part is as short as the distance of their
+  // centres. Derivatives are divided by that distance, so nothing here may be the small difference of two rounded
+  // numbers. The angle from the part's end a to its end b has the sine
   //   h/R up to 0,   rho d/(R R') up to t', as h + h' = d,   rho (h - k)/(R p) up to the cusp, k^2 = p^2 - rho^2,
   // where h^2 - k^2 = R^2 - p^2; and sin b - sin a = t (cos a + cos b), cos a - cos b = t (sin a + sin b) with
   // t = tan((b - a)/2).
@@ -78,7 +78,7 @@ struct SaddleKernel {
       C2 = 0.5 * (T + L::kept(there, sine * (cos_a * cos_b - sin_a * sin_b)));
       SC = 0.5 * S * L::kept(there, sin_a + sin_b);
     }
-    // Those of two sides, seen from the first.
+    // The sum of two sides' integrals, seen from the first side.
     Profile(const Profile &own, const Profile &other)
         : T(own.T + other.T), S(own.S + other.S), Q(own.Q - other.Q), C2(own.C2 + other.C2), SC(own.SC - other.SC) {}
     // The same, each side with a weight.
@@ -116,7 +116,7 @@ struct SaddleKernel {
   //   area         phi p (rho T - p S)
   //   vector area  p [ (S - p C2 / rho) rho I - phi (rho Q - p SC) u ]
   //   integral of (x - m).n   phi p [ (rho^2 + p^2) S - rho p (C2 + T) ]
-  // The first two of these sums.
+  // Adds the area to sums.a and three times the term of the volume to sums.b.
   using Sums = FourSums<n>;
   static void add_measures(const Slot &s, const Profile &own, const RolledBall &ball, Sums &sums) {
     const Real term = s.angle * s.probe * (s.rho * own.T - s.probe * own.S);
@@ -132,8 +132,8 @@ struct SaddleKernel {
   // The ball's share of the normal speed is alpha = R (h' cos a - rho sin a)/(rho d), and the mean curvature's factor
   // 1/(rho - p cos a) cancels against the area element:
   //   w_V = p [ k_c (rho S - p C2) + k_s (rho Q - p SC) ],   w_A = k_c (-rho S + 2 p C2) + k_s (-rho Q + 2 p SC),
-  // k_c = h'/(rho d), k_s = -1/d. Derivatives by the centre are w (rho I + h phi u), by the radius w R phi; the area's
-  // by the offset is phi (rho T - 2 p S).
+  // k_c = h'/(rho d), k_s = -1/d. The derivative by the centre is w (rho I + h phi u), that by the radius w R phi. The
+  // area's derivative by the offset is phi (rho T - 2 p S), of which each of the two balls adds half.
   struct DerivativeSums {
     Sums area, volume;  // by the centre and the radius
     Real area_offset = L::all(0.0);

@@ -28,13 +28,13 @@ struct SaddleDerivatives {
   double area_offset;
 };
 
-// The circle in every slot, and in those behind the last that kernels read along: its radius, not a number where
-// doubles do not serve, and how far its cusps are from its middle; 0 if it has none.
+// The circle in every slot, and in the slots behind the last that kernels read, too: its radius, NaN where doubles are
+// not precise enough; and the distance of its cusps from its middle, 0 if it has none.
 struct SaddleCircles {
   double radius[ArcBatch::room], half_way[ArcBatch::room];
 };
 
-// False if doubles do not serve for all of them.
+// False if doubles are not precise enough for one of the circles.
 HSP_KERNEL(bool, find_saddle_circles, (const ArcBatch &batch, const RolledBall &ball, SaddleCircles &circles),
            (batch, ball, circles))
 HSP_KERNEL(SaddleMeasures, measure_saddles,

@@ -31,7 +31,7 @@ inline double shrinkage_of_faces(const BallSet &balls, uint32_t i) {
   return R > 0.0 ? (R - static_cast<double>(balls.probe_steps)) / R : 0.0;
 }
 
-// Calls visit(face) for the chosen faces of a ball, or visit(no_id) if these are all.
+// Calls visit(face) for the chosen faces of a ball, or visit(no_id) once if all its faces are chosen.
 template <class Visit>
 void for_each_chosen_part(const Boundary &boundary, const ChosenFaces &chosen, uint32_t ball, Visit visit) {
   bool all = true;
@@ -47,7 +47,7 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
                                        uint32_t i);
 
 // Calls sink(i, measure) for every ball i of the input, in the caller's unit, and returns the sums over the balls in
-// the caller's order. Not of all if the executor has stopped it.
+// the caller's order. If the executor stops it, some balls are left out.
 template <class Sink>
 SurfaceMeasure measure_surface(const CubeGrid &grid, const Boundary &boundary, const Surface &surface, Sink sink,
                                const Executor &executor = Executor()) {

@@ -1,8 +1,7 @@
 // Fills a surface: the pass over all vertices of a boundary.
 //
-// First each concave patch is cut on its own, in doubles. Where all of it is certain, and what patches have found fits
-// together, that is the surface. Otherwise all patches are cut once more, by signs of one actual set of balls
-// (creases.hpp).
+// First each concave patch is cut on its own, in doubles. If every answer is certain and the patches fit together, that
+// is the surface. Otherwise all patches are cut once more, by signs of one actual set of balls (creases.hpp).
 #pragma once
 
 #include "surface/creased_patches.hpp"
@@ -16,8 +15,8 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
   void carve(Workspace &workspace, const SurfaceLimits &limits);
 
   // Status::capacity if a limit is too small; needed() then reports what suffices. Status::degenerate if a sign of the
-  // actual set is not certain in any width, or borders do not close. Status::stopped if more is not allowed.
-  // shells: of these of the boundary alone.
+  // actual set is not certain in any width, or borders do not close. Status::stopped if `patience` stops it. shells:
+  // the shells of the boundary that are chosen (chosen_faces.hpp); null for all.
   Status build(const BallSet &balls, const Boundary &boundary, Patience patience = Patience(),
                const Span<const uint32_t> *shells = nullptr);
 
@@ -37,7 +36,7 @@ class SurfaceBuilder : public Limited<SurfaceLimits> {
   Surface surface_;
   ProbeGrid grid_;
   ProbeCaps probe_;
-  // Of the patch at hand; and the same memory for those of the actual set.
+  // Memory for the corners and arcs of the patch at hand, in doubles or of the actual set.
   Span<uint64_t> border_room_;
   FixedVector<RegionCorner> corners_;
   FixedVector<RegionArc> arcs_;

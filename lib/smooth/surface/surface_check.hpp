@@ -20,7 +20,7 @@ enum class SurfaceInvariant : uint32_t {
   totals = 9,
 };
 
-// Where: the id of a directed edge, patch, corner or shell.
+// Its id is that of a directed edge, patch, vertex or shell.
 using SurfaceViolation = Violation<SurfaceInvariant>;
 
 SurfaceViolation check_surface(const SurfaceMap &map);

@@ -1,9 +1,9 @@
-// Derivatives of the smooth surface's area A and volume V by centres c, radii R (probe included) and the offset t,
-// which is the probe's radius p where it is not part of a radius. Gathered ball by ball.
+// Derivatives of the smooth surface's area A and volume V by centres c, radii R (probe included) and the offset t: the
+// probe's radius p, varied while the radii R stay. Gathered ball by ball.
 //
-// Where a point of the surface has y as its nearest point of the boundary, with contacts m there and n_m the normals of
-// their spheres, its normal n is a sum of alpha_m n_m, and its normal speed is the sum of alpha_m (n_m.c_m' + R_m') -
-// t': the derivatives of circles and vertices do not enter. With H the mean curvature,
+// Let y be the nearest point of the boundary to a point of the surface, m the contacts of y, and n_m the normals of
+// their spheres at y. The surface's normal n at the point is a sum of alpha_m n_m, and its normal speed is the sum of
+// alpha_m (n_m.c_m' + R_m') - t': the derivatives of circles and vertices do not enter. With H the mean curvature,
 //   V' = integral of the normal speed, so dV/dt = -A;   A' = integral of 2H times it + crease terms
 // where 2H is 2/r on convex patches, -1/p + cos a/(rho - p cos a) on saddles and -2/p on concave ones. Per feature:
 //   face     with N and A of the shrunk face:  dV/dc = N, dV/dR = A;  dA/dc = 2 N/r, dA/dR = 2 A/r, dA/dt = -2 A/r
@@ -13,13 +13,13 @@
 //              q_V = -N,   q_A = 2 N/p - p * sum over creases of c * (integral of the direction over the angle)
 //              contact k:  z = q.(n_l x n_m) / det(n_k, n_l, n_m);   d/dc_k = z n_k, d/dR_k = z
 //              dA/dt = 2 A/p - p * sum over creases of c phi
-// Cusps add nothing. On a crease each of the two patches adds its own half. Where areas have weights that are not equal
-// weighted_joints.hpp has what comes to that.
+// Cusps add nothing. On a crease each of the two patches adds its own half. If areas have unequal weights, further
+// terms are added (weighted_joints.hpp).
 //
-// V and A are differentiable where no vertex is degenerate: of more than three spheres, or with centres in its plane
-// (D = 0), so that arcs and vertices come and go there with an angle. There the derivatives are those of the patches
-// that the symbolic perturbation makes, without those of vertices with D = 0. degenerate_balls.hpp has what is not seen
-// of a ball's own vertices.
+// V and A are differentiable if no vertex is degenerate. A vertex is degenerate if more than three spheres pass through
+// it, or if the centres of its balls are in one plane with it (D = 0): arcs and vertices come and go there with an
+// angle. At a degenerate vertex the derivatives are those of the patches that the symbolic perturbation makes; a vertex
+// with D = 0 adds nothing. degenerate_balls.hpp finds degenerate balls that their own vertices do not show.
 #pragma once
 
 #include "core/summation.hpp"
@@ -65,13 +65,14 @@ struct SurfaceEnergyGradient {
 };
 
 // Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor. Sums run over the balls in the
-// caller's order; Energy::by_probe is with radii that do not contain the probe. False if the executor fails.
+// caller's order; Energy::by_probe is the derivative by the probe at constant radii without the probe. False if the
+// executor fails.
 template <class Sink>
 bool differentiate_surface(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
                            const Surface &surface, const EnergyTerms &terms, Energy &energy, Sink sink) {
   const BallSet &balls = grid.balls();
   const exact::Lattice &lattice = balls.lattice;
-  // A step of the lattice may be any power of ten: each is converted on its own.
+  // A step of the lattice may be any power of ten, so each term is converted on its own.
   const auto combined = [&](double of_area, double of_volume) {
     return terms.tension * lattice.length(of_area) + terms.pressure * lattice.area(of_volume);
   };
